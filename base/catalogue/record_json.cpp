@@ -1,0 +1,169 @@
+#include "base/catalogue/record_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace vitrine {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t max_shots = 100'000;
+constexpr std::size_t max_corners = 1'000;
+
+template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
+
+constexpr Names<MediaKind, 2> kinds{{{MediaKind::photo, "photo"}, {MediaKind::video, "video"}}};
+constexpr Names<MediaState, 5> states{{{MediaState::ready, "ready"},
+                                       {MediaState::waiting, "waiting"},
+                                       {MediaState::unsupported, "unsupported"},
+                                       {MediaState::failed, "failed"},
+                                       {MediaState::quarantined, "quarantined"}}};
+constexpr Names<ShotEnd, 4> ends{
+    {{ShotEnd::cut, "cut"}, {ShotEnd::dissolve, "dissolve"}, {ShotEnd::fade, "fade"}, {ShotEnd::end, "end"}}};
+
+template <typename Table> std::string_view name_in(const Table& table, auto value) {
+    for (const auto& [key, name] : table)
+        if (key == value) return name;
+    throw std::logic_error("a value without a name");
+}
+
+template <typename Table> auto value_in(const Table& table, const Json& json, std::string_view key) {
+    const std::string text = json.at(std::string(key)).get<std::string>();
+    for (const auto& [value, name] : table)
+        if (name == text) return value;
+    throw std::runtime_error(fmt::format("record: '{}' is not a {}", text, key));
+}
+
+std::string to_hex(std::string_view bytes) {
+    std::string hex;
+    for (const char c : bytes)
+        hex += fmt::format("{:02x}", static_cast<unsigned char>(c));
+    return hex;
+}
+
+std::string from_hex(std::string_view hex) {
+    if (hex.size() % 2 != 0 || hex.find_first_not_of("0123456789abcdef") != std::string_view::npos)
+        throw std::runtime_error("record: path_hex is no hex text");
+    std::string bytes;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
+    return bytes;
+}
+
+bool is_utf8(const std::string& text) {
+    try {
+        (void)Json(text).dump();
+        return true;
+    } catch (const Json::type_error&) {
+        return false;
+    }
+}
+
+double rounded(double pixels) {
+    return std::round(pixels * 1000) / 1000;
+}
+
+Json to_array(Vec2 v) {
+    return Json::array({rounded(v.x), rounded(v.y)});
+}
+
+Vec2 to_vec2(const Json& json) {
+    const Vec2 v{json.at(0).get<double>(), json.at(1).get<double>()};
+    if (!std::isfinite(v.x) || !std::isfinite(v.y))
+        throw std::runtime_error("record: a number is not finite");
+    return v;
+}
+
+Json to_object(const Shot& shot) {
+    Json polygon = Json::array();
+    for (const Vec2& corner : shot.region.polygon)
+        polygon.push_back(to_array(corner));
+    return {{"begin_ns", shot.begin.count()},
+            {"end_ns", shot.end.count()},
+            {"ends_with", name_of(shot.ends_with)},
+            {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+}
+
+Shot to_shot(const Json& json) {
+    Shot shot;
+    shot.begin = std::chrono::nanoseconds(json.at("begin_ns").get<std::int64_t>());
+    shot.end = std::chrono::nanoseconds(json.at("end_ns").get<std::int64_t>());
+    shot.ends_with = value_in(ends, json, "ends_with");
+    const Json& polygon = json.at("region").at("polygon");
+    if (polygon.size() > max_corners) throw std::runtime_error("record: a region has too many corners");
+    for (const Json& corner : polygon)
+        shot.region.polygon.push_back(to_vec2(corner));
+    shot.region.drift = to_vec2(json.at("region").at("drift"));
+    return shot;
+}
+
+MediaRecord to_record(const Json& json) {
+    const int version = json.at("version").get<int>();
+    if (version != MediaRecord::current_version)
+        throw std::runtime_error(fmt::format("record: version {} is not known", version));
+    MediaRecord record;
+    record.path = json.contains("path_hex") ? from_hex(json["path_hex"].get<std::string>())
+                                            : json.at("path").get<std::string>();
+    record.kind = value_in(kinds, json, "kind");
+    record.bytes = json.at("bytes").get<std::uint64_t>();
+    record.mtime_ns = json.at("mtime_ns").get<std::int64_t>();
+    record.state = value_in(states, json, "state");
+    record.reason = json.at("reason").get<std::string>();
+    record.width = json.at("width").get<int>();
+    record.height = json.at("height").get<int>();
+    record.duration = std::chrono::nanoseconds(json.at("duration_ns").get<std::int64_t>());
+    if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
+    for (const Json& shot : json.at("shots"))
+        record.shots.push_back(to_shot(shot));
+    return record;
+}
+
+} // namespace
+
+std::string_view name_of(MediaState state) {
+    return name_in(states, state);
+}
+
+std::string_view name_of(ShotEnd end) {
+    return name_in(ends, end);
+}
+
+std::string_view name_of(MediaKind kind) {
+    return name_in(kinds, kind);
+}
+
+std::string to_json(const MediaRecord& record) {
+    Json shots = Json::array();
+    for (const Shot& shot : record.shots)
+        shots.push_back(to_object(shot));
+    Json json{{"version", MediaRecord::current_version},
+              {"path", record.path},
+              {"kind", name_of(record.kind)},
+              {"bytes", record.bytes},
+              {"mtime_ns", record.mtime_ns},
+              {"state", name_of(record.state)},
+              {"reason", record.reason},
+              {"width", record.width},
+              {"height", record.height},
+              {"duration_ns", record.duration.count()},
+              {"shots", shots}};
+    if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+MediaRecord record_from_json(std::string_view text) {
+    try {
+        return to_record(Json::parse(text));
+    } catch (const Json::exception& error) {
+        throw std::runtime_error(fmt::format("record: {}", error.what()));
+    }
+}
+
+} // namespace vitrine

@@ -1,0 +1,51 @@
+# A compiler cache is used where there is one.
+find_program(VITRINE_CCACHE ccache)
+if(VITRINE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${VITRINE_CCACHE})
+endif()
+
+# What every target of this tree is compiled with: vitrine_options, linked PRIVATE by each.
+add_library(vitrine_options INTERFACE)
+target_include_directories(vitrine_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(vitrine_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  -Wno-missing-field-initializers)  # designated initialisers leave out what keeps its default
+if(VITRINE_WERROR)
+  target_compile_options(vitrine_options INTERFACE -Werror)
+endif()
+if(VITRINE_SANITIZE)
+  target_compile_options(vitrine_options INTERFACE
+    -fsanitize=${VITRINE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(vitrine_options INTERFACE -fsanitize=${VITRINE_SANITIZE})
+endif()
+
+# A module is an object-like static library of one folder, named vitrine_<folder>.
+#   vitrine_module(base_geometry SOURCES a.cpp b.cpp USES vitrine::x PRIVATE_USES lib)
+function(vitrine_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
+endfunction()
+
+# A test file is one ctest test; all files of one call share an executable.
+#   vitrine_tests(layout_test LABEL unit SOURCES energy_test.cpp cells_test.cpp USES player_layout)
+function(vitrine_tests name)
+  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+  target_link_libraries(${name} PRIVATE vitrine_options doctest::doctest ${arg_USES})
+  foreach(source IN LISTS arg_SOURCES)
+    get_filename_component(stem ${source} NAME_WE)
+    add_test(NAME ${name}.${stem} COMMAND ${name} --source-file=*${stem}.cpp)
+    set_tests_properties(${name}.${stem} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${arg_TIMEOUT}
+      ENVIRONMENT "${VITRINE_TEST_ENVIRONMENT}")
+  endforeach()
+endfunction()
+
+set(VITRINE_TEST_ENVIRONMENT
+  "ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0"
+  "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0"
+  "UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1"
+  "TSAN_OPTIONS=halt_on_error=1:suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp")
