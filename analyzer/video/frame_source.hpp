@@ -1,0 +1,33 @@
+#pragma once
+
+#include "analyzer/video/video_frame.hpp"
+#include "base/catalogue/record.hpp"
+
+#include <optional>
+
+namespace vitrine {
+
+/// What is known of a medium before its pictures are read.
+struct MediaInfo {
+    MediaKind kind = MediaKind::photo;
+    int width = 0;  // px of the upright picture at full size, square pixels
+    int height = 0;
+    std::chrono::nanoseconds duration{0};  // 0 for a photo; a film's may turn out shorter
+};
+
+/// Gives the pictures of a medium one after another, each once: a photo, a film, or a test's drawing.
+class FrameSource {
+  public:
+    FrameSource() = default;
+    FrameSource(const FrameSource&) = delete;
+    FrameSource& operator=(const FrameSource&) = delete;
+    virtual ~FrameSource() = default;
+
+    virtual const MediaInfo& info() const = 0;
+
+    /// The next picture in time order, nothing at the end.
+    /// @throws MediaError where the medium turns out to be broken
+    virtual std::optional<VideoFrame> next() = 0;
+};
+
+}  // namespace vitrine
