@@ -1,0 +1,263 @@
+#include "base/settings/setting_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+// Each key is one line in make_keys(): its name, where it is kept, what it accepts. The file, the
+// command line and the test of config/vitrine.toml all read this table.
+
+namespace vitrine {
+
+namespace {
+
+/// Where a key is kept: the member's address in any Settings.
+template <typename T> using Member = std::function<T&(Settings&)>;
+
+template <typename T> const T& read(const Member<T>& member, const Settings& settings) {
+    return member(const_cast<Settings&>(settings)); // the member function only hands the address on
+}
+
+[[noreturn]] void refuse() {
+    throw std::invalid_argument("not allowed");
+}
+
+std::int64_t whole_number(const SettingValue& value, std::int64_t least, std::int64_t most) {
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (number == nullptr || *number < least || *number > most) refuse();
+    return *number;
+}
+
+SettingKey whole(std::string name, Member<int> member, int least, int most) {
+    return {
+        .name = std::move(name),
+        .allowed = fmt::format("a whole number from {} to {}", least, most),
+        .assign = [=](Settings& s,
+                      const SettingValue& v) { member(s) = static_cast<int>(whole_number(v, least, most)); },
+        .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
+}
+
+SettingKey number(std::string name, Member<double> member, double least, double most) {
+    return {.name = std::move(name),
+            .allowed = fmt::format("a number from {} to {}", least, most),
+            .assign =
+                [=](Settings& s, const SettingValue& v) {
+                    const auto* whole_value = std::get_if<std::int64_t>(&v);
+                    const auto* value = std::get_if<double>(&v);
+                    if (whole_value == nullptr && value == nullptr) refuse();
+                    const double x = value != nullptr ? *value : static_cast<double>(*whole_value);
+                    if (!(x >= least && x <= most)) refuse();
+                    member(s) = x;
+                },
+            .text = [=](const Settings& s) { return fmt::format("{:.4g}", read(member, s)); }};
+}
+
+template <typename Duration>
+SettingKey duration(std::string name, Member<Duration> member, std::int64_t least, std::int64_t most) {
+    return {.name = std::move(name),
+            .allowed = fmt::format("a whole number from {} to {}", least, most),
+            .assign = [=](Settings& s,
+                          const SettingValue& v) { member(s) = Duration(whole_number(v, least, most)); },
+            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s).count()); }};
+}
+
+SettingKey text(std::string name, Member<std::string> member, std::string allowed,
+                std::function<bool(const std::string&)> is_allowed) {
+    return {.name = std::move(name),
+            .allowed = std::move(allowed),
+            .assign =
+                [=](Settings& s, const SettingValue& v) {
+                    const auto* value = std::get_if<std::string>(&v);
+                    if (value == nullptr || !is_allowed(*value)) refuse();
+                    member(s) = *value;
+                },
+            .text = [=](const Settings& s) { return fmt::format("\"{}\"", read(member, s)); }};
+}
+
+SettingKey choice(std::string name, Member<std::string> member, std::vector<std::string> choices) {
+    const std::string allowed = fmt::format("one of \"{}\"", fmt::join(choices, "\", \""));
+    return text(std::move(name), std::move(member), allowed, [choices](const std::string& value) {
+        for (const std::string& one : choices)
+            if (one == value) return true;
+        return false;
+    });
+}
+
+SettingKey path(std::string name, Member<std::string> member) {
+    return text(std::move(name), std::move(member), "a path",
+                [](const std::string& value) { return !value.empty(); });
+}
+
+SettingKey optional_path(std::string name, Member<std::string> member) {
+    return text(std::move(name), std::move(member), "a path, or nothing",
+                [](const std::string&) { return true; });
+}
+
+SettingKey rotation(std::string name, Member<int> member) {
+    SettingKey key = whole(std::move(name), std::move(member), 0, 270);
+    key.allowed = "0, 90, 180 or 270";
+    key.assign = [assign = key.assign](Settings& s, const SettingValue& v) {
+        if (whole_number(v, 0, 270) % 90 != 0) refuse();
+        assign(s, v);
+    };
+    return key;
+}
+
+bool is_colour(const std::string& value) {
+    return value.size() == 7 && value[0] == '#' &&
+           value.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+bool is_size(std::string_view value) {
+    int width = 0;
+    int height = 0;
+    const char* end = value.data() + value.size();
+    const auto [after_width, width_error] = std::from_chars(value.data(), end, width);
+    if (width_error != std::errc() || after_width == end || *after_width != 'x') return false;
+    const auto [after_height, height_error] = std::from_chars(after_width + 1, end, height);
+    return height_error == std::errc() && after_height == end && width >= 16 && height >= 16 &&
+           width <= 16384 && height <= 16384;
+}
+
+bool is_screen(const std::string& value) {
+    if (value == "kms") return true;
+    if (value.starts_with("kms:/")) return true;
+    return value.starts_with("offscreen:") && is_size(std::string_view(value).substr(10));
+}
+
+bool is_mode(const std::string& value) {
+    const std::size_t at = value.find('@');
+    if (at == std::string::npos) return value.empty() || is_size(value);
+    const std::string rate = value.substr(at + 1);
+    return is_size(std::string_view(value).substr(0, at)) && !rate.empty() && rate.size() <= 3 &&
+           rate.find_first_not_of("0123456789") == std::string::npos;
+}
+
+void append(std::vector<SettingKey>& keys, std::initializer_list<SettingKey> more) {
+    keys.insert(keys.end(), more);
+}
+
+void append_analyzer_keys(std::vector<SettingKey>& keys) {
+    using S = Settings;
+    append(
+        keys,
+        {
+            whole(
+                "analyzer.children", [](S& s) -> int& { return s.analyzer.children; }, 0, 64),
+            duration<std::chrono::seconds>(
+                "analyzer.deadline_seconds", [](S & s) -> auto& { return s.analyzer.deadline; }, 1, 86400),
+            number(
+                "analyzer.deadline_seconds_per_mebibyte",
+                [](S& s) -> double& { return s.analyzer.deadline_per_mebibyte; }, 0, 3600),
+            whole(
+                "analyzer.memory_mebibytes", [](S& s) -> int& { return s.analyzer.memory; }, 256, 1048576),
+            duration<std::chrono::seconds>(
+                "analyzer.rescan_seconds", [](S & s) -> auto& { return s.analyzer.rescan; }, 1, 86400),
+            duration<std::chrono::milliseconds>(
+                "analyzer.quiet_milliseconds", [](S & s) -> auto& { return s.analyzer.quiet; }, 0, 600000),
+            whole(
+                "analyzer.frame_size", [](S& s) -> int& { return s.analyzer.frame_size; }, 64, 1024),
+            number(
+                "analyzer.samples_per_second", [](S& s) -> double& { return s.analyzer.samples_per_second; },
+                0.1, 120),
+            number(
+                "analyzer.motion_weight", [](S& s) -> double& { return s.analyzer.motion_weight; }, 0, 1),
+            number(
+                "analyzer.image_weight", [](S& s) -> double& { return s.analyzer.image_weight; }, 0, 1),
+            number(
+                "analyzer.face_weight", [](S& s) -> double& { return s.analyzer.face_weight; }, 0, 1),
+            optional_path(
+                "analyzer.face_model", [](S & s) -> auto& { return s.analyzer.face_model; }),
+            optional_path(
+                "analyzer.face_cascade", [](S & s) -> auto& { return s.analyzer.face_cascade; }),
+            choice("analyzer.region", [](S & s) -> auto& { return s.analyzer.region; }, {"min_area", "hull"}),
+            number(
+                "analyzer.region_mass", [](S& s) -> double& { return s.analyzer.region_mass; }, 0.05, 0.99),
+            number(
+                "analyzer.region_margin", [](S& s) -> double& { return s.analyzer.region_margin; }, 0, 0.2),
+        });
+}
+
+void append_player_keys(std::vector<SettingKey>& keys) {
+    using S = Settings;
+    append(
+        keys,
+        {
+            whole(
+                "layout.slots", [](S& s) -> int& { return s.layout.slots; }, 1, 64),
+            whole(
+                "layout.seed", [](S& s) -> int& { return s.layout.seed; }, 0, 2147483647),
+            choice("layout.energy", [](S & s) -> auto& { return s.layout.energy; }, {"screen", "paper"}),
+            number(
+                "layout.max_enlargement", [](S& s) -> double& { return s.layout.max_enlargement; }, 0.1, 100),
+            number(
+                "layout.clearance_pixels", [](S& s) -> double& { return s.layout.clearance; }, 0, 200),
+            choice("show.order", [](S & s) -> auto& { return s.show.order; }, {"shuffle", "name", "newest"}),
+            duration<std::chrono::seconds>(
+                "show.dwell_seconds", [](S & s) -> auto& { return s.show.dwell; }, 1, 86400),
+            duration<std::chrono::milliseconds>(
+                "show.crossfade_milliseconds", [](S & s) -> auto& { return s.show.crossfade; }, 0, 10000),
+            text(
+                "show.background", [](S & s) -> auto& { return s.show.background; },
+                "a colour like \"#101014\"", is_colour),
+            text(
+                "output.screen", [](S & s) -> auto& { return s.output.screen; },
+                "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\"", is_screen),
+            text(
+                "output.mode", [](S & s) -> auto& { return s.output.mode; },
+                "\"WIDTHxHEIGHT\", \"WIDTHxHEIGHT@HZ\" or nothing", is_mode),
+            rotation("output.rotation", [](S& s) -> int& { return s.output.rotation; }),
+            whole(
+                "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
+        });
+}
+
+std::vector<SettingKey> make_keys() {
+    using S = Settings;
+    std::vector<SettingKey> keys;
+    append(keys, {
+                     path(
+                         "media.root", [](S & s) -> auto& { return s.media.root; }),
+                     path(
+                         "state.directory", [](S & s) -> auto& { return s.state.directory; }),
+                     choice("log.level", [](S & s) -> auto& { return s.log.level; },
+                            {"error", "warning", "info", "debug"}),
+                 });
+    append_analyzer_keys(keys);
+    append_player_keys(keys);
+    return keys;
+}
+
+} // namespace
+
+std::span<const SettingKey> setting_keys() {
+    static const std::vector<SettingKey> keys = make_keys();
+    return keys;
+}
+
+const SettingKey* find_setting_key(std::string_view name) {
+    for (const SettingKey& key : setting_keys())
+        if (key.name == name) return &key;
+    return nullptr;
+}
+
+SettingValue setting_value(const std::string& text) {
+    if (text == "true" || text == "false") return text == "true";
+    const char* end = text.data() + text.size();
+    std::int64_t whole_value = 0;
+    if (const auto [rest, error] = std::from_chars(text.data(), end, whole_value);
+        error == std::errc() && rest == end)
+        return whole_value;
+    double value = 0;
+    if (const auto [rest, error] = std::from_chars(text.data(), end, value);
+        error == std::errc() && rest == end && std::isfinite(value))
+        return value;
+    return text;
+}
+
+} // namespace vitrine

@@ -1,0 +1,44 @@
+#include "base/settings/setting_options.hpp"
+
+#include "base/settings/settings_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace vitrine {
+
+namespace {
+
+constexpr const char* installed_file = "/etc/vitrine/vitrine.toml";
+
+} // namespace
+
+void SettingOptions::add_to(CLI::App& app) {
+    app.add_option("--config", config_,
+                   fmt::format("Settings file (default: {}, where it exists)", installed_file));
+    for (const SettingKey& key : setting_keys())
+        app.add_option("--" + key.name, given_[key.name],
+                       fmt::format("{} (default: {})", key.allowed, key.text(Settings{})))
+            ->group("Settings, as in the file")
+            ->type_name("");
+}
+
+void SettingOptions::add_alias(CLI::App& app, const std::string& alias, const std::string& key) {
+    app.add_option("--" + alias, aliased_[key], fmt::format("Short for --{}", key))->type_name("");
+}
+
+Settings SettingOptions::settings() const {
+    Settings settings;
+    if (!config_.empty())
+        read_settings_file(config_, settings);
+    else if (std::filesystem::exists(installed_file))
+        read_settings_file(installed_file, settings);
+    for (const auto* options : {&given_, &aliased_})
+        for (const auto& [name, text] : *options)
+            if (!text.empty()) apply_setting(name, text, settings);
+    return settings;
+}
+
+} // namespace vitrine

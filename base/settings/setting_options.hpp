@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+
+#include <map>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace vitrine {
+
+/// The settings as options of a command line: --config FILE, and --SECTION.KEY VALUE for every key.
+class SettingOptions {
+  public:
+    /// Adds the options; `this` must outlive the parse.
+    void add_to(CLI::App& app);
+
+    /// An option given under a shorter name: --slots for --layout.slots.
+    void add_alias(CLI::App& app, const std::string& alias, const std::string& key);
+
+    /// Defaults, then the file (--config, else the installed one where it exists), then the options.
+    /// @throws SettingsError
+    Settings settings() const;
+
+  private:
+    std::string config_;
+    std::map<std::string, std::string> given_; // key name -> text, empty: not given
+    std::map<std::string, std::string> aliased_;
+};
+
+} // namespace vitrine

@@ -1,0 +1,99 @@
+#include "base/settings/setting_keys.hpp"
+#include "base/settings/settings_file.hpp"
+#include "base/system/atomic_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace vitrine;
+
+namespace {
+
+std::string error_of(const std::string& toml) {
+    Settings settings;
+    try {
+        read_settings(toml, "wall.toml", settings);
+    } catch (const SettingsError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// The lines `#key = value` of the shipped file, as "section.key = value".
+std::vector<std::string> commented_keys(const std::string& toml) {
+    std::vector<std::string> keys;
+    std::string section;
+    std::istringstream lines(toml);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
+        const bool is_key = line.size() > 1 && line[0] == '#' && line[1] != ' ';
+        if (is_key) keys.push_back(section + "." + line.substr(1));
+    }
+    return keys;
+}
+
+std::string uncommented(const std::string& toml) {
+    std::string result;
+    std::istringstream lines(toml);
+    for (std::string line; std::getline(lines, line);)
+        result += (line.size() > 1 && line[0] == '#' && line[1] != ' ' ? line.substr(1) : line) + "\n";
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("the shipped file lists every key, in order, commented at its default") {
+    const std::vector<std::string> listed = commented_keys(read_file(VITRINE_CONFIG));
+    std::vector<std::string> expected;
+    for (const SettingKey& key : setting_keys())
+        expected.push_back(key.name + " = " + key.text(Settings{}));
+    CHECK(listed == expected);
+}
+
+TEST_CASE("the shipped file is accepted, as it is and with every key in force") {
+    const std::string toml = read_file(VITRINE_CONFIG);
+    CHECK(error_of(toml) == "");
+    CHECK(error_of(uncommented(toml)) == "");
+}
+
+TEST_CASE("a value in the file reaches the settings") {
+    Settings settings;
+    read_settings("[layout]\nslots = 5\n[show]\ndwell_seconds = 7\n[analyzer]\nregion_mass = 0.6\n",
+                  "wall.toml", settings);
+    CHECK(settings.layout.slots == 5);
+    CHECK(settings.show.dwell == std::chrono::seconds(7));
+    CHECK(settings.analyzer.region_mass == doctest::Approx(0.6));
+}
+
+TEST_CASE("a wrong value names file, line and what is allowed") {
+    CHECK(error_of("\n[layout]\nslots = 900\n") ==
+          "wall.toml:3: the value of 'layout.slots' is not allowed; it must be a whole number from 1 to 64");
+    CHECK(error_of("[layout]\nslots = \"many\"\n").find("a whole number from 1 to 64") != std::string::npos);
+    CHECK(error_of("[output]\nscreen = \"offscreen:big\"\n").find("wall.toml:2") == 0);
+    CHECK(error_of("[output]\nrotation = 45\n").find("0, 90, 180 or 270") != std::string::npos);
+    CHECK(error_of("[show]\nbackground = \"black\"\n").find("#101014") != std::string::npos);
+}
+
+TEST_CASE("a wrong key or section names file, line and the known ones") {
+    CHECK(error_of("[layout]\n\nslotz = 3\n")
+              .find("wall.toml:3: there is no key 'layout.slotz'; this section has layout.slots") == 0);
+    CHECK(error_of("[lay]\nslots = 3\n").find("wall.toml:1: there is no section [lay]") == 0);
+    CHECK(error_of("slots = 3\n").find("wall.toml:1: there is no section [slots]") == 0);
+    CHECK(error_of("[layout\n").find("wall.toml:1") == 0);
+}
+
+TEST_CASE("an option wins, and a wrong one says what is allowed") {
+    Settings settings;
+    apply_setting("layout.slots", "3", settings);
+    apply_setting("media.root", "2026", settings);
+    apply_setting("output.screen", "offscreen:1280x720", settings);
+    CHECK(settings.layout.slots == 3);
+    CHECK(settings.media.root == "2026");
+    CHECK_THROWS_WITH_AS(apply_setting("layout.slots", "0", settings),
+                         "--layout.slots '0' is not allowed; it must be a whole number from 1 to 64",
+                         SettingsError);
+    CHECK_THROWS_AS(apply_setting("layout.nothing", "0", settings), SettingsError);
+}
