@@ -8,8 +8,8 @@ namespace vitrine {
 
 /// One decoded picture as the analysis sees it.
 struct VideoFrame {
-    cv::Mat picture;                  // CV_8UC3, BGR, upright, square pixels, longest side <= analysis size
-    std::chrono::nanoseconds time{0}; // stream time, what the player can seek to; 0 for a photo
+    cv::Mat picture;                   // CV_8UC3, BGR, upright, square pixels, longest side <= analysis size
+    std::chrono::nanoseconds time{0};  // stream time, what the player can seek to; 0 for a photo
 };
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -39,4 +39,4 @@ class Catalogue {
     std::filesystem::path directory_;
 };
 
-} // namespace vitrine
+}  // namespace vitrine

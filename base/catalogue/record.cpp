@@ -19,4 +19,4 @@ std::string record_id(const std::string& path) {
     return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(path.data(), path.size())));
 }
 
-} // namespace vitrine
+}  // namespace vitrine

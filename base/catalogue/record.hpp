@@ -14,11 +14,11 @@ enum class MediaKind { photo, video };
 
 /// What the analyzer could say of a file. Only `ready` is ever shown.
 enum class MediaState {
-    ready,       // shots and regions are known
-    waiting,     // incomplete as it is now: a copy under way, an index still missing; tried again
-    unsupported, // whole, but nothing that can be shown
-    failed,      // looked like media and could not be read
-    quarantined, // killed its analysing child repeatedly; tried again only when it changes
+    ready,        // shots and regions are known
+    waiting,      // incomplete as it is now: a copy under way, an index still missing; tried again
+    unsupported,  // whole, but nothing that can be shown
+    failed,       // looked like media and could not be read
+    quarantined,  // killed its analysing child repeatedly; tried again only when it changes
 };
 
 /// How a shot ends; a transition belongs to neither of its shots.
@@ -26,14 +26,14 @@ enum class ShotEnd { cut, dissolve, fade, end };
 
 /// The region that must not be covered (paper 1, section 3.3).
 struct IRegion {
-    Polygon polygon; // convex, counter-clockwise, px of the upright picture at the shot's begin
-    Vec2 drift;      // px per second that the subject moves: at time t the region is polygon + drift * t
+    Polygon polygon;  // convex, counter-clockwise, px of the upright picture at the shot's begin
+    Vec2 drift;       // px per second that the subject moves: at time t the region is polygon + drift * t
 
     friend bool operator==(const IRegion&, const IRegion&) = default;
 };
 
 struct Shot {
-    std::chrono::nanoseconds begin{0}; // half-open [begin, end) in stream time; a photo has [0, 0)
+    std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
@@ -47,16 +47,16 @@ struct Shot {
 struct MediaRecord {
     static constexpr int current_version = 1;
 
-    std::string path; // relative to the media root, '/' between folders, any bytes
+    std::string path;  // relative to the media root, '/' between folders, any bytes
     MediaKind kind = MediaKind::photo;
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
     MediaState state = MediaState::waiting;
-    std::string reason; // plain words for the operator, empty when ready
-    int width = 0;      // px of the upright picture, square pixels
+    std::string reason;  // plain words for the operator, empty when ready
+    int width = 0;       // px of the upright picture, square pixels
     int height = 0;
-    std::chrono::nanoseconds duration{0}; // 0 for a photo
-    std::vector<Shot> shots;              // in time order, not overlapping; a photo has one
+    std::chrono::nanoseconds duration{0};  // 0 for a photo
+    std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
 
     friend bool operator==(const MediaRecord&, const MediaRecord&) = default;
 };
@@ -68,4 +68,4 @@ Box core(const MediaRecord& record, const Shot& shot);
 /// Names the file's record: 16 hex digits, the same for the same path.
 std::string record_id(const std::string& path);
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -125,7 +125,7 @@ MediaRecord to_record(const Json& json) {
     return record;
 }
 
-} // namespace
+}  // namespace
 
 std::string_view name_of(MediaState state) {
     return name_in(states, state);
@@ -166,4 +166,4 @@ MediaRecord record_from_json(std::string_view text) {
     }
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -18,4 +18,4 @@ std::string_view name_of(MediaState state);
 std::string_view name_of(ShotEnd end);
 std::string_view name_of(MediaKind kind);
 
-} // namespace vitrine
+}  // namespace vitrine

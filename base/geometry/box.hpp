@@ -38,4 +38,4 @@ inline Box moved(const Box& box, Vec2 by) {
     return {box.min + by, box.max + by};
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -15,10 +15,10 @@ template <typename Iterator> void append_chain(Polygon& hull, Iterator first, It
             hull.pop_back();
         hull.push_back(*first);
     }
-    hull.pop_back(); // the other chain starts with it
+    hull.pop_back();  // the other chain starts with it
 }
 
-} // namespace
+}  // namespace
 
 Polygon convex_hull(std::span<const Vec2> points) {
     Polygon sorted(points.begin(), points.end());
@@ -32,4 +32,4 @@ Polygon convex_hull(std::span<const Vec2> points) {
     return hull;
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -11,4 +11,4 @@ namespace vitrine {
 /// the thesis' 3-coin scan, which is right only on suitably ordered input.
 Polygon convex_hull(std::span<const Vec2> points);
 
-} // namespace vitrine
+}  // namespace vitrine

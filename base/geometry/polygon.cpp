@@ -81,7 +81,7 @@ Polygon clipped_by_plane(const Polygon& polygon, Vec2 normal, double limit) {
     return result;
 }
 
-} // namespace
+}  // namespace
 
 Polygon clipped(std::span<const Vec2> convex, const Box& box) {
     Polygon result(convex.begin(), convex.end());
@@ -93,4 +93,4 @@ Polygon clipped(std::span<const Vec2> convex, const Box& box) {
     return result;
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -37,4 +37,4 @@ bool is_inside_convex(std::span<const Vec2> polygon, Vec2 point, double toleranc
 /// The part of a convex polygon inside a box; empty where they only touch. The result is convex.
 Polygon clipped(std::span<const Vec2> convex, const Box& box);
 
-} // namespace vitrine
+}  // namespace vitrine

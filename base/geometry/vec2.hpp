@@ -37,4 +37,4 @@ inline double length(Vec2 a) {
     return std::hypot(a.x, a.y);
 }
 
-} // namespace vitrine
+}  // namespace vitrine

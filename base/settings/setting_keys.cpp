@@ -20,7 +20,7 @@ namespace {
 template <typename T> using Member = std::function<T&(Settings&)>;
 
 template <typename T> const T& read(const Member<T>& member, const Settings& settings) {
-    return member(const_cast<Settings&>(settings)); // the member function only hands the address on
+    return member(const_cast<Settings&>(settings));  // the member function only hands the address on
 }
 
 [[noreturn]] void refuse() {
@@ -233,7 +233,7 @@ std::vector<SettingKey> make_keys() {
     return keys;
 }
 
-} // namespace
+}  // namespace
 
 std::span<const SettingKey> setting_keys() {
     static const std::vector<SettingKey> keys = make_keys();
@@ -260,4 +260,4 @@ SettingValue setting_value(const std::string& text) {
     return text;
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -15,8 +15,8 @@ using SettingValue = std::variant<bool, std::int64_t, double, std::string>;
 
 /// One key of the settings.
 struct SettingKey {
-    std::string name;    // section.key, as in the file
-    std::string allowed; // what may stand there, in words: "a whole number from 1 to 64"
+    std::string name;     // section.key, as in the file
+    std::string allowed;  // what may stand there, in words: "a whole number from 1 to 64"
 
     /// @throws std::invalid_argument where the value is not allowed; the settings then stay as they were
     std::function<void(Settings&, const SettingValue&)> assign;
@@ -34,4 +34,4 @@ const SettingKey* find_setting_key(std::string_view name);
 /// A value from a command line: a whole number, a number, true/false or the text itself.
 SettingValue setting_value(const std::string& text);
 
-} // namespace vitrine
+}  // namespace vitrine

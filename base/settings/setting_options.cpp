@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* installed_file = "/etc/vitrine/vitrine.toml";
 
-} // namespace
+}  // namespace
 
 void SettingOptions::add_to(CLI::App& app) {
     app.add_option("--config", config_,
@@ -41,4 +41,4 @@ Settings SettingOptions::settings() const {
     return settings;
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -26,8 +26,8 @@ class SettingOptions {
 
   private:
     std::string config_;
-    std::map<std::string, std::string> given_; // key name -> text, empty: not given
+    std::map<std::string, std::string> given_;  // key name -> text, empty: not given
     std::map<std::string, std::string> aliased_;
 };
 
-} // namespace vitrine
+}  // namespace vitrine

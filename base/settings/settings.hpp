@@ -18,49 +18,49 @@ struct Settings {
     } state;
 
     struct Log {
-        std::string level = "info"; // error, warning, info or debug
+        std::string level = "info";  // error, warning, info or debug
     } log;
 
     struct Analyzer {
-        int children = 0; // 0: one for every two cores
+        int children = 0;  // 0: one for every two cores
         std::chrono::seconds deadline{120};
-        double deadline_per_mebibyte = 2; // seconds added for each MiB of the file
-        int memory = 2048;                // MiB that one child may allocate
+        double deadline_per_mebibyte = 2;  // seconds added for each MiB of the file
+        int memory = 2048;                 // MiB that one child may allocate
         std::chrono::seconds rescan{60};
         std::chrono::milliseconds quiet{2000};
-        int frame_size = 320; // px, longest side of an analysed frame
+        int frame_size = 320;  // px, longest side of an analysed frame
         double samples_per_second = 8;
         double motion_weight = 1.0 / 3;
         double image_weight = 1.0 / 3;
         double face_weight = 1.0 / 3;
-        std::string face_model; // an ONNX file, empty: the cascade
+        std::string face_model;  // an ONNX file, empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
-        std::string region = "min_area"; // min_area or hull
+        std::string region = "min_area";  // min_area or hull
         double region_mass = 0.5;
-        double region_margin = 0.02; // of the picture's diagonal
+        double region_margin = 0.02;  // of the picture's diagonal
     } analyzer;
 
     struct Layout {
         int slots = 12;
         int seed = 1;
-        std::string energy = "screen"; // screen or paper
-        double max_enlargement = 1.5;  // canvas px per source px
-        double clearance = 2;          // canvas px between two I-Regions
+        std::string energy = "screen";  // screen or paper
+        double max_enlargement = 1.5;   // canvas px per source px
+        double clearance = 2;           // canvas px between two I-Regions
     } layout;
 
     struct Show {
-        std::string order = "shuffle"; // shuffle, name or newest
+        std::string order = "shuffle";  // shuffle, name or newest
         std::chrono::seconds dwell{20};
         std::chrono::milliseconds crossfade{700};
         std::string background = "#101014";
     } show;
 
     struct Output {
-        std::string screen = "kms"; // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT
-        std::string mode;           // WIDTHxHEIGHT or WIDTHxHEIGHT@HZ, empty: the panel's own
-        int rotation = 0;           // degrees clockwise: 0, 90, 180 or 270
+        std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT
+        std::string mode;            // WIDTHxHEIGHT or WIDTHxHEIGHT@HZ, empty: the panel's own
+        int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
         int frame_rate = 30;
     } output;
 };
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -55,7 +55,7 @@ void read_key(const std::string& name, const std::string& section, const toml::n
     }
 }
 
-} // namespace
+}  // namespace
 
 void read_settings(std::string_view toml, const std::string& source, Settings& settings) {
     toml::table root;
@@ -92,11 +92,11 @@ void apply_setting(const std::string& name, const std::string& text, Settings& s
         try {
             key->assign(settings, setting_value(text));
         } catch (const std::invalid_argument&) {
-            key->assign(settings, text); // a folder may be called 2026
+            key->assign(settings, text);  // a folder may be called 2026
         }
     } catch (const std::invalid_argument&) {
         throw SettingsError(fmt::format("--{} '{}' is not allowed; it must be {}", name, text, key->allowed));
     }
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -25,4 +25,4 @@ void read_settings_file(const std::filesystem::path& file, Settings& settings);
 /// One `--section.key value` of a command line. @throws SettingsError
 void apply_setting(const std::string& name, const std::string& text, Settings& settings);
 
-} // namespace vitrine
+}  // namespace vitrine

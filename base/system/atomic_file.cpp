@@ -34,7 +34,7 @@ void sync_directory(const std::string& name) {
     if (::fsync(fd.get()) < 0) throw_errno("fsync '{}'", name);
 }
 
-} // namespace
+}  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
     const std::string sibling = path.string() + ".new";
@@ -67,4 +67,4 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
     }
 }
 
-} // namespace vitrine
+}  // namespace vitrine

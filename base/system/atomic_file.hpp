@@ -14,4 +14,4 @@ void replace_file(const std::filesystem::path& path, std::string_view content);
 /// The whole content. @throws std::system_error where it cannot be read or exceeds max_bytes (EFBIG)
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = 64U << 20);
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -10,8 +10,8 @@ namespace vitrine {
 
 /// Throws std::system_error of errno with what was tried, on what: throw_errno("open '{}'", path).
 template <typename... Args> [[noreturn]] void throw_errno(fmt::format_string<Args...> what, Args&&... args) {
-    const int code = errno; // before formatting, which may change it
+    const int code = errno;  // before formatting, which may change it
     throw std::system_error(code, std::generic_category(), fmt::format(what, std::forward<Args>(args)...));
 }
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -40,4 +40,4 @@ class UniqueFd {
     int fd_ = -1;
 };
 
-} // namespace vitrine
+}  // namespace vitrine

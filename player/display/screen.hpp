@@ -14,7 +14,7 @@ class Screen {
     Screen& operator=(const Screen&) = delete;
     virtual ~Screen() = default;
 
-    virtual int width() const = 0; // px
+    virtual int width() const = 0;  // px
     virtual int height() const = 0;
 
     /// Makes the surface current that the next picture is drawn to.
@@ -37,4 +37,4 @@ class Screen {
     virtual std::string description() const = 0;
 };
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -10,9 +10,10 @@ namespace vitrine {
 /// What an item shows of the canvas. All canvas px, counter-clockwise.
 struct Cell {
     std::vector<Polygon> parts;  // shown from the item's own pixels; parts[0] holds the I-Region
-    std::vector<Polygon> filler; // nobody has pixels here: drawn from a darkened mirror of the item's picture
-    std::vector<std::array<Vec2, 3>> triangles;        // `parts`, cut up for the renderer
-    std::vector<std::array<Vec2, 3>> filler_triangles; // `filler`, cut up
+    std::vector<Polygon>
+        filler;  // nobody has pixels here: drawn from a darkened mirror of the item's picture
+    std::vector<std::array<Vec2, 3>> triangles;         // `parts`, cut up for the renderer
+    std::vector<std::array<Vec2, 3>> filler_triangles;  // `filler`, cut up
 };
 
 /// Shares the whole canvas out: every point goes to the item whose I-Region is nearest among those whose
@@ -22,4 +23,4 @@ struct Cell {
 /// @pre the I-Regions do not overlap
 std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout);
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -11,24 +11,24 @@ namespace vitrine {
 
 /// What is packed: one shot's I-Region with the pixels around it. All in source px at the shot's begin.
 struct LayoutItem {
-    Polygon region;    // convex, counter-clockwise, inside `core`
-    Box core;          // what every frame of the shot shows: the most a cell may show
-    double weight = 1; // wish for area relative to the others, > 0
+    Polygon region;     // convex, counter-clockwise, inside `core`
+    Box core;           // what every frame of the shot shows: the most a cell may show
+    double weight = 1;  // wish for area relative to the others, > 0
 };
 
 /// Where an item stands: canvas = source * scale + offset.
 struct Placement {
-    double scale = 1; // canvas px per source px
-    Vec2 offset;      // canvas px
+    double scale = 1;  // canvas px per source px
+    Vec2 offset;       // canvas px
 
     friend bool operator==(const Placement&, const Placement&) = default;
 };
 
 /// Where every item stands on a canvas, in the order of the items. An immutable value.
 struct Layout {
-    Vec2 canvas; // px
+    Vec2 canvas;  // px
     std::vector<Placement> placements;
-    double energy = 0; // share of the canvas that no I-Region covers, in [0, 1]
+    double energy = 0;  // share of the canvas that no I-Region covers, in [0, 1]
     std::uint64_t generation = 0;
 };
 
@@ -37,4 +37,4 @@ inline Polygon placed_region(const LayoutItem& item, const Placement& placement)
     return transformed(item.region, placement.scale, placement.offset);
 }
 
-} // namespace vitrine
+}  // namespace vitrine

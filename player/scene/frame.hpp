@@ -15,20 +15,20 @@ using SourceId = std::uint64_t;
 /// One cell of the picture to be drawn, plain data.
 struct DrawItem {
     SourceId source = 0;
-    std::shared_ptr<const Cell> cell; // shared: a layout's cells are drawn in many frames
-    Placement placement;              // canvas = source px * scale + offset, at the shot's begin
-    Vec2 picture;                     // size of the upright source picture, source px
-    Vec2 slide;                       // drift * time into the shot, source px: the texel at canvas point u
-                                      // is (u - offset) / scale + slide
-    double alpha = 1;                 // over what was drawn before it
+    std::shared_ptr<const Cell> cell;  // shared: a layout's cells are drawn in many frames
+    Placement placement;               // canvas = source px * scale + offset, at the shot's begin
+    Vec2 picture;                      // size of the upright source picture, source px
+    Vec2 slide;                        // drift * time into the shot, source px: the texel at canvas point u
+                                       // is (u - offset) / scale + slide
+    double alpha = 1;                  // over what was drawn before it
 };
 
 /// Everything that one screen refresh shows: drawn in order, testable without GL.
 struct Frame {
-    Vec2 canvas; // px
+    Vec2 canvas;  // px
     std::vector<DrawItem> items;
-    double idle = 0;                  // opacity of the idle picture drawn first, in [0, 1]
-    std::chrono::nanoseconds time{0}; // since the player started
+    double idle = 0;                   // opacity of the idle picture drawn first, in [0, 1]
+    std::chrono::nanoseconds time{0};  // since the player started
 };
 
-} // namespace vitrine
+}  // namespace vitrine

@@ -25,7 +25,7 @@ struct TemporaryDirectory {
     fs::path path;
 };
 
-} // namespace
+}  // namespace
 
 TEST_CASE("what is stored is loaded, ordered by path, and gone once removed") {
     const TemporaryDirectory directory;

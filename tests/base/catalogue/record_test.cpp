@@ -26,7 +26,7 @@ MediaRecord film() {
                        .region = {.polygon = {{1, 2}, {30.5, 2}, {3, 40}}, .drift = {10, -5}}}}};
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("a record survives the way to JSON and back") {
     CHECK(record_from_json(to_json(film())) == film());

@@ -30,5 +30,5 @@ TEST_CASE("clipping a triangle by a box keeps the part inside") {
     CHECK(area(part) == doctest::Approx(4));
     CHECK(area(clipped(triangle, {{1, 1}, {9, 9}})) == doctest::Approx(2));
     CHECK(clipped(triangle, {{5, 5}, {9, 9}}).empty());
-    CHECK(clipped(triangle, {{-1, -1}, {0, 9}}).empty()); // touches only
+    CHECK(clipped(triangle, {{-1, -1}, {0, 9}}).empty());  // touches only
 }

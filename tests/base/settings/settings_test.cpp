@@ -43,7 +43,7 @@ std::string uncommented(const std::string& toml) {
     return result;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("the shipped file lists every key, in order, commented at its default") {
     const std::vector<std::string> listed = commented_keys(read_file(VITRINE_CONFIG));
