@@ -25,12 +25,14 @@ function(vitrine_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
+  set_property(GLOBAL APPEND PROPERTY VITRINE_SOURCE_TARGETS ${name})
 endfunction()
 
-# A test file is one ctest test; all files of one call share an executable.
-#   vitrine_tests(layout_test LABEL unit SOURCES energy_test.cpp cells_test.cpp USES player_layout)
+# A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, long, pipeline,
+# and beside them tsan for what has threads.
+#   vitrine_tests(layout_test LABEL unit tsan SOURCES energy_test.cpp cells_test.cpp USES player_layout)
 function(vitrine_tests name)
-  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;USES" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -42,6 +44,9 @@ function(vitrine_tests name)
     set_tests_properties(${name}.${stem} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${arg_TIMEOUT}
       ENVIRONMENT "${VITRINE_TEST_ENVIRONMENT}")
   endforeach()
+  if("tsan" IN_LIST arg_LABEL)
+    set_property(GLOBAL APPEND PROPERTY VITRINE_TSAN_TARGETS ${name})
+  endif()
 endfunction()
 
 set(VITRINE_TEST_ENVIRONMENT
