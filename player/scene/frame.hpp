@@ -15,12 +15,13 @@ using SourceId = std::uint64_t;
 /// One cell of the picture to be drawn, plain data.
 struct DrawItem {
     SourceId source = 0;
-    std::shared_ptr<const Cell> cell;  // shared: a layout's cells are drawn in many frames
-    Placement placement;               // canvas = source px * scale + offset, at the shot's begin
-    Vec2 picture;                      // size of the upright source picture, source px
-    Vec2 slide;                        // drift * time into the shot, source px: the texel at canvas point u
-                                       // is (u - offset) / scale + slide
-    double alpha = 1;                  // over what was drawn before it
+    std::shared_ptr<const Cell> cell;   // shared: a layout's cells are drawn in many frames
+    Placement placement;                // canvas = source px * scale + offset, at the shot's begin
+    Vec2 picture;                       // size of the upright source picture, source px
+    Vec2 slide;                         // drift * time into the shot, source px: the texel at canvas point u
+                                        // is (u - offset) / scale + slide
+    std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
+    double alpha = 1;                   // over what was drawn before it
 };
 
 /// Everything that one screen refresh shows: drawn in order, testable without GL.

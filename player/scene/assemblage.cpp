@@ -1,0 +1,167 @@
+#include "player/scene/assemblage.hpp"
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+bool can_be_shown(const MediaRecord& record) {
+    if (record.state != MediaState::ready || record.width <= 0 || record.height <= 0) return false;
+    if (record.shots.empty()) return false;
+    return record.kind == MediaKind::photo ||
+           std::all_of(record.shots.begin(), record.shots.end(),
+                       [](const Shot& shot) { return shot.duration().count() > 0; });
+}
+
+}  // namespace
+
+Assemblage::Assemblage(const AssemblageSettings& settings)
+    : settings_(settings),
+      round_(settings.order, settings.seed),
+      slots_(static_cast<std::size_t>(std::max(1, settings.slots))) {}
+
+void Assemblage::set_catalogue(std::span<const MediaRecord> records) {
+    std::map<std::string, MediaRecord> files;
+    for (const MediaRecord& record : records) {
+        if (can_be_shown(record)) files.emplace(record.path, record);
+    }
+    std::erase_if(avoided_, [&](const auto& avoided) {
+        const auto before = files_.find(avoided.first);
+        const auto after = files.find(avoided.first);
+        return before == files_.end() || after == files.end() || before->second != after->second;
+    });
+    files_.swap(files);  // `files` is what was known before, from here on
+    std::vector<const MediaRecord*> known;
+    for (const auto& [path, record] : files_)
+        known.push_back(&record);
+    round_.set_files(known);
+    follow_changes(files);
+    fill();
+}
+
+void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before) {
+    for (Slot& slot : slots_) {
+        if (!slot.shot) continue;
+        const ShotKey key = slot.shot->key;
+        const auto found = files_.find(key.path);
+        if (found == files_.end() || key.shot >= static_cast<int>(found->second.shots.size())) {
+            slot = {};
+        } else if (found->second != before.at(key.path)) {
+            put(slot, key);
+        }
+    }
+}
+
+void Assemblage::advance(std::chrono::nanoseconds now) {
+    if (std::erase_if(avoided_, [&](const auto& avoided) { return avoided.second <= now; }) > 0) fill();
+    if (now < next_turn_) return;
+    const std::vector<Slot*> overdue = overdue_slots(now);
+    for (Slot* slot : overdue) {
+        const auto key = next_for(*slot);
+        if (!key) continue;
+        put(*slot, *key);
+        next_turn_ = now + settings_.spacing;
+        return;
+    }
+    if (!overdue.empty()) next_turn_ = now + std::chrono::seconds(1);  // all that there is is on the wall
+}
+
+void Assemblage::shown(SourceId source, std::chrono::nanoseconds now) {
+    for (Slot& slot : slots_) {
+        if (slot.shot && slot.shot->source == source && !slot.shown) slot.shown = now;
+    }
+}
+
+void Assemblage::failed(SourceId source, std::chrono::nanoseconds now) {
+    const auto at = std::find_if(slots_.begin(), slots_.end(),
+                                 [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
+    if (at == slots_.end()) return;
+    const std::string path = at->shot->key.path;
+    avoided_[path] = now + settings_.amends;
+    for (Slot& slot : slots_) {
+        if (slot.shot && slot.shot->key.path == path) slot = {};
+    }
+    fill();
+}
+
+std::vector<WallShot> Assemblage::wall() const {
+    std::vector<WallShot> shots;
+    for (const Slot& slot : slots_) {
+        if (slot.shot) shots.push_back(*slot.shot);
+    }
+    return shots;
+}
+
+void Assemblage::fill() {
+    for (Slot& slot : slots_) {
+        if (slot.shot) continue;
+        const auto key = next_for(slot);
+        if (!key) return;
+        put(slot, *key);
+    }
+}
+
+/// The slots whose shots have had their time, the longest overdue first.
+std::vector<Assemblage::Slot*> Assemblage::overdue_slots(std::chrono::nanoseconds now) {
+    std::vector<std::pair<std::chrono::nanoseconds, Slot*>> overdue;
+    for (Slot& slot : slots_) {
+        if (!slot.shot || !slot.shown) continue;
+        const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot);
+        if (due <= now) overdue.emplace_back(due, &slot);
+    }
+    std::stable_sort(overdue.begin(), overdue.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Slot*> slots;
+    for (const auto& [due, slot] : overdue)
+        slots.push_back(slot);
+    return slots;
+}
+
+/// Films leave at the end of a loop, unless that is too long.
+std::chrono::nanoseconds Assemblage::stay(const WallShot& shot) const {
+    if (shot.kind == MediaKind::photo) return settings_.dwell;
+    const std::chrono::nanoseconds loop = shot.shot.duration();
+    const auto loops = (settings_.dwell + loop - std::chrono::nanoseconds(1)) / loop;
+    const std::chrono::nanoseconds longest = std::max(settings_.dwell, settings_.longest);
+    return std::min(loop * std::max<std::int64_t>(1, loops), longest);
+}
+
+std::optional<ShotKey> Assemblage::next_for(const Slot& slot) {
+    const std::string present = slot.shot ? slot.shot->key.path : std::string();
+    const auto is_free = [&](const ShotKey& key) { return !avoided_.contains(key.path) && !is_on_wall(key); };
+    const auto stands_alone = [&](const ShotKey& key) {
+        return is_free(key) && count_on_wall(key.path) == (key.path == present ? 1 : 0);
+    };
+    // Rather side by side with its own film than a free place, but never instead of another file's only shot.
+    const bool can_double = present.empty() || count_on_wall(present) > 1;
+    if (auto key = round_.take(stands_alone)) return key;
+    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); });
+    if (auto key = round_.take(stands_alone)) return key;
+    return can_double ? round_.take(is_free) : std::nullopt;
+}
+
+void Assemblage::put(Slot& slot, const ShotKey& key) {
+    const MediaRecord& record = files_.at(key.path);
+    const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
+    slot.shown.reset();
+    slot.shot = WallShot{.source = ++last_source_,
+                         .slot = static_cast<int>(&slot - slots_.data()),
+                         .key = key,
+                         .kind = record.kind,
+                         .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
+                         .core = core(record, shot),
+                         .shot = shot};
+}
+
+bool Assemblage::is_on_wall(const ShotKey& key) const {
+    return std::any_of(slots_.begin(), slots_.end(),
+                       [&](const Slot& slot) { return slot.shot && slot.shot->key == key; });
+}
+
+long Assemblage::count_on_wall(const std::string& path) const {
+    return std::count_if(slots_.begin(), slots_.end(),
+                         [&](const Slot& slot) { return slot.shot && slot.shot->key.path == path; });
+}
+
+}  // namespace vitrine

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "base/catalogue/record.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_round.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct AssemblageSettings {
+    int slots = 12;
+    ShotOrder order = ShotOrder::shuffle;
+    std::uint64_t seed = 1;
+    std::chrono::nanoseconds dwell = std::chrono::seconds(20);    // that a shot stays at least
+    std::chrono::nanoseconds longest = std::chrono::seconds(60);  // stay, where whole loops would take more
+    std::chrono::nanoseconds spacing = std::chrono::seconds(3);   // between two changes of turn
+    std::chrono::nanoseconds amends = std::chrono::seconds(60);   // before a file that failed is tried again
+};
+
+/// A shot that has a place on the wall, with all that showing it takes: it outlives its record.
+struct WallShot {
+    SourceId source = 0;
+    int slot = 0;
+    ShotKey key;
+    MediaKind kind = MediaKind::photo;
+    Vec2 picture;  // size of the upright picture, source px
+    Box core;      // source px
+    Shot shot;
+
+    friend bool operator==(const WallShot&, const WallShot&) = default;
+};
+
+/// What is on the wall: a fixed number of slots, each with a shot that after its time makes room for the
+/// next in the same place.
+/// Source: Dynamic Media Assemblage, chapter 4 ("we simply substitute the old shot with the new shot in the
+/// same position"). Beyond: whose turn it is, one slot at a time, following a catalogue that changes.
+///
+/// One file stands on the wall once while other files wait; a single film fills all slots with its shots in
+/// time order. A change of turn never takes the last shot of a file off the wall for a file that has one.
+class Assemblage {
+  public:
+    explicit Assemblage(const AssemblageSettings& settings);
+
+    /// Everything there is. What is gone or no longer ready leaves at once, a file that changed is loaded
+    /// anew in its slots, free slots are filled.
+    void set_catalogue(std::span<const MediaRecord> records);
+
+    /// At most one shot that has been shown for its time makes room; free slots are filled.
+    void advance(std::chrono::nanoseconds now);
+
+    /// From now on the time of this shot counts.
+    void shown(SourceId source, std::chrono::nanoseconds now);
+
+    /// The file is avoided until it changes or some time has passed; its slots go to others.
+    void failed(SourceId source, std::chrono::nanoseconds now);
+
+    /// What is to be shown, in the order of the slots; free slots are left out.
+    std::vector<WallShot> wall() const;
+
+  private:
+    struct Slot {
+        std::optional<WallShot> shot;
+        std::optional<std::chrono::nanoseconds> shown;
+    };
+
+    void follow_changes(const std::map<std::string, MediaRecord>& before);
+    void fill();
+    std::vector<Slot*> overdue_slots(std::chrono::nanoseconds now);
+    std::chrono::nanoseconds stay(const WallShot& shot) const;
+    std::optional<ShotKey> next_for(const Slot& slot);
+    void put(Slot& slot, const ShotKey& key);
+    bool is_on_wall(const ShotKey& key) const;
+    long count_on_wall(const std::string& path) const;
+
+    AssemblageSettings settings_;
+    std::map<std::string, MediaRecord> files_;                 // what can be shown
+    std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
+    ShotRound round_;
+    std::vector<Slot> slots_;
+    SourceId last_source_ = 0;
+    std::chrono::nanoseconds next_turn_{0};  // not before
+};
+
+}  // namespace vitrine

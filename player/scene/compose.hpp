@@ -1,0 +1,33 @@
+#pragma once
+
+#include "player/scene/assemblage.hpp"
+#include "player/scene/frame.hpp"
+
+#include <chrono>
+#include <memory>
+#include <span>
+
+namespace vitrine {
+
+/// A shot where it stands.
+struct PlacedShot {
+    WallShot shot;
+    Placement placement;
+    std::shared_ptr<const Cell> cell;   // shared: with the frames under way
+    std::chrono::nanoseconds began{0};  // when it first appeared
+};
+
+/// How far the subject has moved in a shot that loops, source px; 0 for a photo.
+Vec2 slide(const Shot& shot, std::chrono::nanoseconds local);
+
+/// A transition's progress in [0, 1] eased in and out; clamps.
+double eased(double progress);
+
+/// The draw list of a moment: the old wall whole and the new one over it, or either alone. No wall is the
+/// idle picture. Where nothing changes between the two walls the new one is not drawn a second time.
+///
+/// @param progress  of the transition: 0: only the old wall, 1: only the new one
+Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
+              double progress, std::chrono::nanoseconds now);
+
+}  // namespace vitrine

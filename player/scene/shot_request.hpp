@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/catalogue/record.hpp"
+#include "player/scene/frame.hpp"
+
+#include <string>
+
+namespace vitrine {
+
+/// Asks for a shot to be made ready for showing, or for one that plays to change its size.
+struct ShotRequest {
+    SourceId source = 0;
+    std::string path;  // relative to the media root
+    MediaKind kind = MediaKind::photo;
+    Shot shot;
+    int width = 0;  // px that the upright picture shall have: what it is shown at, at most its own
+    int height = 0;
+
+    friend bool operator==(const ShotRequest&, const ShotRequest&) = default;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,83 @@
+#include "player/scene/shot_round.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace vitrine {
+
+void ShotRound::set_files(std::span<const MediaRecord* const> files) {
+    std::map<std::string, File> now;
+    for (const MediaRecord* record : files) {
+        now[record->path] = {.mtime_ns = record->mtime_ns, .shots = static_cast<int>(record->shots.size())};
+    }
+    std::erase_if(waiting_, [&](const ShotKey& key) {
+        const auto found = now.find(key.path);
+        return found == now.end() || key.shot >= found->second.shots;
+    });
+    std::vector<ShotKey> first;
+    std::vector<ShotKey> later;
+    for (const auto& [path, file] : now) {
+        const auto known = files_.find(path);
+        const int from = known == files_.end() ? 0 : known->second.shots;
+        for (int shot = from; shot < file.shots; ++shot)
+            (shot == 0 ? first : later).push_back({path, shot});
+    }
+    files_ = std::move(now);
+    first = ordered(std::move(first));
+    later = ordered(std::move(later));
+    waiting_.insert(waiting_.begin(), first.begin(), first.end());
+    waiting_.insert(waiting_.end(), later.begin(), later.end());
+}
+
+std::optional<ShotKey> ShotRound::take(const Fits& fits) {
+    const auto found = std::find_if(waiting_.begin(), waiting_.end(), fits);
+    if (found == waiting_.end()) return std::nullopt;
+    ShotKey key = std::move(*found);
+    waiting_.erase(found);
+    return key;
+}
+
+void ShotRound::begin_again(const Fits& is_on_wall) {
+    std::set<std::string> unfinished;
+    for (const ShotKey& key : waiting_)
+        unfinished.insert(key.path);
+    std::vector<ShotKey> again;
+    for (const auto& [path, file] : files_) {
+        if (unfinished.contains(path)) continue;
+        for (int shot = 0; shot < file.shots; ++shot)
+            again.push_back({path, shot});
+    }
+    again = ordered(std::move(again));
+    std::stable_partition(again.begin(), again.end(), [&](const ShotKey& key) { return !is_on_wall(key); });
+    waiting_.insert(waiting_.end(), again.begin(), again.end());
+}
+
+std::vector<ShotKey> ShotRound::ordered(std::vector<ShotKey> keys) {
+    std::sort(keys.begin(), keys.end());
+    if (order_ == ShotOrder::newest) {
+        std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
+            return files_.at(a.path).mtime_ns > files_.at(b.path).mtime_ns;
+        });
+    } else if (order_ == ShotOrder::shuffle) {
+        std::shuffle(keys.begin(), keys.end(), engine_);
+        keep_time_order(keys);
+    }
+    return keys;
+}
+
+/// Each file keeps the places it drew, and fills them in time order.
+void ShotRound::keep_time_order(std::vector<ShotKey>& keys) const {
+    std::map<std::string, std::vector<int>> shots;
+    for (const ShotKey& key : keys)
+        shots[key.path].push_back(key.shot);
+    for (auto& [path, indices] : shots)
+        std::sort(indices.begin(), indices.end(), std::greater<>());
+    for (ShotKey& key : keys) {
+        std::vector<int>& left = shots.at(key.path);
+        key.shot = left.back();
+        left.pop_back();
+    }
+}
+
+}  // namespace vitrine

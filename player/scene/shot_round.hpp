@@ -1,0 +1,63 @@
+#pragma once
+
+#include "base/catalogue/record.hpp"
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// In what order shots come to the wall. The shots of one film always come in time order.
+enum class ShotOrder {
+    shuffle,
+    name,   // by path
+    newest  // by modification time, the newest first
+};
+
+/// Names one shot of the catalogue.
+struct ShotKey {
+    std::string path;
+    int shot = 0;  // index into MediaRecord::shots
+
+    friend auto operator<=>(const ShotKey&, const ShotKey&) = default;
+};
+
+/// Whose turn it is: each shot once before any of its file comes again, new files first.
+class ShotRound {
+  public:
+    using Fits = std::function<bool(const ShotKey&)>;
+
+    ShotRound(ShotOrder order, std::uint64_t seed) : order_(order), engine_(seed) {}
+
+    /// What there is to show. Shots that are gone lose their turn; the first shot of a file that was not
+    /// there before is next, its others come last.
+    void set_files(std::span<const MediaRecord* const> files);
+
+    /// Takes the first shot that fits off the round.
+    std::optional<ShotKey> take(const Fits& fits);
+
+    /// The files of which nothing is left begin anew, their shots on the wall last.
+    void begin_again(const Fits& is_on_wall);
+
+  private:
+    struct File {
+        std::int64_t mtime_ns = 0;
+        int shots = 0;
+    };
+
+    std::vector<ShotKey> ordered(std::vector<ShotKey> keys);
+    void keep_time_order(std::vector<ShotKey>& keys) const;
+
+    ShotOrder order_;
+    std::mt19937_64 engine_;
+    std::map<std::string, File> files_;
+    std::deque<ShotKey> waiting_;
+};
+
+}  // namespace vitrine

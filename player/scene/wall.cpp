@@ -1,0 +1,189 @@
+#include "player/scene/wall.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace vitrine {
+
+namespace {
+
+LayoutItem layout_item(const WallShot& shot) {
+    return {.region = shot.shot.region.polygon, .core = shot.core};
+}
+
+const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
+    const auto found = std::find_if(wall.begin(), wall.end(),
+                                    [&](const PlacedShot& placed) { return placed.shot.source == source; });
+    return found == wall.end() ? nullptr : &*found;
+}
+
+const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot) {
+    const auto found = std::find_if(wall.begin(), wall.end(),
+                                    [&](const PlacedShot& placed) { return placed.shot.slot == slot; });
+    return found == wall.end() ? nullptr : &*found;
+}
+
+bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
+    return std::equal(wall.begin(), wall.end(), wanted.begin(), wanted.end(),
+                      [](const PlacedShot& a, const WallShot& b) { return a.shot.source == b.source; });
+}
+
+/// The new shot's I-Region at the centre of the old one and as large.
+/// Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
+std::optional<Placement> substituted(const PlacedShot& old, const WallShot& shot) {
+    const Polygon& before = old.shot.shot.region.polygon;
+    const Polygon& after = shot.shot.region.polygon;
+    if (area(before) <= 0 || area(after) <= 0) return std::nullopt;
+    const double scale = old.placement.scale * std::sqrt(area(before) / area(after));
+    const Vec2 centre = centroid(before) * old.placement.scale + old.placement.offset;
+    return Placement{.scale = scale, .offset = centre - centroid(after) * scale};
+}
+
+ShotRequest request(const PlacedShot& placed) {
+    const WallShot& shot = placed.shot;
+    const double scale = std::min(1.0, placed.placement.scale);
+    return {.source = shot.source,
+            .path = shot.key.path,
+            .kind = shot.kind,
+            .shot = shot.shot,
+            .width = std::max(1, static_cast<int>(std::lround(shot.picture.x * scale))),
+            .height = std::max(1, static_cast<int>(std::lround(shot.picture.y * scale)))};
+}
+
+}  // namespace
+
+Wall::Wall(Vec2 canvas, const WallSettings& settings)
+    : settings_(settings), canvas_(canvas), assemblage_(settings.assemblage) {}
+
+void Wall::set_canvas(Vec2 canvas) {
+    is_canvas_new_ = is_canvas_new_ || canvas != canvas_;
+    canvas_ = canvas;
+}
+
+void Wall::set_catalogue(std::span<const MediaRecord> records) {
+    assemblage_.set_catalogue(records);
+}
+
+void Wall::set_layout(const Layout& layout, std::vector<Cell> cells) {
+    if (!incoming_ || incoming_->generation != layout.generation || incoming_->fade_began) return;
+    std::vector<PlacedShot>& wall = incoming_->wall;
+    assert(layout.placements.size() == wall.size() && cells.size() == wall.size());
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        wall[i].placement = layout.placements[i];
+        wall[i].cell = std::make_shared<const Cell>(std::move(cells[i]));
+    }
+    incoming_->has_layout = true;
+    incoming_->wants_sources = true;
+}
+
+void Wall::source_ready(SourceId source) {
+    const auto found = sources_.find(source);
+    if (found != sources_.end()) found->second = true;
+}
+
+void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
+    assemblage_.failed(source, now);
+}
+
+WallStep Wall::step(std::chrono::nanoseconds now) {
+    WallStep step;
+    end_fade(now);
+    if (!incoming_) assemblage_.advance(now);
+    if (!is_fading()) step.plan = follow_assemblage();
+    if (incoming_ && incoming_->has_layout && !is_fading()) prepare(step, now);
+    step.frame = picture(now);
+    step.retired = retire();
+    return step;
+}
+
+void Wall::end_fade(std::chrono::nanoseconds now) {
+    if (!is_fading() || now - *incoming_->fade_began < settings_.crossfade) return;
+    shown_ = std::move(incoming_->wall);
+    incoming_.reset();
+}
+
+/// A new plan where the assemblage wants something else than what stands or is on its way.
+std::optional<WallPlan> Wall::follow_assemblage() {
+    const std::vector<WallShot> wanted = assemblage_.wall();
+    if (is_same(incoming_ ? incoming_->wall : shown_, wanted) && !is_canvas_new_) return std::nullopt;
+    is_canvas_new_ = false;
+    if (!incoming_ && wanted.empty() && shown_.empty()) return std::nullopt;
+    WallPlan plan = begin_change(wanted);
+    if (plan.items.empty()) return std::nullopt;
+    return plan;
+}
+
+WallPlan Wall::begin_change(const std::vector<WallShot>& wanted) {
+    WallPlan plan{.generation = ++generation_, .canvas = canvas_};
+    incoming_ = Incoming{.generation = generation_, .has_layout = wanted.empty()};
+    for (const WallShot& shot : wanted) {
+        incoming_->wall.push_back({.shot = shot});
+        plan.items.push_back(layout_item(shot));
+        plan.start.push_back(start(shot));
+    }
+    return plan;
+}
+
+std::optional<Placement> Wall::start(const WallShot& shot) const {
+    if (const PlacedShot* same = find_source(shown_, shot.source)) return same->placement;
+    if (const PlacedShot* before = find_slot(shown_, shot.slot)) return substituted(*before, shot);
+    return std::nullopt;
+}
+
+void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
+    if (!incoming_->waiting) incoming_->waiting = now;
+    if (std::exchange(incoming_->wants_sources, false)) {
+        for (const PlacedShot& placed : incoming_->wall) {
+            step.requests.push_back(request(placed));
+            sources_.try_emplace(placed.shot.source, false);
+        }
+    }
+    if (is_ready()) {
+        begin_fade(now);
+    } else if (now - *incoming_->waiting >= settings_.patience) {
+        give_up_waiting(now);
+    }
+}
+
+bool Wall::is_ready() const {
+    return std::all_of(incoming_->wall.begin(), incoming_->wall.end(),
+                       [&](const PlacedShot& placed) { return sources_.at(placed.shot.source); });
+}
+
+void Wall::give_up_waiting(std::chrono::nanoseconds now) {
+    for (const PlacedShot& placed : incoming_->wall) {
+        if (!sources_.at(placed.shot.source)) assemblage_.failed(placed.shot.source, now);
+    }
+}
+
+void Wall::begin_fade(std::chrono::nanoseconds now) {
+    incoming_->fade_began = now;
+    for (PlacedShot& placed : incoming_->wall) {
+        const PlacedShot* same = find_source(shown_, placed.shot.source);
+        placed.began = same != nullptr ? same->began : now;
+        assemblage_.shown(placed.shot.source, now);
+    }
+}
+
+std::vector<SourceId> Wall::retire() {
+    std::vector<SourceId> retired;
+    for (const auto& [source, ready] : sources_) {
+        const bool is_coming = incoming_ && find_source(incoming_->wall, source) != nullptr;
+        if (!is_coming && find_source(shown_, source) == nullptr) retired.push_back(source);
+    }
+    for (const SourceId source : retired)
+        sources_.erase(source);
+    return retired;
+}
+
+Frame Wall::picture(std::chrono::nanoseconds now) const {
+    if (!is_fading()) return compose(canvas_, shown_, {}, 0, now);
+    const std::chrono::duration<double> passed = now - *incoming_->fade_began;
+    const std::chrono::duration<double> whole = settings_.crossfade;
+    const double progress = whole.count() > 0 ? passed / whole : 1;
+    return compose(canvas_, shown_, incoming_->wall, progress, now);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "player/layout/layout.hpp"
+#include "player/scene/assemblage.hpp"
+#include "player/scene/compose.hpp"
+#include "player/scene/shot_request.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+struct WallSettings {
+    AssemblageSettings assemblage;
+    std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
+    std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
+};
+
+/// What is to be laid out.
+struct WallPlan {
+    std::uint64_t generation = 0;  // to be handed back with the layout
+    Vec2 canvas;                   // px
+    std::vector<LayoutItem> items;
+    std::vector<std::optional<Placement>> start;  // where each stands now or its slot's last shot stood
+};
+
+/// What is to be done in this frame, beside drawing it.
+struct WallStep {
+    Frame frame;
+    std::optional<WallPlan> plan;       // replaces a plan still under way
+    std::vector<ShotRequest> requests;  // new sources, or another size for one that plays
+    std::vector<SourceId> retired;      // not in this frame and never again
+};
+
+/// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
+/// sources are asked for; once they are ready the new wall fades in over the old one, which plays on; then
+/// the sources that are not on it any more retire. One such change at a time; a wish that changes before its
+/// fade has begun is replaced. Knows no clock: events are told to it, step() says what follows.
+class Wall {
+  public:
+    Wall(Vec2 canvas, const WallSettings& settings);
+
+    /// Another screen mode: the same shots are laid out anew.
+    void set_canvas(Vec2 canvas);
+
+    void set_catalogue(std::span<const MediaRecord> records);
+
+    /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. A
+    /// better one for the same plan is taken until the fade begins.
+    /// @pre one placement and one cell for each item of the plan
+    void set_layout(const Layout& layout, std::vector<Cell> cells);
+
+    void source_ready(SourceId source);
+
+    /// Its file gives way to another; what is on the wall of it stays until the other is ready.
+    void source_failed(SourceId source, std::chrono::nanoseconds now);
+
+    /// @param now  since the player's start; never goes back
+    WallStep step(std::chrono::nanoseconds now);
+
+    bool is_fading() const { return incoming_ && incoming_->fade_began.has_value(); }
+
+    /// What is on the wall without what fades in.
+    std::span<const PlacedShot> shown() const { return shown_; }
+
+  private:
+    struct Incoming {
+        std::uint64_t generation = 0;
+        std::vector<PlacedShot> wall;
+        bool has_layout = false;
+        bool wants_sources = false;  // of another size than asked for, or not asked for yet
+        std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
+        std::optional<std::chrono::nanoseconds> fade_began;
+    };
+
+    void end_fade(std::chrono::nanoseconds now);
+    std::optional<WallPlan> follow_assemblage();
+    WallPlan begin_change(const std::vector<WallShot>& wanted);
+    std::optional<Placement> start(const WallShot& shot) const;
+    void prepare(WallStep& step, std::chrono::nanoseconds now);
+    bool is_ready() const;
+    void give_up_waiting(std::chrono::nanoseconds now);
+    void begin_fade(std::chrono::nanoseconds now);
+    std::vector<SourceId> retire();
+    Frame picture(std::chrono::nanoseconds now) const;
+
+    WallSettings settings_;
+    Vec2 canvas_;
+    Assemblage assemblage_;
+    std::vector<PlacedShot> shown_;
+    std::optional<Incoming> incoming_;
+    bool is_canvas_new_ = false;
+    std::uint64_t generation_ = 0;
+    std::map<SourceId, bool> sources_;  // asked for and not retired; whether ready
+};
+
+}  // namespace vitrine

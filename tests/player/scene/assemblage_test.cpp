@@ -1,0 +1,256 @@
+#include "player/scene/assemblage.hpp"
+
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Shows at once whatever the assemblage wants, and counts how often each shot came.
+struct Player {
+    Assemblage assemblage;
+    std::chrono::nanoseconds now = 0s;
+    std::map<SourceId, ShotKey> seen{};
+    std::map<ShotKey, int> times{};
+    std::vector<ShotKey> order{};
+
+    void look() {
+        for (const WallShot& shot : assemblage.wall()) {
+            assemblage.shown(shot.source, now);
+            if (!seen.emplace(shot.source, shot.key).second) continue;
+            ++times[shot.key];
+            order.push_back(shot.key);
+        }
+    }
+
+    void run(std::chrono::nanoseconds duration) {
+        for (const auto end = now + duration; now < end; now += 100ms) {
+            assemblage.advance(now);
+            look();
+        }
+    }
+
+    std::multiset<std::string> paths() const {
+        std::multiset<std::string> paths;
+        for (const WallShot& shot : assemblage.wall())
+            paths.insert(shot.key.path);
+        return paths;
+    }
+};
+
+Player player(AssemblageSettings settings, const std::vector<MediaRecord>& records) {
+    Player player{.assemblage = Assemblage(settings)};
+    player.assemblage.set_catalogue(records);
+    player.look();
+    return player;
+}
+
+std::vector<MediaRecord> photos(int count) {
+    std::vector<MediaRecord> records;
+    for (int i = 0; i < count; ++i)
+        records.push_back(photo("p" + std::to_string(100 + i)));
+    return records;
+}
+
+}  // namespace
+
+TEST_CASE("every photo is shown once before any is shown again") {
+    for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name, ShotOrder::newest}) {
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            Player wall = player({.slots = 4, .order = order, .seed = seed}, photos(13));
+            for (int i = 0; i < 200; ++i) {
+                wall.run(5s);
+                int least = 1000;
+                int most = 0;
+                for (const MediaRecord& record : photos(13)) {
+                    least = std::min(least, wall.times[{record.path, 0}]);
+                    most = std::max(most, wall.times[{record.path, 0}]);
+                }
+                REQUIRE(most - least <= 1);
+            }
+            CHECK(wall.order.size() > 100);
+        }
+    }
+}
+
+TEST_CASE("the same seed shows the same and another seed another") {
+    const auto shown = [](std::uint64_t seed) {
+        Player wall = player({.slots = 3, .seed = seed}, photos(20));
+        wall.run(300s);
+        return wall.order;
+    };
+    CHECK(shown(7) == shown(7));
+    CHECK(shown(7) != shown(8));
+}
+
+TEST_CASE("a shot stays for its time, then one slot at a time changes") {
+    Player wall = player({.slots = 3, .dwell = 20s, .spacing = 3s}, photos(10));
+    wall.run(19900ms);
+    CHECK(wall.order.size() == 3);
+    wall.run(1s);
+    CHECK(wall.order.size() == 4);
+    wall.run(2s);
+    CHECK(wall.order.size() == 4);
+    wall.run(1s);
+    CHECK(wall.order.size() == 5);
+}
+
+TEST_CASE("time counts only once a shot is shown") {
+    Assemblage assemblage({.slots = 1, .dwell = 20s});
+    assemblage.set_catalogue(photos(2));
+    const SourceId first = assemblage.wall()[0].source;
+    assemblage.advance(100s);
+    CHECK(assemblage.wall()[0].source == first);
+    assemblage.shown(first, 100s);
+    assemblage.advance(119s);
+    CHECK(assemblage.wall()[0].source == first);
+    assemblage.advance(120s);
+    CHECK(assemblage.wall()[0].source != first);
+}
+
+TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
+    const auto first_stay = [](std::chrono::nanoseconds shot) {
+        Player wall = player({.slots = 1, .dwell = 20s, .longest = 60s}, {film("f", 2, shot)});
+        while (wall.order.size() < 2)
+            wall.run(100ms);
+        return std::chrono::round<std::chrono::seconds>(wall.now - 100ms);
+    };
+    CHECK(first_stay(7s) == 21s);
+    CHECK(first_stay(20s) == 20s);
+    CHECK(first_stay(45s) == 45s);
+    CHECK(first_stay(300s) == 60s);
+}
+
+TEST_CASE("fewer items than slots are fewer on the wall, and they stay") {
+    Player wall = player({.slots = 6}, photos(2));
+    wall.run(300s);
+    CHECK(wall.order.size() == 2);
+    CHECK(player({.slots = 6}, {}).assemblage.wall().empty());
+}
+
+TEST_CASE("a single film fills the slots with its shots side by side, each once before any again") {
+    Player wall = player({.slots = 4}, {film("f", 11)});
+    CHECK(wall.order == std::vector<ShotKey>{{"f", 0}, {"f", 1}, {"f", 2}, {"f", 3}});
+    for (int i = 0; i < 100; ++i) {
+        wall.run(3s);
+        int least = 1000;
+        int most = 0;
+        for (int shot = 0; shot < 11; ++shot) {
+            least = std::min(least, wall.times[{"f", shot}]);
+            most = std::max(most, wall.times[{"f", shot}]);
+        }
+        REQUIRE(most - least <= 1);
+    }
+}
+
+TEST_CASE("one file stands on the wall once while other files wait") {
+    std::vector<MediaRecord> records = photos(8);
+    records.push_back(film("f", 30));
+    records.push_back(film("g", 50));
+    Player wall = player({.slots = 4}, records);
+    for (int i = 0; i < 400; ++i) {
+        wall.run(3s);
+        const auto paths = wall.paths();
+        REQUIRE(std::set(paths.begin(), paths.end()).size() == 4);
+    }
+    for (int shot = 0; shot < 30; ++shot)
+        CHECK(wall.times[{"f", shot}] >= 1);
+    for (const MediaRecord& record : photos(8))
+        CHECK(wall.times[{record.path, 0}] >= 2);
+}
+
+TEST_CASE("the shots of a film take the places that no other file wants and never a photo's only one") {
+    std::vector<MediaRecord> records = photos(2);
+    records.push_back(film("f", 9));
+    Player wall = player({.slots = 5}, records);
+    for (int i = 0; i < 100; ++i) {
+        wall.run(3s);
+        const auto paths = wall.paths();
+        REQUIRE(paths.count("f") == 3);
+        REQUIRE(paths.size() == 5);
+    }
+    for (int shot = 0; shot < 9; ++shot)
+        CHECK(wall.times[{"f", shot}] >= 2);
+}
+
+TEST_CASE("a new file takes a free slot at once and is next where there is none") {
+    Player wall = player({.slots = 3}, photos(2));
+    std::vector<MediaRecord> records = photos(3);
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.paths().count("p102") == 1);
+    wall.look();
+    records.push_back(photo("a"));
+    records.push_back(photo("z"));
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.paths().size() == 3);
+    wall.run(30s);
+    const std::set<std::string> next{wall.order[3].path, wall.order[4].path};
+    CHECK(next == std::set<std::string>{"a", "z"});
+}
+
+TEST_CASE("a deleted file leaves at once and another takes its place") {
+    Player wall = player({.slots = 3, .order = ShotOrder::name}, photos(5));
+    std::vector<MediaRecord> records = photos(5);
+    records.erase(records.begin() + 1);
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.paths() == std::multiset<std::string>{"p100", "p102", "p103"});
+    CHECK(wall.assemblage.wall()[1].key.path == "p103");
+    wall.run(300s);
+    CHECK(wall.times[{"p101", 0}] == 1);
+    wall.assemblage.set_catalogue({});
+    CHECK(wall.assemblage.wall().empty());
+}
+
+TEST_CASE("a file that is not ready any more leaves as a deleted one does") {
+    Player wall = player({.slots = 2}, photos(2));
+    std::vector<MediaRecord> records = photos(2);
+    records[0].state = MediaState::waiting;
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.paths() == std::multiset<std::string>{"p101"});
+}
+
+TEST_CASE("a replaced file is loaded anew in its slot and the others stay") {
+    Player wall = player({.slots = 2, .order = ShotOrder::name}, photos(2));
+    const auto before = wall.assemblage.wall();
+    std::vector<MediaRecord> records = photos(2);
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.assemblage.wall() == before);
+    records[0].mtime_ns = 77;
+    wall.assemblage.set_catalogue(records);
+    const auto after = wall.assemblage.wall();
+    CHECK(after[0].key == before[0].key);
+    CHECK(after[0].source != before[0].source);
+    CHECK(after[1] == before[1]);
+}
+
+TEST_CASE("a file that failed gives way and is tried again later or when it changes") {
+    Player wall = player({.slots = 1, .order = ShotOrder::name, .amends = 60s}, photos(1));
+    const SourceId first = wall.assemblage.wall()[0].source;
+    wall.assemblage.failed(first, 0s);
+    CHECK(wall.assemblage.wall().empty());
+    wall.run(59s);
+    CHECK(wall.assemblage.wall().empty());
+    wall.run(2s);
+    CHECK(wall.assemblage.wall().size() == 1);
+    wall.assemblage.failed(wall.assemblage.wall()[0].source, wall.now);
+    wall.assemblage.set_catalogue(photos(1));
+    CHECK(wall.assemblage.wall().empty());
+    std::vector<MediaRecord> changed = photos(1);
+    changed[0].bytes = 5;
+    wall.assemblage.set_catalogue(changed);
+    CHECK(wall.assemblage.wall().size() == 1);
+}
+
+TEST_CASE("no source is ever named twice") {
+    Player wall = player({.slots = 2}, photos(3));
+    wall.run(300s);
+    CHECK(wall.seen.size() == wall.order.size());
+    CHECK(wall.seen.rbegin()->first == wall.seen.size());
+}

@@ -1,0 +1,107 @@
+#include "player/scene/compose.hpp"
+
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+PlacedShot placed(SourceId source, std::chrono::nanoseconds began = 0s, double scale = 1) {
+    WallShot shot{.source = source, .kind = MediaKind::video, .picture = {640, 360}};
+    shot.shot = {.begin = 10s, .end = 14s, .region = {.polygon = middle().polygon, .drift = {12, -8}}};
+    Cell cell;
+    cell.parts = {{{0, 0}, {10.0 * static_cast<double>(source), 0}, {10, 10}}};
+    return {.shot = shot,
+            .placement = {.scale = scale, .offset = {5, 6}},
+            .cell = std::make_shared<const Cell>(cell),
+            .began = began};
+}
+
+std::vector<SourceId> sources(const Frame& frame) {
+    std::vector<SourceId> sources;
+    for (const DrawItem& item : frame.items)
+        sources.push_back(item.source);
+    return sources;
+}
+
+}  // namespace
+
+TEST_CASE("a wall that stands is drawn once and opaque, without the idle picture") {
+    const std::vector<PlacedShot> wall{placed(1), placed(2)};
+    const Frame frame = compose({1280, 720}, wall, {}, 0, 3s);
+    CHECK(sources(frame) == std::vector<SourceId>{1, 2});
+    CHECK(frame.items[0].alpha == 1);
+    CHECK(frame.items[1].alpha == 1);
+    CHECK(frame.idle == 0);
+    CHECK(frame.time == 3s);
+    CHECK(frame.canvas == Vec2{1280, 720});
+    CHECK(frame.items[0].placement == wall[0].placement);
+    CHECK(frame.items[0].picture == Vec2{640, 360});
+    CHECK(frame.items[0].cell == wall[0].cell);
+}
+
+TEST_CASE("nothing on the wall is the idle picture") {
+    CHECK(compose({1280, 720}, {}, {}, 0, 0s).idle == 1);
+    CHECK(compose({1280, 720}, {}, {}, 0.5, 0s).idle == 1);
+    CHECK(compose({1280, 720}, {}, {}, 1, 0s).items.empty());
+}
+
+TEST_CASE("the new wall fades in over the old one, which is drawn whole") {
+    const std::vector<PlacedShot> old_wall{placed(1), placed(2)};
+    const std::vector<PlacedShot> new_wall{placed(3), placed(4)};
+    const Frame frame = compose({1280, 720}, old_wall, new_wall, 0.25, 0s);
+    CHECK(sources(frame) == std::vector<SourceId>{1, 2, 3, 4});
+    CHECK(frame.items[0].alpha == 1);
+    CHECK(frame.items[1].alpha == 1);
+    CHECK(frame.items[2].alpha == doctest::Approx(0.15625));  // 3/16 - 2/64
+    CHECK(frame.items[3].alpha == frame.items[2].alpha);
+    CHECK(frame.idle == 0);
+    CHECK(sources(compose({1280, 720}, old_wall, new_wall, 1, 0s)) == std::vector<SourceId>{3, 4});
+}
+
+TEST_CASE("what stays as it is is drawn once during a transition, what moves twice") {
+    const std::vector<PlacedShot> old_wall{placed(1), placed(2)};
+    const std::vector<PlacedShot> new_wall{placed(1), placed(2, 0s, 1.5)};
+    CHECK(sources(compose({1280, 720}, old_wall, new_wall, 0.5, 0s)) == std::vector<SourceId>{1, 2, 2});
+}
+
+TEST_CASE("between the idle picture and a wall only the wall changes its opacity") {
+    const std::vector<PlacedShot> wall{placed(1)};
+    const Frame coming = compose({1280, 720}, {}, wall, 0.25, 0s);
+    CHECK(coming.idle == 1);
+    CHECK(coming.items.at(0).alpha == doctest::Approx(0.15625));
+    const Frame going = compose({1280, 720}, wall, {}, 0.25, 0s);
+    CHECK(going.idle == 1);
+    CHECK(going.items.at(0).alpha == doctest::Approx(0.84375));
+}
+
+TEST_CASE("a shot slides along its drift from the time it appeared, anew in each loop") {
+    const std::vector<PlacedShot> wall{placed(1, 20s)};
+    const auto slide_at = [&](std::chrono::nanoseconds now) {
+        return compose({1280, 720}, wall, {}, 0, now).items.at(0).slide;
+    };
+    CHECK(slide_at(20s) == Vec2{0, 0});
+    CHECK(slide_at(21500ms) == Vec2{18, -12});
+    CHECK(slide_at(24s) == Vec2{0, 0});
+    CHECK(slide_at(29s) == Vec2{12, -8});
+    CHECK(compose({1280, 720}, wall, {}, 0, 29s).items.at(0).local == 9s);
+}
+
+TEST_CASE("a photo does not slide") {
+    Shot still{.region = middle()};
+    still.region.drift = {100, 100};
+    CHECK(slide(still, 5s) == Vec2{0, 0});
+}
+
+TEST_CASE("easing starts and ends slowly and stays in [0, 1]") {
+    CHECK(eased(-1) == 0);
+    CHECK(eased(0) == 0);
+    CHECK(eased(0.5) == 0.5);
+    CHECK(eased(1) == 1);
+    CHECK(eased(2) == 1);
+    CHECK(eased(0.1) < 0.1);
+    CHECK(eased(0.9) > 0.9);
+}

@@ -1,0 +1,92 @@
+#include "player/scene/shot_round.hpp"
+
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+
+namespace {
+
+bool always(const ShotKey& /*key*/) {
+    return true;
+}
+
+bool never(const ShotKey& /*key*/) {
+    return false;
+}
+
+void set(ShotRound& round, const std::vector<MediaRecord>& records) {
+    std::vector<const MediaRecord*> files;
+    for (const MediaRecord& record : records)
+        files.push_back(&record);
+    round.set_files(files);
+}
+
+std::vector<ShotKey> take_all(ShotRound& round) {
+    std::vector<ShotKey> keys;
+    while (const auto key = round.take(always))
+        keys.push_back(*key);
+    return keys;
+}
+
+}  // namespace
+
+TEST_CASE("by name, shots come by path and in time order") {
+    ShotRound round(ShotOrder::name, 1);
+    set(round, {photo("b"), film("a", 2), photo("c")});
+    // the first shots of new files come before the later ones
+    CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"c", 0}, {"a", 1}});
+    round.begin_again(never);
+    CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"b", 0}, {"c", 0}});
+}
+
+TEST_CASE("by newest, the file changed last comes first") {
+    ShotRound round(ShotOrder::newest, 1);
+    set(round, {photo("a", 5), photo("b", 9), photo("c", 7)});
+    CHECK(take_all(round) == std::vector<ShotKey>{{"b", 0}, {"c", 0}, {"a", 0}});
+}
+
+TEST_CASE("shuffled, every shot comes once and those of one film in time order") {
+    ShotRound round(ShotOrder::shuffle, 3);
+    set(round, {film("a", 20), film("b", 20), photo("c")});
+    take_all(round);
+    round.begin_again(never);
+    const std::vector<ShotKey> keys = take_all(round);
+    CHECK(keys.size() == 41);
+    int next_a = 0;
+    int next_b = 0;
+    int changes = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].path == "a") CHECK(keys[i].shot == next_a++);
+        if (keys[i].path == "b") CHECK(keys[i].shot == next_b++);
+        if (i > 0 && keys[i].path != keys[i - 1].path) ++changes;
+    }
+    CHECK(changes > 10);
+}
+
+TEST_CASE("the same seed gives the same order and another seed another") {
+    const auto order = [](std::uint64_t seed) {
+        ShotRound round(ShotOrder::shuffle, seed);
+        set(round, {film("a", 20), film("b", 20)});
+        return take_all(round);
+    };
+    CHECK(order(1) == order(1));
+    CHECK(order(1) != order(2));
+}
+
+TEST_CASE("a new file is next and a file that is gone has no turn") {
+    ShotRound round(ShotOrder::name, 1);
+    set(round, {photo("a"), photo("b"), photo("c")});
+    set(round, {photo("a"), photo("c"), photo("d")});
+    CHECK(take_all(round) == std::vector<ShotKey>{{"d", 0}, {"a", 0}, {"c", 0}});
+}
+
+TEST_CASE("only files of which all was shown begin again, those on the wall last") {
+    ShotRound round(ShotOrder::name, 1);
+    set(round, {photo("a"), photo("b"), film("f", 2)});
+    for (int i = 0; i < 3; ++i)
+        round.take(always);  // a, b, f 0
+    round.begin_again([](const ShotKey& key) { return key.path == "a"; });
+    CHECK(take_all(round) == std::vector<ShotKey>{{"f", 1}, {"b", 0}, {"a", 0}});
+}

@@ -1,0 +1,280 @@
+#include "player/scene/wall.hpp"
+
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// The player around a wall, without its files and screen: plans at once, sources ready when told.
+struct House {
+    Wall wall;
+    std::chrono::nanoseconds now = 0s;
+    bool plans = true;
+    bool readies = true;
+    std::map<SourceId, ShotRequest> playing{};
+    std::vector<WallPlan> planned{};
+    int requests = 0;
+
+    static Layout layout_of(const WallPlan& plan) {
+        Layout layout{.canvas = plan.canvas, .generation = plan.generation};
+        for (std::size_t i = 0; i < plan.items.size(); ++i) {
+            layout.placements.push_back({.scale = 0.5, .offset = {100.0 * static_cast<double>(i), 0}});
+        }
+        return layout;
+    }
+
+    void plan(const WallPlan& wanted) {
+        wall.set_layout(layout_of(wanted), std::vector<Cell>(wanted.items.size()));
+    }
+
+    /// One refresh; checks what must hold in every one.
+    WallStep step() {
+        WallStep step = wall.step(now);
+        for (const ShotRequest& request : step.requests) {
+            playing[request.source] = request;
+            ++requests;
+            if (readies) wall.source_ready(request.source);
+        }
+        for (const SourceId source : step.retired) {
+            REQUIRE(playing.erase(source) == 1);
+        }
+        for (const DrawItem& item : step.frame.items)
+            REQUIRE(playing.contains(item.source));
+        const bool is_covered =
+            step.frame.idle == 1 || (!step.frame.items.empty() && step.frame.items[0].alpha == 1);
+        REQUIRE(is_covered);
+        if (step.plan) planned.push_back(*step.plan);
+        if (step.plan && plans) plan(*step.plan);
+        now += 50ms;
+        return step;
+    }
+
+    WallStep run(std::chrono::nanoseconds duration) {
+        WallStep last = step();
+        for (const auto end = now + duration; now < end;)
+            last = step();
+        return last;
+    }
+};
+
+House house(const std::vector<MediaRecord>& records, int slots = 3) {
+    House house{.wall = Wall({1280, 720}, {.assemblage = {.slots = slots, .order = ShotOrder::name}})};
+    house.wall.set_catalogue(records);
+    return house;
+}
+
+std::vector<std::string> shown_paths(const House& house) {
+    std::vector<std::string> paths;
+    for (const PlacedShot& placed : house.wall.shown())
+        paths.push_back(placed.shot.key.path);
+    return paths;
+}
+
+}  // namespace
+
+TEST_CASE("an empty catalogue shows the idle picture and asks for nothing") {
+    House house = ::house({});
+    const WallStep last = house.run(5s);
+    CHECK(last.frame.idle == 1);
+    CHECK(house.planned.empty());
+    CHECK(house.requests == 0);
+}
+
+TEST_CASE("a wall is planned, asked for, faded in over the idle picture, and then stands") {
+    House house = ::house({photo("a"), film("b", 1), photo("c"), photo("d")});
+    WallStep step = house.step();
+    CHECK(step.plan->items.size() == 3);
+    CHECK(step.requests.empty());
+    step = house.step();
+    CHECK(step.requests.size() == 3);
+    CHECK(step.requests[1].path == "b");
+    CHECK(step.requests[1].kind == MediaKind::video);
+    CHECK(step.requests[1].shot.end == 4s);
+    CHECK(step.requests[1].width == 320);
+    CHECK(step.requests[1].height == 180);
+    CHECK(step.frame.idle == 1);
+    house.step();
+    step = house.run(300ms);
+    CHECK(step.frame.idle == 1);
+    CHECK(step.frame.items.size() == 3);
+    CHECK(step.frame.items[0].alpha > 0);
+    CHECK(step.frame.items[0].alpha < 1);
+    step = house.run(1s);
+    CHECK(step.frame.idle == 0);
+    CHECK(step.frame.items.size() == 3);
+    CHECK(step.frame.items[0].alpha == 1);
+    CHECK(house.planned.size() == 1);
+    CHECK(house.requests == 3);
+}
+
+TEST_CASE("nothing fades in before all its sources are ready") {
+    House house = ::house({photo("a"), photo("b")});
+    house.readies = false;
+    WallStep step = house.run(5s);
+    CHECK(step.frame.items.empty());
+    const SourceId first = house.playing.begin()->first;
+    house.wall.source_ready(first);
+    CHECK(house.run(1s).frame.items.empty());
+    house.wall.source_ready(house.playing.rbegin()->first);
+    CHECK(house.run(1s).frame.items.size() == 2);
+}
+
+TEST_CASE("a shot plays from the moment it appears") {
+    House house = ::house({film("f", 1, 4s)}, 1);
+    house.readies = false;
+    house.run(3s);
+    house.wall.source_ready(house.playing.begin()->first);
+    const auto appears = house.now;
+    house.step();
+    house.run(1s);
+    const WallStep step = house.step();
+    CHECK(step.frame.items.at(0).local == step.frame.time - appears);
+}
+
+TEST_CASE("a source that does not get ready in time gives way to another") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.readies = false;
+    house.run(1s);
+    house.wall.source_ready(house.playing.begin()->first);  // of a
+    house.readies = true;                                   // what is asked for from now on
+    CHECK(house.run(12s).frame.items.size() == 2);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "c"});
+    CHECK(house.playing.size() == 2);
+}
+
+TEST_CASE("a change of turn keeps the others playing and starts the new one in the old one's place") {
+    House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
+    house.run(2s);
+    const std::set<SourceId> before{house.playing.begin()->first, std::next(house.playing.begin())->first,
+                                    house.playing.rbegin()->first};
+    while (house.planned.size() < 2)
+        house.step();
+    const WallPlan& plan = house.planned.back();
+    CHECK(plan.start[1] == Placement{.scale = 0.5, .offset = {100, 0}});  // stays
+    CHECK(plan.start[0] == Placement{.scale = 0.5, .offset = {0, 0}});    // the same region as before it
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"d", "b", "c"});
+    CHECK(house.playing.size() == 3);
+    CHECK_FALSE(house.playing.contains(*before.begin()));
+    for (auto source = std::next(before.begin()); source != before.end(); ++source) {
+        CHECK(house.playing.contains(*source));
+    }
+}
+
+TEST_CASE("the newcomer starts with its region as large as the old one's and around the same point") {
+    MediaRecord wide = photo("b");
+    wide.shots[0].region.polygon = {{0, 0}, {320, 0}, {320, 240}, {0, 240}};  // four times the area
+    House house = ::house({photo("a"), wide}, 1);
+    while (house.planned.size() < 2)
+        house.step();
+    const Placement start = house.planned.back().start[0].value();
+    CHECK(start.scale == doctest::Approx(0.25));
+    CHECK(start.offset.x == doctest::Approx(320 * 0.5 - 160 * 0.25));
+    CHECK(start.offset.y == doctest::Approx(180 * 0.5 - 120 * 0.25));
+}
+
+TEST_CASE("a deleted file leaves with the next transition, the last one to the idle picture") {
+    House house = ::house({photo("a"), photo("b")});
+    house.run(2s);
+    house.wall.set_catalogue(std::vector{photo("b")});
+    house.run(1s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"b"});
+    CHECK(house.playing.size() == 1);
+    house.wall.set_catalogue({});
+    const WallStep step = house.run(1s);
+    CHECK(step.frame.items.empty());
+    CHECK(step.frame.idle == 1);
+    CHECK(house.playing.empty());
+}
+
+TEST_CASE("what is wanted meanwhile replaces a change that has not begun to fade, its sources retire") {
+    House house = ::house({photo("a"), photo("b")});
+    house.readies = false;
+    house.run(1s);
+    house.wall.set_catalogue(std::vector{photo("b"), photo("c")});
+    house.readies = true;
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"c", "b"});
+    CHECK(house.playing.size() == 2);
+}
+
+TEST_CASE("a change that comes during a fade waits for its end") {
+    House house = ::house({photo("a")});
+    house.step();
+    house.step();
+    house.run(200ms);
+    CHECK(house.wall.is_fading());
+    house.wall.set_catalogue({});
+    const WallStep step = house.run(100ms);
+    CHECK(house.wall.is_fading());
+    CHECK(step.frame.items.size() == 1);
+    CHECK(house.run(2s).frame.items.empty());
+}
+
+TEST_CASE("a source that fails while it plays stays as it is until another has taken its place") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.run(2s);
+    house.readies = false;
+    house.wall.source_failed(house.playing.begin()->first, house.now);
+    CHECK(house.run(1s).frame.items.size() == 2);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "b"});
+    for (const auto& [source, request] : house.playing)
+        house.wall.source_ready(source);
+    house.run(1s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"c", "b"});
+}
+
+TEST_CASE("an outdated layout is ignored") {
+    House house = ::house({photo("a")});
+    house.plans = false;
+    house.step();
+    house.wall.set_catalogue(std::vector{photo("a"), photo("b")});
+    house.step();
+    CHECK(house.planned.size() == 2);
+    house.plan(house.planned[0]);
+    CHECK(house.step().requests.empty());
+    house.plan(house.planned[1]);
+    CHECK(house.step().requests.size() == 2);
+}
+
+TEST_CASE("another canvas lays the same shots out anew without restarting them") {
+    House house = ::house({photo("a"), photo("b")});
+    house.run(2s);
+    const auto before = house.playing;
+    house.wall.set_canvas({720, 1280});
+    const WallStep step = house.run(2s);
+    CHECK(house.planned.back().canvas == Vec2{720, 1280});
+    CHECK(step.frame.canvas == Vec2{720, 1280});
+    CHECK(house.playing.begin()->first == before.begin()->first);
+    CHECK(house.planned.size() == 2);
+}
+
+TEST_CASE("hours of rotation with failures, additions and deletions leave no source behind") {
+    House house = ::house({});
+    std::mt19937_64 engine(5);
+    std::vector<MediaRecord> records;
+    for (int i = 0; i < 400; ++i) {
+        if (engine() % 3 != 0)
+            records.push_back(film("f" + std::to_string(engine() % 12), 1 + i % 4));
+        else if (!records.empty())
+            records.erase(records.begin() + static_cast<long>(engine() % records.size()));
+        house.wall.set_catalogue(records);
+        house.readies = engine() % 4 != 0;
+        house.run(std::chrono::seconds(engine() % 20));
+        if (engine() % 5 == 0 && !house.playing.empty()) {
+            house.wall.source_failed(house.playing.begin()->first, house.now);
+        }
+        REQUIRE(house.playing.size() <= 6);
+    }
+    house.wall.set_catalogue({});
+    house.run(20s);
+    CHECK(house.playing.empty());
+}
