@@ -1,0 +1,176 @@
+// Why not decodebin or parsebin: they choose among all plugins of the machine by what the file says, start a
+// thread and a queue for every stream, decode sound that nobody hears, and have been seen not to end on odd
+// files. The video stream of a film needs four elements, and a table of thirty rows knows them.
+
+#include "base/media/decode_chain.hpp"
+
+#include "base/media/decoder_table.hpp"
+
+#include <fmt/format.h>
+#include <gst/pbutils/pbutils.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string_view>
+
+namespace vitrine {
+
+// What the demuxer's callbacks know; they run in its thread.
+struct DecodeChain::Links {
+    GstBin* bin = nullptr;              // the pipeline, outlives the links
+    GstElement* deinterlace = nullptr;  // where the decoder is linked to, owned by the bin
+    DecodeOptions options;
+    bool linked = false;
+    bool has_sound = false;
+    std::string unknown_codec;
+
+    static void pad_added(GstElement* demuxer, GstPad* pad, gpointer self);
+    static void no_more_pads(GstElement* demuxer, gpointer self);
+    void add_stream(GstElement* demuxer, GstPad* pad);
+    void link_decoder(GstPad* pad, const DecoderRow& row);
+    std::string why_nothing() const;
+};
+
+namespace {
+
+constexpr const char* not_linkable = "the film's picture cannot be decoded";
+
+// A pipeline's own error message, as an element would post it: exceptions must not cross GStreamer's threads.
+void post_error(GstElement* element, GstStreamError code, const std::string& text) {
+    gst_element_message_full(element, GST_MESSAGE_ERROR, GST_STREAM_ERROR, code, g_strdup(text.c_str()),
+                             nullptr, __FILE__, __func__, __LINE__);
+}
+
+// The decoders name their number of threads differently; av1dec takes what it gets.
+void limit_threads(GstElement* decoder, int threads) {
+    for (const char* property : {"max-threads", "threads"})
+        if (g_object_class_find_property(G_OBJECT_GET_CLASS(decoder), property))
+            g_object_set(decoder, property, threads, nullptr);
+}
+
+std::string codec_name(const GstCaps* caps) {
+    const GstPtr<gchar> name(gst_pb_utils_get_codec_description(caps));
+    return name ? name.get() : "unknown";
+}
+
+GstElement* add_to(GstBin* bin, const char* factory) {
+    const GstPtr<GstElement> element = make_element(factory);
+    gst_bin_add(bin, element.get());
+    return element.get();  // the bin holds it
+}
+
+}  // namespace
+
+void DecodeChain::Links::pad_added(GstElement* demuxer, GstPad* pad, gpointer self) {
+    try {
+        static_cast<Links*>(self)->add_stream(demuxer, pad);
+    } catch (const std::exception& error) {
+        post_error(demuxer, GST_STREAM_ERROR_FAILED, error.what());
+    }
+}
+
+void DecodeChain::Links::no_more_pads(GstElement* demuxer, gpointer self) {
+    const auto* links = static_cast<const Links*>(self);
+    if (!links->linked) post_error(demuxer, GST_STREAM_ERROR_CODEC_NOT_FOUND, links->why_nothing());
+}
+
+void DecodeChain::Links::add_stream(GstElement* demuxer, GstPad* pad) {
+    GstPtr<GstCaps> caps(gst_pad_get_current_caps(pad));
+    if (!caps) caps.reset(gst_pad_query_caps(pad, nullptr));
+    if (linked || !caps || gst_caps_is_empty(caps.get()) || gst_caps_is_any(caps.get())) return;
+    const std::string_view name = gst_structure_get_name(gst_caps_get_structure(caps.get(), 0));
+    if (name.starts_with("audio/")) has_sound = true;
+    if (!name.starts_with("video/") && !name.starts_with("image/")) return;
+    const auto row = decoder_for(caps.get());
+    if (!row) {
+        unknown_codec = codec_name(caps.get());
+        return;
+    }
+    link_decoder(pad, *row);
+    if (!linked) post_error(demuxer, GST_STREAM_ERROR_FAILED, not_linkable);
+}
+
+void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
+    GstElement* last = deinterlace;
+    for (const char* factory : {row.decoder, row.parser}) {  // from the back, so that data finds its way
+        if (!factory) continue;
+        GstElement* element = add_to(bin, factory);
+        if (factory == row.decoder) limit_threads(element, options.max_threads);
+        if (!gst_element_link(element, last) || !gst_element_sync_state_with_parent(element)) return;
+        last = element;
+    }
+    const GstPtr<GstPad> sink(gst_element_get_static_pad(last, "sink"));
+    linked = gst_pad_link(pad, sink.get()) == GST_PAD_LINK_OK;
+}
+
+std::string DecodeChain::Links::why_nothing() const {
+    if (!unknown_codec.empty())
+        return fmt::format("the film's picture is coded as {}, which is not decoded here", unknown_codec);
+    return has_sound ? "the file holds only sound" : "the file holds no video stream";
+}
+
+DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, DecodeOptions options)
+    : format_(media_format(path)), tail_(std::move(tail)), links_(std::make_unique<Links>()) {
+    if (kind_of(format_) != MediaKind::video)
+        throw MediaError(MediaState::unsupported, "this is a picture, not a film");
+    start_gstreamer();
+    pipeline_.reset(gst_pipeline_new(nullptr));
+    gst_object_ref_sink(pipeline_.get());
+    bus_.reset(gst_element_get_bus(pipeline_.get()));
+    GstBin* bin = GST_BIN(pipeline_.get());
+    GstElement* source = add_to(bin, "filesrc");
+    GstElement* demuxer = add_to(bin, demuxer_for(format_));
+    GstElement* deinterlace = add_to(bin, "deinterlace");
+    gst_bin_add(bin, tail_.get());
+    g_object_set(source, "location", path.c_str(), nullptr);
+    gst_util_set_object_arg(G_OBJECT(deinterlace), "fields", "top");  // a frame a frame, not one a field
+    if (!gst_element_link(source, demuxer) || !gst_element_link(deinterlace, tail_.get()))
+        throw std::runtime_error(
+            "the tail of a decode chain cannot be linked: it needs a pad 'sink' for raw video");
+    links_->bin = bin;
+    links_->deinterlace = deinterlace;
+    links_->options = options;
+    g_signal_connect(demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
+    g_signal_connect(demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
+}
+
+DecodeChain::~DecodeChain() {
+    if (pipeline_) gst_element_set_state(pipeline_.get(), GST_STATE_NULL);  // ends every thread
+}
+
+void DecodeChain::preroll(std::chrono::nanoseconds deadline) {
+    gst_element_set_state(pipeline_.get(), GST_STATE_PAUSED);  // a failure comes as a message
+    const GstPtr<GstMessage> message(
+        gst_bus_timed_pop_filtered(bus_.get(), static_cast<GstClockTime>(deadline.count()),
+                                   static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_ASYNC_DONE)));
+    if (!message)
+        throw MediaError(MediaState::failed, "the film does not start: no picture within the time allowed");
+    if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
+}
+
+std::chrono::nanoseconds DecodeChain::duration() const {
+    gint64 nanoseconds = 0;
+    if (!gst_element_query_duration(pipeline_.get(), GST_FORMAT_TIME, &nanoseconds)) return {};
+    return std::chrono::nanoseconds(std::max<gint64>(nanoseconds, 0));
+}
+
+void DecodeChain::throw_pending_error() const {
+    const GstPtr<GstMessage> message(gst_bus_pop_filtered(bus_.get(), GST_MESSAGE_ERROR));
+    if (message) throw media_error(message.get());
+}
+
+MediaError media_error(GstMessage* message) {
+    GError* raw = nullptr;
+    gst_message_parse_error(message, &raw, nullptr);
+    const GstPtr<GError> error(raw);
+    if (g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_CODEC_NOT_FOUND))
+        return {MediaState::unsupported, raw->message};
+    if (g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_DECRYPT) ||
+        g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_DECRYPT_NOKEY))
+        return {MediaState::unsupported, "the film is encrypted"};
+    if (raw->domain == GST_RESOURCE_ERROR)
+        return {MediaState::failed, fmt::format("the film's file cannot be read: {}", raw->message)};
+    return {MediaState::failed, fmt::format("the film cannot be read: {}", raw->message)};
+}
+
+}  // namespace vitrine

@@ -1,0 +1,42 @@
+#include "base/media/gst_ptr.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <stdexcept>
+
+namespace vitrine {
+
+void start_gstreamer() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        GError* error = nullptr;
+        const bool started = gst_init_check(nullptr, nullptr, &error) != FALSE;
+        const GstPtr<GError> owned(error);
+        if (!started)
+            throw std::runtime_error(
+                fmt::format("start GStreamer: {}", error ? error->message : "no reason given"));
+    });
+}
+
+GstPtr<GstElement> make_element(const char* factory) {
+    GstElement* element = gst_element_factory_make(factory, nullptr);
+    if (!element)
+        throw std::runtime_error(fmt::format("the GStreamer element '{}' is not installed", factory));
+    gst_object_ref_sink(element);
+    return GstPtr<GstElement>(element);
+}
+
+GstPtr<GstElement> make_bin(const char* description) {
+    GError* error = nullptr;
+    GstElement* bin = gst_parse_bin_from_description(description, TRUE, &error);
+    if (bin) gst_object_ref_sink(bin);
+    GstPtr<GstElement> owned(bin);
+    const GstPtr<GError> why(error);  // a warning may come with a bin: no bin of ours is allowed one
+    if (why || !owned)
+        throw std::runtime_error(
+            fmt::format("build '{}': {}", description, why ? why->message : "no reason given"));
+    return owned;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gst/app/gstappsink.h>
+#include <gst/gst.h>
+
+#include <memory>
+
+namespace vitrine {
+
+/// Gives back one reference. One overload a type and no default: a type not listed does not compile.
+struct GstUnref {
+    void operator()(GstElement* element) const { gst_object_unref(element); }
+
+    void operator()(GstBus* bus) const { gst_object_unref(bus); }
+
+    void operator()(GstPad* pad) const { gst_object_unref(pad); }
+
+    void operator()(GstCaps* caps) const { gst_caps_unref(caps); }
+
+    void operator()(GstSample* sample) const { gst_sample_unref(sample); }
+
+    void operator()(GstMessage* message) const { gst_message_unref(message); }
+
+    void operator()(GstTagList* tags) const { gst_tag_list_unref(tags); }
+
+    void operator()(GstEvent* event) const { gst_event_unref(event); }
+
+    void operator()(GError* error) const { g_error_free(error); }
+
+    void operator()(gchar* text) const { g_free(text); }
+};
+
+/// The one owner of one reference.
+template <typename T> using GstPtr = std::unique_ptr<T, GstUnref>;
+
+/// Loads GStreamer, once a process; to be called before anything of it. Thread-safe.
+/// @throws std::runtime_error where it cannot start
+void start_gstreamer();
+
+/// A new element, no longer floating. @throws std::runtime_error where the plugin is not installed
+GstPtr<GstElement> make_element(const char* factory);
+
+/// A bin from a pipeline description in gst-launch's words, with its open ends as pads "sink" and "src".
+/// @throws std::runtime_error where the description is wrong or a plugin is missing
+GstPtr<GstElement> make_bin(const char* description);
+
+}  // namespace vitrine
