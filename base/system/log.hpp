@@ -1,0 +1,46 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+/// The journal's or the terminal's lines. Thread-safe: each line is one write to the standard error.
+/// Only the daemon, the player and the two main() log above debug; one event, one line.
+namespace vitrine::log {
+
+enum class Level { error, warning, info, debug };
+
+/// "error", "warning", "info" or "debug"; nothing for another name.
+std::optional<Level> level_named(std::string_view name);
+
+/// Lines less important than this are dropped. Starts at info.
+void set_level(Level level);
+
+bool is_wanted(Level level);
+
+/// One line; control characters of names from outside are written as \xNN, so that no name forges a line.
+void write(Level level, std::string_view message);
+
+/// The line as it stands in the stream. @param for_journal  with the priority that the journal reads, "<6>"
+std::string line_of(Level level, std::string_view message, bool for_journal);
+
+template <typename... Args> void error(fmt::format_string<Args...> text, Args&&... args) {
+    write(Level::error, fmt::format(text, std::forward<Args>(args)...));
+}
+
+template <typename... Args> void warning(fmt::format_string<Args...> text, Args&&... args) {
+    if (is_wanted(Level::warning)) write(Level::warning, fmt::format(text, std::forward<Args>(args)...));
+}
+
+template <typename... Args> void info(fmt::format_string<Args...> text, Args&&... args) {
+    if (is_wanted(Level::info)) write(Level::info, fmt::format(text, std::forward<Args>(args)...));
+}
+
+template <typename... Args> void debug(fmt::format_string<Args...> text, Args&&... args) {
+    if (is_wanted(Level::debug)) write(Level::debug, fmt::format(text, std::forward<Args>(args)...));
+}
+
+}  // namespace vitrine::log
