@@ -1,0 +1,53 @@
+#pragma once
+
+#include <EGL/egl.h>
+
+#include <string>
+
+struct gbm_device;
+
+namespace vitrine {
+
+/// An EGL display with one OpenGL ES 3 context, made current without a surface as soon as it exists.
+/// Thread-bound: its context is current on the thread that made it, until it ends.
+class Egl {
+  public:
+    /// Draws to memory only; works without any device (Mesa's surfaceless platform).
+    static Egl surfaceless();
+
+    /// Draws to the buffers of a GBM device, which outlives this.
+    static Egl on(gbm_device& device);
+
+    Egl(Egl&& other) noexcept;
+    Egl(const Egl&) = delete;
+    Egl& operator=(const Egl&) = delete;
+    Egl& operator=(Egl&&) = delete;
+    ~Egl();
+
+    EGLDisplay display() const { return display_; }
+
+    EGLConfig config() const { return config_; }
+
+    /// Directs what is drawn to a surface; EGL_NO_SURFACE: nowhere but frame buffer objects.
+    void make_current(EGLSurface surface);
+
+    /// GL's own name for what draws, for the log.
+    std::string renderer() const;
+
+  private:
+    enum class End { leave, terminate };
+
+    Egl(EGLDisplay display, End end) : display_(display), end_(end) {}
+
+    void create_context(EGLint visual);
+
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    End end_;  // `leave` where the display is the process's one, which another Egl may use
+    EGLConfig config_ = nullptr;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// Throws std::runtime_error: what was tried, and EGL's name for why it failed.
+[[noreturn]] void throw_egl(const char* what);
+
+}  // namespace vitrine

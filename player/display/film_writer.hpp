@@ -1,0 +1,40 @@
+#pragma once
+
+#include "player/display/picture.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace vitrine {
+
+/// Writes pictures into an MP4 file (H.264) that starts to play before it is loaded whole. Encodes on
+/// GStreamer's threads; add() waits where they fall behind by more than a few pictures.
+class FilmWriter {
+  public:
+    /// @param rate  pictures a second the film is told to hold, > 0
+    /// @throws std::runtime_error naming the film: an encoder is missing, or the file cannot be written
+    FilmWriter(const std::filesystem::path& path, int width, int height, double rate);
+    FilmWriter(const FilmWriter&) = delete;
+    FilmWriter& operator=(const FilmWriter&) = delete;
+
+    /// Ends the film if finish() has not; a failure then shows as a broken file only.
+    ~FilmWriter();
+
+    /// Shows `picture` in the film from `time` on, counted from the first picture's time; a picture that
+    /// is not later than the one before is left out.
+    /// @throws std::runtime_error naming the film
+    void add(const Picture& picture, std::chrono::nanoseconds time);
+
+    /// Ends the film, so that the file is whole. Nothing is added after.
+    /// @throws std::runtime_error naming the film
+    void finish();
+
+  private:
+    struct Chain;
+
+    std::unique_ptr<Chain> chain_;
+};
+
+}  // namespace vitrine

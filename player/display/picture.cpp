@@ -1,0 +1,47 @@
+#include "player/display/picture.hpp"
+
+#include "base/system/handle.hpp"
+
+#include <fmt/format.h>
+#include <vips/vips.h>
+
+#include <stdexcept>
+
+namespace vitrine {
+
+namespace {
+
+// g_object_unref takes a void pointer; the handle's type stays that of the image.
+void unref_image(VipsImage* image) {
+    g_object_unref(image);
+}
+
+using ImageHandle = Handle<VipsImage, &unref_image>;
+
+[[noreturn]] void throw_vips(const std::filesystem::path& path) {
+    std::string reason = vips_error_buffer();
+    vips_error_clear();
+    while (!reason.empty() && reason.back() == '\n')
+        reason.pop_back();
+    throw std::runtime_error(fmt::format("write picture '{}': {}", path.string(), reason));
+}
+
+}  // namespace
+
+void save_png(const Picture& picture, const std::filesystem::path& path) {
+    if (vips_init("vitrine") != 0) throw_vips(path);
+
+    const ImageHandle whole(vips_image_new_from_memory(picture.pixels.data(), picture.pixels.size(),
+                                                       picture.width, picture.height, 4, VIPS_FORMAT_UCHAR));
+    if (!whole) throw_vips(path);
+
+    VipsImage* colour = nullptr;
+    if (vips_extract_band(whole.get(), &colour, 0, "n", 3, nullptr) != 0) throw_vips(path);
+    const ImageHandle owned(colour);
+    if (vips_copy(owned.get(), &colour, "interpretation", VIPS_INTERPRETATION_sRGB, nullptr) != 0)
+        throw_vips(path);
+    const ImageHandle tagged(colour);
+    if (vips_pngsave(tagged.get(), path.c_str(), "compression", 3, nullptr) != 0) throw_vips(path);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+namespace vitrine {
+
+/// What a screen showed at one moment: RGBA, 8 bits a channel, rows from the top, no padding.
+struct Picture {
+    int width = 0;  // px
+    int height = 0;
+    std::vector<std::byte> pixels;  // width * height * 4
+};
+
+/// Writes an opaque picture as a PNG file, replacing what is there.
+/// @throws std::runtime_error naming the file
+void save_png(const Picture& picture, const std::filesystem::path& path);
+
+}  // namespace vitrine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "player/layout/cells.hpp"
+
+#include <vector>
+
+namespace vitrine {
+
+/// A cell cut up for the graphics card. Besides the triangles that fill it there are
+/// - its outline as lines, drawn below everything: where two cells meet in a corner of one and the middle of
+///   another's side, rounding may leave a pixel to neither, which then shows the line and not the background;
+/// - a fringe, a strip outside along its outline whose coverage falls from half to nothing: each cell's lies
+///   on its neighbour, which smooths the seam for the price of the seam's pixels, not of the picture's.
+struct CellMesh {
+    struct Vertex {
+        float x = 0;  // canvas px
+        float y = 0;
+        float coverage = 1;
+    };
+
+    /// Some of the vertices.
+    struct Range {
+        int first = 0;
+        int count = 0;
+    };
+
+    /// What is drawn of the parts, or of the filler.
+    struct Layer {
+        Range outline;    // pairs: lines
+        Range triangles;  // triples
+        Range fringe;     // triples
+    };
+
+    std::vector<Vertex> vertices;
+    Layer parts;
+    Layer filler;
+};
+
+/// @param fringe  width of the fringe, canvas px, >= 0
+CellMesh cell_mesh(const Cell& cell, double fringe);
+
+}  // namespace vitrine

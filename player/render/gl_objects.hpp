@@ -1,0 +1,69 @@
+#pragma once
+
+#include <GLES3/gl3.h>
+
+#include <utility>
+
+namespace vitrine {
+
+/// The one owner of a GL object; it ends while its context is current. 0: none.
+template <void (*generate)(GLsizei, GLuint*), void (*destroy)(GLsizei, const GLuint*)> class GlObject {
+  public:
+    GlObject() { generate(1, &id_); }
+
+    GlObject(GlObject&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+    GlObject(const GlObject&) = delete;
+    GlObject& operator=(const GlObject&) = delete;
+
+    GlObject& operator=(GlObject&& other) noexcept {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+
+    ~GlObject() {
+        if (id_ != 0) destroy(1, &id_);
+    }
+
+    GLuint id() const { return id_; }
+
+  private:
+    GLuint id_ = 0;
+};
+
+using GlBuffer = GlObject<&glGenBuffers, &glDeleteBuffers>;
+using GlTexture = GlObject<&glGenTextures, &glDeleteTextures>;
+using GlVertexArray = GlObject<&glGenVertexArrays, &glDeleteVertexArrays>;
+
+/// Throws std::runtime_error with GL's name for the first error since the last call, if there was one.
+void check_gl(const char* what);
+
+/// A compiled and linked pair of shaders (GLSL ES 3.00, without the #version line).
+class Program {
+  public:
+    /// @throws std::runtime_error with the compiler's words
+    Program(const char* vertex, const char* fragment);
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    ~Program() = default;
+
+    void use() const { glUseProgram(id_.value); }
+
+    /// -1: the program does not use it; setting it then does nothing.
+    GLint uniform(const char* name) const { return glGetUniformLocation(id_.value, name); }
+
+  private:
+    struct Id {
+        GLuint value = glCreateProgram();
+
+        Id() = default;
+        Id(const Id&) = delete;
+        Id& operator=(const Id&) = delete;
+
+        ~Id() { glDeleteProgram(value); }
+    };
+
+    Id id_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,130 @@
+#include "player/render/idle_picture.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int columns = 64;
+constexpr int rows = 40;
+constexpr double period =
+    3600;  // s, after which the lights stand as at the start: a float keeps its precision
+
+// Everything moves by whole turns in `period` seconds (turns are of 3600 s), so the picture has no seam.
+constexpr const char* vertex_shader = R"(
+precision highp float;
+layout(location = 0) in vec2 corner;   // [0, 1], y down
+uniform vec2 x_axis, y_axis, origin;   // canvas px to GL
+uniform vec2 canvas;                   // px
+uniform float seconds;
+out vec3 colour;
+
+const float turn = 6.2831853 / 3600.0;
+
+vec2 place(float a, float b, float phase) {
+    return vec2(0.5 + 0.42 * sin(turn * a * seconds + phase), 0.5 + 0.38 * cos(turn * b * seconds + phase * 1.7));
+}
+
+float light(vec2 point, vec2 centre, float radius) {
+    vec2 d = point - centre;
+    return exp(-dot(d, d) / (radius * radius));
+}
+
+void main() {
+    float aspect = canvas.x / canvas.y;
+    vec2 stretch = aspect > 1.0 ? vec2(aspect, 1.0) : vec2(1.0, 1.0 / aspect);
+    vec2 p = corner * stretch;
+
+    vec3 c = mix(vec3(0.055, 0.075, 0.150), vec3(0.020, 0.035, 0.075), corner.y);
+    c += vec3(0.080, 0.220, 0.330) * light(p, place(67.0, 53.0, 0.4) * stretch, 0.55);
+    c += vec3(0.260, 0.120, 0.300) * light(p, place(-47.0, 61.0, 2.3) * stretch, 0.50);
+    c += vec3(0.330, 0.170, 0.090) * light(p, place(59.0, -43.0, 4.1) * stretch, 0.36);
+    c += vec3(0.050, 0.230, 0.190) * light(p, place(-71.0, -37.0, 5.5) * stretch, 0.44);
+    colour = c;
+
+    vec2 u = corner * canvas;
+    gl_Position = vec4(x_axis * u.x + y_axis * u.y + origin, 0.0, 1.0);
+}
+)";
+
+// Half a step of noise hides the steps of eight bits, which show on slow gradients.
+constexpr const char* fragment_shader = R"(
+precision mediump float;
+in vec3 colour;
+uniform float opacity;
+out vec4 pixel;
+
+void main() {
+    highp float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    pixel = vec4(colour + (noise - 0.5) / 255.0, opacity);
+}
+)";
+
+std::vector<GLfloat> grid_corners() {
+    std::vector<GLfloat> corners;
+    for (int row = 0; row <= rows; ++row) {
+        for (int column = 0; column <= columns; ++column) {
+            corners.push_back(static_cast<GLfloat>(column) / columns);
+            corners.push_back(static_cast<GLfloat>(row) / rows);
+        }
+    }
+    return corners;
+}
+
+std::vector<GLushort> grid_order() {
+    std::vector<GLushort> order;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const int a = row * (columns + 1) + column;
+            for (const int corner : {a, a + 1, a + columns + 1, a + 1, a + columns + 2, a + columns + 1})
+                order.push_back(static_cast<GLushort>(corner));
+        }
+    }
+    return order;
+}
+
+void set(GLint uniform, Vec2 value) {
+    glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));
+}
+
+}  // namespace
+
+IdlePicture::IdlePicture()
+    : program_(vertex_shader, fragment_shader),
+      x_axis_(program_.uniform("x_axis")),
+      y_axis_(program_.uniform("y_axis")),
+      origin_(program_.uniform("origin")),
+      canvas_(program_.uniform("canvas")),
+      seconds_(program_.uniform("seconds")),
+      opacity_(program_.uniform("opacity")) {
+    const std::vector<GLfloat> corners = grid_corners();
+    const std::vector<GLushort> order = grid_order();
+    glBindVertexArray(grid_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(GLfloat)), corners.data(),
+                 GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, order_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(order.size() * sizeof(GLushort)),
+                 order.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    check_gl("make the idle picture");
+}
+
+void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity) const {
+    const double seconds = std::chrono::duration<double>(time).count();
+    program_.use();
+    set(x_axis_, view.x_axis);
+    set(y_axis_, view.y_axis);
+    set(origin_, view.origin);
+    set(canvas_, canvas);
+    glUniform1f(seconds_, static_cast<float>(std::fmod(seconds, period)));
+    glUniform1f(opacity_, static_cast<float>(opacity));
+    glBindVertexArray(grid_.id());
+    glDrawElements(GL_TRIANGLES, columns * rows * 6, GL_UNSIGNED_SHORT, nullptr);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "player/render/gl_objects.hpp"
+#include "player/render/view.hpp"
+
+#include <chrono>
+
+namespace vitrine {
+
+/// What a wall shows that has nothing to show: slow lights over a dark sky, without words, never still and
+/// never black. The lights are computed at the corners of a coarse grid and come to the pixels by
+/// interpolation, so that it costs little more than filling the screen, also without a graphics card.
+class IdlePicture {
+  public:
+    IdlePicture();
+
+    /// Fills the canvas.
+    ///
+    /// @param time     moves the lights; equal times give equal pictures
+    /// @param opacity  over what is there, in [0, 1]
+    void draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity) const;
+
+  private:
+    Program program_;
+    GlBuffer corners_;
+    GlBuffer order_;
+    GlVertexArray grid_;
+    GLint x_axis_;
+    GLint y_axis_;
+    GLint origin_;
+    GLint canvas_;
+    GLint seconds_;
+    GLint opacity_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "player/playback/sample.hpp"
+#include "player/render/cell_mesh.hpp"
+#include "player/render/gl_objects.hpp"
+#include "player/render/idle_picture.hpp"
+#include "player/render/view.hpp"
+#include "player/scene/frame.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <thread>
+#include <unordered_map>
+
+namespace vitrine {
+
+/// Draws frames with OpenGL ES 3. Thread-bound: made, used and ended on the thread that has the screen's
+/// context current, before that screen ends; every call asserts it.
+class Renderer {
+  public:
+    /// @param width, height  of the screen, px
+    Renderer(int width, int height, const View& view = {});
+
+    /// The screen has another size from now on. What was uploaded stays.
+    void resize(int width, int height);
+
+    /// The source's newest picture; the pixels are copied before this returns.
+    /// @throws std::runtime_error when the graphics card has no room
+    void upload(SourceId source, const Sample& sample);
+
+    void forget(SourceId source);
+
+    bool has(SourceId source) const;
+
+    /// Draws onto the current surface. An item whose source has no picture yet is left out; where that could
+    /// leave a hole, the idle picture is drawn below.
+    void draw(const Frame& frame);
+
+  private:
+    struct Texture {
+        GlTexture name;
+        int width = 0;  // px
+        int height = 0;
+        bool has_mipmap = false;  // a still picture shown small
+        std::uint64_t uploads = 0;
+    };
+
+    struct Mesh {
+        std::shared_ptr<const Cell> cell;  // shared: while it lives no other cell has its address
+        GlBuffer vertices;
+        GlVertexArray array;
+        CellMesh::Layer parts;
+        CellMesh::Layer filler;
+        std::uint64_t last_drawn = 0;
+    };
+
+    struct PictureProgram {
+        explicit PictureProgram(const char* fragment_shader);
+
+        Program program;
+        GLint x_axis;
+        GLint y_axis;
+        GLint origin;
+        GLint uv_scale;
+        GLint uv_offset;
+        GLint light;
+        GLint alpha;  // -1: the program draws opaque
+    };
+
+    bool is_own_thread() const;
+    bool leaves_holes(const Frame& frame) const;
+    void draw_run(std::span<const DrawItem> items, const ToNdc& view);
+    void draw_outlines(const DrawItem& item, const ToNdc& view);
+    void draw_fills(const DrawItem& item, const ToNdc& view);
+    void draw_fringes(const DrawItem& item, const ToNdc& view);
+    void bind(const PictureProgram& program, const DrawItem& item, bool is_filler, const ToNdc& view);
+    void choose_filter(Texture& texture, const DrawItem& item);
+    Mesh& mesh(const std::shared_ptr<const Cell>& cell);
+    void drop_old_meshes();
+
+    std::thread::id thread_ = std::this_thread::get_id();
+    int width_;
+    int height_;
+    View view_;
+    std::uint64_t frames_ = 0;
+    PictureProgram opaque_;
+    PictureProgram blended_;
+    IdlePicture idle_;
+    std::unordered_map<SourceId, Texture> textures_;
+    std::unordered_map<const Cell*, Mesh> meshes_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/geometry/vec2.hpp"
+
+namespace vitrine {
+
+/// How far a panel is turned clockwise from upright, as seen from the front.
+enum class Rotation { none, right, half, left };
+
+/// How the canvas lies on the pixels of a screen.
+struct View {
+    Rotation rotation = Rotation::none;
+    int left = 0;  // px of the screen (not of the turned canvas) that stay black
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+
+    friend bool operator==(const View&, const View&) = default;
+};
+
+/// The canvas that fills a screen of width x height px within the margins without a change of shape.
+/// @pre the margins leave at least one pixel
+inline Vec2 canvas_size(int width, int height, const View& view) {
+    const double across = width - view.left - view.right;
+    const double down = height - view.top - view.bottom;
+    const bool is_upright = view.rotation == Rotation::none || view.rotation == Rotation::half;
+    return is_upright ? Vec2{across, down} : Vec2{down, across};
+}
+
+/// Canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.
+struct ToNdc {
+    Vec2 x_axis;
+    Vec2 y_axis;
+    Vec2 origin;
+};
+
+/// A canvas of `size` onto the whole square; its right side shows at the top of the pixels where the panel
+/// is turned to the right, so that it is upright for who looks at the turned panel.
+inline ToNdc to_ndc(Vec2 size, Rotation rotation) {
+    const double sx = 2 / size.x;
+    const double sy = 2 / size.y;
+    switch (rotation) {
+    case Rotation::none:
+        return {{sx, 0}, {0, -sy}, {-1, 1}};
+    case Rotation::right:
+        return {{0, sx}, {sy, 0}, {-1, -1}};
+    case Rotation::half:
+        return {{-sx, 0}, {0, sy}, {1, -1}};
+    case Rotation::left:
+        return {{0, -sx}, {-sy, 0}, {1, 1}};
+    }
+    return {};
+}
+
+}  // namespace vitrine
