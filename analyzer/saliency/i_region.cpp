@@ -1,0 +1,94 @@
+#include "analyzer/saliency/i_region.hpp"
+
+#include "analyzer/saliency/convex_peel.hpp"
+#include "analyzer/saliency/half_planes.hpp"
+#include "base/geometry/convex_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+constexpr std::size_t most_corners = 12;
+constexpr double least_area = 0.08;  // of the picture
+constexpr double largest_area = 0.70;
+constexpr double middle = 0.6;     // of each side, where nothing is salient
+constexpr double cheapness = 1.0;  // slabs denser than the picture's mean stay, even beyond the wanted mass
+
+Polygon middle_of(const Box& core) {
+    const Vec2 half{core.width() * middle / 2, core.height() * middle / 2};
+    return to_polygon({core.centre() - half, core.centre() + half});
+}
+
+/// The corners of all pixels from the most salient on that together hold the mass.
+std::vector<Vec2> top_pixels(const SaliencyMap& volume, double mass) {
+    std::vector<std::pair<float, int>> pixels;
+    for (int i = 0; i < static_cast<int>(volume.total()); ++i) {
+        pixels.emplace_back(volume.at<float>(i / volume.cols, i % volume.cols), i);
+    }
+    std::sort(pixels.begin(), pixels.end(), [](auto a, auto b) { return a.first > b.first; });
+    std::vector<Vec2> corners;
+    double sum = 0;
+    for (const auto& [value, i] : pixels) {
+        if (sum >= mass) break;
+        sum += static_cast<double>(value);
+        const Vec2 at{static_cast<double>(i % volume.cols), static_cast<double>(i / volume.cols)};
+        for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}})
+            corners.push_back(at + corner);
+    }
+    return corners;
+}
+
+/// The convex hull of a region and the faces, inside the core.
+Polygon with_faces(const Polygon& region, std::span<const Box> faces, const Box& core) {
+    std::vector<Vec2> points(region.begin(), region.end());
+    for (const Box& face : faces) {
+        const Box inside = intersection(face, core);
+        if (inside.is_empty()) continue;
+        for (const Vec2 corner : to_polygon(inside))
+            points.push_back(corner);
+    }
+    return convex_hull(points);
+}
+
+/// A region that is too small, grown about its centre.
+Polygon at_least(const Polygon& region, double least, const Box& core) {
+    const double now = area(region);
+    if (now >= least || now <= 0) return region;
+    const double scale = std::sqrt(least / now);
+    return clipped(transformed(region, scale, centroid(region) * (1 - scale)), core);
+}
+
+Polygon smallest_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
+                        const RegionSettings& settings) {
+    const auto whole = static_cast<double>(volume.total());
+    const PeelLimits limits{
+        .mass = settings.mass, .cheapness = cheapness, .most_area = largest_area, .whole = faces};
+    const Polygon tight = peeled(volume, core, limits);
+    if (area(tight) <= 0) return middle_of(core);
+    const double margin = settings.margin * std::hypot(volume.cols, volume.rows);
+    Polygon region = clipped(widened(tight, margin), core);
+    if (area(region) > largest_area * whole) region = tight;
+    return at_least(with_faces(region, faces, core), least_area * whole, core);
+}
+
+}  // namespace
+
+Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
+                 const RegionSettings& settings) {
+    const double mass = cv::sum(volume)[0];
+    Polygon region;
+    if (mass <= 0) {
+        region = middle_of(core);
+    } else if (settings.mode == RegionMode::hull) {
+        region = clipped(convex_hull(top_pixels(volume, settings.mass * mass)), core);
+    } else {
+        region = smallest_region(volume, core, faces, settings);
+    }
+    if (area(region) <= 0) region = middle_of(core);
+    return simplified_within(region, most_corners, core);
+}
+
+}  // namespace vitrine

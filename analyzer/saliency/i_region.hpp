@@ -1,0 +1,37 @@
+#pragma once
+
+#include "analyzer/saliency/saliency_map.hpp"
+#include "base/geometry/box.hpp"
+#include "base/geometry/polygon.hpp"
+
+#include <span>
+
+namespace vitrine {
+
+/// How the region is drawn around the saliency.
+enum class RegionMode {
+    min_area,  // the smallest convex region that holds enough
+    hull,      // the paper's: convex hull of the most salient pixels that together hold enough
+};
+
+struct RegionSettings {
+    RegionMode mode = RegionMode::min_area;
+    double mass = 0.5;     // share of the saliency that the region holds at least
+    double margin = 0.02;  // around it, of the picture's diagonal; none in hull mode
+};
+
+/// The region of a shot that must not be covered.
+///
+/// @param volume  accumulated saliency, CV_32FC1, >= 0
+/// @param core    px of the volume that every frame of the shot shows; not empty
+/// @param faces   px of the volume; each wholly inside the result as far as the core reaches; not used in
+/// hull mode
+/// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core. In min_area mode
+/// between
+///          8 % and 70 % of the picture, unless core or faces forbid. Where nothing is salient: the middle 60
+///          % of each side.
+/// Source: Dynamic Media Assemblage 3.3; hull mode is its letter.
+Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
+                 const RegionSettings& settings);
+
+}  // namespace vitrine

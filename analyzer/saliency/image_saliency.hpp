@@ -1,0 +1,22 @@
+#pragma once
+
+#include "analyzer/saliency/saliency_map.hpp"
+
+namespace vitrine {
+
+/// What makes a place of a still picture salient.
+enum class ImageSaliency {
+    frequency_tuned,  // the paper's: contrast to the picture's mean colour
+    barrier,          // not connected to the border, unlike the border, near the centre
+};
+
+/// S_I of one picture.
+///
+/// @param bgr  CV_8UC3, not empty
+/// @return     of that size, in [0, 1]; all 0 where `barrier` finds the picture flat
+/// Source: Dynamic Media Assemblage 3.2 for frequency_tuned. `barrier` follows MB+ of Zhang et al. 2015,
+/// worked at 160 px, with the frequency-tuned map as a third witness: of 28 photographs it finds the subject
+/// in far more.
+SaliencyMap image_saliency(const cv::Mat& bgr, ImageSaliency method);
+
+}  // namespace vitrine

@@ -1,0 +1,157 @@
+#include "analyzer/saliency/motion_contrast.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+constexpr int magnitude_bins = 32;
+constexpr int direction_bins = 16;
+constexpr double still = 0.25;          // px: shorter vectors have no direction
+constexpr double noise_floor = 0.003;   // of the diagonal, per frame
+constexpr int least_side = 16;          // px
+constexpr int grid_step = 8;            // px between tracked points
+constexpr double reliable_error = 20;   // mean absolute difference of patches, grey levels
+constexpr double least_texture = 1e-3;  // smallest eigenvalue for which Lucas-Kanade has an answer
+
+struct Bin {
+    int magnitude = 0;  // 0: still, whatever the direction
+    int direction = 0;
+};
+
+Bin bin_of(Vec2 v, double step) {
+    const double magnitude = length(v);
+    if (magnitude < still) return {};
+    const double turn = std::atan2(v.y, v.x) / (2 * std::numbers::pi) + 0.5;
+    const int direction = static_cast<int>(turn * direction_bins) % direction_bins;
+    return {std::clamp(1 + static_cast<int>((magnitude - still) / step), 1, magnitude_bins - 1), direction};
+}
+
+/// Whether b is a or touches it; directions wrap, and all directions touch the still bin.
+bool are_neighbours(Bin a, Bin b) {
+    if (std::abs(a.magnitude - b.magnitude) > 1) return false;
+    if (a.magnitude == 0 || b.magnitude == 0) return true;
+    const int turn = std::abs(a.direction - b.direction);
+    return std::min(turn, direction_bins - turn) <= 1;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Bin winning_bin(std::span<const Bin> bins) {
+    std::array<std::array<int, direction_bins>, magnitude_bins> votes{};
+    for (const Bin bin : bins)
+        ++votes[static_cast<std::size_t>(bin.magnitude)][static_cast<std::size_t>(bin.direction)];
+    Bin best;
+    int most = -1;
+    for (int m = 0; m < magnitude_bins; ++m) {
+        for (int d = 0; d < (m == 0 ? 1 : direction_bins); ++d) {
+            int sum = 0;
+            for (int k = std::max(0, m - 1); k <= std::min(m + 1, magnitude_bins - 1); ++k) {
+                for (int e = 0; e < direction_bins; ++e) {
+                    if (are_neighbours({m, d}, {k, e})) {
+                        sum += votes[static_cast<std::size_t>(k)][static_cast<std::size_t>(e)];
+                    }
+                }
+            }
+            if (sum > most) {
+                most = sum;
+                best = {m, d};
+            }
+        }
+    }
+    return best;
+}
+
+/// The tracked points of one frame pair, row by row.
+struct Flow {
+    cv::Size grid;
+    std::vector<Vec2> vectors;
+    std::vector<bool> is_reliable;
+};
+
+Flow tracked_grid(const cv::Mat& before, const cv::Mat& after) {
+    Flow flow{.grid = {before.cols / grid_step, before.rows / grid_step}, .vectors = {}, .is_reliable = {}};
+    std::vector<cv::Point2f> from;
+    for (int y = 0; y < flow.grid.height; ++y) {
+        for (int x = 0; x < flow.grid.width; ++x) {
+            from.emplace_back((static_cast<float>(x) + 0.5F) * grid_step,
+                              (static_cast<float>(y) + 0.5F) * grid_step);
+        }
+    }
+    std::vector<cv::Point2f> to;
+    std::vector<unsigned char> found;
+    std::vector<float> error;
+    cv::calcOpticalFlowPyrLK(before, after, from, to, found, error, {11, 11}, 3,
+                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 10, 0.03}, 0, least_texture);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const cv::Point2f d = to[i] - from[i];
+        flow.vectors.push_back({static_cast<double>(d.x), static_cast<double>(d.y)});
+        flow.is_reliable.push_back(found[i] != 0 && static_cast<double>(error[i]) < reliable_error);
+    }
+    return flow;
+}
+
+/// |v - g| on the grid, 0 where the flow has no answer.
+cv::Mat contrast_on_grid(const Flow& flow, Vec2 global) {
+    cv::Mat contrast = cv::Mat::zeros(flow.grid, CV_32FC1);
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        if (!flow.is_reliable[i]) continue;
+        contrast.at<float>(static_cast<int>(i) / flow.grid.width, static_cast<int>(i) % flow.grid.width) =
+            static_cast<float>(length(flow.vectors[i] - global));
+    }
+    cv::medianBlur(contrast, contrast, 3);
+    return contrast;
+}
+
+}  // namespace
+
+Vec2 voted_motion(std::span<const Vec2> vectors) {
+    if (vectors.empty()) return {};
+    double fastest = 0;
+    for (const Vec2 v : vectors)
+        fastest = std::max(fastest, length(v));
+    const double step = std::max(still, fastest / magnitude_bins);
+    std::vector<Bin> bins;
+    for (const Vec2 v : vectors)
+        bins.push_back(bin_of(v, step));
+    const Bin best = winning_bin(bins);
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        if (!are_neighbours(best, bins[i])) continue;
+        xs.push_back(vectors[i].x);
+        ys.push_back(vectors[i].y);
+    }
+    return {median(std::move(xs)), median(std::move(ys))};
+}
+
+MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after) {
+    if (std::min(before.cols, before.rows) < least_side)
+        return {SaliencyMap::zeros(before.size(), CV_32FC1), {}};
+    const Flow flow = tracked_grid(before, after);
+    std::vector<Vec2> reliable;
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        if (flow.is_reliable[i]) reliable.push_back(flow.vectors[i]);
+    }
+    const Vec2 global = voted_motion(reliable);
+    const cv::Mat contrast = contrast_on_grid(flow, global);
+    double fastest = 0;
+    cv::minMaxLoc(contrast, nullptr, &fastest);
+    const double floor = noise_floor * std::hypot(before.cols, before.rows);
+    SaliencyMap map;
+    cv::resize(contrast / std::max(fastest, floor), map, before.size(), 0, 0, cv::INTER_LINEAR);
+    return {map, global};
+}
+
+}  // namespace vitrine

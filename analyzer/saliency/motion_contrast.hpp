@@ -1,0 +1,30 @@
+#pragma once
+
+#include "analyzer/saliency/saliency_map.hpp"
+#include "base/geometry/vec2.hpp"
+
+#include <span>
+
+namespace vitrine {
+
+/// What moves against the camera between two neighbouring frames.
+struct MotionContrast {
+    SaliencyMap map;     // S_M
+    Vec2 global_motion;  // px per frame pair that the background moves, x right, y down
+};
+
+/// The motion most vectors agree on, voted in magnitude and direction, as the median around the winning bin.
+/// {0, 0} where there are no vectors.
+/// Source: Dynamic Media Assemblage 3.2. Differs: a vote counts for the neighbouring bins too, and all motion
+/// below a quarter pixel is one bin, for its direction is noise.
+Vec2 voted_motion(std::span<const Vec2> vectors);
+
+/// Motion contrast of one frame by Lucas-Kanade on a grid.
+///
+/// @param before, after  CV_8UC1 of one size, neighbouring frames, at least 16 px a side, else nothing moves
+/// @return  map of that size: |v - g| over its largest value, or over 0.3 % of the diagonal where nothing is
+///          faster, so that flow noise on a still shot stays near 0
+/// Source: Dynamic Media Assemblage 3.2. Differs: that floor; outliers go by a 3x3 median on the grid.
+MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after);
+
+}  // namespace vitrine

@@ -1,0 +1,40 @@
+#include "analyzer/saliency/viola_jones.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace vitrine {
+namespace {
+
+constexpr double pyramid_step = 1.1;
+constexpr int least_neighbours = 4;    // overlapping hits that make a face
+constexpr double least_face = 0.06;    // of the picture's shorter side
+constexpr int least_face_pixels = 20;  // what the cascade was trained at
+
+}  // namespace
+
+ViolaJones::ViolaJones(const std::string& cascade) {
+    if (!cascade_.load(cascade))
+        throw std::runtime_error("read face cascade '" + cascade + "': not a cascade");
+}
+
+std::vector<Face> ViolaJones::detect(const cv::Mat& bgr) {
+    cv::Mat grey;
+    cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+    cv::equalizeHist(grey, grey);
+    const int least =
+        std::max(least_face_pixels, static_cast<int>(least_face * std::min(bgr.cols, bgr.rows)));
+    std::vector<cv::Rect> found;
+    cascade_.detectMultiScale(grey, found, pyramid_step, least_neighbours, 0, {least, least});
+    std::vector<Face> faces;
+    for (const cv::Rect& r : found) {
+        const Vec2 corner{static_cast<double>(r.x), static_cast<double>(r.y)};
+        const Vec2 size{static_cast<double>(r.width), static_cast<double>(r.height)};
+        faces.push_back({.box = {corner, corner + size}, .score = 1});
+    }
+    return faces;
+}
+
+}  // namespace vitrine
