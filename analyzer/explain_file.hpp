@@ -1,0 +1,22 @@
+#pragma once
+
+#include "analyzer/explain/sheet.hpp"
+#include "analyzer/saliency/analysis_settings.hpp"
+#include "analyzer/video/frame_source.hpp"
+
+#include <string>
+
+namespace vitrine {
+
+/// Analyses a medium and writes the sheet that explains what was seen, as PNG: `vitrine-analyzer explain
+/// FILE`.
+///
+/// @param source  from its first frame, as open_media() gives it
+/// @param title   what the sheet calls it
+/// @param output  path of the PNG
+/// @return        the record, as analyze() makes it
+/// @throws as analyze(); std::runtime_error if the sheet cannot be drawn or written
+MediaRecord write_explain_sheet(FrameSource& source, const SheetTitle& title, const std::string& output,
+                                const AnalysisSettings& settings);
+
+}  // namespace vitrine

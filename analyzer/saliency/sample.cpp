@@ -1,0 +1,61 @@
+#include "analyzer/saliency/sample.hpp"
+
+#include "analyzer/saliency/motion_contrast.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+cv::Size fitted(cv::Size size, int side) {
+    const double scale = std::min(1.0, static_cast<double>(side) / std::max(size.width, size.height));
+    return {std::max(1, static_cast<int>(std::lround(size.width * scale))),
+            std::max(1, static_cast<int>(std::lround(size.height * scale)))};
+}
+
+cv::Mat resized(const cv::Mat& picture, cv::Size size) {
+    if (picture.size() == size) return picture;
+    cv::Mat result;
+    cv::resize(picture, result, size, 0, 0, cv::INTER_AREA);
+    return result;
+}
+
+cv::Mat grey(const cv::Mat& bgr) {
+    cv::Mat result;
+    cv::cvtColor(bgr, result, cv::COLOR_BGR2GRAY);
+    return result;
+}
+
+}  // namespace
+
+cv::Size map_size(cv::Size frame) {
+    return fitted(frame, map_side);
+}
+
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int frame_size,
+                ImageSaliency method) {
+    const cv::Size size = fitted(frame.size(), frame_size);
+    const cv::Size map = map_size(frame.size());
+    const cv::Mat now = resized(frame, size);
+    Sample sample;
+    sample.image = resized(image_saliency(now, method), map);
+    if (before.size() == frame.size()) {
+        const MotionContrast motion = motion_contrast(grey(resized(before, size)), grey(now));
+        sample.motion = resized(motion.map, map);
+        sample.global_motion = motion.global_motion * (map.width / (size.width * seconds));
+    }
+    return sample;
+}
+
+std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame) {
+    const double scale = static_cast<double>(map_size(frame.size()).width) / frame.cols;
+    std::vector<Face> faces = detector.detect(frame);
+    for (Face& face : faces)
+        face.box = {face.box.min * scale, face.box.max * scale};
+    return faces;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "analyzer/saliency/faces.hpp"
+#include "analyzer/saliency/image_saliency.hpp"
+#include "analyzer/saliency/saliency_map.hpp"
+#include "base/geometry/vec2.hpp"
+
+#include <chrono>
+#include <vector>
+
+namespace vitrine {
+
+/// What one sampled frame of a film, or a photo, says. Everything is in px of the map.
+struct Sample {
+    std::chrono::nanoseconds time{0};
+    std::chrono::nanoseconds pair_time{0};  // of the frame before, that motion was measured against
+    SaliencyMap motion;                     // S_M; empty where there was no frame before
+    Vec2 global_motion;                     // per second
+    SaliencyMap image;                      // S_I
+    std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
+    std::chrono::nanoseconds faces_time{0};  // of the frame they were found in
+    cv::Mat picture;                         // the frame itself, BGR, only where someone observes
+};
+
+/// Longest side of the maps kept of each sample, px.
+constexpr int map_side = 160;
+
+/// Searches one frame.
+///
+/// @param frame       CV_8UC3, not empty
+/// @param before      the frame directly before it; empty at the start
+/// @param seconds     between the two, > 0
+/// @param frame_size  px, longest side on which motion and contrast are measured
+/// @return            maps of at most map_side; times, faces and picture are left to the caller
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int frame_size,
+                ImageSaliency method);
+
+/// Faces in px of the maps that searched() makes of such a frame.
+std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame);
+
+/// The size of the maps of a frame.
+cv::Size map_size(cv::Size frame);
+
+}  // namespace vitrine

@@ -1,0 +1,124 @@
+#include "analyzer/saliency/shot_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+constexpr double same_face = 0.3;    // intersection over union of one face in two searches
+constexpr double least_face = 0.05;  // of the map's longer side: smaller ones are nobody in particular
+
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+/// Motion measured across the shot's begin goes; so do faces found before it, for the next ones found in it.
+void forget_the_shot_before(std::vector<Sample>& samples, std::chrono::nanoseconds begin) {
+    for (std::size_t i = samples.size(); i-- > 0;) {
+        Sample& sample = samples[i];
+        if (sample.pair_time < begin) {
+            sample.motion.release();
+            sample.global_motion = {};
+        }
+        if (sample.faces_time >= begin) continue;
+        sample.faces.clear();
+        if (i + 1 < samples.size()) {
+            sample.faces = samples[i + 1].faces;
+            sample.faces_time = samples[i + 1].faces_time;
+        }
+    }
+}
+
+double overlap(const Box& a, const Box& b) {
+    const double both = intersection(a, b).area();
+    return both > 0 ? both / (a.area() + b.area() - both) : 0;
+}
+
+bool has_face_at(std::span<const Face> faces, const Box& box) {
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](const Face& face) { return overlap(face.box, box) >= same_face; });
+}
+
+/// One sample of each search for faces.
+std::vector<const Sample*> searches(const std::vector<Sample>& samples) {
+    std::vector<const Sample*> result;
+    for (const Sample& sample : samples) {
+        if (result.empty() || result.back()->faces_time != sample.faces_time) result.push_back(&sample);
+    }
+    return result;
+}
+
+/// The heads that must stay whole, moved to where they are at the shot's begin: those of faces large enough
+/// and, in a film, seen at nearly the same place in two searches, for a detector errs now and then.
+std::vector<Box> heads(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift,
+                       cv::Size map) {
+    std::vector<Box> result;
+    const std::vector<const Sample*> found = searches(samples);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const Face& face : found[i]->faces) {
+            if (face.box.height() < least_face * std::max(map.width, map.height)) continue;
+            const bool is_seen_before = i > 0 && has_face_at(found[i - 1]->faces, face.box);
+            const bool is_seen_after = i + 1 < found.size() && has_face_at(found[i + 1]->faces, face.box);
+            if (found.size() > 1 && !is_seen_before && !is_seen_after) continue;
+            result.push_back(moved(head_of(face), drift * -seconds(found[i]->faces_time - begin)));
+        }
+    }
+    return result;
+}
+
+std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std::chrono::nanoseconds begin,
+                                         const SaliencyWeights& weights) {
+    std::vector<SalientFrame> frames;
+    for (const Sample& sample : samples) {
+        const SaliencyMap face = face_saliency(sample.faces, sample.image.size(), 1);
+        frames.push_back({.map = combined(sample.motion, sample.image, face, weights),
+                          .time = seconds(sample.time - begin),
+                          .global_motion = sample.global_motion});
+    }
+    return frames;
+}
+
+/// A region in px of the map becomes one in px of the source.
+IRegion to_source(const Polygon& polygon, Vec2 drift, cv::Size map, cv::Size source) {
+    const Vec2 scale{static_cast<double>(source.width) / map.width,
+                     static_cast<double>(source.height) / map.height};
+    IRegion region{.polygon = polygon, .drift = {drift.x * scale.x, drift.y * scale.y}};
+    for (Vec2& p : region.polygon)
+        p = {p.x * scale.x, p.y * scale.y};
+    return region;
+}
+
+void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
+                 const std::vector<SalientFrame>& frames) {
+    const std::size_t middle = samples.size() / 2;
+    const Sample& sample = samples[middle];
+    evidence.picture = sample.picture;
+    evidence.picture_time = sample.time;
+    evidence.motion = sample.motion;
+    evidence.image = sample.image;
+    evidence.faces = sample.faces;
+    evidence.face = face_saliency(sample.faces, sample.image.size(), 1);
+    evidence.combined = frames[middle].map;
+}
+
+}  // namespace
+
+ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
+                         const AnalysisSettings& settings) {
+    forget_the_shot_before(samples, shot.begin);
+    const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings.weights);
+    const double duration = seconds(shot.duration());
+    const Vec2 drift = found_drift(frames, duration, settings.drift);
+    ShotEvidence evidence{.samples = samples.size()};
+    evidence.volume =
+        frames.empty() ? SaliencyMap(SaliencyMap::zeros(map, CV_32FC1)) : accumulated(frames, drift);
+    const Polygon region = i_region(evidence.volume, common_part(map, drift, duration),
+                                    heads(samples, shot.begin, drift, map), settings.region);
+    shot.region = to_source(region, drift, map, source);
+    evidence.shot = std::move(shot);
+    if (!samples.empty()) show_middle(evidence, samples, frames);
+    return evidence;
+}
+
+}  // namespace vitrine

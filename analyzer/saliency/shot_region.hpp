@@ -1,0 +1,37 @@
+#pragma once
+
+#include "analyzer/saliency/analysis_settings.hpp"
+#include "analyzer/saliency/sample.hpp"
+#include "base/catalogue/record.hpp"
+
+#include <span>
+
+namespace vitrine {
+
+/// What led to the region of one shot, for whoever asks why it is where it is. Maps are in px of the map.
+struct ShotEvidence {
+    Shot shot;
+    cv::Mat picture;  // BGR, of the sample in the middle of the shot; empty where pictures were not kept
+    std::chrono::nanoseconds picture_time{0};
+    SaliencyMap motion;  // S_M of that sample, empty where it has none
+    SaliencyMap image;
+    SaliencyMap face;
+    SaliencyMap combined;
+    SaliencyMap volume;  // S_c, in px of the shot's begin
+    std::vector<Face> faces;
+    std::size_t samples = 0;
+};
+
+/// The region of one shot from its samples, in source px, and how it came about.
+///
+/// @param samples   of the shot, in time order; motion measured across the shot's begin and faces found
+/// before it
+///                  are left out
+/// @param shot      begin, end and ends_with; its region is filled
+/// @param map       the size of the samples' maps, for a shot without any
+/// @param source    px of the upright picture
+/// Source: Dynamic Media Assemblage 3.2 and 3.3.
+ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
+                         const AnalysisSettings& settings);
+
+}  // namespace vitrine
