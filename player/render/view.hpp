@@ -7,6 +7,11 @@ namespace vitrine {
 /// How far a panel is turned clockwise from upright, as seen from the front.
 enum class Rotation { none, right, half, left };
 
+/// @param degrees  0, 90, 180 or 270, clockwise
+inline Rotation rotation_of(int degrees) {
+    return static_cast<Rotation>(degrees / 90 % 4);
+}
+
 /// How the canvas lies on the pixels of a screen.
 struct View {
     Rotation rotation = Rotation::none;

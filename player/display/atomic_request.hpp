@@ -1,0 +1,43 @@
+#pragma once
+
+#include "player/display/kms_state.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// The numbers that a card gives to the properties of one object, by name.
+using PropertyIds = std::map<std::string, std::uint32_t, std::less<>>;
+
+/// The properties on the way of one output.
+struct OutputProperties {
+    PropertyIds connector;
+    PropertyIds crtc;
+    PropertyIds plane;
+};
+
+/// One change of a graphics card's state; a request is a list of them, taken whole or not at all.
+struct PropertyValue {
+    std::uint32_t object = 0;
+    std::uint32_t property = 0;
+    std::uint64_t value = 0;
+
+    friend bool operator==(const PropertyValue&, const PropertyValue&) = default;
+};
+
+using AtomicRequest = std::vector<PropertyValue>;
+
+/// Lights the panel with a frame buffer of the mode's size.
+/// @param mode_blob  the card's number for the output's mode
+/// @throws std::runtime_error naming a property that the card lacks
+AtomicRequest modeset_request(const Output& output, const OutputProperties& properties,
+                              std::uint32_t mode_blob, std::uint32_t frame_buffer);
+
+/// Shows another frame buffer of the same size on the lit panel.
+AtomicRequest flip_request(const Output& output, const OutputProperties& properties,
+                           std::uint32_t frame_buffer);
+
+}  // namespace vitrine
