@@ -42,8 +42,7 @@ DirectoryWatch::DirectoryWatch() : inotify_(::inotify_init1(IN_NONBLOCK | IN_CLO
 
 bool DirectoryWatch::add(const std::filesystem::path& directory) {
     const int id = ::inotify_add_watch(inotify_.get(), directory.c_str(), wanted);
-    if (id < 0 && (errno == ENOENT || errno == ENOTDIR || errno == ELOOP)) return false;
-    if (id < 0) throw_errno("watch '{}'", directory.string());
+    if (id < 0) return false;
     const auto known = by_path_.find(directory);
     if (known != by_path_.end() && known->second != id) by_id_.erase(known->second);
     const auto before = by_id_.find(id);

@@ -37,8 +37,9 @@ class DirectoryWatch {
     int fd() const { return inotify_.get(); }
 
     /// Adding before reading the directory leaves no gap; adding again does no harm.
-    /// @return false where the directory is already gone or is none
-    /// @throws std::system_error where it cannot be watched (ENOSPC: fs.inotify.max_user_watches)
+    /// @return false, with errno, where it cannot be watched: it is already gone (ENOENT), is none (ENOTDIR),
+    /// or
+    ///         too many are (ENOSPC: fs.inotify.max_user_watches)
     bool add(const std::filesystem::path& directory);
 
     /// Forgets the directory and all below it.

@@ -1,0 +1,227 @@
+#include "analyzer/daemon.hpp"
+
+#include "base/catalogue/record_json.hpp"
+#include "base/system/error.hpp"
+#include "base/system/log.hpp"
+#include "base/system/service.hpp"
+
+#include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace vitrine {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto remote_rescan = 10s;  // the kernel reports nothing of a network share
+constexpr auto offline_rescan = 5s;  // until the media folder is there
+constexpr double bytes_per_mebibyte = 1 << 20;
+
+Schedule::Time now() {
+    return EventLoop::Clock::now();
+}
+
+/// The catalogue has one writer.
+UniqueFd lock_of(const fs::path& catalogue) {
+    fs::create_directories(catalogue);
+    const fs::path file = catalogue / "writer.lock";
+    UniqueFd lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+    if (!lock.is_open()) throw_errno("open '{}'", file.string());
+    if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+    if (errno == EWOULDBLOCK) errno = EBUSY;
+    throw_errno("another vitrine-analyzer writes the catalogue '{}'", catalogue.string());
+}
+
+}  // namespace
+
+Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
+    : loop_(loop),
+      options_(options),
+      folder_(options.root),
+      catalogue_(options.catalogue),
+      lock_(lock_of(options.catalogue)),
+      schedule_(options.pace),
+      follower_(folder_, schedule_) {
+    events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
+        if (follower_.read_events(now())) rescan();
+        advance();
+    });
+    wake_ = loop_.timer([this] { advance(); });
+    rescan_ = loop_.timer([this] {
+        rescan();
+        advance();
+    });
+    load_catalogue();
+    rescan();
+    wake_.arm(0s);
+    if (const auto interval = service::watchdog_interval()) {
+        watchdog_ = loop_.timer([this, interval] {
+            service::alive();
+            watchdog_.arm(*interval / 2);
+        });
+        watchdog_.arm(0s);
+    }
+}
+
+Daemon::~Daemon() = default;
+
+void Daemon::load_catalogue() {
+    const auto records = catalogue_.load([](const std::string& file, const std::string& reason) {
+        log::warning("record '{}' unreadable, its file is analysed again: {}", file, reason);
+        std::error_code ignored;  // it is overwritten at the latest
+        fs::remove(file, ignored);
+    });
+    for (const MediaRecord& record : records)
+        schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
+                        record.state != MediaState::waiting);
+}
+
+void Daemon::rescan() {
+    const std::vector<std::string> remarks = follower_.rescan(now());
+    for (const std::string& remark : remarks)
+        if (std::find(remarks_.begin(), remarks_.end(), remark) == remarks_.end()) log::warning("{}", remark);
+    if (!remarks_.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
+    remarks_ = remarks;
+    for (const auto& [path, record] : std::exchange(unsaved_, {}))
+        store(record);
+    std::chrono::milliseconds interval = options_.rescan;
+    if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
+    if (!is_online()) interval = std::min<std::chrono::milliseconds>(interval, offline_rescan);
+    rescan_.arm(interval);
+}
+
+/// Whatever happened ends here: the schedule says what follows.
+void Daemon::advance() {
+    follower_.look_at(schedule_.to_look_at(now()), now());
+    for (std::vector<Action> actions = schedule_.step(now()); !actions.empty();
+         actions = schedule_.step(now()))
+        for (const Action& action : actions)
+            perform(action);
+    if (const auto time = schedule_.wake()) wake_.arm(*time - now());
+    service::status(status());
+    if (options_.is_once && schedule_.is_idle()) loop_.quit();
+}
+
+void Daemon::perform(const Action& action) {
+    switch (action.kind) {
+    case Action::Kind::start:
+        return start(action);
+    case Action::Kind::stop:
+        return children_.at(action.path)->stop();
+    case Action::Kind::hold:
+        return store(record_of(action.path, action.facts, MediaState::waiting, "it is still being copied"));
+    case Action::Kind::move:
+        return move(action);
+    case Action::Kind::remove:
+        log::info("gone: '{}'", action.path);
+        unsaved_.erase(action.path);
+        return catalogue_.remove(action.path);
+    }
+}
+
+void Daemon::start(const Action& action) {
+    const auto wait = [&](const char* reason) {
+        answer({.answer = Answer::waiting,
+                .record = record_of(action.path, action.facts, MediaState::waiting, reason)});
+    };
+    if (!action.facts.is_readable) return wait("it may not be read: its permissions forbid it");
+    if (!action.is_last_try && folder_.has_hole(action.path))
+        return wait("the copy is not complete: parts of the file are still empty");
+    std::vector<std::string> command = options_.child;
+    command.push_back(folder_.absolute(action.path).string());
+    const ChildLimits limits = limits_for(action.facts);
+    log::debug("analysing '{}'", action.path);
+    children_[action.path] = std::make_unique<ChildProcess>(
+        loop_, command, limits,
+        [this, path = action.path, facts = action.facts, limits](const ChildResult& result) {
+            finish(path, facts, result, limits);
+        });
+}
+
+void Daemon::finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
+                    const ChildLimits& limits) {
+    children_.erase(path);
+    follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
+    answer(outcome_of(result, limits, path, facts));
+    advance();
+}
+
+void Daemon::answer(Outcome outcome) {
+    MediaRecord& record = outcome.record;
+    switch (schedule_.finished(record.path, outcome.answer, now())) {
+    case Verdict::discard:
+        return;
+    case Verdict::retry:
+        return log::warning("tried once more: '{}': {}", record.path, record.reason);
+    case Verdict::give_up:
+        record.state = MediaState::failed;
+        break;
+    case Verdict::store:
+    case Verdict::quarantine:
+        break;
+    }
+    store(record);
+    tell(record);
+}
+
+void Daemon::tell(const MediaRecord& record) {
+    ++analysed_;
+    if (options_.is_once) {
+        const Schedule::Counts counts = schedule_.counts();
+        log::info("analysed {} of {}: {}", analysed_,
+                  analysed_ + counts.settling + counts.due + counts.running, record.path);
+    }
+    if (record.state != MediaState::ready)
+        log::warning("{}: '{}': {}", name_of(record.state), record.path, record.reason);
+    else if (!options_.is_once)
+        log::info("ready: '{}'", record.path);
+}
+
+/// A record that was damaged meanwhile is missed until the next start, which finds its file unknown.
+void Daemon::move(const Action& action) {
+    try {
+        std::optional<MediaRecord> record = catalogue_.find(action.from);
+        if (!record) return log::warning("renamed without a record: '{}'", action.path);
+        record->path = action.path;
+        store(*record);
+        catalogue_.remove(action.from);
+        log::info("renamed: '{}' to '{}'", action.from, action.path);
+    } catch (const std::runtime_error& error) {  // loading one record
+        log::warning("record of '{}' unreadable, ignoring: {}", action.from, error.what());
+    }
+}
+
+/// A full disk is no reason to stop: the record waits here.
+void Daemon::store(const MediaRecord& record) {
+    try {
+        catalogue_.store(record);
+        unsaved_.erase(record.path);
+    } catch (const std::system_error& error) {
+        log::error("the record of '{}' is not stored, trying again: {}", record.path, error.what());
+        unsaved_[record.path] = record;
+    }
+}
+
+ChildLimits Daemon::limits_for(const FileFacts& facts) const {
+    ChildLimits limits = options_.limits;
+    const double seconds =
+        options_.deadline_per_mebibyte * static_cast<double>(facts.bytes) / bytes_per_mebibyte;
+    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, 86'400.0) * 1000));
+    return limits;
+}
+
+std::string Daemon::status() const {
+    if (!is_online()) return remarks_.empty() ? "starting" : remarks_.front();
+    const Schedule::Counts counts = schedule_.counts();
+    return fmt::format("{} files, {} of them being analysed, {} to come", counts.files, counts.running,
+                       counts.due + counts.settling);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "analyzer/child_process.hpp"
+#include "analyzer/folder_follower.hpp"
+#include "analyzer/media_folder.hpp"
+#include "analyzer/outcome.hpp"
+#include "analyzer/schedule.hpp"
+#include "base/catalogue/catalogue.hpp"
+#include "base/system/event_loop.hpp"
+#include "base/system/unique_fd.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// Everything that `watch` can be told.
+struct WatchOptions {
+    std::filesystem::path root;
+    std::filesystem::path catalogue;
+    std::vector<std::string> child;    // the command that writes one record; the file's path is appended
+    ChildLimits limits;                // the deadline is that of an empty file
+    double deadline_per_mebibyte = 0;  // seconds
+    Pace pace;
+    std::chrono::milliseconds rescan{60'000};
+    bool is_once = false;  // ends the loop as soon as the catalogue is up to date
+};
+
+/// Keeps the catalogue equal to the media folder: follows the folder, has each file analysed in a child of
+/// its own, writes what the children say. Runs in the loop for as long as it exists; logs.
+class Daemon {
+  public:
+    /// Reads the catalogue and the folder.
+    /// @throws std::system_error where the catalogue cannot be written or is written by another process
+    /// (EBUSY)
+    Daemon(EventLoop& loop, const WatchOptions& options);
+    Daemon(const Daemon&) = delete;
+    Daemon& operator=(const Daemon&) = delete;
+    ~Daemon();
+
+    /// Whether the media folder was there when last looked for.
+    bool is_online() const { return follower_.is_online(); }
+
+    std::string status() const;
+
+  private:
+    void load_catalogue();
+    void rescan();
+    void advance();
+    void perform(const Action& action);
+    void start(const Action& action);
+    void finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
+                const ChildLimits& limits);
+    void answer(Outcome outcome);
+    void move(const Action& action);
+    void store(const MediaRecord& record);
+    void tell(const MediaRecord& record);
+    ChildLimits limits_for(const FileFacts& facts) const;
+
+    EventLoop& loop_;  // outlives this
+    WatchOptions options_;
+    MediaFolder folder_;
+    Catalogue catalogue_;
+    UniqueFd lock_;
+    Schedule schedule_;
+    FolderFollower follower_;
+    std::map<std::string, std::unique_ptr<ChildProcess>> children_;
+    std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
+    std::vector<std::string> remarks_;            // of the last rescan: each is told once
+    std::size_t analysed_ = 0;
+    EventLoop::Source events_, wake_, rescan_, watchdog_;
+};
+
+}  // namespace vitrine

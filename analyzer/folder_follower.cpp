@@ -1,0 +1,118 @@
+#include "analyzer/folder_follower.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace vitrine {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> FolderFollower::rescan(Schedule::Time now) {
+    is_remote_ = folder_.is_remote();
+    unwatched_ = 0;
+    MediaFolder::Listing listing = folder_.list("", [this](const std::string& folder) { watch(folder); });
+    is_online_ = folder_.device().has_value() && !is_unmounted(listing);
+    if (!is_online_) {
+        watch_.remove(folder_.root());
+        return {fmt::format("the media folder '{}' is not there", folder_.root().string())};
+    }
+    if (!listing.files.empty() || !device_) device_ = folder_.device();
+    compare(listing, "", now);
+    if (unwatched_ > 0)
+        listing.remarks.push_back(fmt::format(
+            "{} folders are only looked at now and then (see fs.inotify.max_user_watches)", unwatched_));
+    return listing.remarks;
+}
+
+/// An empty folder on another file system than before is the place where a share was mounted.
+bool FolderFollower::is_unmounted(const MediaFolder::Listing& listing) const {
+    return listing.files.empty() && device_ && device_ != folder_.device();
+}
+
+void FolderFollower::watch(const std::string& folder) {
+    const fs::path path = folder.empty() ? folder_.root() : folder_.absolute(folder);
+    if (!watch_.add(path) && fs::exists(path)) ++unwatched_;
+}
+
+bool FolderFollower::read_events(Schedule::Time now) {
+    using Kind = DirectoryEvent::Kind;
+    std::set<std::string> files, added, removed;
+    bool is_lost = false;
+    for (const DirectoryEvent& event : watch_.read()) {
+        const std::string path = relative(event.directory / event.name);
+        switch (event.kind) {
+        case Kind::changed:
+        case Kind::removed:
+            files.insert(path);
+            break;
+        case Kind::directory_added:
+            added.insert(path);
+            break;
+        case Kind::directory_removed:
+            removed.insert(path);
+            break;
+        case Kind::self_gone:
+            is_lost |= event.directory == folder_.root();
+            break;
+        case Kind::overflow:
+            is_lost = true;
+            break;
+        }
+    }
+    for (const std::string& folder : removed) {
+        watch_.remove(folder_.absolute(folder));
+        const std::vector<std::string> lost = schedule_.paths_below(folder);
+        files.insert(lost.begin(), lost.end());
+        if (folder_.device() && fs::exists(folder_.absolute(folder)))
+            added.insert(folder);  // another took its place
+    }
+    look_at(std::vector<std::string>(files.begin(), files.end()), now);
+    for (const std::string& folder : added)
+        list_below(folder, now);
+    return is_lost;
+}
+
+/// What is gone is told first: it may be there again under another name.
+void FolderFollower::look_at(std::span<const std::string> paths, Schedule::Time now) {
+    std::vector<MediaFolder::File> there;
+    for (const std::string& path : paths) {
+        MediaFolder::Look look = folder_.look(path);
+        if (look.presence == MediaFolder::Presence::gone) schedule_.gone(path, now);
+        if (look.presence == MediaFolder::Presence::there) there.push_back(std::move(look.file));
+    }
+    for (const MediaFolder::File& file : there)
+        saw(file, now);
+}
+
+void FolderFollower::list_below(const std::string& folder, Schedule::Time now) {
+    compare(folder_.list(folder, [this](const std::string& below) { watch(below); }), folder, now);
+}
+
+void FolderFollower::compare(const MediaFolder::Listing& listing, const std::string& folder,
+                             Schedule::Time now) {
+    std::set<std::string> there;
+    for (const MediaFolder::File& file : listing.files)
+        there.insert(file.path);
+    if (listing.is_complete)
+        for (const std::string& path : schedule_.paths_below(folder))
+            if (!there.contains(path)) schedule_.gone(path, now);
+    for (const MediaFolder::File& file : listing.files)
+        saw(file, now);
+}
+
+/// A server's clock is not ours: what it says of the past is no proof of quiet.
+void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now) {
+    const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+    const auto still_for =
+        std::max<std::chrono::nanoseconds>(since_1970 - file.ctime, std::chrono::nanoseconds(0));
+    schedule_.saw(file.path, file.facts, is_remote_ ? std::chrono::nanoseconds(0) : still_for, now);
+}
+
+std::string FolderFollower::relative(const fs::path& directory) const {
+    const std::string path = directory.lexically_relative(folder_.root()).string();
+    return path == "." ? "" : path;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,192 @@
+#include "analyzer/media_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/vfs.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include <dirent.h>
+
+namespace vitrine {
+
+namespace {
+
+constexpr std::array junk_names{"thumbs.db",  "ehthumbs.db", "desktop.ini",
+                                "@eadir",     "#recycle",    "$recycle.bin",
+                                "lost+found", "_status",     "system volume information",
+                                "__macosx"};
+constexpr std::array junk_endings{"~",    ".part",     ".partial",    ".crdownload",
+                                  ".tmp", ".filepart", ".opdownload", ".download"};
+
+/// Of ASCII letters, whatever the locale.
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+bool has_junk_part(const std::string& path) {
+    const std::filesystem::path parts(path);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return is_junk_name(part.string()); });
+}
+
+std::chrono::nanoseconds to_nanoseconds(const timespec& time) {
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// @param parent  folder whose entry `name` has this status
+MediaFolder::File to_file(const std::string& path, const struct stat& status, int parent, const char* name) {
+    return {.path = path,
+            .facts = {.bytes = static_cast<std::uint64_t>(status.st_size),
+                      .mtime_ns = to_nanoseconds(status.st_mtim).count(),
+                      .blocks = static_cast<std::uint64_t>(status.st_blocks),
+                      .inode = status.st_ino,
+                      .is_readable = ::faccessat(parent, name, R_OK, AT_EACCESS) == 0},
+            .ctime = to_nanoseconds(status.st_ctim)};
+}
+
+bool is_absence(int error) {
+    return error == ENOENT || error == ENOTDIR || error == ELOOP || error == EXDEV || error == ENAMETOOLONG;
+}
+
+struct CloseDirectory {
+    void operator()(DIR* directory) const { ::closedir(directory); }
+};
+
+using Directory = std::unique_ptr<DIR, CloseDirectory>;
+
+/// One reading of a folder with all below it.
+struct Walk {
+    const MediaFolder::Enter& enter;
+    MediaFolder::Listing listing;
+
+    void remark(const std::string& path, const char* what) {
+        listing.is_complete = false;
+        listing.remarks.push_back(fmt::format("'{}': {}", path, what));
+    }
+
+    void read(UniqueFd fd, const std::string& folder, int depth) {
+        if (depth > MediaFolder::max_depth) return remark(folder, "folders within folders too deep");
+        const Directory directory(::fdopendir(fd.get()));
+        if (!directory) return remark(folder, std::strerror(errno));
+        (void)fd.release();  // closedir closes it
+        errno = 0;
+        while (const dirent* entry = ::readdir(directory.get())) {
+            if (!is_junk_name(entry->d_name)) visit(::dirfd(directory.get()), folder, entry->d_name, depth);
+            errno = 0;
+        }
+        if (errno != 0) remark(folder, std::strerror(errno));
+    }
+
+    void visit(int parent, const std::string& folder, const char* name, int depth) {
+        const std::string path = folder.empty() ? name : folder + "/" + name;
+
+        struct stat status {};
+
+        if (::fstatat(parent, name, &status, AT_SYMLINK_NOFOLLOW) < 0) {
+            if (!is_absence(errno)) remark(path, std::strerror(errno));
+            return;
+        }
+        if (S_ISDIR(status.st_mode)) return descend(parent, name, path, depth);
+        if (!S_ISREG(status.st_mode)) return;
+        if (listing.files.size() >= MediaFolder::max_files) {
+            if (listing.remarks.empty() || listing.is_complete) remark(path, "more files than are looked at");
+            return;
+        }
+        listing.files.push_back(to_file(path, status, parent, name));
+    }
+
+    void descend(int parent, const char* name, const std::string& path, int depth) {
+        if (enter) enter(path);
+        UniqueFd fd(::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (fd.is_open()) return read(std::move(fd), path, depth + 1);
+        if (!is_absence(errno)) remark(path, std::strerror(errno));
+    }
+};
+
+}  // namespace
+
+bool is_junk_name(std::string_view name) {
+    const std::string lower = lower_case(name);
+    return lower.starts_with('.') || lower.starts_with("~$") ||
+           std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
+           std::any_of(junk_endings.begin(), junk_endings.end(),
+                       [&](const char* ending) { return lower.ends_with(ending); });
+}
+
+/// Never through a link below the root.
+UniqueFd MediaFolder::open(const std::string& path, int flags) const {
+    const UniqueFd root(::open(root_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!root.is_open()) return {};
+    open_how how{};
+    how.flags = static_cast<std::uint64_t>(flags | O_CLOEXEC | O_NOFOLLOW);
+    how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS;
+    return UniqueFd(static_cast<int>(
+        ::syscall(SYS_openat2, root.get(), path.empty() ? "." : path.c_str(), &how, sizeof how)));
+}
+
+MediaFolder::Look MediaFolder::look(const std::string& path) const {
+    if (has_junk_part(path)) return {};
+    if (!device()) return {.presence = Presence::unreachable, .file = {}};
+    const UniqueFd file = open(path, O_PATH);
+    if (!file.is_open())
+        return {.presence = is_absence(errno) ? Presence::gone : Presence::unreachable, .file = {}};
+
+    struct stat status {};
+
+    if (::fstat(file.get(), &status) < 0) return {.presence = Presence::unreachable, .file = {}};
+    if (!S_ISREG(status.st_mode)) return {};
+    return {.presence = Presence::there, .file = to_file(path, status, AT_FDCWD, absolute(path).c_str())};
+}
+
+MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter) const {
+    Walk walk{.enter = enter, .listing = {}};
+    if (has_junk_part(folder)) return walk.listing;
+    if (enter) enter(folder);
+    UniqueFd fd = open(folder, O_RDONLY | O_DIRECTORY);
+    const int depth =
+        static_cast<int>(std::count(folder.begin(), folder.end(), '/')) + (folder.empty() ? 0 : 1);
+    if (fd.is_open())
+        walk.read(std::move(fd), folder, depth);
+    else if (folder.empty() || !is_absence(errno))
+        walk.remark(folder, std::strerror(errno));
+    return walk.listing;
+}
+
+std::optional<std::uint64_t> MediaFolder::device() const {
+    struct stat status {};
+
+    if (::stat(root_.c_str(), &status) < 0 || !S_ISDIR(status.st_mode)) return std::nullopt;
+    return status.st_dev;
+}
+
+bool MediaFolder::is_remote() const {
+    constexpr std::array<std::uint32_t, 8> remote{
+        0xFF534D42, 0xFE534D42, 0x517B,     0x6969,       // CIFS, SMB2, SMB, NFS
+        0x65735546, 0x01021997, 0x00C36400, 0x5346414F};  // FUSE, 9P, Ceph, AFS
+
+    struct statfs status {};
+
+    if (::statfs(root_.c_str(), &status) < 0) return false;
+    return std::find(remote.begin(), remote.end(), static_cast<std::uint32_t>(status.f_type)) != remote.end();
+}
+
+bool MediaFolder::has_hole(const std::string& path) const {
+    const UniqueFd file = open(path, O_RDONLY | O_NONBLOCK);
+    if (!file.is_open()) return false;
+    const off_t end = ::lseek(file.get(), 0, SEEK_END);
+    const off_t hole = ::lseek(file.get(), 0, SEEK_HOLE);
+    return hole >= 0 && hole < end;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,146 @@
+#pragma once
+
+#include "analyzer/file_facts.hpp"
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine {
+
+/// How the schedule waits. Times are the caller's monotonic clock.
+struct Pace {
+    std::size_t children = 1;                     // files analysed at the same time, at least 1
+    std::chrono::milliseconds quiet{2000};        // a file must not have changed for so long
+    std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
+    std::chrono::milliseconds first_retry{
+        5000};        // after this a waiting file is tried again, then after twice
+    int retries = 8;  // as long, ...; together 21 minutes
+    int deaths = 2;   // children that one content may kill before quarantine
+};
+
+/// What is to be done to the catalogue and the children.
+struct Action {
+    enum class Kind {
+        start,   // a child for `path`; finished() must follow
+        stop,    // the child of `path`: its file changed or went; finished() must follow
+        hold,    // the record of `path` becomes waiting: the file keeps changing
+        move,    // the record of `from` is now that of `path`
+        remove,  // the record of `path` goes
+    };
+
+    Kind kind = Kind::start;
+    std::string path;
+    std::string from;          // move only
+    FileFacts facts;           // start and hold: what was seen of the file
+    bool is_last_try = false;  // start only: no retry follows a waiting answer
+
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+/// How a child ended.
+enum class Answer {
+    final,    // ready, unsupported or failed: stands until the file changes
+    waiting,  // incomplete: to be tried again
+    died,     // a crash or the deadline
+};
+
+/// What becomes of a child's answer.
+enum class Verdict {
+    store,       // as it is
+    give_up,     // store it as failed: it has waited long enough
+    quarantine,  // store it as quarantined
+    retry,       // nothing is stored yet
+    discard,     // the file changed or went in the meantime
+};
+
+/// Decides which file is analysed when. Pure: sees no file and no clock, so that every order of events can be
+/// tested.
+///
+/// seen -> settling (until unchanged for the quiet time) -> due -> running -> done; a change leads back to
+/// settling from anywhere, a waiting answer too, with growing delays. A file is due only once it was looked
+/// at again after its quiet time: to_look_at() says which, saw() or gone() is the answer.
+class Schedule {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    explicit Schedule(const Pace& pace);
+
+    /// A record that an earlier run left. @param is_settled  not `waiting`: holds while the file is unchanged
+    void known(const std::string& path, const FileFacts& facts, bool is_settled);
+
+    /// The file is there. @param still_for  how long it is known to be unchanged already
+    void saw(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for, Time now);
+
+    /// The file is not there. In a rename this comes before saw() of the new name.
+    void gone(const std::string& path, Time now);
+
+    Verdict finished(const std::string& path, Answer answer, Time now);
+
+    /// Files whose time has come to be looked at, each to be answered by saw() or gone().
+    std::vector<std::string> to_look_at(Time now) const;
+
+    /// What to do now, in this order. Each action is given once.
+    std::vector<Action> step(Time now);
+
+    /// When to_look_at() or step() will have something new at the latest.
+    std::optional<Time> wake() const;
+
+    /// All files known under this folder ("" for all, else without a '/' at the end).
+    std::vector<std::string> paths_below(const std::string& folder) const;
+
+    struct Counts {
+        std::size_t files = 0, settling = 0, due = 0, running = 0, done = 0;
+    };
+
+    Counts counts() const;
+
+    /// Nothing runs, and nothing will except retries of waiting files.
+    bool is_idle() const;
+
+  private:
+    enum class Phase { unseen, settling, due, running, done };
+
+    struct Entry {
+        FileFacts facts;
+        Phase phase = Phase::unseen;
+        Time look_at{};            // settling only
+        int deaths = 0;            // of the content as it is
+        int waits = 0;             // waiting answers for the content as it is
+        bool is_settled = false;   // unseen only
+        bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
+        bool is_held = false;      // that record is waiting already
+    };
+
+    struct Leaving {
+        FileFacts facts;
+        bool is_done = false;  // its record holds for whoever has the same content
+        Time forget_at{};
+    };
+
+    using Entries = std::map<std::string, Entry>;
+
+    void enter(const std::string& path, Entry& entry, Phase phase);
+    void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for,
+                 Time now);
+    void settle(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
+    void changed(const std::string& path, Entry& entry, const FileFacts& facts,
+                 std::chrono::nanoseconds still_for, Time now);
+    bool take_over_from_leaving(const std::string& path, const FileFacts& facts);
+    void forget_leaving(Time now);
+    void start_due();
+
+    Pace pace_;
+    Entries entries_;
+    std::map<std::string, Leaving> leaving_;              // gone, with a record that is still there
+    std::set<std::string> children_;                      // files with a child, be it a stopped one
+    std::set<std::pair<Time, std::string>> looks_;        // the settling entries by their time
+    std::set<std::pair<std::int64_t, std::string>> due_;  // the due entries by mtime
+    std::vector<Action> actions_;
+};
+
+}  // namespace vitrine
