@@ -1,0 +1,80 @@
+#include "base/media/completeness.hpp"
+
+#include "base/catalogue/media_error.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+using namespace vitrine;
+using namespace std::string_view_literals;
+
+namespace {
+
+struct TempFile {
+    std::string path =
+        std::filesystem::temp_directory_path() / fmt::format("vitrine-complete-{}", ::getpid());
+
+    explicit TempFile(std::string_view bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+    TempFile(const TempFile&) = delete;
+    TempFile& operator=(const TempFile&) = delete;
+
+    ~TempFile() { std::filesystem::remove(path); }
+};
+
+std::string refusal_of(std::string_view bytes, MediaFormat format) {
+    const TempFile file(bytes);
+    try {
+        require_complete(file.path, format);
+    } catch (const MediaError& error) {
+        CHECK(error.state() == MediaState::waiting);
+        return error.what();
+    }
+    return {};
+}
+
+constexpr auto ftyp = "\0\0\0\x10"
+                      "ftypisom\0\0\0\0"sv;
+constexpr auto moov = "\0\0\0\x10"
+                      "moov........"sv;
+constexpr auto mdat_of_20 = "\0\0\0\x14"
+                            "mdat............"sv;
+
+}  // namespace
+
+TEST_CASE("an mp4 is complete with all its boxes, index first or last") {
+    CHECK(refusal_of(fmt::format("{}{}{}", ftyp, moov, mdat_of_20), MediaFormat::mp4).empty());
+    CHECK(refusal_of(fmt::format("{}{}{}", ftyp, mdat_of_20, moov), MediaFormat::mp4).empty());
+}
+
+TEST_CASE("an mp4 cut inside its data is waited for") {
+    const std::string cut = fmt::format("{}{}{}", ftyp, moov, "\0\0\1\0mdat............"sv);
+    CHECK(refusal_of(cut, MediaFormat::mp4) == "the copy is not complete: 18 % of it is here");
+}
+
+TEST_CASE("an mp4 whose index has not arrived is waited for") {
+    CHECK(refusal_of(fmt::format("{}{}", ftyp, mdat_of_20), MediaFormat::mp4) ==
+          "the copy is not complete: the film's index is missing so far");
+}
+
+TEST_CASE("a size beyond all sense does not overflow") {
+    const std::string huge = fmt::format("{}{}", ftyp, "\0\0\0\1mdat\xff\xff\xff\xff\xff\xff\xff\xf0"sv);
+    CHECK(refusal_of(huge, MediaFormat::mp4) == "the copy is not complete: 0 % of it is here");
+}
+
+TEST_CASE("a live matroska recording that does not know its size is taken as it is") {
+    constexpr auto header = "\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\x01\xff\xff\xff\xff\xff\xff\xff......"sv;
+    CHECK(refusal_of(header, MediaFormat::matroska).empty());
+}
+
+TEST_CASE("half a matroska file is waited for") {
+    constexpr auto header = "\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\x88........"sv;
+    CHECK(refusal_of(header, MediaFormat::matroska).empty());
+    constexpr auto half = "\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\xb0........"sv;
+    CHECK(refusal_of(half, MediaFormat::matroska) == "the copy is not complete: 31 % of it is here");
+}
