@@ -1,6 +1,8 @@
 #pragma once
 
-#include "base/media/still_picture.hpp"
+#include "base/media/picture.hpp"
+
+#include <string>
 
 namespace vitrine {
 

@@ -1,0 +1,194 @@
+#include "analyzer/video/film_source.hpp"
+
+#include "analyzer/video/reduce_frame.hpp"
+#include "base/media/completeness.hpp"
+
+#include <fmt/format.h>
+#include <gst/tag/tag.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr int frames_ahead = 4;  // decoded while the caller works on an earlier one
+
+GstPtr<GstElement> appsink_tail() {
+    start_gstreamer();
+    return make_bin(fmt::format("videoconvert ! appsink name=sink sync=false qos=false max-buffers={} "
+                                "caps=\"video/x-raw,format={}\"",
+                                frames_ahead, reducible_formats)
+                        .c_str());
+}
+
+GstPtr<GstElement> sink_in(GstElement* tail) {
+    return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(tail), "sink"));
+}
+
+// The rotation that the film's tags ask for; they lie on the pad once a frame has passed it.
+GstVideoOrientationMethod orientation_at(GstElement* sink) {
+    const GstPtr<GstPad> pad(gst_element_get_static_pad(sink, "sink"));
+    auto method = GST_VIDEO_ORIENTATION_IDENTITY;
+    for (guint i = 0;; ++i) {
+        const GstPtr<GstEvent> event(gst_pad_get_sticky_event(pad.get(), GST_EVENT_TAG, i));
+        if (!event) return method;
+        GstTagList* tags = nullptr;  // lent by the event
+        gst_event_parse_tag(event.get(), &tags);
+        gst_video_orientation_from_tag(tags, &method);
+    }
+}
+
+bool is_on_its_side(GstVideoOrientationMethod turn) {
+    return turn == GST_VIDEO_ORIENTATION_90R || turn == GST_VIDEO_ORIENTATION_90L ||
+           turn == GST_VIDEO_ORIENTATION_UL_LR || turn == GST_VIDEO_ORIENTATION_UR_LL;
+}
+
+cv::Mat turned(const cv::Mat& picture, GstVideoOrientationMethod turn) {
+    cv::Mat out;
+    switch (turn) {
+    case GST_VIDEO_ORIENTATION_90R:
+        cv::rotate(picture, out, cv::ROTATE_90_CLOCKWISE);
+        break;
+    case GST_VIDEO_ORIENTATION_180:
+        cv::rotate(picture, out, cv::ROTATE_180);
+        break;
+    case GST_VIDEO_ORIENTATION_90L:
+        cv::rotate(picture, out, cv::ROTATE_90_COUNTERCLOCKWISE);
+        break;
+    case GST_VIDEO_ORIENTATION_HORIZ:
+        cv::flip(picture, out, 1);
+        break;
+    case GST_VIDEO_ORIENTATION_VERT:
+        cv::flip(picture, out, 0);
+        break;
+    case GST_VIDEO_ORIENTATION_UL_LR:
+        cv::transpose(picture, out);
+        break;
+    case GST_VIDEO_ORIENTATION_UR_LL:
+        cv::rotate(picture, out, cv::ROTATE_180);
+        cv::transpose(out, out);
+        break;
+    default:
+        return picture;
+    }
+    return out;
+}
+
+// A mapped frame of a sample.
+class MappedFrame {
+  public:
+    explicit MappedFrame(GstSample* sample) {
+        GstVideoInfo info;
+        if (!gst_video_info_from_caps(&info, gst_sample_get_caps(sample)) ||
+            !gst_video_frame_map(&frame_, &info, gst_sample_get_buffer(sample), GST_MAP_READ))
+            throw MediaError(MediaState::failed, "the film cannot be read: a frame of unknown layout");
+    }
+
+    MappedFrame(const MappedFrame&) = delete;
+    MappedFrame& operator=(const MappedFrame&) = delete;
+
+    ~MappedFrame() { gst_video_frame_unmap(&frame_); }
+
+    const GstVideoFrame& get() const { return frame_; }
+
+  private:
+    GstVideoFrame frame_{};
+};
+
+}  // namespace
+
+FilmSource::FilmSource(const std::string& path, int analysis_size)
+    : chain_(path, appsink_tail()), sink_(sink_in(chain_.tail())) {
+    require_complete(path, chain_.format());
+    extent_known_ = file_extent(path, chain_.format()).declared > 0;
+    chain_.preroll(stall_deadline);
+    read_geometry(analysis_size);
+    info_.kind = MediaKind::video;
+    info_.duration = chain_.duration();
+    gst_element_set_state(chain_.pipeline(), GST_STATE_PLAYING);
+}
+
+void FilmSource::read_geometry(int analysis_size) {
+    const GstPtr<GstSample> first(gst_app_sink_try_pull_preroll(GST_APP_SINK(sink_.get()), 0));
+    if (!first) throw MediaError(MediaState::failed, "the film cannot be read: it holds no picture");
+    GstVideoInfo video;
+    if (!gst_video_info_from_caps(&video, gst_sample_get_caps(first.get())))
+        throw MediaError(MediaState::failed, "the film cannot be read: a frame of unknown layout");
+    if (video.width > max_film_side || video.height > max_film_side ||
+        std::int64_t{video.width} * video.height > max_film_pixels)
+        throw MediaError(MediaState::unsupported,
+                         fmt::format("the film is too large: {} x {} px", video.width, video.height));
+    turn_ = orientation_at(sink_.get());
+    const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
+    const double width = video.width * aspect;  // square pixels
+    const double scale = std::min(1.0, analysis_size / std::max<double>(width, video.height));
+    const auto whole = [](double length) { return std::max(1, static_cast<int>(std::lround(length))); };
+    coded_size_ = {whole(width * scale), whole(video.height * scale)};
+    info_.width = whole(width);
+    info_.height = video.height;
+    if (is_on_its_side(turn_)) std::swap(info_.width, info_.height);
+}
+
+std::optional<VideoFrame> FilmSource::next() {
+    while (!ended_) {
+        const GstPtr<GstSample> sample = next_sample();
+        if (!sample) break;
+        const nanoseconds time = time_of(sample.get());
+        if (time <= last_) continue;  // each moment once: broken files repeat time stamps
+        last_ = time;
+        return frame_of(sample.get(), time);
+    }
+    if (!ended_) finish();
+    return std::nullopt;
+}
+
+GstPtr<GstSample> FilmSource::next_sample() {
+    constexpr auto deadline = std::chrono::nanoseconds(stall_deadline).count();
+    GstAppSink* sink = GST_APP_SINK(sink_.get());
+    GstPtr<GstSample> sample(gst_app_sink_try_pull_sample(sink, static_cast<GstClockTime>(deadline)));
+    if (sample) return sample;
+    chain_.throw_pending_error();
+    if (!gst_app_sink_is_eos(sink))
+        throw MediaError(MediaState::failed, "the film cannot be read: it does not go on");
+    return nullptr;
+}
+
+nanoseconds FilmSource::time_of(GstSample* sample) {
+    const GstBuffer* buffer = gst_sample_get_buffer(sample);
+    const GstClockTime time =
+        gst_segment_to_stream_time(gst_sample_get_segment(sample), GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
+    const nanoseconds at = GST_CLOCK_TIME_IS_VALID(time) ? nanoseconds(time) : end_;
+    constexpr nanoseconds usual{40'000'000};
+    const nanoseconds length =
+        GST_BUFFER_DURATION_IS_VALID(buffer) ? nanoseconds(GST_BUFFER_DURATION(buffer)) : usual;
+    end_ = std::max(end_, at + length);
+    return at;
+}
+
+VideoFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {
+    const MappedFrame frame(sample);
+    return {.picture = turned(reduce_frame(frame.get(), coded_size_), turn_), .time = time};
+}
+
+void FilmSource::finish() {
+    ended_ = true;
+    if (last_ < nanoseconds{0})
+        throw MediaError(MediaState::failed, "the film cannot be read: it holds no picture");
+    constexpr double complete = 0.9;  // sound may go on for a while
+    const double share = info_.duration.count() > 0
+                             ? static_cast<double>(end_.count()) / static_cast<double>(info_.duration.count())
+                             : 1;
+    if (!extent_known_ && share < complete && info_.duration - end_ > std::chrono::seconds(2))
+        throw MediaError(
+            MediaState::waiting,
+            fmt::format("the copy is not complete: the film ends at {:.0f} % of its length", 100 * share));
+    info_.duration = end_;
+    gst_element_set_state(chain_.pipeline(), GST_STATE_READY);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "analyzer/video/frame_source.hpp"
+#include "base/media/decode_chain.hpp"
+
+#include <gst/video/video.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace vitrine {
+
+/// Limits of a film.
+constexpr std::chrono::seconds stall_deadline{20};
+constexpr int max_film_side = 16'384;                 // px
+constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
+
+/// The frames of a film, decoded as fast as they are asked for.
+class FilmSource : public FrameSource {
+  public:
+    /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits
+    FilmSource(const std::string& path, int analysis_size);
+
+    const MediaInfo& info() const override { return info_; }
+
+    std::optional<VideoFrame> next() override;
+
+  private:
+    void read_geometry(int analysis_size);
+    GstPtr<GstSample> next_sample();
+    std::chrono::nanoseconds time_of(GstSample* sample);
+    VideoFrame frame_of(GstSample* sample, std::chrono::nanoseconds time) const;
+    void finish();
+
+    DecodeChain chain_;
+    GstPtr<GstElement> sink_;
+    MediaInfo info_;
+    GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
+    cv::Size coded_size_;        // of the small picture before it is turned
+    bool extent_known_ = false;  // the container said how long it is in bytes
+    bool ended_ = false;
+    std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet
+    std::chrono::nanoseconds end_{0};    // when it is over
+};
+
+}  // namespace vitrine

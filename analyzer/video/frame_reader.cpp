@@ -1,0 +1,15 @@
+#include "analyzer/video/frame_reader.hpp"
+
+#include "analyzer/video/film_source.hpp"
+#include "analyzer/video/photo_source.hpp"
+#include "base/media/media_type.hpp"
+
+namespace vitrine {
+
+std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size, Colour background) {
+    if (kind_of(media_format(path)) == MediaKind::photo)
+        return std::make_unique<PhotoSource>(path, analysis_size, background);
+    return std::make_unique<FilmSource>(path, analysis_size);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine {
+
+/// A picture beyond these is refused by its header, before it is decoded.
+constexpr std::int64_t max_still_pixels = 200'000'000;
+constexpr int max_still_side = 65'000;                  // px
+constexpr std::int64_t max_bitmap_pixels = 50'000'000;  // BMP cannot be shrunk while it is read
+
+/// What a photo's header says.
+struct StillInfo {
+    int width = 0;  // px, upright (after EXIF or HEIF orientation)
+    int height = 0;
+};
+
+/// 8-bit sRGB.
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+};
+
+/// An upright photo, sRGB, RGBA with 8 bits a channel, opaque, rows without gaps.
+struct StillPicture {
+    int width = 0;  // px
+    int height = 0;
+    std::vector<std::byte> pixels;  // 4 * width * height
+};
+
+}  // namespace vitrine
