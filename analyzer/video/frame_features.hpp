@@ -1,0 +1,34 @@
+#pragma once
+
+#include "analyzer/video/video_frame.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace vitrine {
+
+/// What shot detection keeps of a frame: enough to compare it with any other, small enough to keep seconds.
+struct FrameFeatures {
+    static constexpr int bins = 8;              // a colour channel
+    static constexpr int signature_width = 32;  // px
+    static constexpr int signature_height = 18;
+
+    std::chrono::nanoseconds time{0};
+    std::array<std::uint16_t, bins * bins * bins>
+        histogram{};  // shares of the picture, the sum is about 65535
+    std::array<std::uint8_t, signature_width * signature_height>
+        signature{};       // the picture in grey, very small
+    double mean = 0;       // of the signature
+    double deviation = 0;  // standard deviation of it
+};
+
+FrameFeatures features_of(const VideoFrame& frame);
+
+/// Colour histogram difference: half the sum of absolute differences, in [0, 1].
+/// Source: Lienhart's CHD, Dynamic Media Assemblage 3.1.
+double colour_difference(const FrameFeatures& a, const FrameFeatures& b);
+
+/// Mean absolute difference of the signatures, grey levels in [0, 255].
+double picture_difference(const FrameFeatures& a, const FrameFeatures& b);
+
+}  // namespace vitrine
