@@ -1,0 +1,222 @@
+#include "player/playback/film_loop.hpp"
+
+#include "player/playback/mapped_sample.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace vitrine {
+
+namespace {
+
+constexpr const char* tail_words =
+    "videoconvertscale add-borders=false alpha-mode=set"
+    " ! videoflip video-direction=auto ! capsfilter name=size caps-change-mode=delayed"
+    " ! appsink name=pictures sync=false max-buffers=1 enable-last-sample=false";
+constexpr std::chrono::nanoseconds usual_period =
+    std::chrono::milliseconds(33);                                           // where the film does not say
+constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // of times in Matroska
+constexpr int most_barren_loops = 4;
+constexpr const char* stop_name = "vitrine-stop";
+
+GstPtr<GstElement> named(GstElement* bin, const char* name) {
+    return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(bin), name));
+}
+
+void set_size(GstElement* tail, int width, int height) {
+    const GstPtr<GstCaps> caps(gst_caps_new_simple("video/x-raw", "format", G_TYPE_STRING, "RGBA", "width",
+                                                   G_TYPE_INT, width, "height", G_TYPE_INT, height,
+                                                   "pixel-aspect-ratio", GST_TYPE_FRACTION, 1, 1, nullptr));
+    g_object_set(named(tail, "size").get(), "caps", caps.get(), nullptr);
+}
+
+std::chrono::nanoseconds period(GstElement* tail) {
+    const GstPtr<GstElement> sink = named(tail, "pictures");
+    const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
+    const GstPtr<GstCaps> caps(gst_pad_get_current_caps(pad.get()));
+    int numerator = 0;
+    int denominator = 1;
+    if (!caps || !gst_structure_get_fraction(gst_caps_get_structure(caps.get(), 0), "framerate", &numerator,
+                                             &denominator)) {
+        return usual_period;
+    }
+    if (numerator <= 0 || denominator <= 0) return usual_period;
+    return std::chrono::nanoseconds(1'000'000'000LL * denominator / numerator);
+}
+
+/// Containers whose time stamps stay true over a seek while the demuxer's stream time does not: it is then
+/// counted from the first clock reference instead of the first picture, 0.2 s off and more. In a pass from
+/// the begin the two are the same.
+bool has_true_time_stamps(MediaFormat format) {
+    return format == MediaFormat::mpeg_ts || format == MediaFormat::mpeg_ps;
+}
+
+/// Containers whose demuxers keep their promise in segment seeks; MPEG-TS stands still for ever.
+bool has_segment_seeks(MediaFormat format) {
+    return format == MediaFormat::mp4 || format == MediaFormat::matroska || format == MediaFormat::avi;
+}
+
+}  // namespace
+
+FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue)
+    : part_(std::move(part)), queue_(queue), thread_([this] { run(); }) {}
+
+FilmLoop::~FilmLoop() {
+    stop();
+    thread_.join();
+}
+
+void FilmLoop::resize(int width, int height) {
+    const std::lock_guard lock(mutex_);
+    part_.width = width;
+    part_.height = height;
+    if (chain_) set_size(chain_->tail(), width, height);
+}
+
+void FilmLoop::stop() {
+    queue_.close();
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(is_stopped_, true) || !chain_) return;
+    gst_bus_post(chain_->bus(),
+                 gst_message_new_application(nullptr, gst_structure_new_empty(stop_name)));  // takes both
+}
+
+std::optional<std::string> FilmLoop::failure() const {
+    const std::lock_guard lock(mutex_);
+    return failure_;
+}
+
+void FilmLoop::run() {
+    try {
+        play();
+    } catch (const std::exception& error) {
+        const std::lock_guard lock(mutex_);
+        failure_ = error.what();
+    }
+    queue_.close();  // lets go of a streaming thread that waits to put
+    std::unique_ptr<DecodeChain> ending;
+    {
+        const std::lock_guard lock(mutex_);
+        ending = std::move(chain_);
+    }
+    ending.reset();
+    has_ended_ = true;
+}
+
+void FilmLoop::play() {
+    if (!open() || !preroll()) return;
+    enter();
+    while (const GstPtr<GstMessage> message = next_message()) {
+        const GstMessageType type = GST_MESSAGE_TYPE(message.get());
+        if (type == GST_MESSAGE_SEGMENT_DONE || type == GST_MESSAGE_EOS) rewind();
+    }
+}
+
+/// False: told to stop meanwhile.
+bool FilmLoop::open() {
+    start_gstreamer();
+    GstPtr<GstElement> tail = make_bin(tail_words);
+    const GstPtr<GstElement> sink = named(tail.get(), "pictures");
+    GstAppSinkCallbacks callbacks{};
+    callbacks.new_sample = &FilmLoop::on_sample;
+    gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
+    auto chain = std::make_unique<DecodeChain>(part_.file, std::move(tail));
+    is_named_by_stamp_ = has_true_time_stamps(chain->format());
+    way_ = has_segment_seeks(chain->format()) ? Rewind::segment : Rewind::flush;
+    const std::lock_guard lock(mutex_);
+    if (is_stopped_) return false;
+    set_size(chain->tail(), part_.width, part_.height);
+    chain_ = std::move(chain);
+    return true;
+}
+
+/// False: told to stop meanwhile.
+bool FilmLoop::preroll() {
+    gst_element_set_state(chain_->pipeline(), GST_STATE_PAUSED);  // a failure comes as a message
+    while (const GstPtr<GstMessage> message = next_message()) {
+        const GstMessageType type = GST_MESSAGE_TYPE(message.get());
+        if (type == GST_MESSAGE_ASYNC_DONE) return true;
+        if (type == GST_MESSAGE_EOS) throw MediaError(MediaState::failed, "the film holds no picture");
+    }
+    return false;
+}
+
+/// To the first picture of the part. A third of a picture later than its begin, as times rounded up to
+/// milliseconds would else show the last picture of the shot before; and half a picture before the end.
+void FilmLoop::enter() {
+    period_ = period(chain_->tail());
+    from_ = part_.begin.count() > 0 ? part_.begin + period_ / 3 : part_.begin;
+    const std::chrono::nanoseconds whole = chain_->duration();
+    if (whole.count() <= 0 || part_.end + rounding < whole)
+        to_ = std::max(from_ + rounding, part_.end - period_ / 2);
+    if (way_ == Rewind::segment && !seek(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT)) way_ = Rewind::flush;
+    if (way_ == Rewind::flush && !seek(GST_SEEK_FLAG_FLUSH)) {
+        throw MediaError(MediaState::failed, "the film cannot be searched");
+    }
+    gst_element_set_state(chain_->pipeline(), GST_STATE_PLAYING);  // a failure comes as a message
+}
+
+void FilmLoop::rewind() {
+    const bool is_barren = pictures_ == pictures_at_rewind_;
+    barren_loops_ = is_barren ? barren_loops_ + 1 : 0;
+    pictures_at_rewind_ = pictures_;
+    if (barren_loops_ >= most_barren_loops) {
+        throw MediaError(MediaState::failed, "the film gives no picture of this part");
+    }
+    if (barren_loops_ > 1) way_ = Rewind::flush;
+    if (way_ == Rewind::segment && seek(GST_SEEK_FLAG_SEGMENT)) return;
+    way_ = Rewind::flush;
+    if (!seek(GST_SEEK_FLAG_FLUSH)) throw MediaError(MediaState::failed, "the film cannot be rewound");
+}
+
+bool FilmLoop::seek(int flags) {
+    const auto to = to_.value_or(std::chrono::nanoseconds(-1));
+    return gst_element_seek(chain_->pipeline(), 1.0, GST_FORMAT_TIME,
+                            static_cast<GstSeekFlags>(flags | GST_SEEK_FLAG_ACCURATE), GST_SEEK_TYPE_SET,
+                            from_.count(), to_ ? GST_SEEK_TYPE_SET : GST_SEEK_TYPE_NONE, to.count()) != FALSE;
+}
+
+/// The next of the pipeline; none: told to stop. @throws MediaError where it is a failure
+GstPtr<GstMessage> FilmLoop::next_message() {
+    constexpr auto types =
+        static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS | GST_MESSAGE_SEGMENT_DONE |
+                                    GST_MESSAGE_ASYNC_DONE | GST_MESSAGE_APPLICATION);
+    GstPtr<GstMessage> message(gst_bus_timed_pop_filtered(chain_->bus(), GST_CLOCK_TIME_NONE, types));
+    if (!message) return nullptr;
+    if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
+    if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_APPLICATION) return nullptr;
+    return message;
+}
+
+GstFlowReturn FilmLoop::on_sample(GstAppSink* sink, gpointer self) {
+    const GstPtr<GstSample> sample(gst_app_sink_pull_sample(sink));
+    if (!sample) return GST_FLOW_EOS;
+    return static_cast<FilmLoop*>(self)->put(sample.get());
+}
+
+std::optional<std::chrono::nanoseconds> FilmLoop::time_in_film(GstSample* sample) const {
+    const std::uint64_t time = GST_BUFFER_PTS(gst_sample_get_buffer(sample));
+    if (is_named_by_stamp_ && GST_CLOCK_TIME_IS_VALID(time)) return std::chrono::nanoseconds(time);
+    const std::uint64_t stream_time =
+        gst_segment_to_stream_time(gst_sample_get_segment(sample), GST_FORMAT_TIME, time);
+    if (!GST_CLOCK_TIME_IS_VALID(stream_time)) return std::nullopt;
+    return std::chrono::nanoseconds(stream_time);
+}
+
+GstFlowReturn FilmLoop::put(GstSample* sample) noexcept {
+    const std::optional<std::chrono::nanoseconds> time = time_in_film(sample);
+    if (!time) return GST_FLOW_OK;  // outside the segment
+    std::chrono::nanoseconds stream_time = *time;
+    if (stream_time < part_.begin - period_ / 2 || (to_ && stream_time >= *to_)) return GST_FLOW_OK;
+    if (stream_time <= from_ + rounding) stream_time = part_.begin;  // cut off at the segment's start
+    std::optional<Sample> picture = mapped(sample, stream_time);
+    if (!picture) return GST_FLOW_OK;
+    if (last_ && stream_time <= *last_) ++loop_;
+    last_ = stream_time;
+    const bool is_open = queue_.put({.sample = std::move(*picture), .loop = loop_, .duration = period_});
+    ++pictures_;
+    return is_open ? GST_FLOW_OK : GST_FLOW_EOS;
+}
+
+}  // namespace vitrine

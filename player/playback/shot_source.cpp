@@ -1,0 +1,110 @@
+#include "player/playback/shot_source.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine {
+
+namespace {
+
+constexpr std::size_t most_pictures = 12;  // decoded ahead; they bridge 400 ms of a film of 30 a second
+constexpr std::size_t least_pictures = 4;
+constexpr std::size_t most_bytes = 24U << 20;  // of pictures decoded ahead
+constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);
+constexpr std::chrono::nanoseconds most_behind = std::chrono::milliseconds(250);  // before time gives way
+
+std::size_t capacity(const ShotRequest& request) {
+    const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(std::max(1, request.width)) *
+                              static_cast<std::size_t>(std::max(1, request.height));
+    return std::clamp(most_bytes / bytes, least_pictures, most_pictures);
+}
+
+}  // namespace
+
+ShotSource::ShotSource(std::string file, const ShotRequest& request)
+    : file_(std::move(file)), request_(request), queue_(capacity(request)) {
+    if (request.kind == MediaKind::photo) {
+        photo_ = std::make_unique<PhotoLoad>(file_, request.width, request.height, queue_);
+        return;
+    }
+    const FilmPart part{.file = file_,
+                        .begin = request.shot.begin,
+                        .end = request.shot.end,
+                        .width = request.width,
+                        .height = request.height};
+    film_ = std::make_unique<FilmLoop>(part, queue_);
+}
+
+std::optional<std::string> ShotSource::failure() const {
+    if (film_) return film_->failure();
+    return current_ ? std::nullopt : photo_->failure();  // a photo once read stays good
+}
+
+std::optional<Sample> ShotSource::frame_at(std::chrono::nanoseconds local) {
+    take_due(local - behind_);
+    if (!current_) return std::nullopt;
+    if (film_ && local != judged_) judge_lateness(local);
+    return current_->sample;
+}
+
+bool ShotSource::wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (true) {
+        take_due(local - behind_);
+        if (current_ && (photo_ || !queue_.is_empty())) return true;  // what is left is not due yet
+        const auto left = deadline - std::chrono::steady_clock::now();
+        if (left.count() <= 0 || !queue_.wait(left)) return false;
+    }
+}
+
+Vec2 ShotSource::slide() const {
+    if (!film_ || !current_) return {};
+    const auto passed = current_->sample.stream_time - request_.shot.begin;
+    const auto in_shot = std::clamp(passed, std::chrono::nanoseconds(0), request_.shot.duration());
+    return request_.shot.region.drift * std::chrono::duration<double>(in_shot).count();
+}
+
+void ShotSource::resize(int width, int height) {
+    if (width == request_.width && height == request_.height) return;
+    if (photo_ && !photo_->has_ended()) return;
+    request_.width = width;
+    request_.height = height;
+    if (film_)
+        film_->resize(width, height);
+    else
+        photo_ = std::make_unique<PhotoLoad>(file_, width, height, queue_);
+}
+
+void ShotSource::stop() {
+    queue_.close();
+    if (film_) film_->stop();
+}
+
+bool ShotSource::has_ended() const {
+    return film_ ? film_->has_ended() : photo_->has_ended();
+}
+
+/// When a picture is due, since the shot began to be shown.
+std::chrono::nanoseconds ShotSource::position(const LoopedSample& sample) const {
+    if (!film_) return std::chrono::nanoseconds(0);
+    const auto loops = static_cast<std::chrono::nanoseconds::rep>(sample.loop);
+    return request_.shot.duration() * loops + sample.sample.stream_time - request_.shot.begin;
+}
+
+void ShotSource::take_due(std::chrono::nanoseconds target) {
+    while (auto sample = queue_.take_if(
+               [&](const LoopedSample& next) { return !current_ || position(next) <= target + rounding; })) {
+        current_ = std::move(sample);
+    }
+}
+
+void ShotSource::judge_lateness(std::chrono::nanoseconds local) {
+    judged_ = local;
+    if (!queue_.is_empty() || queue_.is_closed()) return;
+    const std::chrono::nanoseconds missing = local - behind_ - position(*current_) - current_->duration;
+    if (missing <= rounding) return;
+    ++late_;
+    if (missing > most_behind) behind_ += missing;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "player/playback/film_loop.hpp"
+#include "player/playback/photo_load.hpp"
+#include "player/playback/sample_queue.hpp"
+#include "player/scene/shot_request.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vitrine {
+
+/// Plays one shot of a film in a loop, or holds a photo. Decodes in threads of its own, ahead of what is
+/// asked for by a few pictures; a file deleted meanwhile plays on. Never throws for a bad file: failure()
+/// tells.
+class ShotSource {
+  public:
+    /// Begins at once to read.
+    ShotSource(std::string file, const ShotRequest& request);
+
+    /// Whether there is a first picture.
+    bool is_ready() const { return current_ || !queue_.is_empty(); }
+
+    /// Why no picture comes any more, in plain words; the last one stays.
+    std::optional<std::string> failure() const;
+
+    /// The newest picture due, without waiting; nothing before the first is ready.
+    ///
+    /// @param local  since the shot began to be shown, never going back; it plays in loops of its duration.
+    /// Where decoding cannot keep up the shot falls behind `local` rather than skip pictures.
+    std::optional<Sample> frame_at(std::chrono::nanoseconds local);
+
+    /// Waits until frame_at(local) is exact: for rendering at its own pace. False: not within `patience`.
+    bool wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience);
+
+    /// Waits until is_ready() or failure(), but not beyond `patience`.
+    void wait_until_ready(std::chrono::nanoseconds patience) const { queue_.wait(patience); }
+
+    /// How far the subject has moved in the picture last given by frame_at(), source px.
+    Vec2 slide() const;
+
+    /// Pictures to come get another size; a photo that is still being read keeps the one it has.
+    void resize(int width, int height);
+
+    /// How often a picture was due and not there.
+    std::uint64_t late() const { return late_; }
+
+    /// Begins to end; the destructor does not wait for long once has_ended().
+    void stop();
+    bool has_ended() const;
+
+  private:
+    std::chrono::nanoseconds position(const LoopedSample& sample) const;
+    void take_due(std::chrono::nanoseconds target);
+    void judge_lateness(std::chrono::nanoseconds local);
+
+    std::string file_;
+    ShotRequest request_;
+    SampleQueue queue_;
+    std::unique_ptr<FilmLoop> film_;    // of a video
+    std::unique_ptr<PhotoLoad> photo_;  // of a photo
+    std::optional<LoopedSample> current_;
+    std::chrono::nanoseconds behind_{0};  // `local`, by decoding too slowly
+    std::chrono::nanoseconds judged_{-1};
+    std::uint64_t late_ = 0;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "player/playback/shot_source.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// What became of a source, told once each.
+struct SourceEvent {
+    SourceId source = 0;
+    std::optional<std::string> failure;  // in plain words; none: it is ready
+};
+
+/// The sources of what is on the wall and of what comes next. Reading and ending happen in the background, a
+/// few at a time.
+class SourcePool {
+  public:
+    /// @param root  the media folder
+    explicit SourcePool(std::string root) : root_(std::move(root)) {}
+
+    /// A new source, or another size for one there is.
+    void request(const ShotRequest& request);
+
+    /// The source is not needed any more; ends in the background.
+    void retire(SourceId source);
+
+    /// To be called once a frame: starts what waits, buries what has ended.
+    std::vector<SourceEvent> update();
+
+    /// Takes every source of the frame to its item's time, and each item's slide to the very picture.
+    void advance(Frame& frame);
+
+    /// The picture of a source as of the last advance(); nothing before its first.
+    std::optional<Sample> sample(SourceId source) const;
+
+    /// Waits until advance() of this frame will be exact: for rendering at its own pace.
+    /// False: not within `patience`.
+    bool wait_for(const Frame& frame, std::chrono::nanoseconds patience);
+
+    /// Waits until every source that was requested is ready or has failed, telling of each.
+    std::vector<SourceEvent> wait_until_ready(std::chrono::nanoseconds patience);
+
+    /// Pictures that were due and not there, of all sources so far.
+    std::uint64_t late() const;
+
+  private:
+    struct Playing {
+        std::unique_ptr<ShotSource> source;
+        std::optional<Sample> sample;
+        bool is_told_ready = false;
+        bool is_told_failed = false;
+    };
+
+    void start_waiting(std::vector<SourceEvent>& events);
+    void tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events);
+
+    std::string root_;
+    std::deque<ShotRequest> waiting_;
+    std::map<SourceId, Playing> playing_;
+    std::vector<std::unique_ptr<ShotSource>> ending_;
+    std::uint64_t late_of_retired_ = 0;
+};
+
+}  // namespace vitrine
