@@ -1,9 +1,25 @@
 #include "player/playback/photo_load.hpp"
 
+#include "base/media/still_picture.hpp"
+
 #include <exception>
+#include <memory>
 #include <utility>
 
 namespace vitrine {
+
+namespace {
+
+Sample read(const std::string& file, int width, int height) {
+    auto picture = std::make_shared<const StillPicture>(load_still(file, width, height));
+    return {.width = picture->width,
+            .height = picture->height,
+            .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
+            .pixels = picture->pixels,
+            .owner = std::move(picture)};
+}
+
+}  // namespace
 
 PhotoLoad::PhotoLoad(std::string file, int width, int height, SampleQueue& queue)
     : queue_(queue), thread_([this, file = std::move(file), width, height] { run(file, width, height); }) {}
@@ -18,14 +34,15 @@ std::optional<std::string> PhotoLoad::failure() const {
 }
 
 void PhotoLoad::run(const std::string& file, int width, int height) {
-    (void)file;
-    (void)width;
-    (void)height;
-    {
-        const std::lock_guard lock(mutex_);
-        failure_ = "photos are not read yet";
+    try {
+        queue_.put({.sample = read(file, width, height)});
+    } catch (const std::exception& error) {
+        {
+            const std::lock_guard lock(mutex_);
+            failure_ = error.what();
+        }
+        queue_.close();
     }
-    queue_.close();
     has_ended_ = true;
 }
 

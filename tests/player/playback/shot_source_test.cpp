@@ -1,0 +1,146 @@
+#include "player/playback/shot_source.hpp"
+
+#include "tests/player/playback/numbered_film.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto patience = 20s;
+const std::string mp4 = "x264enc bframes=2 b-adapt=false key-int-max=25 speed-preset=veryfast ! mp4mux";
+
+/// Pictures 40 to 63 of a film of 25 a second.
+ShotRequest part() {
+    return {.source = 1,
+            .kind = MediaKind::video,
+            .shot = {.begin = 1600ms, .end = 2560ms, .region = {.polygon = {}, .drift = {25, -50}}},
+            .width = 160,
+            .height = 96};
+}
+
+/// A photo of 40 x 20, the left half red, the right half blue.
+void write_photo(const std::string& file) {
+    std::ofstream stream(file, std::ios::binary);
+    const auto number = [&](std::uint32_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            stream.put(static_cast<char>(value >> (8 * i)));
+    };
+    stream << "BM";
+    number(54 + 40 * 20 * 3, 4);
+    number(0, 4);
+    number(54, 4);
+    number(40, 4);
+    number(40, 4);
+    number(20, 4);
+    number(1, 2);
+    number(24, 2);
+    for (int i = 0; i < 6; ++i)
+        number(0, 4);
+    for (int i = 0; i < 40 * 20; ++i)
+        number(i % 40 < 20 ? 0xff0000 : 0x0000ff, 3);
+}
+
+}  // namespace
+
+TEST_CASE("at each time the shot shows the newest picture due, loop after loop") {
+    const Folder folder;
+    write_film(folder.path / "film", {.rate = 25, .chain = mp4});
+    ShotSource source(folder.path / "film", part());
+    for (int i = 0; i < 3 * 24; ++i) {
+        for (const auto within : {0ms, 20ms, 38ms}) {
+            const auto local = i * 40ms + within;
+            REQUIRE(source.wait_for(local, patience));
+            REQUIRE(number(source.frame_at(local).value()) == 40 + i % 24);
+        }
+        CHECK(length(source.slide() - Vec2{25 * 0.04 * (i % 24), -50 * 0.04 * (i % 24)}) < 1e-6);
+    }
+    CHECK(source.late() == 0);
+    CHECK_FALSE(source.failure());
+}
+
+TEST_CASE("at a lower rate than the film's pictures are left out, none comes late") {
+    const Folder folder;
+    write_film(folder.path / "film", {.rate = 25, .chain = mp4});
+    ShotSource source(folder.path / "film", part());
+    for (int i = 0; i < 40; ++i) {
+        const auto local = i * 100ms;
+        REQUIRE(source.wait_for(local, patience));
+        REQUIRE(number(source.frame_at(local).value()) == 40 + (i * 100 % 960) / 40);
+    }
+    CHECK(source.late() == 0);
+}
+
+TEST_CASE("a shot whose decoding cannot keep up is late and then goes on from where it is") {
+    const Folder folder;
+    write_film(folder.path / "film", {.rate = 25, .chain = mp4});
+    ShotSource source(folder.path / "film", part());
+    source.wait_until_ready(patience);
+    source.frame_at(0s);
+    source.frame_at(1h);
+    CHECK(source.late() == 1);
+    REQUIRE(source.wait_for(1h, patience));
+    const int shown = number(source.frame_at(1h).value());
+    REQUIRE(source.wait_for(1h + 80ms, patience));
+    CHECK(number(source.frame_at(1h + 80ms).value()) == shown + 2);
+}
+
+TEST_CASE("nothing is there before the first picture, and asking does not wait") {
+    const Folder folder;
+    write_film(folder.path / "film", {.rate = 25, .chain = mp4});
+    ShotSource source(folder.path / "film", part());
+    const bool was_ready = source.is_ready();
+    CHECK(source.frame_at(0s).has_value() >= was_ready);
+    source.wait_until_ready(patience);
+    CHECK(source.is_ready());
+    CHECK(source.frame_at(0s).has_value());
+}
+
+TEST_CASE("a photo is one picture at the size asked for that stays") {
+    const Folder folder;
+    write_photo(folder.path / "photo.bmp");
+    ShotSource source(
+        folder.path / "photo.bmp",
+        {.source = 1, .shot = {.region = {.polygon = {}, .drift = {9, 9}}}, .width = 20, .height = 10});
+    REQUIRE(source.wait_for(0s, patience));
+    const Sample sample = source.frame_at(0s).value();
+    CHECK(sample.width == 20);
+    CHECK(sample.height == 10);
+    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 0]) > 240);  // red
+    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 3]) == 255);
+    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 15 + 2]) > 240);  // blue
+    std::filesystem::remove(folder.path / "photo.bmp");
+    CHECK(source.wait_for(1h, patience));
+    CHECK(source.frame_at(1h)->pixels.data() == sample.pixels.data());
+    CHECK(source.slide() == Vec2{});
+    CHECK(source.late() == 0);
+    CHECK_FALSE(source.failure());
+}
+
+TEST_CASE("a photo asked for in another size is read again and the old one shown meanwhile") {
+    const Folder folder;
+    write_photo(folder.path / "photo.bmp");
+    ShotSource source(folder.path / "photo.bmp", {.source = 1, .width = 20, .height = 10});
+    REQUIRE(source.wait_for(0s, patience));
+    while (!source.has_ended())
+        std::this_thread::yield();
+    source.resize(40, 20);
+    while (!source.has_ended()) {
+        CHECK(source.frame_at(1s).has_value());
+    }
+    CHECK(source.frame_at(1s)->width == 40);
+}
+
+TEST_CASE("a photo that cannot be read is a failure with a reason") {
+    const Folder folder;
+    std::ofstream(folder.path / "photo.jpg") << std::string(20000, 'x');
+    ShotSource source(folder.path / "photo.jpg", {.source = 1, .width = 20, .height = 10});
+    CHECK_FALSE(source.wait_for(0s, patience));
+    CHECK(source.failure().value_or("").size() > 10);
+    CHECK_FALSE(source.is_ready());
+}

@@ -1,0 +1,88 @@
+#include "player/playback/source_pool.hpp"
+
+#include "tests/player/playback/numbered_film.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto patience = 20s;
+const std::string mp4 = "x264enc key-int-max=25 speed-preset=veryfast ! mp4mux";
+
+ShotRequest request(SourceId source, std::string path) {
+    return {.source = source,
+            .path = std::move(path),
+            .kind = MediaKind::video,
+            .shot = {.begin = 0s, .end = 1s, .region = {.polygon = {}, .drift = {25, 0}}},
+            .width = 160,
+            .height = 96};
+}
+
+Frame frame_of(int sources, std::chrono::nanoseconds local) {
+    Frame frame{.canvas = {640, 480}};
+    for (int i = 1; i <= sources; ++i) {
+        frame.items.push_back({.source = static_cast<SourceId>(i), .slide = {-1, -1}, .local = local});
+    }
+    return frame;
+}
+
+}  // namespace
+
+TEST_CASE("every source asked for is told of once, ready or failed with a reason") {
+    const Folder folder;
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    SourcePool pool(folder.path);
+    for (SourceId id = 1; id <= 8; ++id)
+        pool.request(request(id, id == 5 ? "missing" : "film"));
+    std::multiset<SourceId> ready;
+    std::multiset<SourceId> failed;
+    for (const SourceEvent& event : pool.wait_until_ready(patience)) {
+        (event.failure ? failed : ready).insert(event.source);
+    }
+    CHECK(ready == std::multiset<SourceId>{1, 2, 3, 4, 6, 7, 8});
+    CHECK(failed == std::multiset<SourceId>{5});
+    CHECK(pool.update().empty());
+}
+
+TEST_CASE("a frame's sources are taken to its time and its slides to the very pictures") {
+    const Folder folder;
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    SourcePool pool(folder.path);
+    for (SourceId id = 1; id <= 3; ++id)
+        pool.request(request(id, "film"));
+    pool.wait_until_ready(patience);
+    for (int i = 0; i < 60; ++i) {
+        Frame frame = frame_of(3, i * 40ms + 13ms);
+        REQUIRE(pool.wait_for(frame, patience));
+        pool.advance(frame);
+        for (const DrawItem& item : frame.items) {
+            REQUIRE(number(pool.sample(item.source).value()) == i % 25);
+            CHECK(length(item.slide - Vec2{25 * 0.04 * (i % 25), 0}) < 1e-6);
+        }
+    }
+    CHECK(pool.late() == 0);
+}
+
+TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
+    const Folder folder;
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    for (int i = 0; i < 10; ++i) {
+        SourcePool pool(folder.path);
+        for (SourceId id = 1; id <= 8; ++id)
+            pool.request(request(id, "film"));
+        pool.update();
+        if (i % 2 == 0) pool.wait_until_ready(patience);
+        for (SourceId id = 1; id <= 8; ++id)
+            pool.retire(id);
+        CHECK(pool.update().empty());
+        CHECK_FALSE(pool.sample(1).has_value());
+        Frame frame = frame_of(8, 0s);
+        pool.advance(frame);
+        CHECK(frame.items[0].slide == Vec2{-1, -1});
+    }
+}
