@@ -1,0 +1,55 @@
+#pragma once
+
+#include "player/layout/contacts.hpp"
+
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+/// What an arrangement must respect: the shapes, their scales, the canvas.
+struct Ground {
+    std::vector<Shape> shapes;
+    std::vector<double> scales;  // wished canvas px per source px, relative: all are multiplied by one growth
+    std::vector<double> limits;  // no item beyond this scale: blur, or it would not fit on the canvas
+    std::vector<bool> pinned;    // keeps its place and its scale, which is scales[i] whatever the growth
+    std::vector<Vec2> pinned_places;  // canvas px, centroids; of pinned items only
+    Box field;                        // canvas px, where I-Regions may be
+    double clearance = 0;             // canvas px between I-Regions
+
+    std::size_t size() const { return shapes.size(); }
+
+    /// The scale of an item at a growth: scales * growth, up to the limit.
+    double scale(std::size_t item, double growth) const;
+
+    /// Where an item's centroid may be for the region to lie in the field. A pinned item: anywhere.
+    Box range(std::size_t item, double growth) const;
+};
+
+/// Where all items stand. Places are centroids in canvas px.
+struct Arrangement {
+    std::vector<Vec2> places;
+    double growth = 1;
+};
+
+/// Moves a place into a box.
+Vec2 held(Vec2 place, const Box& range);
+
+/// Whether all items keep clear of each other and inside the field. Sets the scales of `contacts`.
+bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts);
+
+/// Grows (or shrinks) all items where they stand as far as they stay free; 0 where no growth is free.
+/// @param least, most  bounds of the growth
+double greatest_growth(const Ground& ground, const Arrangement& arrangement, Contacts& contacts, double least,
+                       double most);
+
+/// The growth at which every item is at its limit.
+double final_growth(const Ground& ground);
+
+/// The arrangement's scales for Contacts::set_scales.
+std::vector<double> scales_at(const Ground& ground, double growth);
+
+/// Area of all I-Regions, canvas px^2.
+double region_area(const Ground& ground, double growth);
+
+}  // namespace vitrine

@@ -1,0 +1,30 @@
+#include "player/layout/layout_item.hpp"
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+constexpr double least_side = 8;      // source px of a core that can be shown
+constexpr double least_area = 1;      // source px^2 of a region
+constexpr double middle_share = 0.6;  // side of the box that stands for a missing region, of the core's
+
+Polygon middle_box(const Box& core) {
+    const Vec2 half = (core.max - core.min) * (middle_share / 2);
+    return to_polygon({core.centre() - half, core.centre() + half});
+}
+
+}  // namespace
+
+LayoutItem layout_item(const MediaRecord& record, const Shot& shot) {
+    LayoutItem item;
+    item.core = core(record, shot);
+    if (std::min(item.core.width(), item.core.height()) < least_side)
+        item.core = {{0, 0}, {std::max(1.0, 1.0 * record.width), std::max(1.0, 1.0 * record.height)}};
+    item.region = clipped(shot.region.polygon, item.core);
+    if (area(item.region) < least_area) item.region = middle_box(item.core);
+    return item;
+}
+
+}  // namespace vitrine

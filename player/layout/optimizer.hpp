@@ -1,0 +1,34 @@
+#pragma once
+
+#include "player/layout/arrangement.hpp"
+#include "player/layout/effort.hpp"
+#include "player/layout/separation.hpp"
+
+#include <functional>
+
+namespace vitrine {
+
+/// Told of every better arrangement; each is free of overlap.
+using OnBetter = std::function<void(const Arrangement&)>;
+
+/// Makes all I-Regions as large as possible on the field: grows them a little, separates them, and again.
+/// After failures it goes on from a disturbed arrangement; towards the end the steps become finer and start
+/// from the best. Anytime: the best so far is always free.
+///
+/// @param start   free of overlap
+/// @param effort  spent whole, unless the items reach their limits or nothing more is found for long
+/// @return        at least as large as `start`, free of overlap
+/// Source: Dynamic Media Assemblage 3.4.2 asks for a way out of local minima; ALGORITHMS (d).
+Arrangement densest(const Ground& ground, const Arrangement& start, Random& random, Effort& effort,
+                    const OnBetter& on_better = {});
+
+/// The same without leaps, for a wall that people look at: items move near their homes only.
+/// @param homes  where the items stood, canvas px
+Arrangement calmly_grown(const Ground& ground, const Arrangement& start, const std::vector<Vec2>& homes,
+                         Random& random, Effort& effort);
+
+/// Moves each item back towards its home as far as the way is free; never farther away from it.
+void pull_home(const Ground& ground, Arrangement& arrangement, const std::vector<Vec2>& homes,
+               Contacts& contacts);
+
+}  // namespace vitrine

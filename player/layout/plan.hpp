@@ -1,0 +1,23 @@
+#pragma once
+
+#include "player/layout/plan_request.hpp"
+
+#include <functional>
+
+namespace vitrine {
+
+/// Who watches a plan being made. Both may be empty.
+struct PlanWatch {
+    std::function<void(const Layout&)> on_better;  // each is complete and free of overlap
+    std::function<bool()> should_stop;             // asked about every 1000 moves
+};
+
+/// Where every item shall stand. In every layout, also those told to `on_better`, the I-Regions lie whole
+/// inside the canvas, pairwise at least `clearance` apart (pinned items among themselves excepted).
+///
+/// With no previous placement: initial packing, then growing and separating. Otherwise kept items move as
+/// little as possible: newcomers enter at their seat or where most room is, and only what is in their way
+/// makes room. Source: Dynamic Media Assemblage 3.4; ALGORITHMS (d) "Slots rotating".
+Layout plan(const PlanRequest& request, const PlanWatch& watch = {});
+
+}  // namespace vitrine

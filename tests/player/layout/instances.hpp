@@ -1,0 +1,47 @@
+#pragma once
+
+#include "base/geometry/convex_hull.hpp"
+#include "player/layout/effort.hpp"
+#include "player/layout/plan.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace vitrine {
+
+/// An item like those of real media: a convex region somewhere in a frame of a usual size.
+inline LayoutItem random_item(Random& random) {
+    constexpr Vec2 sizes[] = {{1920, 1080}, {1280, 720}, {3000, 2000},
+                              {2000, 3000}, {640, 360},  {1080, 1920}};
+    const Vec2 size = sizes[uniform_index(random, std::size(sizes))];
+    const double x = uniform(random);
+    const Vec2 middle{size.x * (0.3 + 0.4 * x), size.y * (0.3 + 0.4 * uniform(random))};
+    Polygon points;
+    for (int i = 0; i < 12; ++i) {
+        const double angle = uniform(random) * 2 * std::numbers::pi;
+        const double reach = 0.5 + 0.5 * uniform(random);
+        points.push_back(middle +
+                         Vec2{std::cos(angle) * size.x * 0.35, std::sin(angle) * size.y * 0.4} * reach);
+    }
+    const Box core{{0, 0}, size};
+    return {.region = clipped(convex_hull(points), core), .core = core};
+}
+
+inline PlanRequest random_request(std::size_t count, std::uint64_t seed) {
+    Random random(seed);
+    PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 30'000, .most_scale = 4};
+    for (std::size_t i = 0; i < count; ++i)
+        request.items.push_back({.item = random_item(random)});
+    return request;
+}
+
+inline std::vector<LayoutItem> items_of(const PlanRequest& request) {
+    std::vector<LayoutItem> items;
+    for (const PlanItem& item : request.items)
+        items.push_back(item.item);
+    return items;
+}
+
+}  // namespace vitrine

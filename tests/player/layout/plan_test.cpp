@@ -1,0 +1,130 @@
+#include "player/layout/plan.hpp"
+
+#include "player/layout/energy.hpp"
+#include "player/layout/plan_output.hpp"
+#include "tests/player/layout/instances.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <fstream>
+
+using namespace vitrine;
+
+namespace {
+
+/// Whether all regions lie in the canvas and none covers another; leaves a picture where not.
+bool is_sound(const PlanRequest& request, const Layout& layout, const std::string& name) {
+    const std::vector<LayoutItem> items = items_of(request);
+    bool sound = layout.placements.size() == items.size() && layout.canvas == request.canvas;
+    if (sound && !items.empty()) {
+        const Measure measure = measured(items, layout.placements);
+        sound = measure.hidden == 0 && measure.bounds.min.x >= 0 && measure.bounds.min.y >= 0 &&
+                measure.bounds.max.x <= layout.canvas.x && measure.bounds.max.y <= layout.canvas.y;
+    }
+    for (const Placement& placement : layout.placements)
+        sound = sound && placement.scale > 0 && placement.scale <= request.most_scale * (1 + 1e-9);
+    if (sound || layout.placements.size() != items.size()) return sound;
+    std::vector<NamedItem> named;
+    for (const LayoutItem& item : items)
+        named.push_back({name, named.size(), item});
+    std::ofstream(fmt::format("{}.svg", name)) << plan_svg({.items = named, .layout = layout});
+    return sound;
+}
+
+}  // namespace
+
+TEST_CASE("no I-Region is ever covered or leaves the canvas, whatever the number of items") {
+    for (const std::size_t count : {0, 1, 2, 3, 4, 5, 6, 8, 12, 24, 50})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const PlanRequest request = random_request(count, seed);
+            CHECK(is_sound(request, plan(request), fmt::format("items_{}_{}", count, seed)));
+        }
+}
+
+TEST_CASE("every layout on the way is sound and none is worse than the one before") {
+    const PlanRequest request = random_request(9, 4);
+    double energy = 1;
+    int told = 0;
+    const Layout last = plan(request, {.on_better = [&](const Layout& layout) {
+                                 CHECK(is_sound(request, layout, "on_the_way"));
+                                 CHECK(layout.energy <= energy + 1e-12);
+                                 energy = layout.energy;
+                                 ++told;
+                             }});
+    CHECK(told > 2);
+    CHECK(last.energy <= energy);
+}
+
+TEST_CASE("the same request gives the same layout and another seed another") {
+    PlanRequest request = random_request(7, 5);
+    const Layout first = plan(request);
+    CHECK(plan(request).placements == first.placements);
+    request.seed = 6;
+    CHECK(plan(request).placements != first.placements);
+}
+
+TEST_CASE("degenerate regions and extreme frames are laid out") {
+    PlanRequest request{.canvas = {1280, 720}, .budget = 10'000};
+    request.items.push_back({.item = {.region = {}, .core = {{0, 0}, {100, 100}}}});
+    request.items.push_back({.item = {.region = {{5, 5}}, .core = {{0, 0}, {100, 100}}}});
+    request.items.push_back({.item = {.region = {{0, 0}, {4000, 0}}, .core = {{0, 0}, {4000, 30}}}});
+    request.items.push_back(
+        {.item = {.region = {{0, 0}, {900, 900}, {450, 450}}, .core = {{0, 0}, {900, 900}}}});
+    request.items.push_back(
+        {.item = {.region = to_polygon({{0, 0}, {30, 5000}}), .core = {{0, 0}, {30, 5000}}}});
+    request.items.push_back({.item = {.region = to_polygon({{0, 0}, {1, 1}}), .core = {{0, 0}, {1, 1}}}});
+    request.items.push_back(
+        {.item = {.region = to_polygon({{0, 0}, {800, 600}}), .core = {{0, 0}, {800, 600}}}});
+    CHECK(is_sound(request, plan(request), "degenerate"));
+}
+
+TEST_CASE("a single region fills the canvas as far as it may be enlarged") {
+    PlanRequest request{.canvas = {1000, 500}, .margin = 0, .most_scale = 10};
+    request.items.push_back(
+        {.item = {.region = to_polygon({{10, 10}, {60, 60}}), .core = {{0, 0}, {80, 80}}}});
+    CHECK(plan(request).placements[0].scale == doctest::Approx(10).epsilon(0.001));
+    request.most_scale = 3;
+    CHECK(plan(request).placements[0].scale == doctest::Approx(3));
+}
+
+TEST_CASE("kept items move little when one is replaced, and pinned ones not at all") {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        PlanRequest request = random_request(8, seed);
+        request.budget = 100'000;
+        const std::vector<Placement> before = plan(request).placements;
+        for (std::size_t i = 0; i < before.size(); ++i)
+            request.items[i].previous = before[i];
+        request.items[0].is_pinned = request.items[1].is_pinned = true;
+        const Seat seat = seat_of(request.items[5].item, before[5]);
+        Random random(seed + 100);
+        request.items[5] = {.item = random_item(random), .seat = seat};
+        const Layout after = plan(request);
+        CHECK(is_sound(request, after, fmt::format("replaced_{}", seed)));
+        CHECK(after.placements[0] == before[0]);
+        CHECK(after.placements[1] == before[1]);
+        std::vector<double> moves;
+        for (const std::size_t i : {2, 3, 4, 6, 7}) {
+            const LayoutItem& item = request.items[i].item;
+            moves.push_back(
+                length(seat_of(item, after.placements[i]).centre - seat_of(item, before[i]).centre));
+        }
+        std::sort(moves.begin(), moves.end());
+        CHECK(moves[2] <= 0.1 * length(request.canvas));  // the median
+    }
+}
+
+TEST_CASE("items can be inserted and deleted from a standing layout") {
+    PlanRequest request = random_request(8, 9);
+    std::vector<Placement> before = plan(request).placements;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        request.items[i].previous = before[i];
+    Random random(77);
+    request.items.push_back({.item = random_item(random)});
+    before = plan(request).placements;
+    CHECK(is_sound(request, plan(request), "inserted"));
+    for (std::size_t i = 0; i < before.size(); ++i)
+        request.items[i].previous = before[i];
+    request.items.erase(request.items.begin() + 2);
+    CHECK(is_sound(request, plan(request), "deleted"));
+}
