@@ -122,6 +122,7 @@ void Daemon::perform(const Action& action) {
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
         unsaved_.erase(action.path);
+        told_waiting_.erase(action.path);
         return catalogue_.remove(action.path);
     }
 }
@@ -163,11 +164,17 @@ void Daemon::answer(Outcome outcome) {
     case Verdict::give_up:
         record.state = MediaState::failed;
         break;
-    case Verdict::store:
     case Verdict::quarantine:
+        record.reason = "twice " + record.reason;
+        break;
+    case Verdict::store:
         break;
     }
     store(record);
+    if (record.state != MediaState::waiting)
+        told_waiting_.erase(record.path);
+    else if (!told_waiting_.insert(record.path).second)
+        return;  // it waits on
     tell(record);
 }
 
@@ -220,8 +227,8 @@ ChildLimits Daemon::limits_for(const FileFacts& facts) const {
 std::string Daemon::status() const {
     if (!is_online()) return remarks_.empty() ? "starting" : remarks_.front();
     const Schedule::Counts counts = schedule_.counts();
-    return fmt::format("{} files, {} of them being analysed, {} to come", counts.files, counts.running,
-                       counts.due + counts.settling);
+    return fmt::format("{} files, {} of them being analysed, {} to come, {} waiting to be complete",
+                       counts.files, counts.running, counts.due + counts.settling, counts.waiting);
 }
 
 }  // namespace vitrine

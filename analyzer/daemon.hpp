@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ class Daemon {
     FolderFollower follower_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
     std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
+    std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough
     std::vector<std::string> remarks_;            // of the last rescan: each is told once
     std::size_t analysed_ = 0;
     EventLoop::Source events_, wake_, rescan_, watchdog_;

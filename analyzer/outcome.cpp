@@ -41,9 +41,9 @@ std::string last_line(const std::string& text) {
 std::string reason_of(const ChildResult& result, const ChildLimits& limits) {
     switch (result.end) {
     case ChildResult::End::late:
-        return fmt::format("twice it took longer than {} s", limits.deadline.count() / 1000);
+        return fmt::format("it took longer than {} s", limits.deadline.count() / 1000);
     case ChildResult::End::killed:
-        return fmt::format("it crashed the reader twice: {}", signal_in_words(result.code));
+        return fmt::format("it crashed the reader: {}", signal_in_words(result.code));
     case ChildResult::End::talked_too_much:
         return "its analysis is larger than anything sensible";
     case ChildResult::End::stopped:

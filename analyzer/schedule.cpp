@@ -192,7 +192,9 @@ std::vector<std::string> Schedule::paths_below(const std::string& folder) const 
 Schedule::Counts Schedule::counts() const {
     Counts counts{.files = entries_.size()};
     for (const auto& [path, entry] : entries_) {
-        counts.settling += entry.phase == Phase::settling ? 1 : 0;
+        const bool is_waiting = entry.phase == Phase::settling && entry.waits > 0;
+        counts.waiting += is_waiting ? 1 : 0;
+        counts.settling += entry.phase == Phase::settling && !is_waiting ? 1 : 0;
         counts.due += entry.phase == Phase::due ? 1 : 0;
         counts.running += entry.phase == Phase::running ? 1 : 0;
         counts.done += entry.phase == Phase::done ? 1 : 0;

@@ -94,7 +94,7 @@ class Schedule {
     std::vector<std::string> paths_below(const std::string& folder) const;
 
     struct Counts {
-        std::size_t files = 0, settling = 0, due = 0, running = 0, done = 0;
+        std::size_t files = 0, settling = 0, waiting = 0, due = 0, running = 0, done = 0;
     };
 
     Counts counts() const;

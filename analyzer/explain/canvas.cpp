@@ -27,7 +27,7 @@ struct GFree {
     void operator()(void* memory) const { g_free(memory); }
 };
 
-cv::Scalar bgr(Colour colour) {
+cv::Scalar bgr(Ink colour) {
     return {static_cast<double>(colour & 0xFFU), static_cast<double>((colour >> 8U) & 0xFFU),
             static_cast<double>((colour >> 16U) & 0xFFU)};
 }
@@ -67,13 +67,13 @@ int baseline_offset(const std::string& line, double size) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height, Colour background) : picture_(height, width, CV_8UC3, bgr(background)) {
+Canvas::Canvas(int width, int height, Ink background) : picture_(height, width, CV_8UC3, bgr(background)) {
     if (vips_init("vitrine") != 0) {
         throw std::runtime_error(fmt::format("start libvips: {}", vips_error_buffer()));
     }
 }
 
-void Canvas::fill(const Box& box, Colour colour) {
+void Canvas::fill(const Box& box, Ink colour) {
     const cv::Rect r(cv::Point2d(box.min.x, box.min.y), cv::Point2d(box.max.x, box.max.y));
     picture_(r & cv::Rect({}, picture_.size())).setTo(bgr(colour));
 }
@@ -84,7 +84,7 @@ void Canvas::place(const cv::Mat& picture, Vec2 at) {
     if (!seen.empty()) picture(seen - all.tl()).copyTo(picture_(seen));
 }
 
-void Canvas::outline(const Polygon& polygon, Colour colour, int thickness) {
+void Canvas::outline(const Polygon& polygon, Ink colour, int thickness) {
     std::vector<cv::Point> points;
     for (const Vec2 p : polygon) {
         points.emplace_back(static_cast<int>(std::lround(p.x * (1 << sub_pixel_bits))),
@@ -97,8 +97,7 @@ int Canvas::text_width(std::string_view line, double size, TextWeight weight) co
     return text_mask(valid_text(line), size, weight).cols;
 }
 
-int Canvas::text(std::string_view line, Vec2 at, double size, Colour colour, TextWeight weight,
-                 int most_width) {
+int Canvas::text(std::string_view line, Vec2 at, double size, Ink colour, TextWeight weight, int most_width) {
     std::string shown = valid_text(line);
     cv::Mat mask = text_mask(shown, size, weight);
     for (glong left = g_utf8_strlen(shown.c_str(), -1) - 2; mask.cols > most_width && left > 4; left -= 2) {

@@ -11,7 +11,7 @@
 namespace vitrine {
 
 /// 0xRRGGBB.
-using Colour = unsigned;
+using Ink = unsigned;
 
 enum class TextWeight { normal, bold };
 
@@ -20,21 +20,21 @@ enum class TextWeight { normal, bold };
 class Canvas {
   public:
     /// @throws std::runtime_error if libvips cannot be started
-    Canvas(int width, int height, Colour background);
+    Canvas(int width, int height, Ink background);
 
-    void fill(const Box& box, Colour colour);
+    void fill(const Box& box, Ink colour);
 
     /// A picture CV_8UC3 (BGR) placed with its corner at `at`, in its own size, clipped to the canvas.
     void place(const cv::Mat& picture, Vec2 at);
 
-    void outline(const Polygon& polygon, Colour colour, int thickness);
+    void outline(const Polygon& polygon, Ink colour, int thickness);
 
     /// One line of text with the middle of its height at `at.y`; what is not UTF-8 is shown as replacement
     /// characters.
     /// @param most_width  beyond it the middle of the text is left out
     /// @return            the width drawn
-    int text(std::string_view line, Vec2 at, double size, Colour colour,
-             TextWeight weight = TextWeight::normal, int most_width = 100'000);
+    int text(std::string_view line, Vec2 at, double size, Ink colour, TextWeight weight = TextWeight::normal,
+             int most_width = 100'000);
 
     int text_width(std::string_view line, double size, TextWeight weight = TextWeight::normal) const;
 

@@ -22,13 +22,13 @@ constexpr int column_titles_height = 34;
 constexpr int row_title_height = 34;
 constexpr int row_gap = 22;
 constexpr int sheet_width = 2 * margin + columns * cell_width + (columns - 1) * gap;
-constexpr Colour paper = 0xFBFAF8;
-constexpr Colour ink = 0x1C1B1A;
-constexpr Colour faint_ink = 0x76726D;
-constexpr Colour no_map = 0xECE9E5;
-constexpr Colour region_colour = 0xFF8A00;
-constexpr Colour end_colour = 0x00C8E0;
-constexpr Colour face_colour = 0x4CE06A;
+constexpr Ink paper = 0xFBFAF8;
+constexpr Ink ink = 0x1C1B1A;
+constexpr Ink faint_ink = 0x76726D;
+constexpr Ink no_map = 0xECE9E5;
+constexpr Ink region_colour = 0xFF8A00;
+constexpr Ink end_colour = 0x00C8E0;
+constexpr Ink face_colour = 0x4CE06A;
 constexpr double dimmed = 0.4;  // brightness outside the region
 
 struct Cell {

@@ -14,13 +14,13 @@ using std::chrono::nanoseconds;
 constexpr double bar_height = 30;
 constexpr double tick_y = 46;
 constexpr double legend_x = 360;  // from the right
-constexpr Colour plain_shot = 0xC9C4BD;
-constexpr Colour shown_shot = 0x4A6FA5;
-constexpr Colour dissolve = 0xE0A13A;
-constexpr Colour fade = 0x2B2927;
-constexpr Colour ink = 0x76726D;
-constexpr Colour number_ink = 0xFFFFFF;
-constexpr Colour hole = 0xECE9E5;
+constexpr Ink plain_shot = 0xC9C4BD;
+constexpr Ink shown_shot = 0x4A6FA5;
+constexpr Ink dissolve = 0xE0A13A;
+constexpr Ink fade = 0x2B2927;
+constexpr Ink ink = 0x76726D;
+constexpr Ink number_ink = 0xFFFFFF;
+constexpr Ink hole = 0xECE9E5;
 
 double seconds(nanoseconds time) {
     return std::chrono::duration<double>(time).count();
@@ -35,14 +35,14 @@ double tick_step(double duration) {
     return steps.back() * std::ceil(duration / steps.back() / 10);
 }
 
-Colour transition_colour(ShotEnd end) {
+Ink transition_colour(ShotEnd end) {
     if (end == ShotEnd::dissolve) return dissolve;
     return end == ShotEnd::fade ? fade : hole;
 }
 
 void draw_legend(Canvas& canvas, const Box& place) {
     double x = place.max.x - legend_x;
-    constexpr std::array<std::pair<const char*, Colour>, 3> entries{
+    constexpr std::array<std::pair<const char*, Ink>, 3> entries{
         {{"shown below", shown_shot}, {"dissolve", dissolve}, {"fade or black", fade}}};
     for (const auto& [name, colour] : entries) {
         canvas.fill({{x, place.min.y - 24}, {x + 12, place.min.y - 12}}, colour);

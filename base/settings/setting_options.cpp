@@ -41,4 +41,13 @@ Settings SettingOptions::settings() const {
     return settings;
 }
 
+std::vector<std::string> SettingOptions::arguments() const {
+    std::vector<std::string> words;
+    if (!config_.empty()) words.push_back("--config=" + config_);
+    for (const auto* options : {&given_, &aliased_})
+        for (const auto& [name, text] : *options)
+            if (!text.empty()) words.push_back("--" + name + "=" + text);
+    return words;
+}
+
 }  // namespace vitrine

@@ -1,0 +1,92 @@
+#include "analyzer/file_analysis.hpp"
+
+#include "analyzer/analyze.hpp"
+#include "analyzer/explain_file.hpp"
+#include "analyzer/video/frame_reader.hpp"
+#include "base/catalogue/media_error.hpp"
+#include "base/system/error.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <new>
+
+namespace vitrine {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
+    AnalysisSettings settings;
+    settings.frame_size = from.frame_size;
+    settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));
+    settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
+    settings.region.mode = from.region == "hull" ? RegionMode::hull : RegionMode::min_area;
+    settings.region.mass = from.region_mass;
+    settings.region.margin = from.region_margin;
+    settings.face_model = from.face_model;
+    settings.face_cascade = from.face_cascade;
+    return settings;
+}
+
+std::string path_in_record(const fs::path& file, const fs::path& root) {
+    const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
+        (fs::absolute(root) / "").lexically_normal());
+    const bool is_inside = !relative.empty() && *relative.begin() != ".." && relative != ".";
+    return is_inside ? relative.string() : file.string();
+}
+
+struct stat status_of(const fs::path& file) {
+    struct stat status {};
+
+    if (::stat(file.c_str(), &status) < 0) throw_errno("look at '{}'", file.string());
+    return status;
+}
+
+std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& status,
+                                    const Settings& settings) {
+    if (!S_ISREG(status.st_mode)) throw MediaError(MediaState::unsupported, "it is not a plain file");
+    return open_media(file.string(), settings.analyzer.frame_size);
+}
+
+/// Whatever the file is, there is something to say of it.
+MediaRecord analysed(const fs::path& file, const struct stat& status, const Settings& settings) {
+    const auto without_shots = [](MediaState state, const std::string& reason) {
+        MediaRecord record;
+        record.state = state;
+        record.reason = reason;
+        return record;
+    };
+    try {
+        return analyze(*opened(file, status, settings), analysis_settings(settings.analyzer));
+    } catch (const MediaError& error) {
+        return without_shots(error.state(), error.what());
+    } catch (const std::bad_alloc&) {
+        return without_shots(MediaState::failed,
+                             fmt::format("it needs more memory than {} MiB", settings.analyzer.memory));
+    }
+}
+
+}  // namespace
+
+MediaRecord record_of_file(const fs::path& file, const Settings& settings) {
+    const struct stat status = status_of(file);
+    MediaRecord record = analysed(file, status, settings);
+    record.path = path_in_record(file, settings.media.root);
+    record.bytes = static_cast<std::uint64_t>(status.st_size);
+    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+    return record;
+}
+
+MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {
+    const struct stat status = status_of(file);
+    const SheetTitle title{.name = file.filename().string(),
+                           .bytes = static_cast<std::uint64_t>(status.st_size)};
+    return write_explain_sheet(*opened(file, status, settings), title, sheet,
+                               analysis_settings(settings.analyzer));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,131 @@
+#include "analyzer/daemon.hpp"
+#include "analyzer/file_analysis.hpp"
+#include "base/catalogue/media_error.hpp"
+#include "base/catalogue/record_json.hpp"
+#include "base/settings/setting_options.hpp"
+#include "base/settings/settings_file.hpp"
+#include "base/system/error.hpp"
+#include "base/system/log.hpp"
+#include "base/system/service.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <thread>
+
+namespace vitrine {
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_can_be_limited = false;  // sanitizers reserve terabytes
+#else
+constexpr bool memory_can_be_limited = true;
+#endif
+
+struct CommandLine {
+    SettingOptions options;
+    std::string file;
+    std::string sheet = "sheet.png";
+    bool is_once = false;
+};
+
+/// The record is all that reaches the standard output: libraries that print go to the standard error.
+int analyze_command(const CommandLine& line, const Settings& settings) {
+    const UniqueFd output(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+    if (!output.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        throw_errno("redirect the standard output");
+    std::string_view text;
+    const std::string json = to_json(record_of_file(line.file, settings)) + "\n";
+    for (text = json; !text.empty();) {
+        const ssize_t n = ::write(output.get(), text.data(), text.size());
+        if (n < 0) throw_errno("write the record");
+        text.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return EXIT_SUCCESS;
+}
+
+int explain_command(const CommandLine& line, const Settings& settings) {
+    const MediaRecord record = explain_file(line.file, line.sheet, settings);
+    log::info("'{}': {} shots, explained in '{}'", line.file, record.shots.size(), line.sheet);
+    return EXIT_SUCCESS;
+}
+
+WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
+    constexpr int mebibyte_bits = 20;
+    const Settings::Analyzer& analyzer = settings.analyzer;
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t children =
+        analyzer.children > 0 ? static_cast<std::size_t>(analyzer.children) : (cores + 1) / 2;
+    WatchOptions options;
+    options.root = std::filesystem::absolute(settings.media.root).lexically_normal();
+    options.catalogue = std::filesystem::path(settings.state.directory) / "catalogue";
+    options.child = {"/proc/self/exe"};
+    for (const std::string& word : line.options.arguments())
+        options.child.push_back(word);
+    options.child.emplace_back("analyze");
+    options.limits.deadline = analyzer.deadline;
+    if (memory_can_be_limited)
+        options.limits.memory_bytes = static_cast<std::uint64_t>(analyzer.memory) << mebibyte_bits;
+    options.deadline_per_mebibyte = analyzer.deadline_per_mebibyte;
+    options.pace = {.children = children, .quiet = analyzer.quiet};
+    if (line.is_once) options.pace.first_retry = std::chrono::hours(24);  // what waits is left to the daemon
+    options.rescan = analyzer.rescan;
+    options.is_once = line.is_once;
+    return options;
+}
+
+int watch_command(const CommandLine& line, const Settings& settings) {
+    EventLoop loop;
+    const auto quit = [&loop] { loop.quit(); };
+    const EventLoop::Source terminate = loop.signal(SIGTERM, quit);
+    const EventLoop::Source interrupt = loop.signal(SIGINT, quit);
+    const Daemon daemon(loop, watch_options(line, settings));
+    service::ready(daemon.status());
+    log::info("watching '{}': {}", settings.media.root, daemon.status());
+    loop.run();
+    service::stopping();
+    return line.is_once && !daemon.is_online() ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+int run(int argc, char** argv) {
+    CommandLine line;
+    CLI::App app("Looks at the photos and films of the media folder and says what matters in them.",
+                 "vitrine-analyzer");
+    app.require_subcommand(1)->fallthrough();
+    line.options.add_to(app);
+    CLI::App* analyze = app.add_subcommand("analyze", "Print the record of one file as JSON");
+    analyze->add_option("FILE", line.file)->required();
+    CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
+    explain->add_option("FILE", line.file)->required();
+    explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();
+    CLI::App* watch = app.add_subcommand("watch", "Keep the catalogue equal to the media folder");
+    watch->add_flag("--once", line.is_once, "End as soon as the catalogue is up to date");
+    for (CLI::App* command : {analyze, explain, watch})
+        command->fallthrough();
+    CLI11_PARSE(app, argc, argv);
+
+    const Settings settings = line.options.settings();
+    log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
+    if (*analyze) return analyze_command(line, settings);
+    if (*explain) return explain_command(line, settings);
+    return watch_command(line, settings);
+}
+
+}  // namespace
+
+}  // namespace vitrine
+
+int main(int argc, char** argv) {
+    try {
+        return vitrine::run(argc, argv);
+    } catch (const std::exception& error) {
+        vitrine::log::error("{}", error.what());
+        return EXIT_FAILURE;
+    }
+}

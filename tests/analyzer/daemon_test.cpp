@@ -1,0 +1,225 @@
+#include "analyzer/daemon.hpp"
+
+#include "tests/temporary_directory.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto patience = 60s;  // until something that must come is given up
+
+/// Says that a file is ready, unless its first line is a command that misbehaves.
+constexpr const char* reader = R"(
+    read -r word < "$1" || true
+    echo "$1" >> "$0.log"
+    case "$word" in
+    crash) kill -SEGV $$ ;;
+    fail) echo "no picture in it" >&2; exit 1 ;;
+    half) state=waiting ;;
+    *) state=ready ;;
+    esac
+    echo '{"version":1,"path":"x","kind":"photo","bytes":0,"mtime_ns":0,"state":"'$state'","reason":"","width":4,"height":3,
+           "duration_ns":0,"shots":[{"begin_ns":0,"end_ns":0,"ends_with":"end",
+                                     "region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}]}')";
+
+/// A media folder, a catalogue and a daemon between them that analyses with a shell script.
+struct House {
+    House() : script(home.write("reader.sh", reader)) { fs::create_directories(root); }
+
+    void start() { daemon = std::make_unique<Daemon>(loop, options()); }
+
+    WatchOptions options() const {
+        return {.root = root,
+                .catalogue = home.path / "catalogue",
+                .child = {"/bin/sh", script.string()},
+                .limits = {.deadline = 20s},
+                .pace = {.quiet = 1ms, .rename_grace = 100ms, .first_retry = 1ms, .retries = 2},
+                .rescan = 1h};
+    }
+
+    fs::path drop(const std::string& name, const std::string& content = "picture\n") const {
+        return home.write("media/" + name, content);
+    }
+
+    bool comes_true(const std::function<bool()>& condition) {
+        const auto end = EventLoop::Clock::now() + patience;
+        while (!condition() && EventLoop::Clock::now() < end)
+            loop.run_once(1s);
+        return condition();
+    }
+
+    std::optional<MediaState> state_of(const std::string& path) const {
+        const auto record = Catalogue(home.path / "catalogue").find(path);
+        if (!record || !fs::exists(root / path) || record->bytes != fs::file_size(root / path))
+            return std::nullopt;
+        return record->state;
+    }
+
+    bool becomes(const std::string& path, MediaState state) {
+        return comes_true([&] { return state_of(path) == state; });
+    }
+
+    std::size_t records() const { return Catalogue(home.path / "catalogue").load().size(); }
+
+    /// How often children were started.
+    std::size_t analyses() const {
+        std::ifstream log(script.string() + ".log");
+        return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(log), {}, '\n'));
+    }
+
+    TemporaryDirectory home;
+    fs::path root = home.path / "media";
+    fs::path script;
+    EventLoop loop;
+    std::unique_ptr<Daemon> daemon;
+};
+
+}  // namespace
+
+TEST_CASE("what is in the folder at the start and what comes later gets its record, wherever it is dropped") {
+    House house;
+    house.drop("old.jpg");
+    house.start();
+    CHECK(house.becomes("old.jpg", MediaState::ready));
+    house.drop("new.jpg");
+    CHECK(house.becomes("new.jpg", MediaState::ready));
+    house.drop("a/b/c/deep \n\xff.jpg");
+    CHECK(house.becomes("a/b/c/deep \n\xff.jpg", MediaState::ready));
+    house.drop("a/b/more.jpg");
+    CHECK(house.becomes("a/b/more.jpg", MediaState::ready));
+    house.drop(".DS_Store");
+    house.drop("x.part");
+    fs::rename(house.root / "x.part", house.root / "x.jpg");
+    CHECK(house.becomes("x.jpg", MediaState::ready));
+    CHECK(house.records() == 5);
+}
+
+TEST_CASE("replaced is analysed again, deleted is gone, renamed and moved keep their analysis") {
+    House house;
+    house.drop("a.jpg");
+    house.drop("folder/b.jpg");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    REQUIRE(house.becomes("folder/b.jpg", MediaState::ready));
+
+    house.drop("a.jpg", "fail\nlonger than before");
+    CHECK(house.becomes("a.jpg", MediaState::failed));
+    fs::remove(house.root / "a.jpg");
+    CHECK(house.comes_true([&] { return house.records() == 1; }));
+
+    const std::size_t analyses = house.analyses();
+    fs::rename(house.root / "folder", house.root / "other");
+    CHECK(house.comes_true([&] {
+        return fs::exists(house.root / "other/b.jpg") && house.state_of("other/b.jpg") == MediaState::ready;
+    }));
+    fs::rename(house.root / "other" / "b.jpg", house.root / "c.jpg");
+    CHECK(house.becomes("c.jpg", MediaState::ready));
+    CHECK(house.comes_true([&] { return house.records() == 1; }));
+    CHECK(house.analyses() == analyses);
+}
+
+TEST_CASE("a file that crashes, fails or is incomplete gets its state and reason, and hurts no other") {
+    House house;
+    house.drop("crash.jpg", "crash\n");
+    house.drop("fail.jpg", "fail\n");
+    house.drop("half.jpg", "half\n");
+    house.drop("good.jpg");
+    house.drop("empty.jpg", "");
+    house.start();
+    CHECK(house.becomes("crash.jpg", MediaState::quarantined));
+    CHECK(house.becomes("fail.jpg", MediaState::failed));
+    CHECK(house.becomes("good.jpg", MediaState::ready));
+    CHECK(house.becomes("half.jpg", MediaState::failed));  // after all its retries
+    const Catalogue catalogue(house.home.path / "catalogue");
+    CHECK(catalogue.find("fail.jpg")->reason == "no picture in it");
+    CHECK(catalogue.find("crash.jpg")->reason.starts_with("twice it crashed the reader"));
+}
+
+TEST_CASE("a second start analyses nothing again, and removes what went in between") {
+    House house;
+    house.drop("a.jpg");
+    house.drop("b.jpg");
+    house.drop("crash.jpg", "crash\n");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    REQUIRE(house.becomes("b.jpg", MediaState::ready));
+    REQUIRE(house.becomes("crash.jpg", MediaState::quarantined));
+    const std::size_t analyses = house.analyses();
+    house.daemon.reset();
+    fs::remove(house.root / "b.jpg");
+
+    house.start();
+    CHECK(house.comes_true([&] { return house.records() == 2; }));
+    CHECK(house.analyses() == analyses);
+}
+
+TEST_CASE("the records outlive the media folder, and it is followed again once it is back") {
+    House house;
+    house.drop("a.jpg");
+    WatchOptions options = house.options();
+    options.rescan = 50ms;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+
+    fs::rename(house.root, house.home.path / "away");
+    CHECK(house.comes_true([&] { return !house.daemon->is_online(); }));
+    CHECK(house.records() == 1);
+    CHECK(house.daemon->status().find("is not there") != std::string::npos);
+
+    fs::rename(house.home.path / "away", house.root);
+    CHECK(house.comes_true([&] { return house.daemon->is_online(); }));
+    house.drop("b.jpg");
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    CHECK(house.records() == 2);
+}
+
+TEST_CASE("once means until the catalogue is up to date, and no longer for what waits or fails") {
+    House house;
+    house.drop("a.jpg");
+    house.drop("half.jpg", "half\n");
+    house.drop("fail.jpg", "fail\n");
+    WatchOptions options = house.options();
+    options.is_once = true;
+    options.pace.first_retry = 1h;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    house.loop.run();
+    CHECK(house.state_of("a.jpg") == MediaState::ready);
+    CHECK(house.state_of("half.jpg") == MediaState::waiting);
+    CHECK(house.state_of("fail.jpg") == MediaState::failed);
+}
+
+TEST_CASE("a file whose space is only reserved waits, and is analysed once it is filled") {
+    House house;
+    const fs::path film = house.drop("film.mp4", "picture\n");
+    fs::resize_file(film, 1'000'000);
+    WatchOptions options = house.options();
+    options.pace.first_retry = 1h;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    CHECK(house.becomes("film.mp4", MediaState::waiting));
+    CHECK(house.analyses() == 0);
+    house.drop("film.mp4", std::string(1'000'000, 'x'));
+    CHECK(house.becomes("film.mp4", MediaState::ready));
+}
+
+TEST_CASE("a catalogue has one writer") {
+    House house;
+    house.start();
+    EventLoop other;
+    CHECK_THROWS_AS(Daemon(other, house.options()), std::system_error);
+}
+
+TEST_CASE("a damaged record is dropped and its file analysed again") {
+    House house;
+    house.drop("a.jpg");
+    house.home.write("catalogue/" + record_id("a.jpg") + ".json", "{ not json");
+    house.start();
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+}

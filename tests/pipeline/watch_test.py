@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""vitrine-analyzer watch over a folder in which everything happens that happens to folders.
+
+    watch_test.py BUILD_DIRECTORY HOSTILE_MEDIA [unittest arguments]
+
+Draws its own photos. HOSTILE_MEDIA is a folder of files that hurt readers; where it is missing, that part is passed over.
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+from pathlib import Path
+
+BUILD = Path(sys.argv[1]).resolve()
+HOSTILE = Path(sys.argv[2])
+ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
+PATIENCE = 120  # seconds until something that must come is given up
+HOSTILE_PATIENCE = 900
+
+
+def png(width=64, height=48, shade=200):
+    """A bright square on grey."""
+    def chunk(name, data):
+        body = name + data
+        return len(data).to_bytes(4, "big") + body + zlib.crc32(body).to_bytes(4, "big")
+
+    def row(y):
+        return b"\0" + bytes(shade if abs(x - width / 2) < 12 and abs(y - height / 2) < 12 else 90
+                             for x in range(width) for _ in range(3))
+
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + b"\x08\x02\0\0\0"
+    pixels = zlib.compress(b"".join(row(y) for y in range(height)))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
+
+
+class Watch(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="vitrine-watch-")
+        self.addCleanup(self.folder.cleanup)
+        self.root = Path(self.folder.name) / "media"
+        self.state = Path(self.folder.name) / "state"
+        self.root.mkdir()
+
+    def settings(self):
+        return ["--media.root", str(self.root), "--state.directory", str(self.state),
+                "--analyzer.quiet_milliseconds", "300"]
+
+    def start(self):
+        watcher = subprocess.Popen([ANALYZER, "watch", *self.settings()])
+        self.addCleanup(watcher.wait)
+        self.addCleanup(watcher.kill)
+        return watcher
+
+    def records(self):
+        """path -> record. Each is whole whenever it is read."""
+        found = {}
+        for file in (self.state / "catalogue").glob("*.json"):
+            try:
+                record = json.loads(file.read_text())
+            except FileNotFoundError:
+                continue  # removed just now
+            found[record["path"]] = record
+        return found
+
+    def until(self, what, condition):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if condition(self.records()):
+                return self.records()
+            time.sleep(0.05)
+        self.fail(f"{what} never came true: {self.records()}")
+
+    def until_ready(self, path, width):
+        return self.until(f"{path} is ready at {width} px", lambda records: path in records
+                          and records[path]["state"] == "ready" and records[path]["width"] == width)
+
+    def test_the_catalogue_follows_everything_that_happens_in_the_folder(self):
+        (self.root / "first.png").write_bytes(png(64))
+        watcher = self.start()
+        record = self.until_ready("first.png", 64)["first.png"]
+        self.assertEqual(record["bytes"], (self.root / "first.png").stat().st_size)
+        self.assertEqual(record["mtime_ns"], (self.root / "first.png").stat().st_mtime_ns)
+        self.assertGreaterEqual(len(record["shots"][0]["region"]["polygon"]), 3)
+
+        (self.root / "summer").mkdir()
+        (self.root / "summer" / "second.png").write_bytes(png(80))
+        self.until_ready("summer/second.png", 80)
+
+        (self.root / "first.png").write_bytes(png(100))  # in place, as a file server does
+        self.until_ready("first.png", 100)
+        (self.root / "new.tmp").write_bytes(png(110))  # beside, as a browser does
+        os.rename(self.root / "new.tmp", self.root / "first.png")
+        self.until_ready("first.png", 110)
+
+        os.rename(self.root / "first.png", self.root / "renamed.png")
+        self.until("the rename", lambda records: set(records) == {"renamed.png", "summer/second.png"})
+        os.rename(self.root / "summer", self.root / "winter")
+        self.until("the folder's new name", lambda records: set(records) == {"renamed.png", "winter/second.png"})
+
+        (self.root / "renamed.png").unlink()
+        self.until("the deletion", lambda records: set(records) == {"winter/second.png"})
+        shutil.rmtree(self.root / "winter")
+        self.until("the folder's deletion", lambda records: not records)
+
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_a_copy_under_way_is_never_ready_before_its_end(self):
+        self.start()
+        whole = png(200, 150)
+        with open(self.root / "copy.png", "wb") as copy:
+            for part in range(4):
+                copy.write(whole[len(whole) * part // 4:len(whole) * (part + 1) // 4])
+                copy.flush()
+                os.fsync(copy.fileno())
+                records = self.records()
+                if "copy.png" in records and part < 3:
+                    self.assertNotEqual(records["copy.png"]["state"], "ready")
+        self.until_ready("copy.png", 200)
+
+        half = whole[:len(whole) // 2]
+        (self.root / "half.png").write_bytes(half)
+        records = self.until("half a picture has a reason", lambda records: "half.png" in records)
+        self.assertIn(records["half.png"]["state"], ("waiting", "failed"))
+        self.assertTrue(records["half.png"]["reason"])
+        with open(self.root / "half.png", "ab") as copy:
+            copy.write(whole[len(half):])
+        self.until_ready("half.png", 200)
+
+    def test_what_is_no_medium_has_a_reason_and_hurts_no_other(self):
+        (self.root / "noise.jpg").write_bytes(bytes((i * 7919) % 251 for i in range(100_000)))
+        (self.root / "empty.jpg").write_bytes(b"")
+        (self.root / "letter.txt").write_text("no picture")
+        (self.root / "good.png").write_bytes(png(64))
+        os.mkfifo(self.root / "pipe.jpg")
+        (self.root / ".DS_Store").write_bytes(b"x")
+        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+        records = self.records()
+        self.assertEqual(set(records), {"noise.jpg", "empty.jpg", "letter.txt", "good.png"})
+        self.assertEqual(records["good.png"]["state"], "ready")
+        for name in ("noise.jpg", "empty.jpg", "letter.txt"):
+            self.assertNotEqual(records[name]["state"], "ready")
+            self.assertTrue(records[name]["reason"], name)
+
+    def test_a_second_start_changes_nothing(self):
+        for i in range(3):
+            (self.root / f"{i}.png").write_bytes(png(64 + i))
+        for _ in range(2):
+            subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+            times = {file.name: file.stat().st_mtime_ns for file in (self.state / "catalogue").glob("*.json")}
+            self.assertEqual(len(times), 3)
+            before = getattr(self, "times", times)
+            self.assertEqual(times, before)
+            self.times = times
+
+    def test_one_record_of_a_file_inside_or_outside_of_the_folder(self):
+        (self.root / "in.png").write_bytes(png(64))
+        outside = Path(self.folder.name) / "out.png"
+        outside.write_bytes(png(64))
+        for file, path in ((self.root / "in.png", "in.png"), (outside, str(outside))):
+            done = subprocess.run([ANALYZER, "analyze", str(file), *self.settings()], check=True, timeout=PATIENCE,
+                                  capture_output=True)
+            self.assertEqual(done.stdout.count(b"\n"), 1)
+            self.assertEqual(json.loads(done.stdout)["path"], path)
+        missing = subprocess.run([ANALYZER, "analyze", self.root / "none.png"], capture_output=True, timeout=PATIENCE)
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn(b"none.png", missing.stderr)
+
+    @unittest.skipUnless(HOSTILE.is_dir(), "the hostile media are not here")
+    def test_hostile_files_end_in_a_record_each(self):
+        shutil.copytree(HOSTILE, self.root / "hostile", symlinks=True)
+        (self.root / "good.png").write_bytes(png(64))
+        subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--analyzer.deadline_seconds", "60"], check=True,
+                       timeout=HOSTILE_PATIENCE)
+        records = self.records()
+        self.assertEqual(records["good.png"]["state"], "ready")
+        self.assertGreater(len(records), 10)
+        for path, record in records.items():
+            if record["state"] == "ready":
+                self.assertTrue(record["shots"] and record["width"] > 0 and record["height"] > 0, path)
+            else:
+                self.assertTrue(record["reason"], path)
+                self.assertFalse(record["shots"], path)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[3:]])
