@@ -17,6 +17,7 @@ constexpr const char* tail_words =
 constexpr std::chrono::nanoseconds usual_period =
     std::chrono::milliseconds(33);                                           // where the film does not say
 constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // of times in Matroska
+constexpr GstClockTime state_patience = 5 * GST_SECOND;
 constexpr int most_barren_loops = 4;
 constexpr const char* stop_name = "vitrine-stop";
 
@@ -49,7 +50,12 @@ std::chrono::nanoseconds period(GstElement* tail) {
 /// counted from the first clock reference instead of the first picture, 0.2 s off and more. In a pass from
 /// the begin the two are the same.
 bool has_true_time_stamps(MediaFormat format) {
-    return format == MediaFormat::mpeg_ts || format == MediaFormat::mpeg_ps;
+    return format == MediaFormat::mpeg_ts;
+}
+
+/// Containers whose times may begin anywhere, so that their duration does not tell where they end.
+bool starts_at_zero(MediaFormat format) {
+    return format != MediaFormat::mpeg_ts && format != MediaFormat::mpeg_ps;
 }
 
 /// Containers whose demuxers keep their promise in segment seeks; MPEG-TS stands still for ever.
@@ -147,8 +153,10 @@ bool FilmLoop::preroll() {
 void FilmLoop::enter() {
     period_ = period(chain_->tail());
     from_ = part_.begin.count() > 0 ? part_.begin + period_ / 3 : part_.begin;
+    if (chain_->format() == MediaFormat::mpeg_ps)
+        from_ = {};  // no picture comes after a search into its midst
     const std::chrono::nanoseconds whole = chain_->duration();
-    if (whole.count() <= 0 || part_.end + rounding < whole)
+    if (!starts_at_zero(chain_->format()) || whole.count() <= 0 || part_.end + rounding < whole)
         to_ = std::max(from_ + rounding, part_.end - period_ / 2);
     if (way_ == Rewind::segment && !seek(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT)) way_ = Rewind::flush;
     if (way_ == Rewind::flush && !seek(GST_SEEK_FLAG_FLUSH)) {
@@ -165,9 +173,18 @@ void FilmLoop::rewind() {
         throw MediaError(MediaState::failed, "the film gives no picture of this part");
     }
     if (barren_loops_ > 1) way_ = Rewind::flush;
-    if (way_ == Rewind::segment && seek(GST_SEEK_FLAG_SEGMENT)) return;
+    if (way_ == Rewind::segment && is_playing() && seek(GST_SEEK_FLAG_SEGMENT)) return;
     way_ = Rewind::flush;
     if (!seek(GST_SEEK_FLAG_FLUSH)) throw MediaError(MediaState::failed, "the film cannot be rewound");
+}
+
+/// Waits for what was asked for: a seek that does not flush would stop for ever in the midst of it, as in a
+/// film so short that its end comes first.
+bool FilmLoop::is_playing() const {
+    GstState state = GST_STATE_NULL;
+    return gst_element_get_state(chain_->pipeline(), &state, nullptr, state_patience) ==
+               GST_STATE_CHANGE_SUCCESS &&
+           state == GST_STATE_PLAYING;
 }
 
 bool FilmLoop::seek(int flags) {

@@ -59,6 +59,7 @@ class FilmLoop {
     bool preroll();
     void enter();
     void rewind();
+    bool is_playing() const;
     bool seek(int flags);
     GstPtr<GstMessage> next_message();
     std::optional<std::chrono::nanoseconds> time_in_film(GstSample* sample) const;

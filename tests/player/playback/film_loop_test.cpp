@@ -24,6 +24,8 @@ constexpr auto patience = 20s;
 const std::string h264 = "x264enc bframes=2 b-adapt=false key-int-max=25 speed-preset=veryfast ! ";
 const std::string h264_mp4 = h264 + "mp4mux";
 
+constexpr std::size_t most_of_a_film = 300;  // pictures
+
 struct Seen {
     int number = 0;
     std::chrono::nanoseconds time{0};
@@ -61,6 +63,29 @@ std::map<int, std::chrono::nanoseconds> times(const std::string& file, int pictu
         times.emplace(seen.number, seen.time);
     }
     return times;
+}
+
+std::uint64_t fingerprint(const Sample& sample) {
+    std::uint64_t hash = 14695981039346656037U;
+    for (const std::byte value : sample.pixels)
+        hash = (hash ^ std::to_integer<unsigned>(value)) * 1099511628211U;
+    return hash;
+}
+
+/// The pictures of a part as they come, with their times.
+std::vector<std::pair<std::chrono::nanoseconds, std::uint64_t>> pictures(const std::string& file,
+                                                                         std::chrono::nanoseconds begin,
+                                                                         std::chrono::nanoseconds end,
+                                                                         std::size_t count) {
+    SampleQueue queue(12);
+    const FilmLoop loop({file, begin, end, 64, 64}, queue);
+    std::vector<std::pair<std::chrono::nanoseconds, std::uint64_t>> pictures;
+    while (pictures.size() < count && queue.wait(patience)) {
+        const auto taken = queue.take_if([](const LoopedSample&) { return true; });
+        if (count == most_of_a_film && taken->loop > 0) break;
+        pictures.emplace_back(taken->sample.stream_time, fingerprint(taken->sample));
+    }
+    return pictures;
 }
 
 struct Container {
@@ -146,6 +171,16 @@ TEST_CASE("three loops of a whole film are its pictures in order and nothing els
         const FilmLoop loop({file, 0s, end, 160, 96}, queue);
         CHECK(take_numbers(queue, static_cast<std::size_t>(3 * count)) == loops(0, count, 3));
         CHECK_FALSE(loop.failure());
+    }
+}
+
+TEST_CASE("a film of a single picture gives that picture again and again") {
+    const Folder folder;
+    write_film(folder.path / "film.mp4", {.pictures = 1, .chain = h264_mp4});
+    for (int i = 0; i < 10; ++i) {
+        SampleQueue queue(3);
+        const FilmLoop loop({folder.path / "film.mp4", 0s, 33ms, 160, 96}, queue);
+        CHECK(take_numbers(queue, 20) == loops(0, 1, 20));
     }
 }
 
@@ -241,5 +276,27 @@ TEST_CASE("a film that is stopped ends though nobody takes its pictures") {
         SampleQueue queue(2);
         const FilmLoop loop({folder.path / "film.mp4", 0s, 3s, 160, 96}, queue);
         if (i % 2 == 0) queue.wait(patience);
+    }
+}
+
+TEST_CASE("the middle of every real film loops through the pictures that one pass from the begin shows") {
+    const std::filesystem::path codecs = std::filesystem::path(VITRINE_SHARED_MEDIA) / "codecs";
+    if (!std::filesystem::is_directory(codecs)) {
+        MESSAGE("the real media are not here");
+        return;
+    }
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(codecs)) {
+        const std::string file = entry.path();
+        CAPTURE(file);
+        const auto pass = pictures(file, 0s, 1h, most_of_a_film);
+        if (pass.size() < 9) continue;
+        const std::size_t first = pass.size() / 3;
+        const std::size_t count = pass.size() / 3;
+        const auto looped = pictures(file, pass[first].first, pass[first + count].first, 3 * count);
+        REQUIRE(looped.size() == 3 * count);
+        for (std::size_t i = 0; i < looped.size(); ++i) {
+            CAPTURE(i);
+            CHECK(looped[i].second == pass[first + i % count].second);
+        }
     }
 }
