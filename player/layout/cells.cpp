@@ -29,26 +29,68 @@ void append(Loops& to, const Loops& more) {
     to.insert(to.end(), more.begin(), more.end());
 }
 
+Box bounds_of(const Loops& loops) {
+    std::vector<Vec2> corners;
+    for (const Loop& loop : loops)
+        for (const CellPoint& p : loop)
+            corners.push_back(from_grid(p));
+    return bounding_box(corners);
+}
+
 /// Splits what has no owner by who has pixels there.
 std::vector<Orphan> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
     std::vector<Orphan> orphans;
     if (!orphaned.empty()) orphans.push_back({orphaned, {}});
     for (std::size_t i = 0; i < cores.size(); ++i) {
+        if (cores[i].empty()) continue;
+        const Box core = bounds_of(cores[i]);
         std::vector<Orphan> next;
         for (Orphan& orphan : orphans) {
-            Loops inside = intersection_of(orphan.area, cores[i]);
-            if (inside.empty()) {
+            const Box bounds = bounds_of(orphan.area);
+            if (intersection(bounds, core).is_empty()) {
                 next.push_back(std::move(orphan));
                 continue;
             }
+            if (intersection(bounds, core) == bounds) {
+                orphan.takers.insert(i);
+                next.push_back(std::move(orphan));
+                continue;
+            }
+            Loops inside = intersection_of(orphan.area, cores[i]);
             Loops outside = difference_of(orphan.area, cores[i]);
             if (!outside.empty()) next.push_back({std::move(outside), orphan.takers});
             orphan.takers.insert(i);
-            next.push_back({std::move(inside), std::move(orphan.takers)});
+            if (!inside.empty()) next.push_back({std::move(inside), std::move(orphan.takers)});
         }
         orphans = std::move(next);
     }
     return orphans;
+}
+
+double distance(const Box& a, const Box& b) {
+    return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
+                   std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
+}
+
+/// The most that any point of a box can be away from a region, or more.
+double most_distance(const Box& box, const Polygon& region) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& p : region)
+        least = std::min(least, length({std::max(p.x - box.min.x, box.max.x - p.x),
+                                        std::max(p.y - box.min.y, box.max.y - p.y)}));
+    return least;
+}
+
+/// Those of some takers that can be the nearest somewhere in an area.
+std::set<std::size_t> likely_takers(const Orphan& orphan, std::span<const Polygon> regions) {
+    const Box bounds = bounds_of(orphan.area);
+    double reach = std::numeric_limits<double>::infinity();
+    for (const std::size_t taker : orphan.takers)
+        reach = std::min(reach, most_distance(bounds, regions[taker]));
+    std::set<std::size_t> likely;
+    for (const std::size_t taker : orphan.takers)
+        if (distance(bounds, bounding_box(regions[taker])) <= reach) likely.insert(taker);
+    return likely;
 }
 
 /// Gives each orphan to its nearest takers.
@@ -58,13 +100,14 @@ class Adoption {
         : regions_(regions), canvas_(canvas), sites_(sites) {}
 
     void give(const Orphan& orphan, std::vector<Loops>& shown) {
-        if (orphan.takers.size() == 1) {
-            append(shown[*orphan.takers.begin()], orphan.area);
+        const std::set<std::size_t> takers = likely_takers(orphan, regions_);
+        if (takers.size() == 1) {
+            append(shown[*takers.begin()], orphan.area);
             return;
         }
-        const std::vector<Loops>& diagram = diagram_of(orphan.takers);
+        const std::vector<Loops>& diagram = diagram_of(takers);
         Loops rest = orphan.area;
-        for (const std::size_t taker : orphan.takers) {
+        for (const std::size_t taker : takers) {
             append(shown[taker], intersection_of(orphan.area, diagram[taker]));
             rest = difference_of(rest, diagram[taker]);
         }

@@ -30,6 +30,7 @@ struct Layout {
     std::vector<Placement> placements;
     double energy = 0;  // share of the canvas that no I-Region covers, in [0, 1]
     std::uint64_t generation = 0;
+    bool is_final = false;  // no better one follows for the same request
 };
 
 /// The canvas polygon of an item's I-Region.

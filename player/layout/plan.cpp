@@ -1,6 +1,7 @@
 #include "player/layout/plan.hpp"
 
 #include "player/layout/arrangement.hpp"
+#include "player/layout/descent.hpp"
 #include "player/layout/initial_packing.hpp"
 #include "player/layout/optimizer.hpp"
 #include "player/layout/separation.hpp"
@@ -122,6 +123,18 @@ Arrangement scattered(const Ground& ground, Random& random, Effort& effort) {
     return arrangement;
 }
 
+/// The paper's way: items packed as given, then eq. 3.4 descended.
+Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effort& effort) {
+    Contacts contacts(ground.shapes, 0);
+    contacts.set_scales(ground.scales);
+    const std::vector<Vec2> packing =
+        initial_packing(ground.shapes, contacts, ground.scales, ratio, PackingOrder::as_given);
+    const std::vector<Vec2> places =
+        descended(ground.shapes, ground.scales, packing, ratio, EnergyMode::paper, random, effort);
+    Contacts apart(ground.shapes, ground.clearance);
+    return fitted(ground, places, apart);
+}
+
 bool is_warm(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value(); });
@@ -139,6 +152,9 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     const OnBetter tell = [&](const Arrangement& arrangement) {
         if (watch.on_better) watch.on_better(layout_of(request, ground, arrangement));
     };
+    if (request.energy == EnergyMode::paper)
+        return layout_of(request, ground,
+                         papers_way(ground, request.canvas.x / request.canvas.y, random, effort));
     if (is_warm(request)) {
         Ground standing = ground;
         if (const auto settled = warm_start(request, standing, random, effort))

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "player/layout/effort.hpp"
+#include "player/layout/plan_request.hpp"
+#include "player/layout/shape.hpp"
+
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+/// Moves single shapes by 1 px in the best of 8 directions as long as that lowers the energy; the shapes
+/// are visited in random order, and a round without any move ends it.
+/// @param scales  canvas px per source px
+/// @param places  centroids, canvas px
+/// @param ratio   q_p, width / height of the screen
+/// @return        centroids of a layout whose energy is not above that of `places`
+/// Source: Dynamic Media Assemblage 3.4.2.
+std::vector<Vec2> descended(std::span<const Shape> shapes, std::span<const double> scales,
+                            std::span<const Vec2> places, double ratio, EnergyMode mode, Random& random,
+                            Effort& effort);
+
+}  // namespace vitrine
