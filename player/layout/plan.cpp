@@ -2,6 +2,7 @@
 
 #include "player/layout/arrangement.hpp"
 #include "player/layout/descent.hpp"
+#include "player/layout/filling.hpp"
 #include "player/layout/initial_packing.hpp"
 #include "player/layout/optimizer.hpp"
 #include "player/layout/separation.hpp"
@@ -18,7 +19,8 @@ namespace vitrine {
 namespace {
 
 constexpr double least_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr double usual_share = 0.5;           // of the canvas covered after initial packing
+constexpr std::int64_t filling_moves = 30'000;
+constexpr double usual_share = 0.5;  // of the canvas covered after initial packing
 
 /// The largest scale at which an item's region lies inside the field.
 double fitting_scale(const Shape& shape, const Box& field) {
@@ -135,6 +137,14 @@ Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effor
     return fitted(ground, places, apart);
 }
 
+/// What each item can show, about the centroid of its region, source px.
+std::vector<Box> frames_of(const PlanRequest& request, const Ground& ground) {
+    std::vector<Box> frames;
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        frames.push_back(moved(request.items[i].item.core, ground.shapes[i].centroid * -1));
+    return frames;
+}
+
 bool is_warm(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value(); });
@@ -165,7 +175,12 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     const Arrangement start =
         any_pinned ? scattered(ground, random, effort) : packed(ground, request.canvas.x / request.canvas.y);
     tell(start);
-    return layout_of(request, ground, densest(ground, start, random, effort, tell));
+    Arrangement best = densest(ground, start, random, effort, tell);
+    if (request.fills) {
+        Effort filling_effort(filling_moves, watch.should_stop);
+        best = filled(ground, frames_of(request, ground), best, random, filling_effort);
+    }
+    return layout_of(request, ground, best);
 }
 
 }  // namespace vitrine

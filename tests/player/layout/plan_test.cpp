@@ -43,7 +43,8 @@ TEST_CASE("no I-Region is ever covered or leaves the canvas, whatever the number
 }
 
 TEST_CASE("every layout on the way is sound and none is worse than the one before") {
-    const PlanRequest request = random_request(9, 4);
+    PlanRequest request = random_request(9, 4);
+    request.fills = false;
     double energy = 1;
     int told = 0;
     const Layout last = plan(request, {.on_better = [&](const Layout& layout) {
@@ -127,4 +128,21 @@ TEST_CASE("items can be inserted and deleted from a standing layout") {
         request.items[i].previous = before[i];
     request.items.erase(request.items.begin() + 2);
     CHECK(is_sound(request, plan(request), "deleted"));
+}
+
+TEST_CASE("filling uncovers nothing and costs less of the I-Regions than it fills") {
+    for (const std::size_t count : {1, 2, 3, 5})
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            PlanRequest request = random_request(count, seed);
+            std::vector<NamedItem> named;
+            for (const LayoutItem& item : items_of(request))
+                named.push_back({"item", named.size(), item});
+            const Layout filled = plan(request);
+            CHECK(is_sound(request, filled, "filled"));
+            request.fills = false;
+            const Layout dense = plan(request);
+            const double with = plan_result(named, filled).canvas_filled - filled.energy;
+            const double without = plan_result(named, dense).canvas_filled - dense.energy;
+            CHECK(with >= without - 0.02);  // frames are sampled at 64 x 64 points
+        }
 }
