@@ -14,7 +14,8 @@ namespace vitrine {
 namespace {
 
 constexpr int sub_pixel_bits = 4;
-constexpr int text_dpi = 72;  // so that a point is a pixel
+constexpr int text_dpi = 72;         // so that a point is a pixel
+constexpr double cap_height = 0.73;  // of the size, DejaVu Sans
 constexpr const char* typeface = "DejaVu Sans";
 
 struct ImageUnref {
@@ -57,12 +58,11 @@ cv::Mat text_mask(const std::string& line, double size, TextWeight weight) {
     return mask.clone();
 }
 
-/// How far the ink of a line reaches above its middle is told by a letter with neither ascender nor
-/// descender.
-int baseline_offset(const std::string& line, double size) {
-    // vips_text crops to the ink: a line with descenders hangs lower by about a fifth of the size.
-    const bool has_descender = line.find_first_of("gjpqy,;()") != std::string::npos;
-    return has_descender ? static_cast<int>(std::lround(size * 0.11)) : 0;
+/// How far the ink of a line reaches below its baseline, px: vips_text crops to the ink.
+double descent(const std::string& line, double size) {
+    if (line.find('_') != std::string::npos) return 0.28 * size;
+    if (line.find_first_of("gjpqy()[]") != std::string::npos) return 0.22 * size;
+    return line.find_first_of(",;") != std::string::npos ? 0.14 * size : 0;
 }
 
 }  // namespace
@@ -109,9 +109,9 @@ int Canvas::text(std::string_view line, Vec2 at, double size, Ink colour, TextWe
         mask = text_mask(shown, size, weight);
     }
     if (mask.empty()) return 0;
-    const cv::Rect all(static_cast<int>(at.x),
-                       static_cast<int>(at.y) - mask.rows / 2 + baseline_offset(shown, size), mask.cols,
-                       mask.rows);
+    const double baseline = at.y + cap_height / 2 * size;
+    const int top = static_cast<int>(std::lround(baseline + descent(shown, size))) - mask.rows;
+    const cv::Rect all(static_cast<int>(at.x), top, mask.cols, mask.rows);
     const cv::Rect seen = all & cv::Rect({}, picture_.size());
     if (seen.empty()) return mask.cols;
     cv::Mat target = picture_(seen);

@@ -16,6 +16,7 @@ struct AnalysisSettings {
     int face_interval = 4;       // every so many samples faces are looked for
     SaliencyWeights weights;
     ImageSaliency image = ImageSaliency::barrier;
+    bool has_bodies = true;  // whether S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
     std::string face_model;  // YuNet's ONNX file; "": not used
@@ -27,6 +28,7 @@ struct AnalysisSettings {
 inline AnalysisSettings papers_letter() {
     AnalysisSettings settings;
     settings.image = ImageSaliency::frequency_tuned;
+    settings.has_bodies = false;
     settings.drift = DriftMode::box_centres;
     settings.region.mode = RegionMode::hull;
     settings.region.margin = 0;

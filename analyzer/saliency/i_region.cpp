@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t most_corners = 12;
 constexpr double least_area = 0.08;  // of the picture
 constexpr double largest_area = 0.70;
-constexpr double middle = 0.6;     // of each side, where nothing is salient
-constexpr double cheapness = 1.0;  // slabs denser than the picture's mean stay, even beyond the wanted mass
+constexpr double middle = 0.6;  // of each side, where nothing is salient
+constexpr double cheapness =
+    0.7;  // slabs denser than so many times the mean stay, beyond the wanted mass too
 
 Polygon middle_of(const Box& core) {
     const Vec2 half{core.width() * middle / 2, core.height() * middle / 2};
@@ -53,12 +54,16 @@ Polygon with_faces(const Polygon& region, std::span<const Box> faces, const Box&
     return convex_hull(points);
 }
 
-/// A region that is too small, grown about its centre.
-Polygon at_least(const Polygon& region, double least, const Box& core) {
-    const double now = area(region);
-    if (now >= least || now <= 0) return region;
-    const double scale = std::sqrt(least / now);
-    return clipped(transformed(region, scale, centroid(region) * (1 - scale)), core);
+/// A region that is too small, grown about its centre; more where the core's edge takes some away again.
+Polygon at_least(Polygon region, double least, const Box& core) {
+    constexpr int most_steps = 32;
+    for (int i = 0; i < most_steps; ++i) {
+        const double now = area(region);
+        if (now >= least || now <= 0) break;
+        const double scale = 1.02 * std::sqrt(least / now);
+        region = clipped(transformed(region, scale, centroid(region) * (1 - scale)), core);
+    }
+    return region;
 }
 
 Polygon smallest_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,

@@ -20,19 +20,6 @@ constexpr double centre_sigma = 0.33;  // of each side
 constexpr double sigmoid_slope = 10;   // MB+
 constexpr double smoothing = 0.02;     // of the longest side
 
-/// The picture's centre counts 1, its corners least.
-cv::Mat centre_prior(cv::Size size) {
-    const auto bell = [](int count) {
-        cv::Mat values(count, 1, CV_32FC1);
-        for (int i = 0; i < count; ++i) {
-            const double z = ((i + 0.5) / count - 0.5) / centre_sigma;
-            values.at<float>(i) = static_cast<float>(std::exp(-z * z / 2));
-        }
-        return values;
-    };
-    return bell(size.height) * bell(size.width).t();
-}
-
 /// Scaled so that its maximum is 1.
 void normalise(cv::Mat& map, double least) {
     double highest = 0;
@@ -40,7 +27,7 @@ void normalise(cv::Mat& map, double least) {
     map /= std::max(highest, least);
 }
 
-/// Drives a map to 0 and 1 about its Otsu threshold-like middle, half the maximum.
+/// Drives a map to 0 and 1 about its middle.
 void sharpen(cv::Mat& map) {
     map.forEach<float>([](float& value, const int*) {
         value = static_cast<float>(1 / (1 + std::exp(-sigmoid_slope * (static_cast<double>(value) - 0.5))));
@@ -71,6 +58,18 @@ SaliencyMap barrier_saliency(const cv::Mat& bgr) {
 }
 
 }  // namespace
+
+SaliencyMap centre_prior(cv::Size size) {
+    const auto bell = [](int count) {
+        cv::Mat values(count, 1, CV_32FC1);
+        for (int i = 0; i < count; ++i) {
+            const double z = ((i + 0.5) / count - 0.5) / centre_sigma;
+            values.at<float>(i) = static_cast<float>(std::exp(-z * z / 2));
+        }
+        return values;
+    };
+    return bell(size.height) * bell(size.width).t();
+}
 
 SaliencyMap image_saliency(const cv::Mat& bgr, ImageSaliency method) {
     if (method == ImageSaliency::frequency_tuned) return frequency_tuned(lab(bgr));

@@ -10,6 +10,9 @@ enum class ImageSaliency {
     barrier,          // not connected to the border, unlike the border, near the centre
 };
 
+/// How near the centre each place is: 1 there, falling off by a Gaussian of a third of each side.
+SaliencyMap centre_prior(cv::Size size);
+
 /// S_I of one picture.
 ///
 /// @param bgr  CV_8UC3, not empty

@@ -14,11 +14,13 @@ namespace {
 
 constexpr int magnitude_bins = 32;
 constexpr int direction_bins = 16;
-constexpr double still = 0.25;          // px: shorter vectors have no direction
-constexpr double noise_floor = 0.003;   // of the diagonal, per frame
-constexpr int least_side = 16;          // px
-constexpr int grid_step = 8;            // px between tracked points
-constexpr double reliable_error = 20;   // mean absolute difference of patches, grey levels
+constexpr double still = 0.25;         // px: shorter vectors have no direction
+constexpr double noise_floor = 0.003;  // of the diagonal, per frame
+constexpr int least_side = 16;         // px
+constexpr int grid_step = 8;           // px between tracked points
+constexpr double reliable_error = 20;  // mean absolute difference of patches, grey levels
+constexpr int refits = 12;
+constexpr double explained = 1;         // px: a vector this far off the background counts a quarter
 constexpr double least_texture = 1e-3;  // smallest eigenvalue for which Lucas-Kanade has an answer
 
 struct Bin {
@@ -97,21 +99,70 @@ Flow tracked_grid(const cv::Mat& before, const cv::Mat& after) {
     for (std::size_t i = 0; i < from.size(); ++i) {
         const cv::Point2f d = to[i] - from[i];
         flow.vectors.push_back({static_cast<double>(d.x), static_cast<double>(d.y)});
-        flow.is_reliable.push_back(found[i] != 0 && static_cast<double>(error[i]) < reliable_error);
+        const bool is_seen = to[i].inside(cv::Rect2f({}, before.size()));  // what left the picture is guessed
+        flow.is_reliable.push_back(found[i] != 0 && is_seen &&
+                                   static_cast<double>(error[i]) < reliable_error);
     }
     return flow;
 }
 
-/// |v - g| on the grid, 0 where the flow has no answer.
-cv::Mat contrast_on_grid(const Flow& flow, Vec2 global) {
+/// Motion of the background at a place: pan + turn * (place - centre), the product of complex numbers.
+struct BackgroundMotion {
+    Vec2 pan;
+    Vec2 turn;
+    Vec2 centre;
+
+    Vec2 at(Vec2 place) const {
+        const Vec2 p = place - centre;
+        return pan + Vec2{turn.x * p.x - turn.y * p.y, turn.x * p.y + turn.y * p.x};
+    }
+};
+
+Vec2 place_on_grid(const Flow& flow, std::size_t i) {
+    const auto index = static_cast<int>(i);
+    const Vec2 cell{index % flow.grid.width + 0.5, index / flow.grid.width + 0.5};
+    return cell * grid_step;
+}
+
+/// One step of iterated least squares, each vector weighted by how well the motion so far explains it.
+BackgroundMotion refitted(const Flow& flow, const BackgroundMotion& now) {
+    Vec2 sum_p;
+    Vec2 sum_v;
+    double sum = 0;
+    std::vector<double> weights(flow.vectors.size());
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        if (!flow.is_reliable[i]) continue;
+        const double residual = length(flow.vectors[i] - now.at(place_on_grid(flow, i))) / explained;
+        weights[i] = 1 / ((1 + residual * residual) * (1 + residual * residual));
+        sum += weights[i];
+        sum_p = sum_p + place_on_grid(flow, i) * weights[i];
+        sum_v = sum_v + flow.vectors[i] * weights[i];
+    }
+    if (sum <= 0) return now;
+    BackgroundMotion next{.pan = sum_v * (1 / sum), .turn = {}, .centre = sum_p * (1 / sum)};
+    double spread = 0;
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        const Vec2 p = place_on_grid(flow, i) - next.centre;
+        const Vec2 v = flow.vectors[i] - next.pan;
+        spread += weights[i] * dot(p, p);
+        next.turn = next.turn + Vec2{dot(p, v), cross(p, v)} * weights[i];
+    }
+    next.turn = spread > 0 ? next.turn * (1 / spread) : Vec2{};
+    return next;
+}
+
+/// |v - background| on the grid, 0 where the flow has no answer; less its median, which is the flow's noise.
+cv::Mat contrast_on_grid(const Flow& flow, const BackgroundMotion& background) {
     cv::Mat contrast = cv::Mat::zeros(flow.grid, CV_32FC1);
     for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
         if (!flow.is_reliable[i]) continue;
-        contrast.at<float>(static_cast<int>(i) / flow.grid.width, static_cast<int>(i) % flow.grid.width) =
-            static_cast<float>(length(flow.vectors[i] - global));
+        const auto index = static_cast<int>(i);
+        contrast.at<float>(index / flow.grid.width, index % flow.grid.width) =
+            static_cast<float>(length(flow.vectors[i] - background.at(place_on_grid(flow, i))));
     }
     cv::medianBlur(contrast, contrast, 3);
-    return contrast;
+    const std::vector<double> all(contrast.begin<float>(), contrast.end<float>());
+    return cv::max(contrast - median(all), 0);
 }
 
 }  // namespace
@@ -136,7 +187,7 @@ Vec2 voted_motion(std::span<const Vec2> vectors) {
     return {median(std::move(xs)), median(std::move(ys))};
 }
 
-MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after) {
+MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after, CameraModel model) {
     if (std::min(before.cols, before.rows) < least_side)
         return {SaliencyMap::zeros(before.size(), CV_32FC1), {}};
     const Flow flow = tracked_grid(before, after);
@@ -145,7 +196,12 @@ MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after) {
         if (flow.is_reliable[i]) reliable.push_back(flow.vectors[i]);
     }
     const Vec2 global = voted_motion(reliable);
-    const cv::Mat contrast = contrast_on_grid(flow, global);
+    BackgroundMotion background{.pan = global, .turn = {}, .centre = {}};
+    if (model == CameraModel::similarity) {
+        for (int i = 0; i < refits; ++i)
+            background = refitted(flow, background);
+    }
+    const cv::Mat contrast = contrast_on_grid(flow, background);
     double fastest = 0;
     cv::minMaxLoc(contrast, nullptr, &fastest);
     const double floor = noise_floor * std::hypot(before.cols, before.rows);

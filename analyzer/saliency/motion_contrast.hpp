@@ -7,6 +7,12 @@
 
 namespace vitrine {
 
+/// What a camera may do between two frames.
+enum class CameraModel {
+    pan,         // the paper's: one motion for the whole picture
+    similarity,  // pan, zoom and roll, fitted from the voted pan on
+};
+
 /// What moves against the camera between two neighbouring frames.
 struct MotionContrast {
     SaliencyMap map;     // S_M
@@ -24,7 +30,10 @@ Vec2 voted_motion(std::span<const Vec2> vectors);
 /// @param before, after  CV_8UC1 of one size, neighbouring frames, at least 16 px a side, else nothing moves
 /// @return  map of that size: |v - g| over its largest value, or over 0.3 % of the diagonal where nothing is
 ///          faster, so that flow noise on a still shot stays near 0
-/// Source: Dynamic Media Assemblage 3.2. Differs: that floor; outliers go by a 3x3 median on the grid.
-MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after);
+/// Source: Dynamic Media Assemblage 3.2. Differs: that floor; outliers go by a 3x3 median on the grid, the
+/// picture's median contrast is taken off as noise; the similarity, without which every zoom makes the
+/// picture's edges salient.
+MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after,
+                               CameraModel model = CameraModel::similarity);
 
 }  // namespace vitrine

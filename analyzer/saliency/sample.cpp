@@ -52,7 +52,7 @@ Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int
 
 std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame) {
     const double scale = static_cast<double>(map_size(frame.size()).width) / frame.cols;
-    std::vector<Face> faces = detector.detect(frame);
+    std::vector<Face> faces = prominent(detector.detect(frame));
     for (Face& face : faces)
         face.box = {face.box.min * scale, face.box.max * scale};
     return faces;

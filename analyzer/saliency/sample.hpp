@@ -35,7 +35,7 @@ constexpr int map_side = 160;
 Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int frame_size,
                 ImageSaliency method);
 
-/// Faces in px of the maps that searched() makes of such a frame.
+/// The prominent faces in px of the maps that searched() makes of such a frame.
 std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame);
 
 /// The size of the maps of a frame.

@@ -6,7 +6,8 @@
 namespace vitrine {
 namespace {
 
-constexpr double same_face = 0.3;    // intersection over union of one face in two searches
+constexpr double same_face = 0.3;  // intersection over union of one face in two searches
+constexpr double leaning = 0.005;  // a sample's saliency at the centre of a shot in which nothing stands out
 constexpr double least_face = 0.05;  // of the map's longer side: smaller ones are nobody in particular
 
 double seconds(std::chrono::nanoseconds time) {
@@ -68,11 +69,11 @@ std::vector<Box> heads(const std::vector<Sample>& samples, std::chrono::nanoseco
 }
 
 std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std::chrono::nanoseconds begin,
-                                         const SaliencyWeights& weights) {
+                                         const AnalysisSettings& settings) {
     std::vector<SalientFrame> frames;
     for (const Sample& sample : samples) {
-        const SaliencyMap face = face_saliency(sample.faces, sample.image.size(), 1);
-        frames.push_back({.map = combined(sample.motion, sample.image, face, weights),
+        const SaliencyMap face = face_saliency(sample.faces, sample.image.size(), 1, settings.has_bodies);
+        frames.push_back({.map = combined(sample.motion, sample.image, face, settings.weights),
                           .time = seconds(sample.time - begin),
                           .global_motion = sample.global_motion});
     }
@@ -90,7 +91,7 @@ IRegion to_source(const Polygon& polygon, Vec2 drift, cv::Size map, cv::Size sou
 }
 
 void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
-                 const std::vector<SalientFrame>& frames) {
+                 const std::vector<SalientFrame>& frames, bool has_bodies) {
     const std::size_t middle = samples.size() / 2;
     const Sample& sample = samples[middle];
     evidence.picture = sample.picture;
@@ -98,7 +99,7 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
     evidence.motion = sample.motion;
     evidence.image = sample.image;
     evidence.faces = sample.faces;
-    evidence.face = face_saliency(sample.faces, sample.image.size(), 1);
+    evidence.face = face_saliency(sample.faces, sample.image.size(), 1, has_bodies);
     evidence.combined = frames[middle].map;
 }
 
@@ -107,17 +108,22 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
 ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
                          const AnalysisSettings& settings) {
     forget_the_shot_before(samples, shot.begin);
-    const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings.weights);
+    const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
     const Vec2 drift = found_drift(frames, duration, settings.drift);
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(map, CV_32FC1)) : accumulated(frames, drift);
-    const Polygon region = i_region(evidence.volume, common_part(map, drift, duration),
+    SaliencyMap volume = evidence.volume.clone();
+    if (settings.region.mode == RegionMode::min_area) {
+        volume +=
+            centre_prior(map) * (leaning * static_cast<double>(std::max<std::size_t>(1, frames.size())));
+    }
+    const Polygon region = i_region(volume, common_part(map, drift, duration),
                                     heads(samples, shot.begin, drift, map), settings.region);
     shot.region = to_source(region, drift, map, source);
     evidence.shot = std::move(shot);
-    if (!samples.empty()) show_middle(evidence, samples, frames);
+    if (!samples.empty()) show_middle(evidence, samples, frames, settings.has_bodies);
     return evidence;
 }
 

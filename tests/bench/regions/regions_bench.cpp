@@ -130,8 +130,10 @@ Polygon region_of(const cv::Mat& bgr, const cv::Mat& large, FaceDetector* faces,
                   const RegionSettings& settings) {
     const double scale = static_cast<double>(large.cols) / bgr.cols;
     std::vector<Face> found;
-    if (faces != nullptr) found = faces->detect(large);
-    cv::Mat map = combined({}, image_saliency(bgr, method), face_saliency(found, bgr.size(), scale), {});
+    if (faces != nullptr) found = prominent(faces->detect(large));
+    const bool is_ours = method == ImageSaliency::barrier;
+    cv::Mat map =
+        combined({}, image_saliency(bgr, method), face_saliency(found, bgr.size(), scale, is_ours), {});
     const double shrink = std::min(1.0, 160.0 / std::max(map.cols, map.rows));
     cv::resize(map, map, {}, shrink, shrink, cv::INTER_AREA);
     std::vector<Box> whole;

@@ -1,0 +1,81 @@
+#include "analyzer/saliency/motion_contrast.hpp"
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+using namespace vitrine;
+
+namespace {
+
+/// A soft random texture, large enough to be panned over.
+cv::Mat texture() {
+    cv::Mat picture(260, 400, CV_8UC1);
+    cv::RNG random(5);
+    random.fill(picture, cv::RNG::UNIFORM, 0, 256);
+    cv::GaussianBlur(picture, picture, {0, 0}, 2.5);
+    cv::normalize(picture, picture, 0, 255, cv::NORM_MINMAX);
+    return picture;
+}
+
+/// The texture seen from an offset, with a textured disc of radius 24 at a place of its own.
+cv::Mat scene(cv::Point offset, cv::Point disc) {
+    const cv::Mat background = texture();
+    cv::Mat frame = background(cv::Rect(offset, cv::Size(320, 180))).clone();
+    cv::Mat mask = cv::Mat::zeros(frame.size(), CV_8UC1);
+    cv::circle(mask, disc, 24, 255, cv::FILLED);
+    cv::Mat subject;
+    cv::flip(background, subject, -1);
+    cv::Mat moved = cv::Mat::zeros(frame.size(), CV_8UC1);
+    const cv::Point corner = disc - cv::Point(60, 60);
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 120; ++x)
+            moved.at<unsigned char>(corner + cv::Point(x, y)) = subject.at<unsigned char>(y, x);
+    }
+    moved.copyTo(frame, mask);
+    return frame;
+}
+
+}  // namespace
+
+TEST_CASE("the vote finds the motion of most, whatever the others do") {
+    std::vector<Vec2> vectors(60, Vec2{3, 1});
+    vectors.insert(vectors.end(), 40, Vec2{-8, 5});
+    CHECK(voted_motion(vectors) == Vec2{3, 1});
+    CHECK(voted_motion({}) == Vec2{});
+}
+
+TEST_CASE("a disc that moves against a panning background is salient, and only it is") {
+    const MotionContrast found = motion_contrast(scene({20, 30}, {150, 90}), scene({24, 30}, {155, 90}));
+    CHECK(found.global_motion.x == doctest::Approx(-4).epsilon(0.05));
+    CHECK(std::abs(found.global_motion.y) < 0.2);
+    cv::Mat inner = cv::Mat::zeros(180, 320, CV_8UC1);
+    cv::circle(inner, {152, 90}, 16, 255, cv::FILLED);
+    cv::Mat outer(180, 320, CV_8UC1, cv::Scalar(255));
+    cv::circle(outer, {152, 90}, 48, 0, cv::FILLED);
+    CHECK(cv::mean(found.map, inner)[0] > 0.7);
+    CHECK(cv::mean(found.map, outer)[0] < 0.05);
+}
+
+TEST_CASE("noise on a still picture is no motion") {
+    cv::Mat noise(180, 320, CV_8SC1);
+    cv::RNG random(7);
+    random.fill(noise, cv::RNG::NORMAL, 0, 3);
+    const cv::Mat before = scene({20, 30}, {150, 90});
+    cv::Mat after;
+    cv::add(before, noise, after, {}, CV_8U);
+    CHECK(cv::mean(motion_contrast(before, after).map)[0] < 0.15);
+}
+
+TEST_CASE("a zoom is no subject, and to the paper's letter it was") {
+    const cv::Mat before = scene({20, 30}, {150, 90});
+    cv::Mat after;
+    cv::warpAffine(before, after, cv::getRotationMatrix2D({160, 90}, 0, 1.03), before.size(),
+                   cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    CHECK(cv::mean(motion_contrast(before, after, CameraModel::similarity).map)[0] < 0.1);
+    CHECK(cv::mean(motion_contrast(before, after, CameraModel::pan).map)[0] > 0.15);
+}
+
+TEST_CASE("pictures too small to track have no motion") {
+    CHECK(cv::countNonZero(
+              motion_contrast(cv::Mat::zeros(3, 5, CV_8UC1), cv::Mat::zeros(3, 5, CV_8UC1)).map) == 0);
+}

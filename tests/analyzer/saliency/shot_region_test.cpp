@@ -1,0 +1,79 @@
+#include "analyzer/saliency/sample_store.hpp"
+#include "analyzer/saliency/shot_region.hpp"
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+using namespace vitrine;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+namespace {
+
+/// A subject of radius 7 about `at`, px of the map.
+Sample sample_with_disc(milliseconds time, Vec2 at) {
+    Sample sample{.time = time, .pair_time = time, .faces_time = time};
+    sample.image = SaliencyMap::zeros(90, 160, CV_32FC1);
+    cv::circle(sample.image, cv::Point2d(at.x, at.y), 7, 1, cv::FILLED);
+    return sample;
+}
+
+}  // namespace
+
+TEST_CASE("the region holds a moving disc at every time of the shot") {
+    // Given a disc that moves 25 px of the map a second, and a picture of four times the map.
+    std::vector<Sample> samples;
+    for (int i = 0; i < 16; ++i)
+        samples.push_back(sample_with_disc(milliseconds(125 * i), {50 + 25 * i / 8.0, 45}));
+    const ShotEvidence found =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(2)}, {160, 90}, {640, 360}, {});
+    const IRegion& region = found.shot.region;
+    CHECK(region.drift.x == doctest::Approx(100).epsilon(0.05));
+    for (int i = 0; i < 16; ++i) {
+        const double t = i / 8.0;
+        const Vec2 centre{4 * (50.5 + 25 * t), 4 * 45.5};
+        const Polygon now = transformed(region.polygon, 1, region.drift * t);
+        for (const Vec2 edge : {Vec2{28, 0}, Vec2{-28, 0}, Vec2{0, 28}, Vec2{0, -28}}) {
+            CHECK(is_inside_convex(now, centre + edge, 4));
+        }
+    }
+}
+
+TEST_CASE("motion measured across the shot's begin does not count") {
+    Sample sample = sample_with_disc(milliseconds(1000), {80, 45});
+    sample.pair_time = milliseconds(960);
+    sample.motion = SaliencyMap(90, 160, CV_32FC1, cv::Scalar(1));
+    const ShotEvidence found =
+        shot_region({sample}, {.begin = seconds(1), .end = seconds(2)}, {160, 90}, {160, 90}, {});
+    CHECK(found.motion.empty());
+}
+
+TEST_CASE("a shot without samples gets the middle of the picture") {
+    const ShotEvidence found =
+        shot_region({}, {.begin = seconds(1), .end = seconds(2)}, {160, 90}, {320, 180}, {});
+    CHECK(is_inside_convex(found.shot.region.polygon, {160, 90}));
+    CHECK(area(found.shot.region.polygon) > 0.08 * 320 * 180);
+}
+
+TEST_CASE("two hours of one shot keep at most 256 samples, evenly spread") {
+    SampleStore store;
+    const int count = 2 * 3600 * 8;
+    for (int i = 0; i < count; ++i) {
+        store.push({.time = milliseconds(125) * i});
+        REQUIRE(store.size() <= SampleStore::recent + SampleStore::most_settled);
+    }
+    const std::vector<Sample> kept = store.take(seconds(0), milliseconds(125) * count);
+    CHECK(kept.size() > 128);
+    const auto step = kept[1].time - kept[0].time;
+    for (std::size_t i = 1; i < kept.size() - SampleStore::recent; ++i)
+        CHECK(kept[i].time - kept[i - 1].time == step);
+}
+
+TEST_CASE("samples of a transition go to neither shot, later ones stay") {
+    SampleStore store;
+    for (int i = 0; i < 10; ++i)
+        store.push({.time = milliseconds(100) * i});
+    CHECK(store.take(milliseconds(0), milliseconds(300)).size() == 3);
+    CHECK(store.take(milliseconds(500), milliseconds(900)).size() == 4);
+    CHECK(store.size() == 1);
+}
