@@ -2,13 +2,14 @@
 // costs. Usage: regions_bench [FACE_MODEL]. Prints the paper's letter, the middle of the picture and ours
 // side by side.
 
-#include "analyzer/saliency/barrier_distance.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/saliency/frequency_tuned.hpp"
 #include "analyzer/saliency/i_region.hpp"
 #include "analyzer/saliency/image_saliency.hpp"
 #include "analyzer/saliency/motion_contrast.hpp"
 #include "analyzer/saliency/salient_volume.hpp"
+#include "analyzer/saliency/sample.hpp"
+#include "analyzer/saliency/shot_region.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -86,7 +87,6 @@ struct Score {
     int whole_faces = 0;
     int faces = 0;
     int count = 0;
-    int beats_middle = 0;
 
     void add(const Score& s) {
         iou += s.iou;
@@ -208,6 +208,52 @@ void photographs(const fs::path& folder, FaceDetector* faces, bool is_verbose) {
     }
 }
 
+/// A car that the camera follows, with its outline in every frame.
+void moving_car(const fs::path& folder, FaceDetector* faces) {
+    if (!fs::exists(folder / "frames")) {
+        fmt::print("moving car: not here\n");
+        return;
+    }
+    std::vector<fs::path> frames(fs::directory_iterator(folder / "frames"), {});
+    std::vector<fs::path> masks(fs::directory_iterator(folder / "masks"), {});
+    std::sort(frames.begin(), frames.end());
+    std::sort(masks.begin(), masks.end());
+    constexpr std::chrono::milliseconds interval{40};
+    std::vector<Sample> samples;
+    cv::Mat before;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const cv::Mat frame = picture(frames[i], 320);
+        samples.push_back(searched(frame, before, 0.04, 320, ImageSaliency::barrier));
+        samples.back().time = interval * i;
+        samples.back().pair_time = interval * (i > 0 ? i - 1 : 0);
+        samples.back().faces_time = samples.back().time;
+        if (faces != nullptr) samples.back().faces = searched_faces(*faces, frame);
+        before = frame;
+    }
+    const Shot shot{.end = interval * frames.size()};
+    const ShotEvidence found = shot_region(samples, shot, map_size(before.size()), before.size(), {});
+    double covered = 0;
+    double least = 1;
+    for (std::size_t i = 0; i < masks.size(); ++i) {
+        cv::Mat mask;
+        cv::cvtColor(picture(masks[i], 320), mask, cv::COLOR_BGR2GRAY);
+        mask = mask > 0;
+        const Vec2 moved_by = found.shot.region.drift * (0.04 * static_cast<double>(i));
+        const cv::Mat inside =
+            filled(mask.size(), transformed(found.shot.region.polygon, 1, moved_by)) & mask;
+        const double share =
+            cv::countNonZero(inside) / static_cast<double>(std::max(1, cv::countNonZero(mask)));
+        covered += share / static_cast<double>(masks.size());
+        least = std::min(least, share);
+    }
+    fmt::print("moving car: {:.0f} % of it covered on average, {:.0f} % in the worst of {} frames; region "
+               "{:.0f} % of "
+               "the picture, drift {:.0f}, {:.0f} px/s\n",
+               covered * 100, least * 100, masks.size(),
+               100 * area(found.shot.region.polygon) / static_cast<double>(before.total()),
+               found.shot.region.drift.x, found.shot.region.drift.y);
+}
+
 double milliseconds(const std::function<void()>& work) {
     work();
     const auto from = std::chrono::steady_clock::now();
@@ -216,6 +262,36 @@ double milliseconds(const std::function<void()>& work) {
         work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count() /
            rounds;
+}
+
+/// What each stage costs on a 320 px frame, one thread.
+void costs(const fs::path& folder, FaceDetector& faces) {
+    if (!fs::exists(folder / "frames")) return;
+    const cv::Mat a = picture(folder / "frames" / "00010.jpg", 320);
+    const cv::Mat b = picture(folder / "frames" / "00011.jpg", 320);
+    cv::Mat grey_a;
+    cv::Mat grey_b;
+    cv::cvtColor(a, grey_a, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(b, grey_b, cv::COLOR_BGR2GRAY);
+    const double tuned = milliseconds([&] { frequency_tuned(lab(a)); });
+    const double barrier = milliseconds([&] { image_saliency(a, ImageSaliency::barrier); });
+    const double motion = milliseconds([&] { motion_contrast(grey_a, grey_b); });
+    const double face = milliseconds([&] { faces.detect(a); });
+    const double whole = milliseconds([&] { searched(b, a, 0.04, 320, ImageSaliency::barrier); });
+    std::vector<SalientFrame> frames;
+    for (int i = 0; i < 64; ++i)
+        frames.push_back({.map = searched(b, a, 0.04, 320, {}).image, .time = i / 8.0});
+    const double drift = milliseconds([&] { found_drift(frames, 8, DriftMode::smallest_area); });
+    const SaliencyMap volume = accumulated(frames, {});
+    const Box core = common_part(volume.size(), {}, 0);
+    const double region = milliseconds([&] { i_region(volume, core, {}, {}); });
+    const double sample = whole + face / 4;
+    fmt::print("cost, ms of one thread on {} x {}: frequency-tuned {:.2f}, barrier {:.2f}, motion {:.2f}, "
+               "faces {:.1f};\n"
+               "  a sample with faces every 4th {:.1f} ms, 1/{:.0f} of the paper's 300 ms a frame; a shot of "
+               "64 samples: "
+               "drift {:.1f}, region {:.1f}\n",
+               a.cols, a.rows, tuned, barrier, motion, face, sample, paper_frame_ms / sample, drift, region);
 }
 
 }  // namespace
@@ -227,7 +303,7 @@ int main(int argc, char** argv) {
     const auto faces = face_detector(argc > 1 ? argv[1] : "",
                                      "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml");
     photographs(media / "photos", faces.get(), argc > 2);
-    (void)milliseconds;
-    (void)paper_frame_ms;
+    moving_car(media / "saliency" / "davis_car-shadow", faces.get());
+    costs(media / "saliency" / "davis_car-shadow", *faces);
     return 0;
 }
