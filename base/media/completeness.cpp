@@ -20,8 +20,9 @@ namespace vitrine {
 
 namespace {
 
-constexpr int max_boxes = 100'000;  // walked at the top level of one file
-constexpr std::uint64_t slack = 8;  // bytes that sloppy writers promise too much
+constexpr int max_boxes = 100'000;                // walked at the top level of one file
+constexpr std::uint64_t slack = 8;                // bytes that sloppy writers promise too much
+constexpr std::uint64_t trailing_zeros = 65'536;  // bytes: padding that a sparse copy may leave out
 constexpr std::uint64_t unlimited = std::uint64_t{1}
                                     << 62;  // larger sizes are nonsense: kept from overflowing
 
@@ -38,10 +39,16 @@ class Bytes {
 
     std::uint64_t size() const { return size_; }
 
-    /// Where the first hole is; the size where there is none or the file system does not say.
-    std::uint64_t first_hole() const {
-        const off_t hole = ::lseek(fd_.get(), 0, SEEK_HOLE);
-        return hole < 0 ? size_ : static_cast<std::uint64_t>(hole);
+    /// Where what was written ends: holes in the middle are only zeros that a copy left out.
+    std::uint64_t written() const {
+        off_t end = 0;
+        for (int extent = 0; extent < max_boxes; ++extent) {
+            const off_t data = ::lseek(fd_.get(), end, SEEK_DATA);
+            if (data < 0) return errno == ENXIO ? static_cast<std::uint64_t>(end) : size_;  // ENXIO: no more
+            end = ::lseek(fd_.get(), data, SEEK_HOLE);
+            if (end < 0 || static_cast<std::uint64_t>(end) >= size_) return size_;
+        }
+        return size_;
     }
 
     template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
@@ -185,10 +192,10 @@ FileExtent file_extent(const std::string& path, MediaFormat format) {
 void require_complete(const std::string& path, MediaFormat format) {
     const Bytes file(path);
     const FileExtent extent = extent_of(file, format);
-    if (const auto hole = file.first_hole(); hole < file.size())
+    if (const auto written = file.written(); written + trailing_zeros < file.size())
         throw MediaError(MediaState::waiting,
                          fmt::format("the copy is not complete: {} % of it is written so far",
-                                     percent(hole, file.size())));
+                                     percent(written, file.size())));
     if (extent.declared > extent.present + slack)
         throw MediaError(MediaState::waiting, fmt::format("the copy is not complete: {} % of it is here",
                                                           percent(extent.present, extent.declared)));

@@ -78,3 +78,13 @@ TEST_CASE("half a matroska file is waited for") {
     constexpr auto half = "\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\xb0........"sv;
     CHECK(refusal_of(half, MediaFormat::matroska) == "the copy is not complete: 31 % of it is here");
 }
+
+TEST_CASE("a copy that took its whole space first is waited for, one with zeros inside is not") {
+    const TempFile file(fmt::format("{}{}", ftyp, moov));
+    constexpr std::uintmax_t megabyte = 1 << 20;
+    std::filesystem::resize_file(file.path, megabyte);  // a box "to the end" of zeros
+    CHECK_THROWS_WITH_AS(require_complete(file.path, MediaFormat::mp4),
+                         "the copy is not complete: 0 % of it is written so far", MediaError);
+    std::ofstream(file.path, std::ios::binary | std::ios::app) << "end";
+    CHECK_NOTHROW(require_complete(file.path, MediaFormat::mp4));
+}
