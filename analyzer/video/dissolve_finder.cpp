@@ -10,16 +10,18 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::array windows{milliseconds{320}, milliseconds{480}, milliseconds{640}, milliseconds{960},
-                             milliseconds{1280}};
-constexpr std::size_t least_frames = 5;     // of a window
+constexpr std::array windows{milliseconds{160}, milliseconds{240}, milliseconds{320}, milliseconds{480},
+                             milliseconds{640}, milliseconds{960}, milliseconds{1280}};
+constexpr std::size_t least_frames = 4;     // of a window
 constexpr std::size_t most_looked_at = 32;  // frames of a window
 constexpr double least_energy = 150;        // mean square of D, grey levels squared
 constexpr double alike = .6;                // NCC of both ends
 constexpr double least_difference = .15;    // colour difference of both ends
 constexpr double uneven = .18;              // largest deviation from even growth
 constexpr double most_residue = .05;        // energy beside D, share of D's
-constexpr milliseconds quiet{320};          // without a window, a dissolve is over
+constexpr double unlike = .2;               // NCC of ends that no motion explains: both shots may move then
+constexpr double most_residue_if_unlike = .10;
+constexpr milliseconds quiet{320};  // without a window, a dissolve is over
 
 double mean_product(const FrameFeatures& a, const FrameFeatures& b) {
     std::int64_t sum = 0;
@@ -70,7 +72,8 @@ class Ends {
 bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t last) {
     const FrameFeatures& start = window.at(first);
     const FrameFeatures& end = window.at(last);
-    if (correlation(start, end) >= alike) return false;
+    const double likeness = correlation(start, end);
+    if (likeness >= alike) return false;
     const Ends ends(start, end);
     if (ends.energy() <= least_energy || colour_difference(start, end) <= least_difference) return false;
     const std::size_t step = std::max<std::size_t>(1, (last - first) / most_looked_at);
@@ -83,7 +86,7 @@ bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t las
         if (std::abs(line.share - due) >= uneven) return false;
         residue += line.residue;
     }
-    return looked_at > 0 && residue / looked_at < most_residue;
+    return looked_at > 0 && residue / looked_at < (likeness < unlike ? most_residue_if_unlike : most_residue);
 }
 
 }  // namespace

@@ -59,6 +59,10 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
     if (!open_) return std::nullopt;
     if (in_plain_) open_->end = window.time(frame);
     in_plain_ = false;
+    if (since == frame) {  // a cut away from the plain colour, or out of the ramp
+        open_->end = window.time(frame);
+        return std::exchange(open_, std::nullopt);
+    }
     if (is_growing(window, frame)) {
         if (frame + 1 < window.end()) open_->end = window.time(frame + 1);
         if (window.time(frame) - window.time(std::max(window.first(), plain_end_)) > least_fade)

@@ -15,10 +15,6 @@
 #include <filesystem>
 #include <iterator>
 
-#ifndef VITRINE_SHARED_MEDIA
-#define VITRINE_SHARED_MEDIA "../shared/media"
-#endif
-
 using namespace vitrine;
 
 namespace {

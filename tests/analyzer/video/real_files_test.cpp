@@ -1,0 +1,148 @@
+// Real and hostile files, where they are: nothing is checked without them.
+
+#include "analyzer/video/frame_reader.hpp"
+#include "base/catalogue/media_error.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+using namespace vitrine;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path media = VITRINE_SHARED_MEDIA;
+
+std::vector<std::string> files_under(const char* folder) {
+    std::vector<std::string> files;
+    if (!fs::is_directory(media / folder)) {
+        MESSAGE("not here: the media folder ", std::string(folder));
+        return files;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(media / folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    return files;
+}
+
+struct Outcome {
+    MediaState state = MediaState::ready;
+    std::string reason;
+    int frames = 0;
+    MediaInfo info;
+    cv::Mat last;
+};
+
+// Reads a medium to its end, of a long one the first thousand frames.
+Outcome read(const std::string& path) {
+    constexpr int enough = 1000;
+    Outcome outcome;
+    try {
+        const auto source = open_media(path);
+        while (const auto frame = source->next()) {
+            outcome.last = frame->picture;
+            if (++outcome.frames == enough) break;
+        }
+        outcome.info = source->info();
+    } catch (const MediaError& error) {
+        outcome.state = error.state();
+        outcome.reason = error.what();
+    }
+    return outcome;
+}
+
+double mean_difference(const cv::Mat& a, const cv::Mat& b) {
+    cv::Mat difference;
+    cv::absdiff(a, b, difference);
+    const cv::Scalar mean = cv::mean(difference);
+    return (mean[0] + mean[1] + mean[2]) / 3;
+}
+
+Outcome read_in(const char* name) {
+    return fs::exists(media / name) ? read(media / name) : Outcome{};
+}
+
+// AVIF with a crop or a turn: libvips 8.14.1 compares its size before with that after and gives up.
+bool libvips_refuses(const std::string& path) {
+    return path.ends_with("kimono.crop.avif") || path.find("kimono.rotate") != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("every codec, container and still format opens") {
+    for (const char* folder : {"codecs", "formats", "orientation"}) {
+        for (const std::string& path : files_under(folder)) {
+            CAPTURE(path);
+            const Outcome outcome = read(path);
+            if (path.ends_with("audio_only.m4a")) {
+                CHECK(outcome.reason == "the file holds only sound");
+                continue;
+            }
+            CAPTURE(outcome.reason);
+            if (libvips_refuses(path)) continue;
+            CHECK(outcome.state == MediaState::ready);
+            CHECK(outcome.frames > 0);
+            CHECK(std::max(outcome.last.cols, outcome.last.rows) <= 320);
+            const double aspect = static_cast<double>(outcome.info.width) / outcome.info.height;
+            CHECK(std::abs(outcome.last.cols - aspect * outcome.last.rows) <= std::max(1.0, aspect));
+        }
+    }
+}
+
+TEST_CASE("all eight orientations of one photo are the same picture") {
+    const Outcome upright = read_in("orientation/Landscape_1.jpg");
+    if (upright.frames == 0) return;
+    for (int i = 2; i <= 8; ++i) {
+        const Outcome turned = read_in(fmt::format("orientation/Landscape_{}.jpg", i).c_str());
+        REQUIRE(turned.last.size() == upright.last.size());
+        CHECK(mean_difference(turned.last, upright.last) < 12);  // the words on them differ
+    }
+}
+
+TEST_CASE("a turned film stands as the unturned one") {
+    const Outcome upright = read_in("codecs/khronos_rotation_0.mp4");
+    if (upright.frames == 0) return;
+    for (const char* name : {"90", "180", "270"}) {
+        const Outcome turned = read_in(fmt::format("codecs/khronos_rotation_{}.mp4", name).c_str());
+        REQUIRE(turned.last.size() == upright.last.size());
+        CHECK(mean_difference(turned.last, upright.last) < 8);
+    }
+}
+
+TEST_CASE("no hostile file crashes, hangs or is shown when it is not whole") {
+    for (const std::string& path : files_under("hostile")) {
+        CAPTURE(path);
+        const auto start = std::chrono::steady_clock::now();
+        const Outcome outcome = read(path);
+        const auto took = std::chrono::steady_clock::now() - start;
+        const bool is_answered = outcome.state != MediaState::ready || outcome.frames > 0;
+        CHECK(is_answered);
+        if (took > std::chrono::seconds(5))
+            MESSAGE(path, " took ", std::chrono::duration_cast<std::chrono::seconds>(took).count(), " s");
+    }
+}
+
+TEST_CASE("what is cut short is waited for, what is a bomb is refused") {
+    if (!fs::is_directory(media / "hostile/made")) return;
+    for (const char* name :
+         {"jpeg_cut_10pct.jpg", "jpeg_cut_50pct.jpg", "jpeg_cut_99pct.jpg", "mp4_cut_in_mdat.mp4",
+          "mp4_cut_before_moov.mp4", "zero.jpg", "nulls_64KiB.mp4"}) {
+        CAPTURE(name);
+        CHECK(read(media / "hostile/made" / name).state == MediaState::waiting);
+    }
+    for (const char* name : {"bomb_30000x30000_1bit.png", "jpeg_header_says_65500.jpg", "bmp_claims_huge.bmp",
+                             "really_html.mp4", "playlist.m3u8", "sdp.sdp", "svg_billion_laughs.svg"}) {
+        CAPTURE(name);
+        CHECK(read(media / "hostile/made" / name).state == MediaState::unsupported);
+    }
+    for (const char* name :
+         {"jpeg_tail_garbage.jpg", "really_jpeg.mp4", "really_mp4.jpg", "[brackets].jpg", "%s%n%x.jpg"}) {
+        CAPTURE(name);
+        CHECK(read(media / "hostile/made" / name).state == MediaState::ready);
+    }
+}
