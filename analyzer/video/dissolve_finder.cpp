@@ -26,7 +26,7 @@ constexpr milliseconds quiet{320};  // without a window, a dissolve is over
 double mean_product(const FrameFeatures& a, const FrameFeatures& b) {
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < a.signature.size(); ++i)
-        sum += a.signature[i] * b.signature[i];
+        sum += std::int64_t{a.signature[i]} * b.signature[i];
     return static_cast<double>(sum) / static_cast<double>(a.signature.size());
 }
 

@@ -27,7 +27,8 @@ void count_colours(const cv::Mat& picture, FrameFeatures& features) {
 }
 
 void sign(const cv::Mat& picture, FrameFeatures& features) {
-    const cv::Size size(FrameFeatures::signature_width, FrameFeatures::signature_height);
+    const cv::Size size(static_cast<int>(FrameFeatures::signature_width),
+                        static_cast<int>(FrameFeatures::signature_height));
     cv::Mat small;
     cv::resize(picture, small, size, 0, 0, cv::INTER_AREA);
     cv::Mat grey(size, CV_8UC1, features.signature.data());

@@ -3,15 +3,16 @@
 #include "analyzer/video/video_frame.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace vitrine {
 
 /// What shot detection keeps of a frame: enough to compare it with any other, small enough to keep seconds.
 struct FrameFeatures {
-    static constexpr int bins = 8;              // a colour channel
-    static constexpr int signature_width = 32;  // px
-    static constexpr int signature_height = 18;
+    static constexpr std::size_t bins = 8;              // a colour channel
+    static constexpr std::size_t signature_width = 32;  // px
+    static constexpr std::size_t signature_height = 18;
 
     std::chrono::nanoseconds time{0};
     std::array<std::uint16_t, bins * bins * bins>

@@ -54,7 +54,7 @@ void average_columns(const Sum* sums, int block, int step, std::uint32_t scale, 
     for (int x = 0; x < out.cols; ++x) {
         std::uint32_t sum = 0;
         for (int i = 0; i < block; ++i)
-            sum += sums[(x * block + i) * step];
+            sum += sums[static_cast<std::ptrdiff_t>(x * block + i) * step];
         to[x] = static_cast<std::uint8_t>((std::uint64_t{sum} * scale + (1U << 23)) >> 24);
     }
 }
