@@ -35,6 +35,8 @@ class FilmLoop {
     FilmLoop(FilmPart part, SampleQueue& queue);
     FilmLoop(const FilmLoop&) = delete;
     FilmLoop& operator=(const FilmLoop&) = delete;
+    FilmLoop(FilmLoop&&) = delete;
+    FilmLoop& operator=(FilmLoop&&) = delete;
 
     /// Waits for its threads: not for long after has_ended().
     ~FilmLoop();

@@ -22,6 +22,8 @@ class Mapping {
 
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
+    Mapping(Mapping&&) = delete;
+    Mapping& operator=(Mapping&&) = delete;
 
     ~Mapping() {
         if (is_mapped_) gst_video_frame_unmap(&frame_);

@@ -19,6 +19,8 @@ class PhotoLoad {
     PhotoLoad(std::string file, int width, int height, SampleQueue& queue);
     PhotoLoad(const PhotoLoad&) = delete;
     PhotoLoad& operator=(const PhotoLoad&) = delete;
+    PhotoLoad(PhotoLoad&&) = delete;
+    PhotoLoad& operator=(PhotoLoad&&) = delete;
 
     /// Waits for its thread: not for long after has_ended().
     ~PhotoLoad();

@@ -113,6 +113,7 @@ std::vector<Assemblage::Slot*> Assemblage::overdue_slots(std::chrono::nanosecond
     std::stable_sort(overdue.begin(), overdue.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Slot*> slots;
+    slots.reserve(overdue.size());
     for (const auto& [due, slot] : overdue)
         slots.push_back(slot);
     return slots;

@@ -9,6 +9,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace vitrine {
@@ -25,7 +26,11 @@ struct ShotKey {
     std::string path;
     int shot = 0;  // index into MediaRecord::shots
 
-    friend auto operator<=>(const ShotKey&, const ShotKey&) = default;
+    friend bool operator==(const ShotKey&, const ShotKey&) = default;
+
+    friend bool operator<(const ShotKey& a, const ShotKey& b) {
+        return std::tie(a.path, a.shot) < std::tie(b.path, b.shot);
+    }
 };
 
 /// Whose turn it is: each shot once before any of its file comes again, new files first.
