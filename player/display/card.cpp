@@ -92,12 +92,11 @@ bool has_panel(const Card& card) {
     return std::ranges::any_of(state.connectors, &CardState::Connector::is_connected);
 }
 
-// A card that only computes, or whose file is not ours, is none to show on; `reason` then says why.
-std::optional<Card> try_card(const std::filesystem::path& path, KmsApi api, std::string& reason) {
+// Why nothing can be shown on a card; nothing when it can.
+std::optional<std::string> fault(const std::filesystem::path& path) {
     const UniqueFd fd(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    if (fd.is_open() && has_connectors(fd.get())) return Card(path, api);
-    const std::string why = fd.is_open() ? "has no connector" : std::generic_category().message(errno);
-    reason += fmt::format("{}'{}' {}", reason.empty() ? "" : ", ", path.string(), why);
+    if (!fd.is_open()) return std::generic_category().message(errno);
+    if (!has_connectors(fd.get())) return "has no connector";  // it only computes
     return std::nullopt;
 }
 
@@ -156,8 +155,12 @@ Card open_card(const std::filesystem::path& path, KmsApi api) {
     for (int i = 0; i < most_cards; ++i) {
         const std::filesystem::path file = fmt::format("/dev/dri/card{}", i);
         if (!std::filesystem::exists(file)) continue;
-        std::optional<Card> card = try_card(file, api, reason);
-        if (!card) continue;
+        if (const std::optional<std::string> why = fault(file)) {
+            reason += fmt::format("{}'{}' {}", reason.empty() ? "" : ", ", file.string(), *why);
+            continue;
+        }
+        std::optional<Card> card(std::in_place, file,
+                                 api);  // opened once only: the first opener is the master
         if (has_panel(*card)) return std::move(*card);
         if (!unlit) unlit = std::move(card);
     }

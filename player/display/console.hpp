@@ -11,6 +11,8 @@ class QuietConsole {
     QuietConsole();
     QuietConsole(const QuietConsole&) = delete;
     QuietConsole& operator=(const QuietConsole&) = delete;
+    QuietConsole(QuietConsole&&) = delete;
+    QuietConsole& operator=(QuietConsole&&) = delete;
     ~QuietConsole();
 
   private:

@@ -55,8 +55,9 @@ struct Part {
 };
 
 // In the order of the chain.
-constexpr std::array<Part, 6> parts{{{"appsrc", "gstreamer1.0-plugins-base"},
+constexpr std::array<Part, 7> parts{{{"appsrc", "gstreamer1.0-plugins-base"},
                                      {"videoconvert", "gstreamer1.0-plugins-base"},
+                                     {"capsfilter", "libgstreamer1.0-0"},
                                      {"x264enc", "gstreamer1.0-plugins-ugly"},
                                      {"h264parse", "gstreamer1.0-plugins-bad"},
                                      {"mp4mux", "gstreamer1.0-plugins-good"},
@@ -107,11 +108,13 @@ struct FilmWriter::Chain {
             height, "framerate", GST_TYPE_FRACTION, numerator, denominator, nullptr));
         g_object_set(elements[0], "caps", caps.get(), "format", GST_FORMAT_TIME, "max-bytes", guint64{0},
                      nullptr);
-        gst_util_set_object_arg(G_OBJECT(elements[2]), "speed-preset", "superfast");
-        gst_util_set_object_arg(G_OBJECT(elements[2]), "pass", "quant");
-        g_object_set(elements[2], "quantizer", 20, "key-int-max", 60, nullptr);
-        g_object_set(elements[4], "faststart", TRUE, nullptr);
-        g_object_set(elements[5], "location", path.c_str(), nullptr);
+        // Without it the encoder keeps RGB's full colour, which browsers and television sets do not play.
+        gst_util_set_object_arg(G_OBJECT(elements[2]), "caps", "video/x-raw, format=I420");
+        gst_util_set_object_arg(G_OBJECT(elements[3]), "speed-preset", "superfast");
+        gst_util_set_object_arg(G_OBJECT(elements[3]), "pass", "quant");
+        g_object_set(elements[3], "quantizer", 20, "key-int-max", 60, nullptr);
+        g_object_set(elements[5], "faststart", TRUE, nullptr);
+        g_object_set(elements[6], "location", path.c_str(), nullptr);
     }
 
     /// Waits for a message of `type` or an error; nullptr when none comes in time.

@@ -18,6 +18,8 @@ class FilmWriter {
     FilmWriter(const std::filesystem::path& path, int width, int height, double rate);
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
+    FilmWriter(FilmWriter&&) = delete;
+    FilmWriter& operator=(FilmWriter&&) = delete;
 
     /// Ends the film if finish() has not; a failure then shows as a broken file only.
     ~FilmWriter();

@@ -1,12 +1,14 @@
 #include "player/display/kms_screen.hpp"
 
 #include "base/system/error.hpp"
+#include "base/system/log.hpp"
 
 #include <fmt/format.h>
 #include <xf86drm.h>
 
 #include <cassert>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace vitrine {
@@ -28,6 +30,8 @@ class ModeBlob {
 
     ModeBlob(const ModeBlob&) = delete;
     ModeBlob& operator=(const ModeBlob&) = delete;
+    ModeBlob(ModeBlob&&) = delete;
+    ModeBlob& operator=(ModeBlob&&) = delete;
 
     ~ModeBlob() { drmModeDestroyPropertyBlob(card_, id_); }
 
@@ -57,6 +61,8 @@ struct KmsScreen::SavedCrtc {
 
     SavedCrtc(const SavedCrtc&) = delete;
     SavedCrtc& operator=(const SavedCrtc&) = delete;
+    SavedCrtc(SavedCrtc&&) = delete;
+    SavedCrtc& operator=(SavedCrtc&&) = delete;
 
     ~SavedCrtc() {
         if (!crtc || !crtc->mode_valid || crtc->buffer_id == 0) return;
@@ -108,6 +114,7 @@ void KmsScreen::present(std::chrono::nanoseconds) {
 
 void KmsScreen::take_result(int error, const char* what) {
     if (error == 0 || error == EBUSY || error == EINTR || error == EAGAIN) return;
+    log::debug("'{}': cannot {}: {}", card_.path().string(), what, std::generic_category().message(error));
     if (is_loss_of_master(error)) {
         is_master_ = false;
         needs_mode_ = true;
@@ -171,7 +178,9 @@ void KmsScreen::on_tick() {
 
 void KmsScreen::look_for_panel(bool asks_panels) {
     const std::optional<Output> found = choose_output(card_.state(asks_panels), wish_, card_.is_atomic());
-    if (output_ && found && output_->is_same(*found)) return;
+    if (output_ && found ? output_->is_same(*found) : !output_ && !found) return;
+    log::debug("'{}': {}", card_.path().string(),
+               found ? fmt::format("a panel at {} with {}", found->name, found->mode.name) : "no panel");
     go_dark();
     if (found) light(*found);
 }

@@ -28,6 +28,8 @@ class KmsScreen final : public Screen {
     explicit KmsScreen(const KmsOptions& options);
     KmsScreen(const KmsScreen&) = delete;
     KmsScreen& operator=(const KmsScreen&) = delete;
+    KmsScreen(KmsScreen&&) = delete;
+    KmsScreen& operator=(KmsScreen&&) = delete;
     ~KmsScreen() override;
 
     int width() const override { return width_; }

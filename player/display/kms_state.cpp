@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 #include <stdexcept>
+#include <tuple>
 
 namespace vitrine {
 
@@ -55,8 +56,12 @@ std::uint32_t choose_plane(const CardState& card, std::size_t crtc) {
 }  // namespace
 
 bool Output::is_same(const Output& other) const {
+    const auto timing = [](const drmModeModeInfo& m) {
+        return std::tuple(m.clock, m.hdisplay, m.hsync_start, m.hsync_end, m.htotal, m.hskew, m.vdisplay,
+                          m.vsync_start, m.vsync_end, m.vtotal, m.vscan, m.flags);
+    };
     return connector == other.connector && crtc == other.crtc && plane == other.plane &&
-           std::memcmp(&mode, &other.mode, sizeof mode) == 0;
+           timing(mode) == timing(other.mode);
 }
 
 OutputWish parse_mode(const std::string& text) {

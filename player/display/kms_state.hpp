@@ -40,7 +40,8 @@ struct Output {
     drmModeModeInfo mode{};
     std::string name;  // of the connector
 
-    /// Whether a picture on its way to one can go to the other.
+    /// Whether what the one shows the other shows as well. Names and marks of modes, which a card changes
+    /// from one answer to the next, do not count.
     bool is_same(const Output& other) const;
 };
 

@@ -26,6 +26,8 @@ class OffscreenScreen final : public Screen {
     explicit OffscreenScreen(const OffscreenOptions& options);
     OffscreenScreen(const OffscreenScreen&) = delete;
     OffscreenScreen& operator=(const OffscreenScreen&) = delete;
+    OffscreenScreen(OffscreenScreen&&) = delete;
+    OffscreenScreen& operator=(OffscreenScreen&&) = delete;
     ~OffscreenScreen() override;
 
     int width() const override { return width_; }

@@ -20,6 +20,8 @@ struct FrameBuffer {
 
     FrameBuffer(const FrameBuffer&) = delete;
     FrameBuffer& operator=(const FrameBuffer&) = delete;
+    FrameBuffer(FrameBuffer&&) = delete;
+    FrameBuffer& operator=(FrameBuffer&&) = delete;
 
     ~FrameBuffer() { drmModeRmFB(fd, id); }
 

@@ -36,6 +36,8 @@ class Scanout {
     Scanout(const Card& card, gbm_device& device, Egl& egl, int width, int height);
     Scanout(const Scanout&) = delete;
     Scanout& operator=(const Scanout&) = delete;
+    Scanout(Scanout&&) = delete;
+    Scanout& operator=(Scanout&&) = delete;
     ~Scanout();
 
     /// Directs what is drawn to the next buffer.

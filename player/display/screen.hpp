@@ -12,6 +12,8 @@ class Screen {
     Screen() = default;
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
+    Screen(Screen&&) = delete;
+    Screen& operator=(Screen&&) = delete;
     virtual ~Screen() = default;
 
     virtual int width() const = 0;  // px

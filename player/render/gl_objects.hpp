@@ -45,6 +45,8 @@ class Program {
     Program(const char* vertex, const char* fragment);
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
+    Program(Program&&) = delete;
+    Program& operator=(Program&&) = delete;
     ~Program() = default;
 
     void use() const { glUseProgram(id_.value); }
@@ -59,6 +61,8 @@ class Program {
         Id() = default;
         Id(const Id&) = delete;
         Id& operator=(const Id&) = delete;
+        Id(Id&&) = delete;
+        Id& operator=(Id&&) = delete;
 
         ~Id() { glDeleteProgram(value); }
     };

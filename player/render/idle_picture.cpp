@@ -7,8 +7,8 @@ namespace vitrine {
 
 namespace {
 
-constexpr int columns = 64;
-constexpr int rows = 40;
+constexpr int columns = 80;
+constexpr int rows = 50;
 constexpr double period =
     3600;  // s, after which the lights stand as at the start: a float keeps its precision
 
@@ -36,13 +36,15 @@ void main() {
     float aspect = canvas.x / canvas.y;
     vec2 stretch = aspect > 1.0 ? vec2(aspect, 1.0) : vec2(1.0, 1.0 / aspect);
     vec2 p = corner * stretch;
+    p += 0.11 * vec2(sin(3.1 * p.y + turn * 83.0 * seconds), sin(2.3 * p.x - turn * 73.0 * seconds));
 
     vec3 c = mix(vec3(0.055, 0.075, 0.150), vec3(0.020, 0.035, 0.075), corner.y);
     c += vec3(0.080, 0.220, 0.330) * light(p, place(67.0, 53.0, 0.4) * stretch, 0.55);
     c += vec3(0.260, 0.120, 0.300) * light(p, place(-47.0, 61.0, 2.3) * stretch, 0.50);
     c += vec3(0.330, 0.170, 0.090) * light(p, place(59.0, -43.0, 4.1) * stretch, 0.36);
     c += vec3(0.050, 0.230, 0.190) * light(p, place(-71.0, -37.0, 5.5) * stretch, 0.44);
-    colour = c;
+    float fold = dot(p, vec2(2.9, 4.7)) + 1.4 * sin(1.7 * p.x - turn * 41.0 * seconds) + turn * 97.0 * seconds;
+    colour = c * (1.0 + 0.38 * pow(0.5 + 0.5 * sin(fold), 3.0)) + 0.012 * sin(fold * 0.5 + 1.0);
 
     vec2 u = corner * canvas;
     gl_Position = vec4(x_axis * u.x + y_axis * u.y + origin, 0.0, 1.0);

@@ -91,6 +91,8 @@ void Renderer::resize(int width, int height) {
 void Renderer::upload(SourceId source, const Sample& sample) {
     assert(is_own_thread());
     assert(sample.width > 0 && sample.height > 0 && sample.stride % 4 == 0);
+    assert(sample.pixels.size() >= sample.stride * static_cast<std::size_t>(sample.height - 1) +
+                                       static_cast<std::size_t>(sample.width) * 4);
     Texture& texture = textures_[source];
     if (texture.width != sample.width || texture.height != sample.height) {
         texture = Texture{.width = sample.width, .height = sample.height};

@@ -51,13 +51,14 @@ struct Film {
     int width = 0;
     int height = 0;
     int pictures = 0;
+    std::string profile;
     std::chrono::nanoseconds end{0};
 };
 
 Film read_film(const std::filesystem::path& path) {
     gst_init(nullptr, nullptr);
     const std::string chain =
-        "filesrc location=" + path.string() + " ! qtdemux ! appsink name=end sync=false";
+        "filesrc location=" + path.string() + " ! qtdemux ! h264parse ! appsink name=end sync=false";
     GstElement* pipeline = gst_parse_launch(chain.c_str(), nullptr);
     GstElement* sink = gst_bin_get_by_name(GST_BIN(pipeline), "end");
     gst_element_set_state(pipeline, GST_STATE_PLAYING);
@@ -71,6 +72,7 @@ Film read_film(const std::filesystem::path& path) {
         const GstStructure* format = gst_caps_get_structure(gst_sample_get_caps(sample), 0);
         gst_structure_get_int(format, "width", &film.width);
         gst_structure_get_int(format, "height", &film.height);
+        film.profile = gst_structure_get_string(format, "profile");
         gst_sample_unref(sample);
     }
     gst_element_set_state(pipeline, GST_STATE_NULL);
@@ -142,6 +144,7 @@ TEST_CASE("a film holds every picture for its time") {
     CHECK(film.height == 72);
     CHECK(film.pictures == 50);
     CHECK(film.end == 2s);
+    CHECK(film.profile.find("4:4:4") == std::string::npos);  // television sets do not play it
 }
 
 TEST_CASE("a film that is not finished by hand ends with its screen") {
