@@ -161,8 +161,82 @@ FileExtent png_extent(const Bytes& file) {
     return extent;
 }
 
-int percent(std::uint64_t part, std::uint64_t whole) {
-    return static_cast<int>(100.0 * static_cast<double>(part) / static_cast<double>(whole));
+// The numbers of a TIFF file, which says by its first letter in which order their bytes stand.
+class TiffNumbers {
+  public:
+    TiffNumbers(const Bytes& file, bool big) : file_(file), big_(big) {}
+
+    /// Nothing where it lies beyond the end. @param count  bytes, up to 8
+    std::optional<std::uint64_t> at(std::uint64_t offset, std::uint64_t count) const {
+        if (offset > file_.size() || offset + count > file_.size()) return std::nullopt;
+        std::uint64_t value = 0;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const auto byte = file_.at<1>(offset + (big_ ? i : count - 1 - i));
+            if (!byte) return std::nullopt;
+            value = value << 8 | (*byte)[0];
+        }
+        return value;
+    }
+
+  private:
+    const Bytes& file_;  // outlives this
+    bool big_;
+};
+
+// Where the pieces of a picture end: `starts` and `lengths` are the positions of two lists of 32-bit numbers
+// (or short ones) in the file.
+struct TiffList {
+    std::uint64_t at = 0;
+    std::uint64_t count = 0;
+    std::uint64_t bytes = 0;  // a number
+};
+
+std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, const TiffList& lengths) {
+    std::uint64_t end = 0;
+    const std::uint64_t count = std::min({starts.count, lengths.count, std::uint64_t{max_boxes}});
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto start = numbers.at(starts.at + i * starts.bytes, starts.bytes);
+        const auto length = numbers.at(lengths.at + i * lengths.bytes, lengths.bytes);
+        if (start && length) end = std::max(end, *start + *length);
+    }
+    return end;
+}
+
+// TIFF: the first directory, the lists it points to, and the strips or tiles that these point to. BigTIFF,
+// for files beyond 4 GiB, says nothing here.
+FileExtent tiff_extent(const Bytes& file) {
+    FileExtent extent{.present = file.size()};
+    const auto head = file.at<2>(0);
+    const TiffNumbers numbers(file, head && (*head)[0] == 'M');
+    const auto directory = numbers.at(4, 4);
+    if (!directory || numbers.at(2, 2) != 42) return extent;
+    constexpr std::uint64_t entry_bytes = 12;
+    const auto entries = numbers.at(*directory, 2);
+    extent.declared = *directory + 2 + entries.value_or(1) * entry_bytes;
+    TiffList starts;
+    TiffList lengths;
+    for (std::uint64_t i = 0; i < entries.value_or(0); ++i) {
+        const std::uint64_t entry = *directory + 2 + i * entry_bytes;
+        const auto value = numbers.at(entry + 8, 4);
+        if (!value) return extent;
+        constexpr std::array<std::uint8_t, 6> type_bytes{0, 1, 1, 2, 4, 8};  // others: not looked at
+        const std::uint64_t type = numbers.at(entry + 2, 2).value_or(0);
+        TiffList list{.at = *value,
+                      .count = numbers.at(entry + 4, 4).value_or(0),
+                      .bytes = type < type_bytes.size() ? type_bytes[type] : std::uint64_t{0}};
+        if (list.count * list.bytes <= 4) list.at = entry + 8;  // it stands in the entry itself
+        extent.declared = std::max(extent.declared, list.at + list.count * list.bytes);
+        const std::uint64_t tag = numbers.at(entry, 2).value_or(0);
+        if (tag == 273 || tag == 324) starts = list;  // StripOffsets, TileOffsets
+        if (tag == 279 || tag == 325) lengths = list;
+    }
+    extent.declared = std::max(extent.declared, pieces_end(numbers, starts, lengths));
+    return extent;
+}
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    const auto percent = static_cast<int>(100.0 * static_cast<double>(part) / static_cast<double>(whole));
+    return percent == 0 ? "less than 1 %" : fmt::format("{} %", percent);
 }
 
 FileExtent extent_of(const Bytes& file, MediaFormat format) {
@@ -178,6 +252,8 @@ FileExtent extent_of(const Bytes& file, MediaFormat format) {
         return matroska_extent(file);
     case MediaFormat::png:
         return png_extent(file);
+    case MediaFormat::tiff:
+        return tiff_extent(file);
     default:
         return {.present = file.size()};
     }
@@ -193,12 +269,12 @@ void require_complete(const std::string& path, MediaFormat format) {
     const Bytes file(path);
     const FileExtent extent = extent_of(file, format);
     if (const auto written = file.written(); written + trailing_zeros < file.size())
-        throw MediaError(MediaState::waiting,
-                         fmt::format("the copy is not complete: {} % of it is written so far",
-                                     percent(written, file.size())));
+        throw MediaError(
+            MediaState::waiting,
+            fmt::format("the copy is not complete: {} of it is written so far", share(written, file.size())));
     if (extent.declared > extent.present + slack)
-        throw MediaError(MediaState::waiting, fmt::format("the copy is not complete: {} % of it is here",
-                                                          percent(extent.present, extent.declared)));
+        throw MediaError(MediaState::waiting, fmt::format("the copy is not complete: {} of it is here",
+                                                          share(extent.present, extent.declared)));
     if (!extent.has_index && format == MediaFormat::mp4)
         throw MediaError(MediaState::waiting, "the copy is not complete: the film's index is missing so far");
 }
