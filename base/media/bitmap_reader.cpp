@@ -142,18 +142,15 @@ Rgb pixel_at(const Header& header, const std::vector<std::uint8_t>& row, std::si
 
 }  // namespace
 
-StillInfo probe_bitmap(const std::string& path) {
-    Reader file(path);
-    const Header header = read_header(file);
-    return {.width = header.width, .height = header.height};
-}
-
 StillPicture read_bitmap(const std::string& path) {
     Reader file(path);
     const Header header = read_header(file);
     const auto width = static_cast<std::size_t>(header.width);
     const auto height = static_cast<std::size_t>(header.height);
-    StillPicture picture{.width = header.width, .height = header.height, .pixels = {}};
+    StillPicture picture{.width = header.width,
+                         .height = header.height,
+                         .full = {.width = header.width, .height = header.height},
+                         .pixels = {}};
     std::vector<std::uint8_t> row(header.row_bytes());
     file.to(header.pixels_at);
     for (std::size_t line = 0; line < height; ++line) {

@@ -13,7 +13,4 @@ namespace vitrine {
 /// @throws MediaError where it is cut short, run-length coded or beyond max_bitmap_pixels
 StillPicture read_bitmap(const std::string& path);
 
-/// The size by the header only.
-StillInfo probe_bitmap(const std::string& path);
-
 }  // namespace vitrine

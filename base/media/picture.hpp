@@ -11,7 +11,7 @@ constexpr std::int64_t max_still_pixels = 200'000'000;
 constexpr int max_still_side = 65'000;                  // px
 constexpr std::int64_t max_bitmap_pixels = 50'000'000;  // BMP cannot be shrunk while it is read
 
-/// What a photo's header says.
+/// The size of a photo.
 struct StillInfo {
     int width = 0;  // px, upright (after EXIF or HEIF orientation)
     int height = 0;
@@ -28,6 +28,7 @@ struct Colour {
 struct StillPicture {
     int width = 0;  // px
     int height = 0;
+    StillInfo full;                 // before it was shrunk
     std::vector<std::byte> pixels;  // 4 * width * height
 };
 

@@ -1,13 +1,15 @@
-// libvips reads all still formats but BMP with one set of rules: shrinking while it decodes, so that a photo
-// of a hundred megapixels costs what its thumbnail costs. Files go in as sources, never by name, because
-// libvips and its loaders read options, patterns and protocols in names.
+// libvips reads all still formats but BMP and HEIF with one set of rules: shrinking while it decodes, so that
+// a photo of a hundred megapixels costs what its thumbnail costs. Files go in as sources, never by name,
+// because libvips and its loaders read options, patterns and protocols in names.
 
 #include "base/media/still_picture.hpp"
 
 #include "base/catalogue/media_error.hpp"
 #include "base/media/bitmap_reader.hpp"
 #include "base/media/completeness.hpp"
+#include "base/media/heif_reader.hpp"
 #include "base/media/media_type.hpp"
+#include "base/media/picture_failure.hpp"
 
 #include <fmt/format.h>
 #include <vips/vips.h>
@@ -17,6 +19,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -46,19 +49,19 @@ void start_vips() {
     });
 }
 
-// libvips says in words what each library underneath said: what they say of files that end too soon.
-constexpr std::array signs_of_a_cut{"premature end", "truncated",      "unexpected end", "end of file",
-                                    "end of input",  "unexpected eof", "bad seek to",    "not enough",
-                                    "out of data",   "too short"};
+// What the libraries under libvips say of a JPEG or GIF that ends too soon; the other formats tell their
+// length, completeness.hpp. "Premature end of data segment" is damage.
+constexpr std::array signs_of_a_cut{"premature end of jpeg", "premature end of input", "unexpected end of",
+                                    "vipssource: end of file"};
 
 MediaError vips_failure() {
     const std::string said = vips_error_buffer();
     vips_error_clear();
     const std::unique_ptr<gchar, void (*)(void*)> lower(g_ascii_strdown(said.c_str(), -1), g_free);
     const std::string_view words = lower.get();
-    if (std::ranges::any_of(signs_of_a_cut, [&](auto sign) { return words.find(sign) != words.npos; }))
-        return {MediaState::waiting, "the copy is not complete: part of the picture is missing"};
-    return {MediaState::failed, fmt::format("the picture is damaged: {}", said.substr(0, said.find('\n')))};
+    const bool is_cut =
+        std::ranges::any_of(signs_of_a_cut, [&](auto sign) { return words.find(sign) != words.npos; });
+    return picture_failure(is_cut ? PictureFailure::cut_short : PictureFailure::damaged, said);
 }
 
 /// One libvips call: `call` is given the place for its picture and returns 0 where it worked.
@@ -97,8 +100,6 @@ VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int
             return vips_gifload_source(from, out, "access", once, "fail_on", errors, nullptr);
         case MediaFormat::tiff:
             return vips_tiffload_source(from, out, "access", once, "fail_on", errors, nullptr);
-        case MediaFormat::heif:
-            return vips_heifload_source(from, out, "access", once, "fail_on", errors, nullptr);
         default:
             throw MediaError(MediaState::unsupported, "this is a film, not a picture");
         }
@@ -116,19 +117,8 @@ int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     return shrink;
 }
 
-void require_within_limits(const StillInfo& info) {
-    if (info.width > max_still_side || info.height > max_still_side ||
-        std::int64_t{info.width} * info.height > max_still_pixels)
-        throw MediaError(MediaState::unsupported,
-                         fmt::format("the picture is too large: {} x {} px; up to {} megapixels are shown",
-                                     info.width, info.height, max_still_pixels / 1'000'000));
-}
-
-StillInfo probe(const std::string& path, MediaFormat format) {
-    if (format == MediaFormat::bmp) return probe_bitmap(path);
-    require_complete(path, format);
-    start_vips();
-    vips_error_clear();  // what others left
+// What libvips reads says of its size, upright, by the header only.
+StillInfo header_size(const std::string& path, MediaFormat format) {
     const VipsPtr<VipsImage> image = open_picture(path, format);
     StillInfo info{.width = vips_image_get_width(image.get()), .height = vips_image_get_height(image.get())};
     if (vips_image_get_orientation_swap(image.get())) std::swap(info.width, info.height);
@@ -147,11 +137,11 @@ VipsPtr<VipsImage> shrunk(VipsImage* image, int max_width, int max_height) {
     });
 }
 
-// `picture` is lent to what is returned.
-VipsPtr<VipsImage> lent_image(const StillPicture& picture) {
+// `pixels` is lent to what is returned.
+VipsPtr<VipsImage> lent_image(std::span<const std::byte> pixels, int width, int height, int bands) {
     VipsPtr<VipsImage> image = step([&](auto** out) {
-        *out = vips_image_new_from_memory(picture.pixels.data(), picture.pixels.size(), picture.width,
-                                          picture.height, 4, VIPS_FORMAT_UCHAR);
+        *out =
+            vips_image_new_from_memory(pixels.data(), pixels.size(), width, height, bands, VIPS_FORMAT_UCHAR);
         return *out ? 0 : -1;
     });
     image->Type = VIPS_INTERPRETATION_sRGB;
@@ -173,7 +163,7 @@ VipsPtr<VipsImage> opaque(VipsImage* any, Colour background) {
         [&](auto** out) { return vips_flatten(image.get(), out, "background", array.get(), nullptr); });
 }
 
-StillPicture in_memory(VipsImage* any, Colour background) {
+StillPicture in_memory(VipsImage* any, StillInfo full, Colour background) {
     const VipsPtr<VipsImage> colours = opaque(any, background);
     constexpr int bands = 4;
     if (vips_image_get_bands(colours.get()) != bands - 1)
@@ -187,25 +177,38 @@ StillPicture in_memory(VipsImage* any, Colour background) {
     const auto* first = static_cast<const std::byte*>(pixels.get());
     return {.width = vips_image_get_width(image.get()),
             .height = vips_image_get_height(image.get()),
+            .full = full,
             .pixels = std::vector<std::byte>(first, first + bytes)};
+}
+
+VipsPtr<VipsImage> lent_image(const HeifPicture& picture) {
+    VipsPtr<VipsImage> image = lent_image(picture.pixels, picture.width, picture.height, picture.channels);
+    if (!picture.profile.empty())
+        vips_image_set_blob_copy(image.get(), VIPS_META_ICC_NAME, picture.profile.data(),
+                                 picture.profile.size());
+    return image;
 }
 
 }  // namespace
 
-StillInfo probe_still(const std::string& path) {
-    return probe(path, media_format(path));
-}
-
 StillPicture load_still(const std::string& path, int max_width, int max_height, Colour background) {
     const MediaFormat format = media_format(path);
-    const StillInfo info = probe(path, format);  // the limits, before anything is decoded
+    require_complete(path, format);
     start_vips();
+    vips_error_clear();  // what others left
+    const auto finished = [&](VipsImage* image, StillInfo full) {
+        return in_memory(shrunk(image, max_width, max_height).get(), full, background);
+    };
     if (format == MediaFormat::bmp) {
-        const StillPicture full = read_bitmap(path);
-        return in_memory(shrunk(lent_image(full).get(), max_width, max_height).get(), background);
+        const StillPicture all = read_bitmap(path);
+        return finished(lent_image(all.pixels, all.width, all.height, 4).get(), all.full);
     }
-    const auto image = open_picture(path, format, decoder_shrink(info, max_width, max_height));
-    return in_memory(shrunk(image.get(), max_width, max_height).get(), background);
+    if (format == MediaFormat::heif) {
+        const HeifPicture all = read_heif(path);
+        return finished(lent_image(all).get(), {.width = all.width, .height = all.height});
+    }
+    const StillInfo full = header_size(path, format);  // the limits, before anything is decoded
+    return finished(open_picture(path, format, decoder_shrink(full, max_width, max_height)).get(), full);
 }
 
 }  // namespace vitrine

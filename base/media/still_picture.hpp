@@ -6,10 +6,6 @@
 
 namespace vitrine {
 
-/// The size of a photo from its header only.
-/// @throws MediaError where the file is no photo, is not complete, or is beyond the limits of picture.hpp
-StillInfo probe_still(const std::string& path);
-
 /// Reads a photo (of an animation or of several pages the first picture), no larger than max_width x
 /// max_height and never enlarged. Memory follows the size asked for where the format allows it (JPEG, PNG,
 /// TIFF, WebP).

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 using namespace vitrine;
 
@@ -88,6 +89,15 @@ MediaState state_of(const std::string& path) {
     return MediaState::ready;
 }
 
+std::string reason_of(const std::string& path) {
+    try {
+        load_still(path, 100, 100);
+    } catch (const MediaError& error) {
+        return error.what();
+    }
+    return "";
+}
+
 void cut(const std::string& path, double share) {
     std::filesystem::resize_file(
         path, static_cast<std::uintmax_t>(static_cast<double>(std::filesystem::file_size(path)) * share));
@@ -129,10 +139,9 @@ TEST_CASE("a photo of any orientation stands upright") {
         CAPTURE(orientation);
         const bool turned = orientation >= 5;
         write(path, turned ? 60 : 90, turned ? 90 : 60, -1, orientation);
-        const StillInfo info = probe_still(path);
-        CHECK(info.width == 90);
-        CHECK(info.height == 60);
         const StillPicture picture = load_still(path, 45, 45);
+        CHECK(picture.full.width == 90);
+        CHECK(picture.full.height == 60);
         CHECK(picture.width == 45);
         CHECK(picture.height == 30);
         constexpr std::array<std::array<Pixel, 4>, 8> upright{{{red, green, blue, yellow},
@@ -210,7 +219,7 @@ TEST_CASE("a bitmap is read, top down in the picture though bottom up in the fil
     const TempFolder folder;
     const std::string path = folder / "a.bmp";
     std::ofstream(path, std::ios::binary) << bitmap(81, 60);
-    CHECK(probe_still(path).width == 81);
+    CHECK(load_still(path, 40, 40).full.width == 81);
     CHECK(is_upright(load_still(path, 40, 40)));
     cut(path, 0.5);
     CHECK(state_of(path) == MediaState::waiting);
@@ -221,4 +230,24 @@ TEST_CASE("a bitmap that claims to be huge is refused by its header") {
     const std::string path = folder / "a.bmp";
     std::ofstream(path, std::ios::binary) << bitmap(2, 2).replace(18, 4, "\xff\xff\xff\x7f", 4);
     CHECK(state_of(path) == MediaState::unsupported);
+}
+
+TEST_CASE("a picture that is all there but damaged is not waited for") {
+    const TempFolder folder;
+    // where each one's coded picture or first directory entry lies: the chunks' sizes stay as they are
+    const std::array<std::pair<const char*, std::streamoff>, 3> damage{
+        {{"a.webp", 30}, {"a.png", 70}, {"a.tif", -1}}};
+    for (const auto& [name, at] : damage) {
+        CAPTURE(name);
+        write(folder / name, 80, 60);
+        std::fstream file(folder / name, std::ios::binary | std::ios::in | std::ios::out);
+        std::uint32_t directory = 0;
+        file.seekg(4);
+        file.read(reinterpret_cast<char*>(&directory), 4);
+        file.seekp(at < 0 ? std::streamoff{directory} + 2 + 8 : at);
+        file << std::string(at < 0 ? 4 : 40, '\0');  // a TIFF whose width is none
+        file.close();
+        CHECK(state_of(folder / name) == MediaState::failed);
+        CHECK(reason_of(folder / name) == "the picture is damaged");
+    }
 }
