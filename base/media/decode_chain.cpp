@@ -5,6 +5,7 @@
 #include "base/media/decode_chain.hpp"
 
 #include "base/media/decoder_table.hpp"
+#include "base/system/log.hpp"
 
 #include <fmt/format.h>
 #include <gst/pbutils/pbutils.h>
@@ -33,12 +34,43 @@ struct DecodeChain::Links {
 
 namespace {
 
-constexpr const char* not_linkable = "the film's picture cannot be decoded";
+constexpr const char* not_linkable = "the film is damaged: its pictures cannot be decoded";
 
-// A pipeline's own error message, as an element would post it: exceptions must not cross GStreamer's threads.
+constexpr const char* own_words = "vitrine-reason";  // on messages of ours, whose text is for the operator
+
+// An error message of ours, as an element would post it: exceptions must not cross GStreamer's threads.
 void post_error(GstElement* element, GstStreamError code, const std::string& text) {
-    gst_element_message_full(element, GST_MESSAGE_ERROR, GST_STREAM_ERROR, code, g_strdup(text.c_str()),
-                             nullptr, __FILE__, __func__, __LINE__);
+    gst_element_message_full_with_details(element, GST_MESSAGE_ERROR, GST_STREAM_ERROR, code,
+                                          g_strdup(text.c_str()), nullptr, __FILE__, __func__, __LINE__,
+                                          gst_structure_new_empty(own_words));  // which it takes
+}
+
+bool is_own(GstMessage* message) {
+    const GstStructure* details = nullptr;  // lent by the message
+    gst_message_parse_error_details(message, &details);
+    return details && gst_structure_has_name(details, own_words);
+}
+
+// What the libraries' errors mean to who put the film there.
+MediaError in_plain_words(const GError* error) {
+    if (error->domain == GST_RESOURCE_ERROR) return {MediaState::failed, "the film's file cannot be read"};
+    if (error->domain != GST_STREAM_ERROR) return {MediaState::failed, "the film cannot be played"};
+    switch (error->code) {
+    case GST_STREAM_ERROR_CODEC_NOT_FOUND:
+        return {MediaState::unsupported, "the film's picture is coded in a way that is not decoded here"};
+    case GST_STREAM_ERROR_DECRYPT:
+    case GST_STREAM_ERROR_DECRYPT_NOKEY:
+        return {MediaState::unsupported, "the film is encrypted"};
+    case GST_STREAM_ERROR_DECODE:
+    case GST_STREAM_ERROR_FORMAT:
+        return {MediaState::failed, "the film is damaged: its pictures cannot be decoded"};
+    case GST_STREAM_ERROR_DEMUX:
+    case GST_STREAM_ERROR_WRONG_TYPE:
+    case GST_STREAM_ERROR_TYPE_NOT_FOUND:
+        return {MediaState::failed, "the film is damaged: no pictures can be found in it"};
+    default:
+        return {MediaState::failed, "the film cannot be played"};
+    }
 }
 
 // The decoders name their number of threads differently; av1dec takes what it gets.
@@ -163,14 +195,12 @@ MediaError media_error(GstMessage* message) {
     GError* raw = nullptr;
     gst_message_parse_error(message, &raw, nullptr);
     const GstPtr<GError> error(raw);
-    if (g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_CODEC_NOT_FOUND))
-        return {MediaState::unsupported, raw->message};
-    if (g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_DECRYPT) ||
-        g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_DECRYPT_NOKEY))
-        return {MediaState::unsupported, "the film is encrypted"};
-    if (raw->domain == GST_RESOURCE_ERROR)
-        return {MediaState::failed, fmt::format("the film's file cannot be read: {}", raw->message)};
-    return {MediaState::failed, fmt::format("the film cannot be read: {}", raw->message)};
+    if (!is_own(message)) {
+        log::debug("film not read: {}", raw->message);
+        return in_plain_words(raw);
+    }
+    const bool is_unknown = g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_CODEC_NOT_FOUND);
+    return {is_unknown ? MediaState::unsupported : MediaState::failed, raw->message};
 }
 
 }  // namespace vitrine

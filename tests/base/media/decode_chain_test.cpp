@@ -126,3 +126,18 @@ TEST_CASE("a file of sound only is refused in those words") {
         CHECK(std::string(error.what()) == "the file holds only sound");
     }
 }
+
+TEST_CASE("what a library says of a film is not the operator's reason") {
+    start_gstreamer();
+    for (const int code : {GST_STREAM_ERROR_DEMUX, GST_STREAM_ERROR_DECODE, GST_STREAM_ERROR_FAILED,
+                           GST_STREAM_ERROR_WRONG_TYPE, GST_STREAM_ERROR_CODEC_NOT_FOUND}) {
+        const GstPtr<GError> said(
+            g_error_new_literal(GST_STREAM_ERROR, code, "qtdemux0: /srv/media/a.mp4: Could not demultiplex"));
+        const GstPtr<GstMessage> message(gst_message_new_error(nullptr, said.get(), nullptr));
+        const std::string reason = media_error(message.get()).what();
+        CAPTURE(reason);
+        CHECK(reason.starts_with("the film"));
+        CHECK(reason.find("srv") == std::string::npos);
+        CHECK(reason.find("demu") == std::string::npos);
+    }
+}
