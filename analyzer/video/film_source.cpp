@@ -124,6 +124,7 @@ void FilmSource::read_geometry(int analysis_size) {
         throw MediaError(MediaState::unsupported,
                          fmt::format("the film is too large: {} x {} px", video.width, video.height));
     turn_ = orientation_at(sink_.get());
+    tones_ = ToneMap::of(video.colorimetry);
     const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
     const double width = video.width * aspect;  // square pixels
     const double scale = std::min(1.0, analysis_size / std::max<double>(width, video.height));
@@ -172,7 +173,9 @@ nanoseconds FilmSource::time_of(GstSample* sample) {
 
 VideoFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {
     const MappedFrame frame(sample);
-    return {.picture = turned(reduce_frame(frame.get(), coded_size_), turn_), .time = time};
+    cv::Mat picture = reduce_frame(frame.get(), coded_size_);  // rows without gaps
+    if (tones_) tones_->apply({picture.data, picture.total() * picture.elemSize()}, 3, true);
+    return {.picture = turned(picture, turn_), .time = time};
 }
 
 void FilmSource::finish() {

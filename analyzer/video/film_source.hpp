@@ -2,6 +2,7 @@
 
 #include "analyzer/video/frame_source.hpp"
 #include "base/media/decode_chain.hpp"
+#include "base/media/tone_map.hpp"
 
 #include <gst/video/video.h>
 
@@ -37,8 +38,9 @@ class FilmSource : public FrameSource {
     GstPtr<GstElement> sink_;
     MediaInfo info_;
     GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
-    cv::Size coded_size_;        // of the small picture before it is turned
-    bool extent_known_ = false;  // the container said how long it is in bytes
+    std::optional<ToneMap> tones_;  // of an HDR film
+    cv::Size coded_size_;           // of the small picture before it is turned
+    bool extent_known_ = false;     // the container said how long it is in bytes
     bool ended_ = false;
     std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet
     std::chrono::nanoseconds end_{0};    // when it is over
