@@ -2,6 +2,7 @@
 // costs. Usage: regions_bench [FACE_MODEL]. Prints the paper's letter, the middle of the picture and ours
 // side by side.
 
+#include "analyzer/analyze.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/saliency/frequency_tuned.hpp"
 #include "analyzer/saliency/i_region.hpp"
@@ -10,6 +11,7 @@
 #include "analyzer/saliency/salient_volume.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/saliency/shot_region.hpp"
+#include "analyzer/video/frame_reader.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -254,6 +256,61 @@ void moving_car(const fs::path& folder, FaceDetector* faces) {
                found.shot.region.drift.x, found.shot.region.drift.y);
 }
 
+/// A source that notes when each of its frames is shown.
+class TimedSource : public FrameSource {
+  public:
+    explicit TimedSource(std::unique_ptr<FrameSource> source) : source_(std::move(source)) {}
+
+    const MediaInfo& info() const override { return source_->info(); }
+
+    std::optional<VideoFrame> next() override {
+        std::optional<VideoFrame> frame = source_->next();
+        if (frame) times_.push_back(frame->time);
+        return frame;
+    }
+
+    std::chrono::nanoseconds time(std::size_t frame) const { return times_.at(frame); }
+
+  private:
+    std::unique_ptr<FrameSource> source_;
+    std::vector<std::chrono::nanoseconds> times_;
+};
+
+/// The region of a film at one time, px of the source; empty between shots.
+Polygon region_at(const MediaRecord& record, std::chrono::nanoseconds time) {
+    for (const Shot& shot : record.shots) {
+        if (time < shot.begin || time >= shot.end) continue;
+        const double since = std::chrono::duration<double>(time - shot.begin).count();
+        return transformed(shot.region.polygon, 1, shot.region.drift * since);
+    }
+    return {};
+}
+
+/// Films whose subjects are labelled in a few frames.
+void films(const fs::path& media, const AnalysisSettings& settings, const char* name) {
+    std::ifstream file(media / "photos" / "boxes.json");
+    if (!file) return;
+    const nlohmann::json labels = nlohmann::json::parse(file);
+    Score sum;
+    for (const auto& [path, frames] : labels["video_frames"].items()) {
+        TimedSource source(open_media((media / path).string(), settings.frame_size));
+        const MediaRecord record = analyze(source, settings);
+        fmt::print("  {:32}", path);
+        for (const auto& [index, entry] : frames.items()) {
+            const std::vector<Box> subjects = boxes(nlohmann::json{{"subject", entry}}, "subject");
+            const Polygon region = region_at(record, source.time(std::stoul(index)));
+            if (subjects.empty() || region.empty()) continue;
+            const cv::Size size(record.width, record.height);
+            const Score s = score(region, size, filled(size, subjects), cv::Mat::zeros(size, CV_8UC1), {});
+            fmt::print("  iou {:.2f} cov {:.2f} area {:.2f}", s.iou, s.coverage, s.area);
+            sum.add(s);
+        }
+        fmt::print("\n");
+    }
+    fmt::print("films, {:16} {:6.3f} {:9.3f} {:6.3f}  n={} frames\n", name, sum.iou / sum.count,
+               sum.coverage / sum.count, sum.area / sum.count, sum.count);
+}
+
 double milliseconds(const std::function<void()>& work) {
     work();
     const auto from = std::chrono::steady_clock::now();
@@ -304,6 +361,8 @@ int main(int argc, char** argv) {
                                      "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml");
     photographs(media / "photos", faces.get(), argc > 2);
     moving_car(media / "saliency" / "davis_car-shadow", faces.get());
+    films(media, papers_letter(), "paper's letter");
+    films(media, {.face_model = argc > 1 ? argv[1] : ""}, "ours");
     costs(media / "saliency" / "davis_car-shadow", *faces);
     return 0;
 }
