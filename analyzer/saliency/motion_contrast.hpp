@@ -28,8 +28,10 @@ Vec2 voted_motion(std::span<const Vec2> vectors);
 /// Motion contrast of one frame by Lucas-Kanade on a grid.
 ///
 /// @param before, after  CV_8UC1 of one size, neighbouring frames, at least 16 px a side, else nothing moves
-/// @return  map of that size: |v - g| over its largest value, or over 0.3 % of the diagonal where nothing is
-///          faster, so that flow noise on a still shot stays near 0
+/// @return  map of that size: |v - g| over its largest value, or over 0.3 % of the diagonal and half the
+/// global
+///          motion where nothing is faster, so that flow noise on a still shot and parallax on a moving one
+///          stay near 0
 /// Source: Dynamic Media Assemblage 3.2. Differs: that floor; outliers go by a 3x3 median on the grid, the
 /// picture's median contrast is taken off as noise; the similarity, without which every zoom makes the
 /// picture's edges salient.

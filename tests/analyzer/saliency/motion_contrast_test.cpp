@@ -66,6 +66,34 @@ TEST_CASE("noise on a still picture is no motion") {
     CHECK(cv::mean(motion_contrast(before, after).map)[0] < 0.15);
 }
 
+TEST_CASE("ground that a moving camera sees deeper and nearer is no subject") {
+    // Given a pan of 8 px, in which the rows move up to 1.6 px more or less than the mean.
+    cv::Mat across(180, 320, CV_32FC1);
+    cv::Mat down(180, 320, CV_32FC1);
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            across.at<float>(y, x) =
+                static_cast<float>(x) + 28 + 1.6F * std::sin(static_cast<float>(y) / 12.0F);
+            down.at<float>(y, x) = static_cast<float>(y) + 30;
+        }
+    }
+    cv::Mat after;
+    cv::remap(texture(), after, across, down, cv::INTER_LINEAR);
+    const cv::Mat before = texture()(cv::Rect(20, 30, 320, 180)).clone();
+    const MotionContrast found = motion_contrast(before, after);
+    CHECK(found.global_motion.x == doctest::Approx(-8).epsilon(0.2));
+    double strongest = 0;
+    cv::minMaxLoc(found.map, nullptr, &strongest);
+    CHECK(strongest < 0.5);
+}
+
+TEST_CASE("what comes into a panned picture at its edge is no motion") {
+    const MotionContrast found = motion_contrast(scene({20, 30}, {150, 90}), scene({29, 30}, {159, 90}));
+    double strongest = 0;
+    cv::minMaxLoc(found.map(cv::Rect(304, 0, 16, 180)), nullptr, &strongest);
+    CHECK(strongest < 0.05);
+}
+
 TEST_CASE("a zoom is no subject, and to the paper's letter it was") {
     const cv::Mat before = scene({20, 30}, {150, 90});
     cv::Mat after;
