@@ -18,8 +18,8 @@ SaliencyMap centre_prior(cv::Size size);
 /// @param bgr  CV_8UC3, not empty
 /// @return     of that size, in [0, 1]; all 0 where `barrier` finds the picture flat
 /// Source: Dynamic Media Assemblage 3.2 for frequency_tuned. `barrier` follows MB+ of Zhang et al. 2015,
-/// worked at 160 px, with the frequency-tuned map as a third witness: of 28 photographs it finds the subject
-/// in far more.
+/// worked at 160 px, with the frequency-tuned map as a third witness: regions of 21 labelled photographs
+/// overlap their subjects by .63 instead of .47 (regions_bench with YuNet, "ours" and "tuned, min_area").
 SaliencyMap image_saliency(const cv::Mat& bgr, ImageSaliency method);
 
 }  // namespace vitrine
