@@ -14,7 +14,9 @@ namespace vitrine {
 /// of the last frame. Memory does not grow with the film's length. A film that gives no frame for a while is
 /// an error (film_source.hpp has the limits).
 ///
-/// @param analysis_size  px, the longest side of the frames; smaller media keep their size
+/// @param analysis_size  px, the longest side of a film's frames; a photo's has twice as many, for its faces
+/// are
+///                       searched once only. Smaller media keep their size
 /// @param background     what shows through where a photo is transparent
 /// @throws MediaError    where the file is no medium, is not complete, is damaged or beyond the limits
 std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size = 320,
