@@ -36,11 +36,10 @@ class Sampler {
     Sample sample(const VideoFrame& frame) {
         const nanoseconds interval = frame.time - before_.time;
         const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= longest_interval;
-        Sample sample =
-            searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
-                     std::chrono::duration<double>(interval).count(), settings_.frame_size, settings_.image);
+        Sample sample = searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
+                                 std::chrono::duration<double>(interval).count(), settings_);
         if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
-            last_faces_ = searched_faces(*faces_, frame.picture);
+            last_faces_ = searched_faces(*faces_, frame.picture, settings_.only_prominent_faces);
             last_faces_time_ = frame.time;
         }
         ++count_;

@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 namespace {
 
 AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
-    AnalysisSettings settings;
+    const bool is_letter = from.region == "hull";
+    AnalysisSettings settings = is_letter ? papers_letter() : AnalysisSettings{};
     settings.frame_size = from.frame_size;
     settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));
     settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
-    settings.region.mode = from.region == "hull" ? RegionMode::hull : RegionMode::min_area;
     settings.region.mass = from.region_mass;
-    settings.region.margin = from.region_margin;
-    settings.face_model = from.face_model;
+    if (!is_letter) settings.region.margin = from.region_margin;
+    if (!is_letter) settings.face_model = from.face_model;  // the letter is Viola-Jones
     settings.face_cascade = from.face_cascade;
     return settings;
 }

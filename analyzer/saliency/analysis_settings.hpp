@@ -2,6 +2,7 @@
 
 #include "analyzer/saliency/i_region.hpp"
 #include "analyzer/saliency/image_saliency.hpp"
+#include "analyzer/saliency/motion_contrast.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 #include "analyzer/saliency/salient_volume.hpp"
 
@@ -15,8 +16,10 @@ struct AnalysisSettings {
     int samples_per_second = 8;  // frames a second of a film that are searched for what matters
     int face_interval = 4;       // every so many samples faces are looked for
     SaliencyWeights weights;
+    MotionMethod motion = MotionMethod::background;
     ImageSaliency image = ImageSaliency::barrier;
-    bool has_bodies = true;  // whether S_F counts the body below a face
+    bool only_prominent_faces = true;  // whether faces far smaller than the tallest count nothing
+    bool has_bodies = true;            // whether S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
     std::string face_model;  // YuNet's ONNX file; "": not used
@@ -24,10 +27,15 @@ struct AnalysisSettings {
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used
 };
 
-/// Chapter 3 to its letter as far as it goes: for comparison only.
+/// Chapters 3.2 and 3.3 to their letter, for comparison only: contrast to one voted pan over its largest
+/// value, contrast to the mean colour, every face found and nothing below it, the line through the half-mass
+/// boxes' centres, the hull. What the letter leaves open stays ours: drifts are limited so that a common part
+/// is left, and the hull keeps to that part and to 12 corners.
 inline AnalysisSettings papers_letter() {
     AnalysisSettings settings;
+    settings.motion = MotionMethod::voted_pan;
     settings.image = ImageSaliency::frequency_tuned;
+    settings.only_prominent_faces = false;
     settings.has_bodies = false;
     settings.drift = DriftMode::box_centres;
     settings.region.mode = RegionMode::hull;

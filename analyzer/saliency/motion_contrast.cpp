@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -86,7 +87,7 @@ struct Flow {
     std::vector<bool> is_reliable;
 };
 
-Flow tracked_grid(const cv::Mat& before, const cv::Mat& after) {
+Flow tracked_grid(const cv::Mat& before, const cv::Mat& after, MotionMethod method) {
     Flow flow{.grid = {before.cols / grid_step, before.rows / grid_step}, .vectors = {}, .is_reliable = {}};
     std::vector<cv::Point2f> from;
     for (int y = 0; y < flow.grid.height; ++y) {
@@ -98,7 +99,7 @@ Flow tracked_grid(const cv::Mat& before, const cv::Mat& after) {
     std::vector<cv::Point2f> to;
     std::vector<unsigned char> found;
     // A patch that leaves the picture, before or after, is compared with what is not there.
-    constexpr float reach = window / 2.0F;
+    const float reach = method == MotionMethod::background ? window / 2.0F : 0.0F;
     const cv::Rect2f whole_patches(reach, reach, static_cast<float>(before.cols) - 2 * reach,
                                    static_cast<float>(before.rows) - 2 * reach);
     std::vector<float> error;
@@ -159,7 +160,7 @@ BackgroundMotion refitted(const Flow& flow, const BackgroundMotion& now) {
     return next;
 }
 
-/// |v - background| on the grid, 0 where the flow has no answer; less its median, which is the flow's noise.
+/// |v - background| on the grid, 0 where the flow has no answer.
 cv::Mat contrast_on_grid(const Flow& flow, const BackgroundMotion& background) {
     cv::Mat contrast = cv::Mat::zeros(flow.grid, CV_32FC1);
     for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
@@ -168,9 +169,15 @@ cv::Mat contrast_on_grid(const Flow& flow, const BackgroundMotion& background) {
         contrast.at<float>(index / flow.grid.width, index % flow.grid.width) =
             static_cast<float>(length(flow.vectors[i] - background.at(place_on_grid(flow, i))));
     }
-    cv::medianBlur(contrast, contrast, 3);
-    const std::vector<double> all(contrast.begin<float>(), contrast.end<float>());
-    return cv::max(contrast - median(all), 0);
+    return contrast;
+}
+
+/// The contrast without outliers, less its median, which is the flow's noise.
+cv::Mat denoised(const cv::Mat& contrast) {
+    cv::Mat result;
+    cv::medianBlur(contrast, result, 3);
+    const std::vector<double> all(result.begin<float>(), result.end<float>());
+    return cv::max(result - median(all), 0);
 }
 
 }  // namespace
@@ -195,24 +202,28 @@ Vec2 voted_motion(std::span<const Vec2> vectors) {
     return {median(std::move(xs)), median(std::move(ys))};
 }
 
-MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after, CameraModel model) {
+MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after, MotionMethod method) {
     if (std::min(before.cols, before.rows) < least_side)
         return {SaliencyMap::zeros(before.size(), CV_32FC1), {}};
-    const Flow flow = tracked_grid(before, after);
+    const Flow flow = tracked_grid(before, after, method);
     std::vector<Vec2> reliable;
     for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
         if (flow.is_reliable[i]) reliable.push_back(flow.vectors[i]);
     }
     const Vec2 global = voted_motion(reliable);
     BackgroundMotion background{.pan = global, .turn = {}, .centre = {}};
-    if (model == CameraModel::similarity) {
+    cv::Mat contrast;
+    double floor = std::numeric_limits<double>::min();
+    if (method == MotionMethod::voted_pan) {
+        contrast = contrast_on_grid(flow, background);
+    } else {
         for (int i = 0; i < refits; ++i)
             background = refitted(flow, background);
+        contrast = denoised(contrast_on_grid(flow, background));
+        floor = noise_floor * std::hypot(before.cols, before.rows) + camera_floor * length(global);
     }
-    const cv::Mat contrast = contrast_on_grid(flow, background);
     double fastest = 0;
     cv::minMaxLoc(contrast, nullptr, &fastest);
-    const double floor = noise_floor * std::hypot(before.cols, before.rows) + camera_floor * length(global);
     SaliencyMap map;
     cv::resize(contrast / std::max(fastest, floor), map, before.size(), 0, 0, cv::INTER_LINEAR);
     return {map, global};

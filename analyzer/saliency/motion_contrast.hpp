@@ -7,10 +7,10 @@
 
 namespace vitrine {
 
-/// What a camera may do between two frames.
-enum class CameraModel {
-    pan,         // the paper's: one motion for the whole picture
-    similarity,  // pan, zoom and roll, fitted from the voted pan on
+/// How motion contrast is taken.
+enum class MotionMethod {
+    voted_pan,   // the paper's: |v - g| over its largest value, g one motion for the whole picture
+    background,  // against pan, zoom and roll, fitted from the voted pan on, with what is noise taken off
 };
 
 /// What moves against the camera between two neighbouring frames.
@@ -28,14 +28,14 @@ Vec2 voted_motion(std::span<const Vec2> vectors);
 /// Motion contrast of one frame by Lucas-Kanade on a grid.
 ///
 /// @param before, after  CV_8UC1 of one size, neighbouring frames, at least 16 px a side, else nothing moves
-/// @return  map of that size: |v - g| over its largest value, or over 0.3 % of the diagonal and half the
-/// global
-///          motion where nothing is faster, so that flow noise on a still shot and parallax on a moving one
-///          stay near 0
-/// Source: Dynamic Media Assemblage 3.2. Differs: that floor; outliers go by a 3x3 median on the grid, the
-/// picture's median contrast is taken off as noise; the similarity, without which every zoom makes the
-/// picture's edges salient.
+/// @return  map of that size. In voted_pan the largest value is always 1 where anything moves at all. In
+///          background what is below 0.3 % of the diagonal and half the global motion does not reach 1, so
+///          that flow noise on a still shot and parallax on a moving one stay near 0
+/// Source: Dynamic Media Assemblage 3.2; voted_pan is its letter, in which vectors that could not be tracked
+/// count 0. Differs in background: that floor; patches that leave the picture are left out, outliers go by a
+/// 3x3 median on the grid, the picture's median contrast is taken off as noise; the similarity, without which
+/// every zoom makes the picture's edges salient.
 MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after,
-                               CameraModel model = CameraModel::similarity);
+                               MotionMethod method = MotionMethod::background);
 
 }  // namespace vitrine

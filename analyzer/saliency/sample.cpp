@@ -1,11 +1,10 @@
 #include "analyzer/saliency/sample.hpp"
 
-#include "analyzer/saliency/motion_contrast.hpp"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -35,24 +34,26 @@ cv::Size map_size(cv::Size frame) {
     return fitted(frame, map_side);
 }
 
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int frame_size,
-                ImageSaliency method) {
-    const cv::Size size = fitted(frame.size(), frame_size);
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds,
+                const AnalysisSettings& settings) {
+    const cv::Size size = fitted(frame.size(), settings.frame_size);
     const cv::Size map = map_size(frame.size());
     const cv::Mat now = resized(frame, size);
     Sample sample;
-    sample.image = resized(image_saliency(now, method), map);
+    sample.image = resized(image_saliency(now, settings.image), map);
     if (before.size() == frame.size()) {
-        const MotionContrast motion = motion_contrast(grey(resized(before, size)), grey(now));
+        const MotionContrast motion =
+            motion_contrast(grey(resized(before, size)), grey(now), settings.motion);
         sample.motion = resized(motion.map, map);
         sample.global_motion = motion.global_motion * (map.width / (size.width * seconds));
     }
     return sample;
 }
 
-std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame) {
+std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent) {
     const double scale = static_cast<double>(map_size(frame.size()).width) / frame.cols;
-    std::vector<Face> faces = prominent(detector.detect(frame));
+    std::vector<Face> faces = detector.detect(frame);
+    if (only_prominent) faces = prominent(std::move(faces));
     for (Face& face : faces)
         face.box = {face.box.min * scale, face.box.max * scale};
     return faces;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/faces.hpp"
-#include "analyzer/saliency/image_saliency.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 #include "base/geometry/vec2.hpp"
 
@@ -27,16 +27,16 @@ constexpr int map_side = 160;
 
 /// Searches one frame.
 ///
-/// @param frame       CV_8UC3, not empty
-/// @param before      the frame directly before it; empty at the start
-/// @param seconds     between the two, > 0
-/// @param frame_size  px, longest side on which motion and contrast are measured
-/// @return            maps of at most map_side; times, faces and picture are left to the caller
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, int frame_size,
-                ImageSaliency method);
+/// @param frame     CV_8UC3, not empty
+/// @param before    the frame directly before it; empty at the start
+/// @param seconds   between the two, > 0
+/// @param settings  frame_size, motion and image are used
+/// @return          maps of at most map_side; times, faces and picture are left to the caller
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds,
+                const AnalysisSettings& settings);
 
-/// The prominent faces in px of the maps that searched() makes of such a frame.
-std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame);
+/// The faces in px of the maps that searched() makes of such a frame.
+std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
 
 /// The size of the maps of a frame.
 cv::Size map_size(cv::Size frame);

@@ -18,7 +18,44 @@ Sample sample_with_disc(milliseconds time, Vec2 at) {
     return sample;
 }
 
+/// Finds a tall face and one a third as tall.
+class TwoFaces : public FaceDetector {
+  public:
+    std::vector<Face> detect(const cv::Mat&) override {
+        return {{.box = {{20, 20}, {80, 80}}, .score = 1}, {.box = {{120, 20}, {140, 40}}, .score = 1}};
+    }
+};
+
 }  // namespace
+
+TEST_CASE("to the paper's letter no stage of ours is left and no face is dropped") {
+    const AnalysisSettings letter = papers_letter();
+    CHECK(letter.motion == MotionMethod::voted_pan);
+    CHECK(letter.image == ImageSaliency::frequency_tuned);
+    CHECK(letter.drift == DriftMode::box_centres);
+    CHECK(letter.region.mode == RegionMode::hull);
+    CHECK(letter.region.mass == 0.5);
+    CHECK_FALSE(letter.has_bodies);
+    TwoFaces detector;
+    const cv::Mat frame = cv::Mat::zeros(90, 160, CV_8UC3);
+    CHECK(searched_faces(detector, frame, letter.only_prominent_faces).size() == 2);
+    CHECK(searched_faces(detector, frame, AnalysisSettings{}.only_prominent_faces).size() == 1);
+}
+
+TEST_CASE("motion is measured in the way the settings say") {
+    // Given a still texture that is zoomed by 3 %.
+    cv::Mat before(180, 320, CV_8UC3);
+    cv::RNG random(5);
+    random.fill(before, cv::RNG::UNIFORM, 0, 256);
+    cv::GaussianBlur(before, before, {0, 0}, 2.5);
+    cv::normalize(before, before, 0, 255, cv::NORM_MINMAX);
+    cv::Mat after;
+    cv::warpAffine(before, after, cv::getRotationMatrix2D({160, 90}, 0, 1.03), before.size(),
+                   cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    const Sample letter = searched(after, before, 0.04, papers_letter());
+    const Sample ours = searched(after, before, 0.04, {});
+    CHECK(cv::mean(letter.motion)[0] > 2 * cv::mean(ours.motion)[0]);
+}
 
 TEST_CASE("the region holds a moving disc at every time of the shot") {
     // Given a disc that moves 25 px of the map a second, and a picture of four times the map.

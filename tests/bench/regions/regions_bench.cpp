@@ -132,8 +132,9 @@ Polygon region_of(const cv::Mat& bgr, const cv::Mat& large, FaceDetector* faces,
                   const RegionSettings& settings) {
     const double scale = static_cast<double>(large.cols) / bgr.cols;
     std::vector<Face> found;
-    if (faces != nullptr) found = prominent(faces->detect(large));
     const bool is_ours = method == ImageSaliency::barrier;
+    if (faces != nullptr) found = faces->detect(large);
+    if (is_ours) found = prominent(std::move(found));
     cv::Mat map =
         combined({}, image_saliency(bgr, method), face_saliency(found, bgr.size(), scale, is_ours), {});
     const double shrink = std::min(1.0, 160.0 / std::max(map.cols, map.rows));
@@ -225,11 +226,11 @@ void moving_car(const fs::path& folder, FaceDetector* faces) {
     cv::Mat before;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const cv::Mat frame = picture(frames[i], 320);
-        samples.push_back(searched(frame, before, 0.04, 320, ImageSaliency::barrier));
+        samples.push_back(searched(frame, before, 0.04, {}));
         samples.back().time = interval * i;
         samples.back().pair_time = interval * (i > 0 ? i - 1 : 0);
         samples.back().faces_time = samples.back().time;
-        if (faces != nullptr) samples.back().faces = searched_faces(*faces, frame);
+        if (faces != nullptr) samples.back().faces = searched_faces(*faces, frame, true);
         before = frame;
     }
     const Shot shot{.end = interval * frames.size()};
@@ -334,10 +335,10 @@ void costs(const fs::path& folder, FaceDetector& faces) {
     const double barrier = milliseconds([&] { image_saliency(a, ImageSaliency::barrier); });
     const double motion = milliseconds([&] { motion_contrast(grey_a, grey_b); });
     const double face = milliseconds([&] { faces.detect(a); });
-    const double whole = milliseconds([&] { searched(b, a, 0.04, 320, ImageSaliency::barrier); });
+    const double whole = milliseconds([&] { searched(b, a, 0.04, {}); });
     std::vector<SalientFrame> frames;
     for (int i = 0; i < 64; ++i)
-        frames.push_back({.map = searched(b, a, 0.04, 320, {}).image, .time = i / 8.0});
+        frames.push_back({.map = searched(b, a, 0.04, {}).image, .time = i / 8.0});
     const double drift = milliseconds([&] { found_drift(frames, 8, DriftMode::smallest_area); });
     const SaliencyMap volume = accumulated(frames, {});
     const Box core = common_part(volume.size(), {}, 0);
