@@ -1,0 +1,23 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace vitrine {
+
+/// What `vitrine-player plan` is asked.
+struct PlanOptions {
+    std::filesystem::path catalogue;  // the directory of records
+    int width = 0;                    // canvas px
+    int height = 0;
+    std::optional<std::filesystem::path> svg;
+    std::optional<std::filesystem::path> json;  // neither: JSON to the standard output
+};
+
+/// Lays out the first wall that the player would show of a catalogue, without a display. An empty catalogue
+/// is an empty plan. @throws std::runtime_error naming the file that cannot be read or written
+void write_plan(const Settings& settings, const PlanOptions& options);
+
+}  // namespace vitrine

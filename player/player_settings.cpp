@@ -1,0 +1,46 @@
+#include "player/player_settings.hpp"
+
+namespace vitrine {
+
+namespace {
+
+ShotOrder order_of(const Settings& settings) {
+    if (settings.show.order == "name") return ShotOrder::name;
+    return settings.show.order == "newest" ? ShotOrder::newest : ShotOrder::shuffle;
+}
+
+}  // namespace
+
+AssemblageSettings assemblage_settings(const Settings& settings) {
+    return {.slots = settings.layout.slots,
+            .order = order_of(settings),
+            .seed = static_cast<std::uint64_t>(settings.layout.seed),
+            .dwell = settings.show.dwell};
+}
+
+WallSettings wall_settings(const Settings& settings) {
+    return {.assemblage = assemblage_settings(settings), .crossfade = settings.show.crossfade};
+}
+
+View view_of(const Settings& settings) {
+    switch (settings.output.rotation) {
+    case 90:
+        return {.rotation = Rotation::right};
+    case 180:
+        return {.rotation = Rotation::half};
+    case 270:
+        return {.rotation = Rotation::left};
+    default:
+        return {};
+    }
+}
+
+PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
+    return {.canvas = canvas,
+            .seed = static_cast<std::uint64_t>(settings.layout.seed),
+            .clearance = settings.layout.clearance,
+            .most_scale = settings.layout.max_enlargement,
+            .energy = settings.layout.energy == "paper" ? EnergyMode::paper : EnergyMode::screen};
+}
+
+}  // namespace vitrine

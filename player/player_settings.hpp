@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/layout/plan.hpp"
+#include "player/render/view.hpp"
+#include "player/scene/wall.hpp"
+
+namespace vitrine {
+
+// What the settings mean to the player's stages.
+
+AssemblageSettings assemblage_settings(const Settings& settings);
+WallSettings wall_settings(const Settings& settings);
+View view_of(const Settings& settings);
+
+/// All of a request but its items.
+PlanRequest plan_request(const Settings& settings, Vec2 canvas);
+
+}  // namespace vitrine
