@@ -133,7 +133,7 @@ void Daemon::start(const Action& action) {
                 .record = record_of(action.path, action.facts, MediaState::waiting, reason)});
     };
     if (!action.facts.is_readable) return wait("it may not be read: its permissions forbid it");
-    if (!action.is_last_try && folder_.has_hole(action.path))
+    if (!action.is_last_try && folder_.ends_in_hole(action.path))
         return wait("the copy is not complete: parts of the file are still empty");
     std::vector<std::string> command = options_.child;
     command.push_back(folder_.absolute(action.path).string());

@@ -1,5 +1,7 @@
 #include "analyzer/media_folder.hpp"
 
+#include "base/system/written_size.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <linux/openat2.h>
@@ -181,12 +183,14 @@ bool MediaFolder::is_remote() const {
     return std::find(remote.begin(), remote.end(), static_cast<std::uint32_t>(status.f_type)) != remote.end();
 }
 
-bool MediaFolder::has_hole(const std::string& path) const {
+bool MediaFolder::ends_in_hole(const std::string& path) const {
     const UniqueFd file = open(path, O_RDONLY | O_NONBLOCK);
     if (!file.is_open()) return false;
-    const off_t end = ::lseek(file.get(), 0, SEEK_END);
-    const off_t hole = ::lseek(file.get(), 0, SEEK_HOLE);
-    return hole >= 0 && hole < end;
+
+    struct stat status {};
+
+    if (::fstat(file.get(), &status) < 0) return false;
+    return written_size(file.get()) < static_cast<std::uint64_t>(status.st_size);
 }
 
 }  // namespace vitrine

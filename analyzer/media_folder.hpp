@@ -67,8 +67,8 @@ class MediaFolder {
     /// Whether other machines may change it unseen by this kernel: CIFS, NFS, FUSE, 9P.
     bool is_remote() const;
 
-    /// Whether part of the file was never written, as in a copy that reserved its space first.
-    bool has_hole(const std::string& path) const;
+    /// Whether the end of the file was never written, as in a copy that reserved its space first.
+    bool ends_in_hole(const std::string& path) const;
 
   private:
     UniqueFd open(const std::string& path, int flags) const;

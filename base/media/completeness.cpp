@@ -2,6 +2,7 @@
 
 #include "base/catalogue/media_error.hpp"
 #include "base/system/unique_fd.hpp"
+#include "base/system/written_size.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -39,17 +40,7 @@ class Bytes {
 
     std::uint64_t size() const { return size_; }
 
-    /// Where what was written ends: holes in the middle are only zeros that a copy left out.
-    std::uint64_t written() const {
-        off_t end = 0;
-        for (int extent = 0; extent < max_boxes; ++extent) {
-            const off_t data = ::lseek(fd_.get(), end, SEEK_DATA);
-            if (data < 0) return errno == ENXIO ? static_cast<std::uint64_t>(end) : size_;  // ENXIO: no more
-            end = ::lseek(fd_.get(), data, SEEK_HOLE);
-            if (end < 0 || static_cast<std::uint64_t>(end) >= size_) return size_;
-        }
-        return size_;
-    }
+    std::uint64_t written() const { return written_size(fd_.get()); }
 
     template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
         std::array<std::uint8_t, N> bytes{};

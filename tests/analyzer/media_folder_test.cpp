@@ -109,10 +109,10 @@ TEST_CASE("a copy that reserved its space first has a hole until all of it is wr
     const TemporaryDirectory directory;
     const fs::path file = directory.write("film.mp4", std::string(200'000, 'x'));
     const MediaFolder folder(directory.path);
-    CHECK_FALSE(folder.has_hole("film.mp4"));
+    CHECK_FALSE(folder.ends_in_hole("film.mp4"));
     REQUIRE(::truncate(file.c_str(), 1'000'000) == 0);
-    CHECK(folder.has_hole("film.mp4"));
+    CHECK(folder.ends_in_hole("film.mp4"));
     std::ofstream(file) << std::string(1'000'000, 'y');
-    CHECK_FALSE(folder.has_hole("film.mp4"));
-    CHECK_FALSE(folder.has_hole("nothing.mp4"));
+    CHECK_FALSE(folder.ends_in_hole("film.mp4"));
+    CHECK_FALSE(folder.ends_in_hole("nothing.mp4"));
 }

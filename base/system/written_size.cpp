@@ -1,0 +1,29 @@
+#include "base/system/written_size.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int most_extents = 100'000;  // of a file; beyond it counts as written
+
+}  // namespace
+
+std::uint64_t written_size(int fd) {
+    const off_t size = ::lseek(fd, 0, SEEK_END);
+    if (size <= 0) return 0;
+    off_t written = 0;
+    for (int i = 0; i < most_extents && written < size; ++i) {
+        const off_t data = ::lseek(fd, written, SEEK_DATA);
+        if (data < 0 && errno == ENXIO) return static_cast<std::uint64_t>(written);  // only a hole follows
+        const off_t hole = data < 0 ? -1 : ::lseek(fd, data, SEEK_HOLE);
+        if (hole < 0) break;
+        written = hole;
+    }
+    return static_cast<std::uint64_t>(size);
+}
+
+}  // namespace vitrine
