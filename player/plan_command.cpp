@@ -27,9 +27,8 @@ std::vector<NamedItem> first_wall(const Settings& settings, const std::filesyste
     assemblage.set_catalogue(records);
     std::vector<NamedItem> items;
     for (const WallShot& shot : assemblage.wall())
-        items.push_back({.path = shot.key.path,
-                         .shot = static_cast<std::size_t>(shot.key.shot),
-                         .item = {.region = shot.shot.region.polygon, .core = shot.core}});
+        items.push_back(
+            {.path = shot.key.path, .shot = static_cast<std::size_t>(shot.key.shot), .item = shot.item});
     return items;
 }
 

@@ -147,7 +147,10 @@ void Player::take_layout() {
 
 void Player::take_layout(Layout layout) {
     layout.generation = planned_.generation;
-    wall_.set_layout(layout, cells(planned_.items, layout));
+    std::vector<LayoutItem> items;
+    for (const PlanItem& planned : planned_.items)
+        items.push_back(planned.item);
+    wall_.set_layout(layout, cells(items, layout));
 }
 
 void Player::take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time) {
@@ -175,8 +178,7 @@ void Player::carry_out(const WallStep& step) {
 /// Has a wall laid out: at once where the clock waits anyway, else by the planner's thread.
 void Player::ask(const WallPlan& wall) {
     PlanRequest request = plan_request(settings_, wall.canvas);
-    for (std::size_t i = 0; i < wall.items.size(); ++i)
-        request.items.push_back({.item = wall.items[i], .previous = wall.start[i]});
+    request.items = wall.items;
     planned_ = wall;
     if (is_paced_by_pictures_)
         take_layout(plan(request));

@@ -14,6 +14,8 @@ struct LayoutItem {
     Polygon region;     // convex, counter-clockwise, inside `core`
     Box core;           // what every frame of the shot shows: the most a cell may show
     double weight = 1;  // wish for area relative to the others, > 0
+
+    friend bool operator==(const LayoutItem&, const LayoutItem&) = default;
 };
 
 /// Where an item stands: canvas = source * scale + offset.

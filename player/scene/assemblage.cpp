@@ -1,5 +1,7 @@
 #include "player/scene/assemblage.hpp"
 
+#include "player/layout/layout_item.hpp"
+
 #include <algorithm>
 
 namespace vitrine {
@@ -151,7 +153,7 @@ void Assemblage::put(Slot& slot, const ShotKey& key) {
                          .key = key,
                          .kind = record.kind,
                          .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
-                         .core = core(record, shot),
+                         .item = layout_item(record, shot),
                          .shot = shot};
 }
 

@@ -31,7 +31,7 @@ struct WallShot {
     ShotKey key;
     MediaKind kind = MediaKind::photo;
     Vec2 picture;  // size of the upright picture, source px
-    Box core;      // source px
+    LayoutItem item;
     Shot shot;
 
     friend bool operator==(const WallShot&, const WallShot&) = default;

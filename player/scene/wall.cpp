@@ -9,10 +9,6 @@ namespace vitrine {
 
 namespace {
 
-LayoutItem layout_item(const WallShot& shot) {
-    return {.region = shot.shot.region.polygon, .core = shot.core};
-}
-
 const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
     const auto found = std::find_if(wall.begin(), wall.end(),
                                     [&](const PlacedShot& placed) { return placed.shot.source == source; });
@@ -28,17 +24,6 @@ const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot) {
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
     return std::equal(wall.begin(), wall.end(), wanted.begin(), wanted.end(),
                       [](const PlacedShot& a, const WallShot& b) { return a.shot.source == b.source; });
-}
-
-/// The new shot's I-Region at the centre of the old one and as large.
-/// Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
-std::optional<Placement> substituted(const PlacedShot& old, const WallShot& shot) {
-    const Polygon& before = old.shot.shot.region.polygon;
-    const Polygon& after = shot.shot.region.polygon;
-    if (area(before) <= 0 || area(after) <= 0) return std::nullopt;
-    const double scale = old.placement.scale * std::sqrt(area(before) / area(after));
-    const Vec2 centre = centroid(before) * old.placement.scale + old.placement.offset;
-    return Placement{.scale = scale, .offset = centre - centroid(after) * scale};
 }
 
 ShotRequest request(const PlacedShot& placed) {
@@ -120,16 +105,20 @@ WallPlan Wall::begin_change(const std::vector<WallShot>& wanted) {
     incoming_ = Incoming{.generation = generation_, .has_layout = wanted.empty()};
     for (const WallShot& shot : wanted) {
         incoming_->wall.push_back({.shot = shot});
-        plan.items.push_back(layout_item(shot));
-        plan.start.push_back(start(shot));
+        plan.items.push_back(plan_item(shot));
     }
     return plan;
 }
 
-std::optional<Placement> Wall::start(const WallShot& shot) const {
-    if (const PlacedShot* same = find_source(shown_, shot.source)) return same->placement;
-    if (const PlacedShot* before = find_slot(shown_, shot.slot)) return substituted(*before, shot);
-    return std::nullopt;
+/// A shot that stays keeps its place; one that is new takes over the seat of its slot's last shot.
+/// Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
+PlanItem Wall::plan_item(const WallShot& shot) const {
+    PlanItem item{.item = shot.item};
+    if (const PlacedShot* same = find_source(shown_, shot.source))
+        item.previous = same->placement;
+    else if (const PlacedShot* before = find_slot(shown_, shot.slot))
+        item.seat = seat_of(before->shot.item, before->placement);
+    return item;
 }
 
 void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/layout.hpp"
+#include "player/layout/plan_request.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
 #include "player/scene/shot_request.hpp"
@@ -23,8 +23,7 @@ struct WallSettings {
 struct WallPlan {
     std::uint64_t generation = 0;  // to be handed back with the layout
     Vec2 canvas;                   // px
-    std::vector<LayoutItem> items;
-    std::vector<std::optional<Placement>> start;  // where each stands now or its slot's last shot stood
+    std::vector<PlanItem> items;   // each where it stands now, or with the seat of its slot's last shot
 };
 
 /// What is to be done in this frame, beside drawing it.
@@ -79,7 +78,7 @@ class Wall {
     void end_fade(std::chrono::nanoseconds now);
     std::optional<WallPlan> follow_assemblage();
     WallPlan begin_change(const std::vector<WallShot>& wanted);
-    std::optional<Placement> start(const WallShot& shot) const;
+    PlanItem plan_item(const WallShot& shot) const;
     void prepare(WallStep& step, std::chrono::nanoseconds now);
     bool is_ready() const;
     void give_up_waiting(std::chrono::nanoseconds now);

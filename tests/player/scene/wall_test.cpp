@@ -158,8 +158,10 @@ TEST_CASE("a change of turn keeps the others playing and starts the new one in t
     while (house.planned.size() < 2)
         house.step();
     const WallPlan& plan = house.planned.back();
-    CHECK(plan.start[1] == Placement{.scale = 0.5, .offset = {100, 0}});  // stays
-    CHECK(plan.start[0] == Placement{.scale = 0.5, .offset = {0, 0}});    // the same region as before it
+    CHECK(plan.items[1].previous == Placement{.scale = 0.5, .offset = {100, 0}});  // stays
+    CHECK_FALSE(plan.items[0].previous);
+    REQUIRE(plan.items[0].seat);
+    CHECK(plan.items[0].seat->area == doctest::Approx(0.25 * area(plan.items[1].item.region)));
     house.run(2s);
     CHECK(shown_paths(house) == std::vector<std::string>{"d", "b", "c"});
     CHECK(house.playing.size() == 3);
@@ -169,16 +171,15 @@ TEST_CASE("a change of turn keeps the others playing and starts the new one in t
     }
 }
 
-TEST_CASE("the newcomer starts with its region as large as the old one's and around the same point") {
-    MediaRecord wide = photo("b");
-    wide.shots[0].region.polygon = {{0, 0}, {320, 0}, {320, 240}, {0, 240}};  // four times the area
-    House house = ::house({photo("a"), wide}, 1);
+TEST_CASE("the newcomer is given the seat of the shot before it: the middle and the area of its region") {
+    House house = ::house({photo("a"), photo("b")}, 1);
     while (house.planned.size() < 2)
         house.step();
-    const Placement start = house.planned.back().start[0].value();
-    CHECK(start.scale == doctest::Approx(0.25));
-    CHECK(start.offset.x == doctest::Approx(320 * 0.5 - 160 * 0.25));
-    CHECK(start.offset.y == doctest::Approx(180 * 0.5 - 120 * 0.25));
+    const PlanItem& newcomer = house.planned.back().items[0];
+    CHECK_FALSE(newcomer.previous);
+    REQUIRE(newcomer.seat);
+    CHECK(newcomer.seat->centre == Vec2{320 * 0.5, 180 * 0.5});
+    CHECK(newcomer.seat->area == doctest::Approx(160 * 120 * 0.25));
 }
 
 TEST_CASE("a deleted file leaves with the next transition, the last one to the idle picture") {
