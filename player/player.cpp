@@ -36,6 +36,8 @@ KmsOptions kms_options(const Settings& settings, const KmsChoice& choice) {
 Player::Player(const Settings& settings, const PlayOptions& options)
     : settings_(settings),
       options_(options),
+      interrupted_(loop_.signal(SIGINT, [this] { loop_.quit(); })),
+      terminated_(loop_.signal(SIGTERM, [this] { loop_.quit(); })),
       screen_(make_screen()),
       view_(view_of(settings)),
       canvas_(canvas_size(screen_->width(), screen_->height(), view_)),
@@ -46,8 +48,6 @@ Player::Player(const Settings& settings, const PlayOptions& options)
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
       tick_(loop_.timer([this] { tick(); })),
-      interrupted_(loop_.signal(SIGINT, [this] { loop_.quit(); })),
-      terminated_(loop_.signal(SIGTERM, [this] { loop_.quit(); })),
       told_(loop_.timer([this] { tell(); })) {
     if (screen_->event_fd() >= 0)
         screen_events_ =

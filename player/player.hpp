@@ -61,6 +61,8 @@ class Player {
     Settings settings_;
     PlayOptions options_;
     EventLoop loop_;
+    EventLoop::Source interrupted_;  // blocked before any thread starts, which else would be killed by them
+    EventLoop::Source terminated_;
     OffscreenScreen* offscreen_ = nullptr;  // screen_ where it is one
     bool is_paced_by_pictures_ = false;     // the clock waits for the sources, not they for the clock
     std::unique_ptr<Screen> screen_;
@@ -80,8 +82,6 @@ class Player {
     std::size_t items_ = 0;  // on the wall, as last told
     EventLoop::Source tick_;
     EventLoop::Source screen_events_;
-    EventLoop::Source interrupted_;
-    EventLoop::Source terminated_;
     EventLoop::Source told_;  // systemd, every few seconds
 };
 

@@ -198,7 +198,7 @@ class Wall(unittest.TestCase):
             time.sleep(3)  # let the crossfade end: what is wanted of the film are its last pictures
         finally:
             player.send_signal(signal.SIGTERM)
-        self.assertEqual(player.wait(PATIENCE), 0)
+        self.assertEqual(player.wait(PATIENCE), 0, Path(log.name).read_text())
         last = pictures_of(film)[-1]
         self.assertGreater(share_near(last, COLOURS["blue"]), 0.01)
         self.assertLess(share_near(last, COLOURS["red"]), 0.001)
