@@ -129,7 +129,8 @@ struct BackgroundMotion {
 
 Vec2 place_on_grid(const Flow& flow, std::size_t i) {
     const auto index = static_cast<int>(i);
-    const Vec2 cell{index % flow.grid.width + 0.5, index / flow.grid.width + 0.5};
+    const int row = index / flow.grid.width;
+    const Vec2 cell{index % flow.grid.width + 0.5, row + 0.5};
     return cell * grid_step;
 }
 
