@@ -106,7 +106,7 @@ void draw_region(Canvas& canvas, const Cell& cell, const ShotEvidence& row, doub
 
 std::string row_title(const ShotEvidence& row, const MediaRecord& record, std::size_t number) {
     const double share = area(row.shot.region.polygon) / (static_cast<double>(record.width) * record.height);
-    const std::string region = fmt::format("region {:.0f} % of the picture", share * 100);
+    std::string region = fmt::format("region {:.0f} % of the picture", share * 100);
     if (record.kind == MediaKind::photo) return region;
     std::string title = fmt::format("shot {}   {} to {}   {} samples   {}", number, time_text(row.shot.begin),
                                     time_text(row.shot.end), row.samples, region);
@@ -120,7 +120,7 @@ void draw_row(Canvas& canvas, double top, const ShotEvidence& row, const MediaRe
     canvas.text(row_title(row, record, number), {margin, top + row_title_height / 2.0}, 14, ink);
     const cv::Size size = cell_size(record);
     const auto cell = [&](int column) {
-        const double x = margin + column * (cell_width + gap) + (cell_width - size.width) / 2;
+        const double x = margin + column * (cell_width + gap) + (cell_width - size.width) / 2.0;
         return Cell{{x, top + row_title_height}, size};
     };
     const double scale = static_cast<double>(size.width) / record.width;

@@ -82,7 +82,9 @@ void draw_time_line(Canvas& canvas, const Box& place, const MediaRecord& record,
         canvas.text(number, {at(shot.begin) + 5, place.min.y + bar_height / 2}, 12, number_ink);
     }
     const double step = tick_step(duration);
-    for (double t = 0; t <= duration + 1e-9; t += step) {
+    const int ticks = static_cast<int>(duration / step + 1e-9);
+    for (int i = 0; i <= ticks; ++i) {
+        const double t = i * step;
         const double x = place.min.x + place.width() * t / duration;
         canvas.fill({{x, bottom + 2}, {x + 1, bottom + 7}}, ink);
         const std::string label = time_text(nanoseconds(static_cast<long long>(t * 1e9)));

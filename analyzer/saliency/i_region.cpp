@@ -26,6 +26,7 @@ Polygon middle_of(const Box& core) {
 /// The corners of all pixels from the most salient on that together hold the mass.
 std::vector<Vec2> top_pixels(const SaliencyMap& volume, double mass) {
     std::vector<std::pair<float, int>> pixels;
+    pixels.reserve(volume.total());
     for (int i = 0; i < static_cast<int>(volume.total()); ++i) {
         pixels.emplace_back(volume.at<float>(i / volume.cols, i % volume.cols), i);
     }
@@ -35,7 +36,8 @@ std::vector<Vec2> top_pixels(const SaliencyMap& volume, double mass) {
     for (const auto& [value, i] : pixels) {
         if (sum >= mass) break;
         sum += static_cast<double>(value);
-        const Vec2 at{static_cast<double>(i % volume.cols), static_cast<double>(i / volume.cols)};
+        const int row = i / volume.cols;
+        const Vec2 at{static_cast<double>(i % volume.cols), static_cast<double>(row)};
         for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}})
             corners.push_back(at + corner);
     }

@@ -32,7 +32,8 @@ void decode(const cv::Mat& classes, const cv::Mat& objects, const cv::Mat& boxes
         const double width = std::exp(value(2)) * stride;
         const double height = std::exp(value(3)) * stride;
         const double x = (i % columns + value(0)) * stride - width / 2;
-        const double y = (i / columns + value(1)) * stride - height / 2;
+        const int row = i / columns;
+        const double y = (row + value(1)) * stride - height / 2;
         into.boxes.emplace_back(x, y, width, height);
         into.scores.push_back(std::min(1.F, score));
     }

@@ -132,13 +132,13 @@ cv::Mat to_bgr(const cv::Mat& luma, const cv::Mat& cb, const cv::Mat& cr, const 
         const auto* u = cb.ptr<std::uint8_t>(row);
         const auto* v = cr.ptr<std::uint8_t>(row);
         auto* out = bgr.ptr<std::uint8_t>(row);
-        for (int x = 0; x < luma.cols; ++x) {
+        for (int x = 0; x < luma.cols; ++x, out += 3) {
             const int base = (y[x] - m.luma_offset) * m.luma;
             const int blue_difference = u[x] - 128;
             const int red_difference = v[x] - 128;
-            out[3 * x] = clamped(base + m.blue_cb * blue_difference);
-            out[3 * x + 1] = clamped(base + m.green_cb * blue_difference + m.green_cr * red_difference);
-            out[3 * x + 2] = clamped(base + m.red_cr * red_difference);
+            out[0] = clamped(base + m.blue_cb * blue_difference);
+            out[1] = clamped(base + m.green_cb * blue_difference + m.green_cr * red_difference);
+            out[2] = clamped(base + m.red_cr * red_difference);
         }
     }
     return bgr;

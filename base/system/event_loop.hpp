@@ -27,6 +27,8 @@ class EventLoop {
         Source();
         Source(Source&&) noexcept;
         Source& operator=(Source&&) noexcept;
+        Source(const Source&) = delete;
+        Source& operator=(const Source&) = delete;
         ~Source();
 
         bool is_set() const { return source_ != nullptr; }

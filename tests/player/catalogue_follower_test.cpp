@@ -21,8 +21,10 @@ struct TemporaryDirectory {
         REQUIRE(::mkdtemp(name.data()) != nullptr);
         path = name;
     }
+
     TemporaryDirectory(const TemporaryDirectory&) = delete;
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
     ~TemporaryDirectory() { fs::remove_all(path); }
 
     fs::path path;
@@ -45,7 +47,8 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
     const Catalogue catalogue(directory.path / "catalogue");
     EventLoop loop;
     std::vector<CatalogueChange> changes;
-    CatalogueFollower follower(loop, catalogue, [&](const CatalogueChange& change) { changes.push_back(change); });
+    CatalogueFollower follower(loop, catalogue,
+                               [&](const CatalogueChange& change) { changes.push_back(change); });
     const auto wait_for_change = [&] {
         changes.clear();
         for (int i = 0; i < 200 && changes.empty(); ++i)
