@@ -1,64 +1,23 @@
 #include "player/render/renderer.hpp"
 
+#include "player/render/shaders.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 
 namespace vitrine {
 
 namespace {
 
 constexpr double fringe_width = 1;          // canvas px
-constexpr float filler_light = 0.35F;       // of the mirrored picture: a frame round it, not a second one
+constexpr double filler_blur = 0.25;        // radius, as a share of the picture's shorter side
 constexpr double small_picture = 1.5;       // texels a canvas px, from which single ones are stepped over
 constexpr std::uint64_t kept_unused = 120;  // frames that a cell's vertices outlast their last use
 
-constexpr const char* vertex_shader = R"(
-precision highp float;
-layout(location = 0) in vec3 vertex;   // canvas px, coverage
-uniform vec2 x_axis, y_axis, origin;   // canvas px to GL
-uniform vec2 uv_scale, uv_offset;      // canvas px to texture
-out highp vec2 uv;
-out mediump float coverage;
-
-void main() {
-    uv = vertex.xy * uv_scale + uv_offset;
-    coverage = vertex.z;
-    gl_Position = vec4(x_axis * vertex.x + y_axis * vertex.y + origin, 0.0, 1.0);
-}
-)";
-
-constexpr const char* opaque_shader = R"(
-precision mediump float;
-in highp vec2 uv;
-uniform sampler2D picture;
-uniform float light;
-out vec4 pixel;
-
-void main() {
-    pixel = texture(picture, uv) * light;
-}
-)";
-
-constexpr const char* blended_shader = R"(
-precision mediump float;
-in highp vec2 uv;
-in float coverage;
-uniform sampler2D picture;
-uniform float light, alpha;
-out vec4 pixel;
-
-void main() {
-    pixel = vec4(texture(picture, uv).rgb * light, alpha * coverage);
-}
-)";
-
 void set(GLint uniform, Vec2 value) {
     glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));
-}
-
-void draw_range(GLenum mode, CellMesh::Range range) {
-    if (range.count > 0) glDrawArrays(mode, range.first, range.count);
 }
 
 bool is_opaque(const DrawItem& item) {
@@ -74,11 +33,17 @@ Renderer::PictureProgram::PictureProgram(const char* fragment_shader)
       origin(program.uniform("origin")),
       uv_scale(program.uniform("uv_scale")),
       uv_offset(program.uniform("uv_offset")),
-      light(program.uniform("light")),
+      blur(program.uniform("blur")),
+      level(program.uniform("level")),
       alpha(program.uniform("alpha")) {}
 
 Renderer::Renderer(int width, int height, const View& view)
-    : width_(width), height_(height), view_(view), opaque_(opaque_shader), blended_(blended_shader) {
+    : width_(width),
+      height_(height),
+      view_(view),
+      opaque_(opaque_shader),
+      blended_(blended_shader),
+      filler_(filler_shader) {
     check_gl("make the renderer");
 }
 
@@ -181,37 +146,38 @@ void Renderer::draw_run(std::span<const DrawItem> items, const ToNdc& view) {
 
 void Renderer::draw_outlines(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    bind(opaque_, item, true, view);
-    draw_range(GL_LINES, cell.filler.outline);
-    bind(opaque_, item, false, view);
-    draw_range(GL_LINES, cell.parts.outline);
+    draw_range(filler_, item, view, GL_LINES, cell.filler.outline);
+    draw_range(opaque_, item, view, GL_LINES, cell.parts.outline);
 }
 
 void Renderer::draw_fills(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    const PictureProgram& program = is_opaque(item) ? opaque_ : blended_;
-    bind(program, item, true, view);
-    draw_range(GL_TRIANGLES, cell.filler.triangles);
-    bind(program, item, false, view);
-    draw_range(GL_TRIANGLES, cell.parts.triangles);
+    draw_range(filler_, item, view, GL_TRIANGLES, cell.filler.triangles);
+    draw_range(is_opaque(item) ? opaque_ : blended_, item, view, GL_TRIANGLES, cell.parts.triangles);
 }
 
 void Renderer::draw_fringes(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    bind(blended_, item, true, view);
-    draw_range(GL_TRIANGLES, cell.filler.fringe);
-    bind(blended_, item, false, view);
-    draw_range(GL_TRIANGLES, cell.parts.fringe);
+    draw_range(filler_, item, view, GL_TRIANGLES, cell.filler.fringe);
+    draw_range(blended_, item, view, GL_TRIANGLES, cell.parts.fringe);
 }
 
-void Renderer::bind(const PictureProgram& program, const DrawItem& item, bool is_filler, const ToNdc& view) {
+void Renderer::draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
+                          CellMesh::Range range) {
+    if (range.count == 0) return;
+    bind(program, item, view);
+    glDrawArrays(mode, range.first, range.count);
+}
+
+void Renderer::bind(const PictureProgram& program, const DrawItem& item, const ToNdc& view) {
+    const bool is_filler = &program == &filler_;
     Texture& texture = textures_.at(item.source);
     glBindVertexArray(meshes_.at(item.cell.get()).array.id());
     glBindTexture(GL_TEXTURE_2D, texture.name.id());
     const GLint wrap = is_filler ? GL_MIRRORED_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    choose_filter(texture, item);
+    choose_filter(texture, item, is_filler);
 
     // texel = (u - offset) / scale + slide, as a share of the picture
     const double scale = item.placement.scale;
@@ -222,14 +188,23 @@ void Renderer::bind(const PictureProgram& program, const DrawItem& item, bool is
     set(program.origin, view.origin);
     set(program.uv_scale, {1 / (scale * item.picture.x), 1 / (scale * item.picture.y)});
     set(program.uv_offset, {first.x / item.picture.x, first.y / item.picture.y});
-    glUniform1f(program.light, is_filler ? filler_light : 1.0F);
     glUniform1f(program.alpha, static_cast<float>(item.alpha));
+    if (is_filler) set_blur(program, texture);
 }
 
-// A photo shown small gets smaller copies once; a film is not worth them, it would need them every frame.
-void Renderer::choose_filter(Texture& texture, const DrawItem& item) {
+void Renderer::set_blur(const PictureProgram& filler, const Texture& texture) {
+    const double radius = filler_blur * std::min(texture.width, texture.height);  // texels
+    set(filler.blur, {radius / texture.width, radius / texture.height});
+    glUniform1f(filler.level,
+                static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius wide
+}
+
+// Smaller copies are made of a photo shown small, once; a film is not worth them, it would need them for
+// every picture. Filler does need them, of both.
+void Renderer::choose_filter(Texture& texture, const DrawItem& item, bool is_filler) {
     const double texels = texture.width / (item.picture.x * item.placement.scale);  // a canvas px
-    if (texels >= small_picture && texture.uploads == 1 && !texture.has_mipmap) {
+    const bool is_small_photo = texels >= small_picture && texture.uploads == 1;
+    if ((is_filler || is_small_photo) && !texture.has_mipmap) {
         glGenerateMipmap(GL_TEXTURE_2D);
         texture.has_mipmap = true;
     }

@@ -42,7 +42,7 @@ class Renderer {
         GlTexture name;
         int width = 0;  // px
         int height = 0;
-        bool has_mipmap = false;  // a still picture shown small
+        bool has_mipmap = false;  // a still picture shown small or blurred
         std::uint64_t uploads = 0;
     };
 
@@ -64,7 +64,8 @@ class Renderer {
         GLint origin;
         GLint uv_scale;
         GLint uv_offset;
-        GLint light;
+        GLint blur;   // -1: the program draws sharp
+        GLint level;  // likewise
         GLint alpha;  // -1: the program draws opaque
     };
 
@@ -74,8 +75,11 @@ class Renderer {
     void draw_outlines(const DrawItem& item, const ToNdc& view);
     void draw_fills(const DrawItem& item, const ToNdc& view);
     void draw_fringes(const DrawItem& item, const ToNdc& view);
-    void bind(const PictureProgram& program, const DrawItem& item, bool is_filler, const ToNdc& view);
-    void choose_filter(Texture& texture, const DrawItem& item);
+    void draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
+                    CellMesh::Range range);
+    void bind(const PictureProgram& program, const DrawItem& item, const ToNdc& view);
+    static void set_blur(const PictureProgram& filler, const Texture& texture);
+    static void choose_filter(Texture& texture, const DrawItem& item, bool is_filler);
     Mesh& mesh(const std::shared_ptr<const Cell>& cell);
     void drop_old_meshes();
 
@@ -86,6 +90,7 @@ class Renderer {
     std::uint64_t frames_ = 0;
     PictureProgram opaque_;
     PictureProgram blended_;
+    PictureProgram filler_;
     IdlePicture idle_;
     std::unordered_map<SourceId, Texture> textures_;
     std::unordered_map<const Cell*, Mesh> meshes_;
