@@ -33,7 +33,7 @@ std::int64_t whole_number(const SettingValue& value, std::int64_t least, std::in
     return *number;
 }
 
-SettingKey whole(std::string name, Member<int> member, int least, int most) {
+SettingKey whole(std::string name, const Member<int>& member, int least, int most) {
     return {
         .name = std::move(name),
         .allowed = fmt::format("a whole number from {} to {}", least, most),
@@ -42,7 +42,7 @@ SettingKey whole(std::string name, Member<int> member, int least, int most) {
         .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
 }
 
-SettingKey number(std::string name, Member<double> member, double least, double most) {
+SettingKey number(std::string name, const Member<double>& member, double least, double most) {
     return {.name = std::move(name),
             .allowed = fmt::format("a number from {} to {}", least, most),
             .assign =
@@ -58,7 +58,7 @@ SettingKey number(std::string name, Member<double> member, double least, double 
 }
 
 template <typename Duration>
-SettingKey duration(std::string name, Member<Duration> member, std::int64_t least, std::int64_t most) {
+SettingKey duration(std::string name, const Member<Duration>& member, std::int64_t least, std::int64_t most) {
     return {.name = std::move(name),
             .allowed = fmt::format("a whole number from {} to {}", least, most),
             .assign = [=](Settings& s,
@@ -66,8 +66,8 @@ SettingKey duration(std::string name, Member<Duration> member, std::int64_t leas
             .text = [=](const Settings& s) { return fmt::format("{}", read(member, s).count()); }};
 }
 
-SettingKey text(std::string name, Member<std::string> member, std::string allowed,
-                std::function<bool(const std::string&)> is_allowed) {
+SettingKey text(std::string name, const Member<std::string>& member, std::string allowed,
+                const std::function<bool(const std::string&)>& is_allowed) {
     return {.name = std::move(name),
             .allowed = std::move(allowed),
             .assign =
@@ -79,27 +79,26 @@ SettingKey text(std::string name, Member<std::string> member, std::string allowe
             .text = [=](const Settings& s) { return fmt::format("\"{}\"", read(member, s)); }};
 }
 
-SettingKey choice(std::string name, Member<std::string> member, std::vector<std::string> choices) {
+SettingKey choice(std::string name, const Member<std::string>& member,
+                  const std::vector<std::string>& choices) {
     const std::string allowed = fmt::format("one of \"{}\"", fmt::join(choices, "\", \""));
-    return text(std::move(name), std::move(member), allowed, [choices](const std::string& value) {
+    return text(std::move(name), member, allowed, [choices](const std::string& value) {
         for (const std::string& one : choices)
             if (one == value) return true;
         return false;
     });
 }
 
-SettingKey path(std::string name, Member<std::string> member) {
-    return text(std::move(name), std::move(member), "a path",
-                [](const std::string& value) { return !value.empty(); });
+SettingKey path(std::string name, const Member<std::string>& member) {
+    return text(std::move(name), member, "a path", [](const std::string& value) { return !value.empty(); });
 }
 
-SettingKey optional_path(std::string name, Member<std::string> member) {
-    return text(std::move(name), std::move(member), "a path, or nothing",
-                [](const std::string&) { return true; });
+SettingKey optional_path(std::string name, const Member<std::string>& member) {
+    return text(std::move(name), member, "a path, or nothing", [](const std::string&) { return true; });
 }
 
-SettingKey rotation(std::string name, Member<int> member) {
-    SettingKey key = whole(std::move(name), std::move(member), 0, 270);
+SettingKey rotation(std::string name, const Member<int>& member) {
+    SettingKey key = whole(std::move(name), member, 0, 270);
     key.allowed = "0, 90, 180 or 270";
     key.assign = [assign = key.assign](Settings& s, const SettingValue& v) {
         if (whole_number(v, 0, 270) % 90 != 0) refuse();

@@ -46,7 +46,7 @@ std::vector<std::string> SettingOptions::arguments() const {
     if (!config_.empty()) words.push_back("--config=" + config_);
     for (const auto* options : {&given_, &aliased_})
         for (const auto& [name, text] : *options)
-            if (!text.empty()) words.push_back("--" + name + "=" + text);
+            if (!text.empty()) words.push_back(fmt::format("--{}={}", name, text));
     return words;
 }
 

@@ -25,6 +25,8 @@ class EventLoop {
     class [[nodiscard]] Source {
       public:
         Source();
+        Source(const Source&) = delete;
+        Source& operator=(const Source&) = delete;
         Source(Source&&) noexcept;
         Source& operator=(Source&&) noexcept;
         Source(const Source&) = delete;
@@ -49,6 +51,8 @@ class EventLoop {
     EventLoop();
     EventLoop(const EventLoop&) = delete;
     EventLoop& operator=(const EventLoop&) = delete;
+    EventLoop(EventLoop&&) = delete;
+    EventLoop& operator=(EventLoop&&) = delete;
     ~EventLoop();
 
     /// @param events  EPOLLIN, EPOLLOUT; the callback gets those that came, with EPOLLHUP and EPOLLERR

@@ -120,6 +120,7 @@ class Adoption {
         const auto known = diagrams_.find(some);
         if (known != diagrams_.end()) return known->second;
         std::vector<Polygon> regions;
+        regions.reserve(some.size());
         for (const std::size_t i : some)
             regions.push_back(regions_[i]);
         std::vector<Loops> found = voronoi(regions, canvas_, sites_);
@@ -179,6 +180,7 @@ Shares shared_out(std::span<const Polygon> regions, const std::vector<Loops>& co
 void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, double gutter) {
     if (gutter <= 0) return;
     std::vector<Loops> wide;
+    wide.reserve(shown.size());
     for (const Loops& loops : shown)
         wide.push_back(grown(loops, gutter / 2));
     for (std::size_t i = 0; i < shown.size(); ++i) {

@@ -18,6 +18,7 @@ struct CellPoint {
     std::int64_t y = 0;
 
     friend bool operator==(const CellPoint&, const CellPoint&) = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     friend auto operator<=>(const CellPoint&, const CellPoint&) = default;
 };
 

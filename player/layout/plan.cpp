@@ -140,6 +140,7 @@ Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effor
 /// What each item can show, about the centroid of its region, source px.
 std::vector<Box> frames_of(const PlanRequest& request, const Ground& ground) {
     std::vector<Box> frames;
+    frames.reserve(ground.size());
     for (std::size_t i = 0; i < ground.size(); ++i)
         frames.push_back(moved(request.items[i].item.core, ground.shapes[i].centroid * -1));
     return frames;

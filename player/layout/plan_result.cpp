@@ -10,6 +10,7 @@ namespace {
 
 Loops to_loops(std::span<const Polygon> polygons) {
     Loops loops;
+    loops.reserve(polygons.size());
     for (const Polygon& polygon : polygons)
         loops.push_back(to_grid(polygon));
     return loops;
@@ -19,6 +20,7 @@ Loops to_loops(std::span<const Polygon> polygons) {
 
 PlanResult plan_result(std::vector<NamedItem> items, Layout layout, const CellStyle& style) {
     std::vector<LayoutItem> bare;
+    bare.reserve(items.size());
     for (const NamedItem& item : items)
         bare.push_back(item.item);
     PlanResult result{.items = std::move(items), .layout = std::move(layout)};

@@ -22,6 +22,8 @@ class Planner {
 
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
+    Planner(Planner&&) = delete;
+    Planner& operator=(Planner&&) = delete;
 
     /// Gives up what is being planned and joins.
     ~Planner();

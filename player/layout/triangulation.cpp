@@ -109,7 +109,7 @@ std::vector<GridTriangle> triangulated(const Loop& outline) {
     return EarClipping(outline).run();
 }
 
-void share_corners(std::vector<Loops*> loops) {
+void share_corners(const std::vector<Loops*>& loops) {
     std::vector<CellPoint> corners;
     for (const Loops* some : loops)
         for (const Loop& loop : *some)

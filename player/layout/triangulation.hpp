@@ -16,6 +16,6 @@ std::vector<GridTriangle> triangulated(const Loop& outline);
 
 /// Puts into each loop the corners of all loops that lie on its sides, so that neighbours share them.
 /// A corner lies on a side where it is at most 2 grid steps away.
-void share_corners(std::vector<Loops*> loops);
+void share_corners(const std::vector<Loops*>& loops);
 
 }  // namespace vitrine

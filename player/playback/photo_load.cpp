@@ -11,12 +11,12 @@ namespace vitrine {
 namespace {
 
 Sample read(const std::string& file, int width, int height) {
-    auto picture = std::make_shared<const StillPicture>(load_still(file, width, height));
+    const auto picture = std::make_shared<const StillPicture>(load_still(file, width, height));
     return {.width = picture->width,
             .height = picture->height,
             .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
             .pixels = picture->pixels,
-            .owner = std::move(picture)};
+            .owner = picture};
 }
 
 }  // namespace
