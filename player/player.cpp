@@ -1,6 +1,7 @@
 #include "player/player.hpp"
 
 #include "base/catalogue/catalogue.hpp"
+#include "base/media/colour.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "player/display/kms_screen.hpp"
@@ -43,7 +44,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       canvas_(canvas_size(screen_->width(), screen_->height(), view_)),
       renderer_(screen_->width(), screen_->height(), view_),
       wall_(canvas_, wall_settings(settings)),
-      sources_(settings.media.root),
+      sources_(settings.media.root, colour_named(settings.show.background).value_or(Colour{})),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
