@@ -25,8 +25,6 @@ class EventLoop {
     class [[nodiscard]] Source {
       public:
         Source();
-        Source(const Source&) = delete;
-        Source& operator=(const Source&) = delete;
         Source(Source&&) noexcept;
         Source& operator=(Source&&) noexcept;
         Source(const Source&) = delete;
