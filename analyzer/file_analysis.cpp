@@ -4,6 +4,7 @@
 #include "analyzer/explain_file.hpp"
 #include "analyzer/video/frame_reader.hpp"
 #include "base/catalogue/media_error.hpp"
+#include "base/media/colour.hpp"
 #include "base/system/error.hpp"
 
 #include <sys/stat.h>
@@ -49,7 +50,8 @@ struct stat status_of(const fs::path& file) {
 std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& status,
                                     const Settings& settings) {
     if (!S_ISREG(status.st_mode)) throw MediaError(MediaState::unsupported, "it is not a plain file");
-    return open_media(file.string(), settings.analyzer.frame_size);
+    return open_media(file.string(), settings.analyzer.frame_size,
+                      colour_named(settings.show.background).value_or(Colour{}));
 }
 
 /// Whatever the file is, there is something to say of it.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/media/colour.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,13 +17,6 @@ constexpr std::int64_t max_bitmap_pixels = 50'000'000;  // BMP cannot be shrunk 
 struct StillInfo {
     int width = 0;  // px, upright (after EXIF or HEIF orientation)
     int height = 0;
-};
-
-/// 8-bit sRGB.
-struct Colour {
-    std::uint8_t red = 0;
-    std::uint8_t green = 0;
-    std::uint8_t blue = 0;
 };
 
 /// An upright photo, sRGB, RGBA with 8 bits a channel, opaque, rows without gaps.

@@ -1,5 +1,7 @@
 #include "base/settings/setting_keys.hpp"
 
+#include "base/media/colour.hpp"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -108,8 +110,7 @@ SettingKey rotation(std::string name, const Member<int>& member) {
 }
 
 bool is_colour(const std::string& value) {
-    return value.size() == 7 && value[0] == '#' &&
-           value.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    return colour_named(value).has_value();
 }
 
 bool is_size(std::string_view value) {

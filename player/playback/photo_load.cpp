@@ -10,8 +10,8 @@ namespace vitrine {
 
 namespace {
 
-Sample read(const std::string& file, int width, int height) {
-    const auto picture = std::make_shared<const StillPicture>(load_still(file, width, height));
+Sample read(const std::string& file, int width, int height, Colour background) {
+    const auto picture = std::make_shared<const StillPicture>(load_still(file, width, height, background));
     return {.width = picture->width,
             .height = picture->height,
             .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
@@ -21,8 +21,10 @@ Sample read(const std::string& file, int width, int height) {
 
 }  // namespace
 
-PhotoLoad::PhotoLoad(std::string file, int width, int height, SampleQueue& queue)
-    : queue_(queue), thread_([this, file = std::move(file), width, height] { run(file, width, height); }) {}
+PhotoLoad::PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue)
+    : queue_(queue), thread_([this, file = std::move(file), width, height, background] {
+          run(file, width, height, background);
+      }) {}
 
 PhotoLoad::~PhotoLoad() {
     thread_.join();
@@ -33,9 +35,9 @@ std::optional<std::string> PhotoLoad::failure() const {
     return failure_;
 }
 
-void PhotoLoad::run(const std::string& file, int width, int height) {
+void PhotoLoad::run(const std::string& file, int width, int height, Colour background) {
     try {
-        queue_.put({.sample = read(file, width, height)});
+        queue_.put({.sample = read(file, width, height, background)});
     } catch (const std::exception& error) {
         {
             const std::lock_guard lock(mutex_);

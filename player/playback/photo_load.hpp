@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/media/colour.hpp"
 #include "player/playback/sample_queue.hpp"
 
 #include <atomic>
@@ -15,8 +16,9 @@ namespace vitrine {
 class PhotoLoad {
   public:
     /// @param width, height  px that the upright picture shall have
+    /// @param background     what shows through where the photo is transparent
     /// @param queue  outlives this
-    PhotoLoad(std::string file, int width, int height, SampleQueue& queue);
+    PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue);
     PhotoLoad(const PhotoLoad&) = delete;
     PhotoLoad& operator=(const PhotoLoad&) = delete;
     PhotoLoad(PhotoLoad&&) = delete;
@@ -31,7 +33,7 @@ class PhotoLoad {
     std::optional<std::string> failure() const;
 
   private:
-    void run(const std::string& file, int width, int height);
+    void run(const std::string& file, int width, int height, Colour background);
 
     SampleQueue& queue_;  // outlives this
     std::atomic<bool> has_ended_ = false;

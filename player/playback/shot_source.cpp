@@ -21,10 +21,10 @@ std::size_t capacity(const ShotRequest& request) {
 
 }  // namespace
 
-ShotSource::ShotSource(std::string file, const ShotRequest& request)
-    : file_(std::move(file)), request_(request), queue_(capacity(request)) {
+ShotSource::ShotSource(std::string file, const ShotRequest& request, Colour background)
+    : file_(std::move(file)), request_(request), background_(background), queue_(capacity(request)) {
     if (request.kind == MediaKind::photo) {
-        photo_ = std::make_unique<PhotoLoad>(file_, request.width, request.height, queue_);
+        photo_ = std::make_unique<PhotoLoad>(file_, request.width, request.height, background_, queue_);
         return;
     }
     const FilmPart part{.file = file_,
@@ -72,7 +72,7 @@ void ShotSource::resize(int width, int height) {
     if (film_)
         film_->resize(width, height);
     else
-        photo_ = std::make_unique<PhotoLoad>(file_, width, height, queue_);
+        photo_ = std::make_unique<PhotoLoad>(file_, width, height, background_, queue_);
 }
 
 void ShotSource::stop() {

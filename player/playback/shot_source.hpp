@@ -19,7 +19,8 @@ namespace vitrine {
 class ShotSource {
   public:
     /// Begins at once to read.
-    ShotSource(std::string file, const ShotRequest& request);
+    /// @param background  what shows through where a photo is transparent
+    ShotSource(std::string file, const ShotRequest& request, Colour background = {});
 
     /// Whether there is a first picture.
     bool is_ready() const { return current_ || !queue_.is_empty(); }
@@ -59,6 +60,7 @@ class ShotSource {
 
     std::string file_;
     ShotRequest request_;
+    Colour background_;
     SampleQueue queue_;
     std::unique_ptr<FilmLoop> film_;    // of a video
     std::unique_ptr<PhotoLoad> photo_;  // of a photo

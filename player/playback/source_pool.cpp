@@ -104,7 +104,7 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
         waiting_.pop_front();
         try {
             playing_[request.source].source =
-                std::make_unique<ShotSource>(root_ + "/" + request.path, request);
+                std::make_unique<ShotSource>(root_ + "/" + request.path, request, background_);
         } catch (const std::exception& error) {
             playing_.erase(request.source);
             events.push_back({.source = request.source, .failure = error.what()});

@@ -25,8 +25,10 @@ struct SourceEvent {
 /// few at a time.
 class SourcePool {
   public:
-    /// @param root  the media folder
-    explicit SourcePool(std::string root) : root_(std::move(root)) {}
+    /// @param root        the media folder
+    /// @param background  what shows through where a photo is transparent
+    explicit SourcePool(std::string root, Colour background = {})
+        : root_(std::move(root)), background_(background) {}
 
     /// A new source, or another size for one there is.
     void request(const ShotRequest& request);
@@ -65,6 +67,7 @@ class SourcePool {
     void tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events);
 
     std::string root_;
+    Colour background_;
     std::deque<ShotRequest> waiting_;
     std::map<SourceId, Playing> playing_;
     std::vector<std::unique_ptr<ShotSource>> ending_;

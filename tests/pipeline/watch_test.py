@@ -23,17 +23,21 @@ PATIENCE = 120  # seconds until something that must come is given up
 HOSTILE_PATIENCE = 900
 
 
-def png(width=64, height=48, shade=200):
-    """A bright square on grey."""
+def png(width=64, height=48, shade=200, ground=90, alpha=None):
+    """A bright square on grey. `alpha` is that of the grey, of 255; the square hides what is behind it."""
     def chunk(name, data):
         body = name + data
         return len(data).to_bytes(4, "big") + body + zlib.crc32(body).to_bytes(4, "big")
 
-    def row(y):
-        return b"\0" + bytes(shade if abs(x - width / 2) < 12 and abs(y - height / 2) < 12 else 90
-                             for x in range(width) for _ in range(3))
+    def pixel(x, y):
+        is_inside = abs(x - width / 2) < 12 and abs(y - height / 2) < 12
+        grey = [shade if is_inside else ground] * 3
+        return grey if alpha is None else grey + [255 if is_inside else alpha]
 
-    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + b"\x08\x02\0\0\0"
+    def row(y):
+        return b"\0" + bytes(value for x in range(width) for value in pixel(x, y))
+
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes([8, 2 if alpha is None else 6, 0, 0, 0])
     pixels = zlib.compress(b"".join(row(y) for y in range(height)))
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
 
@@ -170,6 +174,21 @@ class Watch(unittest.TestCase):
         missing = subprocess.run([ANALYZER, "analyze", self.root / "none.png"], capture_output=True, timeout=PATIENCE)
         self.assertEqual(missing.returncode, 1)
         self.assertIn(b"none.png", missing.stderr)
+
+    def test_a_transparent_photo_is_looked_at_over_the_background_of_the_show(self):
+        def polygon(name, *options):
+            done = subprocess.run([ANALYZER, "analyze", str(self.root / name), *self.settings(), *options], check=True,
+                                  timeout=PATIENCE, capture_output=True)
+            return json.loads(done.stdout)["shots"][0]["region"]["polygon"]
+
+        (self.root / "cut_out.png").write_bytes(png(96, 72, 200, alpha=0))
+        (self.root / "on_white.png").write_bytes(png(96, 72, 200, ground=255))
+        (self.root / "on_light.png").write_bytes(png(96, 72, 200, ground=200))
+        white = polygon("cut_out.png", "--show.background", "#ffffff")
+        light = polygon("cut_out.png", "--show.background", "#c8c8c8")
+        self.assertEqual(white, polygon("on_white.png"))
+        self.assertEqual(light, polygon("on_light.png"))
+        self.assertNotEqual(white, light)
 
     @unittest.skipUnless(HOSTILE.is_dir(), "the hostile media are not here")
     def test_hostile_files_end_in_a_record_each(self):

@@ -1,3 +1,4 @@
+#include "base/media/colour.hpp"
 #include "base/settings/setting_keys.hpp"
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
@@ -117,4 +118,13 @@ TEST_CASE("a program started with the arguments of another has its settings") {
     other.parse(words);
     CHECK(others.settings().media.root == "-a b");
     CHECK(others.settings().layout.slots == 3);
+}
+
+TEST_CASE("a colour is six digits after a hash and nothing else") {
+    CHECK(colour_named("#0180fF") == Colour{.red = 1, .green = 128, .blue = 255});
+    for (const char* text :
+         {"", "#", "#01020", "#0102030", "010203f", "#01020g", "#-10203", "#0x1020", "# 10203"}) {
+        CAPTURE(text);
+        CHECK_FALSE(colour_named(text));
+    }
 }

@@ -3,6 +3,7 @@
 #include "tests/player/playback/numbered_film.hpp"
 
 #include <doctest/doctest.h>
+#include <vips/vips.h>
 
 #include <filesystem>
 #include <fstream>
@@ -44,6 +45,20 @@ void write_photo(const std::string& file) {
         number(0, 4);
     for (int i = 0; i < 40 * 20; ++i)
         number(i % 40 < 20 ? 0xff0000 : 0x0000ff, 3);
+}
+
+/// A PNG of one colour, 40 x 20 px. @param alpha  of 255
+void write_see_through(const std::string& file, Colour colour, unsigned char alpha) {
+    REQUIRE(vips_init("test") == 0);
+    std::vector<unsigned char> pixels;
+    for (int i = 0; i < 40 * 20; ++i)
+        pixels.insert(pixels.end(), {colour.red, colour.green, colour.blue, alpha});
+    VipsImage* image =
+        vips_image_new_from_memory_copy(pixels.data(), pixels.size(), 40, 20, 4, VIPS_FORMAT_UCHAR);
+    REQUIRE(image);
+    image->Type = VIPS_INTERPRETATION_sRGB;
+    REQUIRE(vips_image_write_to_file(image, file.c_str(), nullptr) == 0);
+    g_object_unref(image);
 }
 
 }  // namespace
@@ -120,6 +135,19 @@ TEST_CASE("a photo is one picture at the size asked for that stays") {
     CHECK(source.slide() == Vec2{});
     CHECK(source.late() == 0);
     CHECK_FALSE(source.failure());
+}
+
+TEST_CASE("the background shows half through a half-transparent photo") {
+    const Folder folder;
+    write_see_through(folder.path / "photo.png", {.red = 200, .green = 100, .blue = 0}, 128);
+    ShotSource source(folder.path / "photo.png", {.source = 1, .width = 20, .height = 10},
+                      {.red = 0, .green = 200, .blue = 100});
+    REQUIRE(source.wait_for(0s, patience));
+    const Sample sample = source.frame_at(0s).value();
+    const std::size_t middle = 5 * sample.stride + std::size_t{4} * 10;
+    for (const auto& [channel, value] : {std::pair{0, 100}, {1, 150}, {2, 50}, {3, 255}})
+        CHECK(std::abs(std::to_integer<int>(sample.pixels[middle + static_cast<std::size_t>(channel)]) -
+                       value) <= 2);
 }
 
 TEST_CASE("a photo asked for in another size is read again and the old one shown meanwhile") {

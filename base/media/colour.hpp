@@ -1,0 +1,32 @@
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace vitrine {
+
+/// 8-bit sRGB.
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+
+    friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// The colour that is written "#rrggbb", in digits of either case; nothing for any other text.
+inline std::optional<Colour> colour_named(std::string_view text) {
+    constexpr int hexadecimal = 16;
+    if (text.size() != 7 || text.front() != '#') return std::nullopt;
+    std::uint32_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [after, error] = std::from_chars(text.data() + 1, end, value, hexadecimal);
+    if (error != std::errc() || after != end) return std::nullopt;
+    return Colour{.red = static_cast<std::uint8_t>(value >> 16),
+                  .green = static_cast<std::uint8_t>(value >> 8 & 0xffU),
+                  .blue = static_cast<std::uint8_t>(value & 0xffU)};
+}
+
+}  // namespace vitrine
