@@ -7,12 +7,13 @@ namespace vitrine {
 
 namespace {
 
-constexpr double exploring_share = 0.7;   // of the effort
+constexpr double exploring_share = 0.7;   // of the effort, at most
 constexpr double exploring_step = 0.006;  // of the growth; area grows twice as much
 constexpr double first_step = 0.004;      // of the compression, falling to
 constexpr double last_step = 0.0002;
 constexpr int exploring_patience = 12;  // rounds without less overlap
 constexpr int compressing_patience = 8;
+constexpr int vain_trials_a_step = 3;  // compressing: then the step is halved
 
 /// Keeps the best arrangement and grows each found one where it stands.
 class Best {
@@ -64,9 +65,10 @@ void disturb(const Ground& ground, Arrangement& arrangement, Random& random) {
 void explore(const Ground& ground, Separation& separation, Best& best, Random& random, Effort& effort,
              std::int64_t until) {
     const SeparationStyle style;
+    const std::size_t most_failures = 2 + ground.size() * (ground.size() - 1);  // each pair changed twice
     Arrangement trial = best.arrangement();
-    int failures = 0;
-    while (effort.left() > until && !effort.is_spent() && !best.is_final()) {
+    std::size_t failures = 0;  // in a row
+    while (failures < most_failures && effort.left() > until && !effort.is_spent() && !best.is_final()) {
         trial.growth = best.step_up(exploring_step);
         if (separation.run(trial, style, effort, exploring_patience)) {
             best.take(trial);
@@ -81,12 +83,17 @@ void explore(const Ground& ground, Separation& separation, Best& best, Random& r
 
 void compress(Separation& separation, Best& best, Effort& effort) {
     const SeparationStyle style;
-    const auto whole = static_cast<double>(std::max<std::int64_t>(effort.left(), 1));
-    while (!effort.is_spent() && !best.is_final()) {
-        const double left = static_cast<double>(effort.left()) / whole;
+    int failures = 0;  // at this step
+    for (double step = first_step; step >= last_step && !effort.is_spent() && !best.is_final();) {
         Arrangement trial = best.arrangement();
-        trial.growth = best.step_up(last_step * std::pow(first_step / last_step, left));
-        if (separation.run(trial, style, effort, compressing_patience)) best.take(trial);
+        trial.growth = best.step_up(step);
+        if (separation.run(trial, style, effort, compressing_patience)) {
+            best.take(trial);
+            failures = 0;
+        } else if (++failures == vain_trials_a_step) {
+            step /= 2;
+            failures = 0;
+        }
     }
 }
 

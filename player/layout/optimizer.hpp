@@ -12,11 +12,12 @@ namespace vitrine {
 using OnBetter = std::function<void(const Arrangement&)>;
 
 /// Makes all I-Regions as large as possible on the field: grows them a little, separates them, and again.
-/// After failures it goes on from a disturbed arrangement; towards the end the steps become finer and start
-/// from the best. Anytime: the best so far is always free.
+/// After failures it goes on from a disturbed arrangement; towards the end the steps start from the best and
+/// become finer. Ends when many arrangements in a row and the finest steps gave nothing better. Anytime: the
+/// best so far is always free.
 ///
 /// @param start   free of overlap
-/// @param effort  spent whole, unless the items reach their limits or nothing more is found for long
+/// @param effort  the most that is spent; few items converge long before
 /// @return        at least as large as `start`, free of overlap
 /// Source: Dynamic Media Assemblage 3.4.2 asks for a way out of local minima; ALGORITHMS (d).
 Arrangement densest(const Ground& ground, const Arrangement& start, Random& random, Effort& effort,

@@ -57,6 +57,18 @@ TEST_CASE("every layout on the way is sound and none is worse than the one befor
     CHECK(last.energy <= energy);
 }
 
+TEST_CASE("a plan of few items ends when it has converged, long before its budget") {
+    for (const std::size_t count : {2, 3}) {
+        PlanRequest request = random_request(count, 4);
+        request.fills = false;
+        request.budget = 600'000;
+        request.most_scale = 100;
+        int questions = 0;  // one in 1000 moves
+        plan(request, {.should_stop = [&] { return ++questions < 0; }});
+        CHECK(questions < 300);
+    }
+}
+
 TEST_CASE("the same request gives the same layout and another seed another") {
     PlanRequest request = random_request(7, 5);
     const Layout first = plan(request);
