@@ -60,8 +60,9 @@ SettingKey number(std::string name, const Member<double>& member, double least, 
 }
 
 template <typename Duration>
-SettingKey duration(std::string name, const Member<Duration>& member, std::int64_t least, std::int64_t most) {
-    return {.name = std::move(name),
+SettingKey duration(const std::string& name, const Member<Duration>& member, std::int64_t least,
+                    std::int64_t most) {
+    return {.name = name,
             .allowed = fmt::format("a whole number from {} to {}", least, most),
             .assign = [=](Settings& s,
                           const SettingValue& v) { member(s) = Duration(whole_number(v, least, most)); },
