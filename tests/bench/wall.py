@@ -7,7 +7,7 @@ Analysis time of a 720p film against decoding alone and against the paper's 300 
 four 720p films at 15 pictures a second; peak memory of the analysis of a 100-megapixel JPEG. FILM is what the four films
 are cut from (default: drawn by ffmpeg). Nothing here passes or fails.
 """
-import resource
+import os
 import subprocess
 import sys
 import tempfile
@@ -25,14 +25,17 @@ def ffmpeg(*arguments):
 
 
 def cost(command):
-    """Processor seconds, wall seconds and peak resident MiB of a command."""
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    done = subprocess.run(["/usr/bin/env", *map(str, command)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != 0:
-        sys.exit(f"{command[0]} failed:\n{done.stderr}")
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return cpu, time.monotonic() - start, after.ru_maxrss / 1024, done.stderr
+    """Processor seconds, wall seconds and peak resident MiB of a command, and what it said."""
+    with tempfile.TemporaryFile("w+") as said:
+        start = time.monotonic()
+        process = subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=said)
+        _, status, usage = os.wait4(process.pid, 0)
+        wall = time.monotonic() - start
+        said.seek(0)
+        text = said.read()
+    if status != 0:
+        sys.exit(f"{command[0]} failed:\n{text}")
+    return usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024, text
 
 
 def make_films(folder, source):
