@@ -53,7 +53,6 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     if (screen_->event_fd() >= 0)
         screen_events_ =
             loop_.watch(screen_->event_fd(), EPOLLIN, [this](std::uint32_t) { screen_->dispatch(); });
-    wall_.set_catalogue(follower_.records());
     log::info("screen: {}", screen_->description());
 }
 

@@ -23,16 +23,7 @@ WallSettings wall_settings(const Settings& settings) {
 }
 
 View view_of(const Settings& settings) {
-    switch (settings.output.rotation) {
-    case 90:
-        return {.rotation = Rotation::right};
-    case 180:
-        return {.rotation = Rotation::half};
-    case 270:
-        return {.rotation = Rotation::left};
-    default:
-        return {};
-    }
+    return {.rotation = rotation_of(settings.output.rotation)};
 }
 
 PlanRequest plan_request(const Settings& settings, Vec2 canvas) {

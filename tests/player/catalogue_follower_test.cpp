@@ -1,8 +1,9 @@
 #include "player/catalogue_follower.hpp"
 
+#include "tests/temporary_directory.hpp"
+
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 using namespace vitrine;
@@ -14,21 +15,6 @@ namespace {
 MediaRecord record(const std::string& path, std::int64_t mtime = 1, MediaState state = MediaState::ready) {
     return {.path = path, .mtime_ns = mtime, .state = state, .width = 4, .height = 3, .shots = {Shot{}}};
 }
-
-struct TemporaryDirectory {
-    TemporaryDirectory() {
-        std::string name = (fs::temp_directory_path() / "vitrine-test-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    ~TemporaryDirectory() { fs::remove_all(path); }
-
-    fs::path path;
-};
 
 }  // namespace
 

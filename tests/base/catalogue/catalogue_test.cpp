@@ -1,31 +1,11 @@
 #include "base/catalogue/catalogue.hpp"
 #include "base/system/atomic_file.hpp"
+#include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-
 using namespace vitrine;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct TemporaryDirectory {
-    TemporaryDirectory() {
-        std::string name = (fs::temp_directory_path() / "vitrine-test-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    ~TemporaryDirectory() { fs::remove_all(path); }
-
-    fs::path path;
-};
-
-}  // namespace
 
 TEST_CASE("what is stored is loaded, ordered by path, and gone once removed") {
     const TemporaryDirectory directory;
