@@ -5,7 +5,8 @@
 #include "analyzer/video/frame_features.hpp"
 #include "analyzer/video/frame_reader.hpp"
 #include "analyzer/video/transition_detector.hpp"
-#include "tests/bench/shots/score.hpp"
+#include "tests/bench/analysis/tables.hpp"
+#include "tests/bench/analysis/transition_score.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,7 @@
 #include <filesystem>
 #include <iterator>
 
-using namespace vitrine;
-
+namespace vitrine {
 namespace {
 
 double cpu_seconds(clockid_t clock) {
@@ -104,12 +104,8 @@ void print_baseline(const std::vector<Film>& films) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    const std::string folder = argc > 1 ? argv[1] : VITRINE_SHARED_MEDIA;
-    if (!std::filesystem::is_directory(folder)) {
-        fmt::print("the media with ground truth are not here: '{}'\n", folder);
-        return 0;
-    }
+void shots_table(const TableInput& input) {
+    const std::string folder = input.media.string();
     std::vector<Truth> truths = read_truths(folder);
     for (const auto& entry : std::filesystem::directory_iterator(folder + "/single"))
         if (entry.is_regular_file()) truths.push_back({.file = "single/" + entry.path().filename().string()});
@@ -133,5 +129,6 @@ int main(int argc, char** argv) {
     print("TOTAL", sum);
     print_baseline(films);
     fmt::print("detection costs {:.1f} % of decoding\n", 100 * detect / (all - detect));
-    return 0;
 }
+
+}  // namespace vitrine

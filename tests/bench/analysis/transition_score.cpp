@@ -1,4 +1,4 @@
-#include "tests/bench/shots/score.hpp"
+#include "tests/bench/analysis/transition_score.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
