@@ -31,7 +31,8 @@ PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .clearance = settings.layout.clearance,
             .most_scale = settings.layout.max_enlargement,
-            .energy = settings.layout.energy == "paper" ? EnergyMode::paper : EnergyMode::screen};
+            .energy = settings.layout.energy == "paper" ? EnergyMode::paper : EnergyMode::screen,
+            .order = settings.layout.order == "reading" ? LayoutOrder::reading : LayoutOrder::free};
 }
 
 }  // namespace vitrine

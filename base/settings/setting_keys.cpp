@@ -194,6 +194,7 @@ void append_player_keys(std::vector<SettingKey>& keys) {
             whole(
                 "layout.seed", [](S& s) -> int& { return s.layout.seed; }, 0, 2147483647),
             choice("layout.energy", [](S & s) -> auto& { return s.layout.energy; }, {"screen", "paper"}),
+            choice("layout.order", [](S & s) -> auto& { return s.layout.order; }, {"free", "reading"}),
             number(
                 "layout.max_enlargement", [](S& s) -> double& { return s.layout.max_enlargement; }, 0.1, 100),
             number(

@@ -44,6 +44,7 @@ struct Settings {
         int slots = 12;
         int seed = 1;
         std::string energy = "screen";  // screen or paper
+        std::string order = "free";     // free or reading
         double max_enlargement = 1.5;   // canvas px per source px
         double clearance = 2;           // canvas px between two I-Regions
     } layout;

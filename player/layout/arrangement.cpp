@@ -1,6 +1,7 @@
 #include "player/layout/arrangement.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace vitrine {
 
@@ -8,10 +9,22 @@ double Ground::scale(std::size_t item, double growth) const {
     return pinned[item] ? scales[item] : std::min(scales[item] * growth, limits[item]);
 }
 
+Growing Ground::growing(std::size_t item) const {
+    if (pinned[item]) return {std::numeric_limits<double>::infinity(), scales[item]};
+    return {scales[item], limits[item]};
+}
+
 Box Ground::range(std::size_t item, double growth) const {
     if (pinned[item]) return {{-1e9, -1e9}, {1e9, 1e9}};
     const double s = scale(item, growth);
     return {field.min - shapes[item].extent.min * s, field.max - shapes[item].extent.max * s};
+}
+
+ReadingOrder reading_order(const Ground& ground, double growth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        sum += ground.shapes[i].extent.height() * ground.scale(i, growth);
+    return {sum / (2 * static_cast<double>(ground.size()))};
 }
 
 Vec2 held(Vec2 place, const Box& range) {
@@ -27,30 +40,85 @@ std::vector<double> scales_at(const Ground& ground, double growth) {
 }
 
 bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts) {
-    constexpr double tolerance = 1e-6;  // px, of places held at the edge of the field
     contacts.set_scales(scales_at(ground, arrangement.growth));
+    const ReadingOrder order = reading_order(ground, arrangement.growth);
     for (std::size_t i = 0; i < ground.size(); ++i) {
         const Vec2 place = arrangement.places[i];
-        if (length(held(place, ground.range(i, arrangement.growth)) - place) > tolerance) return false;
+        const Vec2 inside = held(place, ground.range(i, arrangement.growth));
+        if (length(inside - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
             if (ground.pinned[i] && ground.pinned[j]) continue;  // nothing can be done about those
-            if (contacts.depth(i, j, arrangement.places[j] - place) > 0) return false;
+            if (ground.reads && order.violation(arrangement.places[j], place) > Contacts::precision)
+                return false;
+            if (!contacts.is_clear(i, j, arrangement.places[j] - place)) return false;
         }
     }
     return true;
 }
 
-double greatest_growth(const Ground& ground, const Arrangement& arrangement, Contacts& contacts, double least,
-                       double most) {
+bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
+               std::size_t item, Vec2 place) {
+    if (!contacts.is_clear(item, place, arrangement.places)) return false;
+    if (!ground.reads) return true;
+    const ReadingOrder order = reading_order(ground, arrangement.growth);
+    for (std::size_t j = 0; j < ground.size(); ++j) {
+        if (j == item) continue;
+        const Vec2 other = arrangement.places[j];
+        const double wrong = j < item ? order.violation(other, place) : order.violation(place, other);
+        if (wrong > Contacts::precision) return false;
+    }
+    return true;
+}
+
+namespace {
+
+/// The most growth at which the region of an item fits into the field where it stands.
+double growth_in_field(const Ground& ground, std::size_t item, Vec2 place) {
+    const Box& extent = ground.shapes[item].extent;
+    const Growing scale = ground.growing(item);
+    const double most = std::min(std::min((place.x - ground.field.min.x) / -extent.min.x,
+                                          (ground.field.max.x - place.x) / extent.max.x),
+                                 std::min((place.y - ground.field.min.y) / -extent.min.y,
+                                          (ground.field.max.y - place.y) / extent.max.y));
+    return most >= scale.limit ? std::numeric_limits<double>::infinity() : std::max(0.0, most / scale.rate);
+}
+
+bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double growth) {
+    const ReadingOrder order = reading_order(ground, growth);
+    for (std::size_t j = 0; j < places.size(); ++j)
+        for (std::size_t i = 0; i < j; ++i)
+            if (!(ground.pinned[i] && ground.pinned[j]) &&
+                order.violation(places[i], places[j]) > Contacts::precision)
+                return false;
+    return true;
+}
+
+/// A growth, near the most where it can be, at which the order holds; 0: it does not at the least.
+double growth_in_order(const Ground& ground, const std::vector<Vec2>& places, double least, double most) {
     constexpr int halvings = 24;
-    Arrangement trial = arrangement;
-    trial.growth = least;
-    if (!is_free(ground, trial, contacts)) return 0;
+    if (is_in_order(ground, places, most)) return most;
+    if (!is_in_order(ground, places, least)) return 0;
     for (int i = 0; i < halvings; ++i) {
-        trial.growth = (least + most) / 2;
-        (is_free(ground, trial, contacts) ? least : most) = trial.growth;
+        const double middle = (least + most) / 2;
+        (is_in_order(ground, places, middle) ? least : most) = middle;
     }
     return least;
+}
+
+}  // namespace
+
+double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
+                       double least, double most) {
+    const std::vector<Vec2>& places = arrangement.places;
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        if (!ground.pinned[i]) most = std::min(most, growth_in_field(ground, i, places[i]));
+        for (std::size_t j = 0; j < i && most >= least; ++j)
+            if (!ground.pinned[i] || !ground.pinned[j])
+                most = std::min(most, contacts.greatest_growth(i, j, places[j] - places[i], ground.growing(i),
+                                                               ground.growing(j)));
+    }
+    if (most < least) return 0;
+    return ground.reads ? growth_in_order(ground, places, least, most) : most;
 }
 
 double final_growth(const Ground& ground) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/layout/contacts.hpp"
+#include "player/layout/reading_order.hpp"
 
 #include <span>
 #include <vector>
@@ -16,11 +17,15 @@ struct Ground {
     std::vector<Vec2> pinned_places;  // canvas px, centroids; of pinned items only
     Box field;                        // canvas px, where I-Regions may be
     double clearance = 0;             // canvas px between I-Regions
+    bool reads = false;               // the items are read in their order
 
     std::size_t size() const { return shapes.size(); }
 
     /// The scale of an item at a growth: scales * growth, up to the limit.
     double scale(std::size_t item, double growth) const;
+
+    /// The same as a function of the growth.
+    Growing growing(std::size_t item) const;
 
     /// Where an item's centroid may be for the region to lie in the field. A pinned item: anywhere.
     Box range(std::size_t item, double growth) const;
@@ -32,16 +37,24 @@ struct Arrangement {
     double growth = 1;
 };
 
+/// What the order of items demands at a growth.
+ReadingOrder reading_order(const Ground& ground, double growth);
+
 /// Moves a place into a box.
 Vec2 held(Vec2 place, const Box& range);
 
-/// Whether all items keep clear of each other and inside the field. Sets the scales of `contacts`.
+/// Whether all items keep clear of each other and inside the field, and the order where it counts. Sets the
+/// scales of `contacts`.
 bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts);
 
-/// Grows (or shrinks) all items where they stand as far as they stay free; 0 where no growth is free.
-/// @param least, most  bounds of the growth
-double greatest_growth(const Ground& ground, const Arrangement& arrangement, Contacts& contacts, double least,
-                       double most);
+/// Whether an item may stand at a place, if the others stay. @pre the scales of `contacts` are those of the
+/// arrangement
+bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
+               std::size_t item, Vec2 place);
+
+/// The most growth, within bounds, at which all items are free where they stand; 0 where none is.
+double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
+                       double least, double most);
 
 /// The growth at which every item is at its limit.
 double final_growth(const Ground& ground);

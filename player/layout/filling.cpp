@@ -28,13 +28,6 @@ std::uint64_t bits_below(int count) {
     return count >= samples ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-bool is_clear(const Ground& ground, const Contacts& contacts, const std::vector<Vec2>& places,
-              std::size_t item, Vec2 place) {
-    for (std::size_t j = 0; j < ground.size(); ++j)
-        if (j != item && contacts.depth(item, j, places[j] - place) > 0) return false;
-    return true;
-}
-
 Vec2 random_way(const Ground& ground, Random& random) {
     const double most = length(ground.field.max - ground.field.min);
     const double reach = most * nearest * std::pow(farthest / nearest, uniform(random));
@@ -56,7 +49,7 @@ void climb(const Ground& ground, std::span<const Box> frames, Arrangement& arran
         const Vec2 before = arrangement.places[item];
         const Vec2 place = held(before + random_way(ground, random), ground.range(item, arrangement.growth));
         effort.spend();
-        if (!is_clear(ground, contacts, arrangement.places, item, place)) continue;
+        if (!may_stand(ground, contacts, arrangement, item, place)) continue;
         arrangement.places[item] = place;
         const double there = unfilled(ground, frames, arrangement);
         if (there > now) arrangement.places[item] = before;

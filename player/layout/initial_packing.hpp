@@ -19,6 +19,12 @@ enum class PackingOrder { as_given, largest_first };
 std::vector<Vec2> initial_packing(std::span<const Shape> shapes, const Contacts& contacts,
                                   std::span<const double> scales, double ratio, PackingOrder order);
 
+/// Packs all shapes in lines, in their order, so that each is read before the next. The number of lines is
+/// the one that needs the smallest screen.
+/// @return  centroids in px, free of overlap, without inversions by ReadingOrder
+std::vector<Vec2> packed_in_lines(std::span<const Shape> shapes, std::span<const double> scales,
+                                  double ratio);
+
 /// The box round all shapes at their places, px.
 Box bounds_of(std::span<const Shape> shapes, std::span<const double> scales, std::span<const Vec2> places);
 

@@ -1,5 +1,7 @@
 #include "player/layout/optimizer.hpp"
 
+#include "player/layout/compaction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,15 +9,21 @@ namespace vitrine {
 
 namespace {
 
-constexpr double exploring_share = 0.7;   // of the effort, at most
-constexpr double exploring_step = 0.006;  // of the growth; area grows twice as much
-constexpr double first_step = 0.004;      // of the compression, falling to
-constexpr double last_step = 0.0002;
-constexpr int exploring_patience = 12;  // rounds without less overlap
-constexpr int compressing_patience = 8;
-constexpr int vain_trials_a_step = 3;  // compressing: then the step is halved
+constexpr double rounding = 1e-6;          // of the growth
+constexpr double loosening = 0.01;         // of the growth, before a disturbed arrangement is separated
+constexpr double least_promising = 0.7;    // of the best growth: what overlaps more is given up
+constexpr double tolerated_loss = 0.002;   // of the growth, from which the search still goes on
+constexpr std::size_t trials_astray = 50;  // without a better one, then back to the best
+constexpr std::size_t vain_trials_an_item = 300;  // in a row: then the search has converged
+constexpr double relocations = 0.3;               // of the disturbances; the others are exchanges
+constexpr std::size_t most_compacted = 48;        // items; programs of more take too long
+constexpr double growing_step = 0.006;            // of the growth, where nothing is compacted
+constexpr int exploring_patience = 4;             // rounds without less overlap
+constexpr int growing_patience = 8;
+constexpr double calm_step = 0.008;  // of the growth, at first
+constexpr SeparationStyle roaming{.finest_step = 1};
 
-/// Keeps the best arrangement and grows each found one where it stands.
+/// Keeps the best arrangement.
 class Best {
   public:
     Best(const Ground& ground, Contacts& contacts, const Arrangement& start, const OnBetter& on_better)
@@ -31,69 +39,76 @@ class Best {
 
     bool is_final() const { return arrangement_.growth >= limit_ * (1 - 1e-9); }
 
-    double step_up(double step) const { return std::min(limit_, arrangement_.growth * (1 + step)); }
+    double stepped_up(double step) const { return std::min(limit_, arrangement_.growth * (1 + step)); }
 
-    /// @pre found is free
-    void take(const Arrangement& found) {
+    /// Grows what was found where it stands. @pre found is free, but for rounding
+    /// @return whether it is better
+    bool take(const Arrangement& found) {
         constexpr double reach = 1.05;
-        const double most = std::min(limit_, found.growth * reach);
-        const double growth = greatest_growth(ground_, found, contacts_, found.growth, most);
-        if (growth < arrangement_.growth) return;
+        const double growth = greatest_growth(ground_, found, contacts_, found.growth * (1 - rounding),
+                                              std::min(limit_, found.growth * reach));
+        if (growth <= arrangement_.growth) return false;
         arrangement_ = {found.places, growth};
         if (on_better_) on_better_(arrangement_);
+        return true;
     }
 
   private:
-    const Ground& ground_;  // outlives this
-    Contacts& contacts_;    // outlives this
+    const Ground& ground_;      // outlives this
+    const Contacts& contacts_;  // outlives this
     const OnBetter& on_better_;
     double limit_;
     Arrangement arrangement_;
 };
 
-/// Lets two items change places: what separation by itself hardly ever does.
+/// Lets two items change places, or one go anywhere: what separation by itself hardly ever does.
 void disturb(const Ground& ground, Arrangement& arrangement, Random& random) {
     std::vector<std::size_t> movable;
     for (std::size_t i = 0; i < ground.size(); ++i)
         if (!ground.pinned[i]) movable.push_back(i);
-    if (movable.size() < 2) return;
-    const std::size_t a = uniform_index(random, movable.size());
-    const std::size_t b = (a + 1 + uniform_index(random, movable.size() - 1)) % movable.size();
-    std::swap(arrangement.places[movable[a]], arrangement.places[movable[b]]);
+    if (movable.empty()) return;
+    const std::size_t a = movable[uniform_index(random, movable.size())];
+    const std::size_t b = movable[uniform_index(random, movable.size())];
+    if (a == b || uniform(random) < relocations)
+        arrangement.places[a] = random_place(ground.range(a, arrangement.growth), random);
+    else
+        std::swap(arrangement.places[a], arrangement.places[b]);
 }
 
-void explore(const Ground& ground, Separation& separation, Best& best, Random& random, Effort& effort,
-             std::int64_t until) {
-    const SeparationStyle style;
-    const std::size_t most_failures = 2 + ground.size() * (ground.size() - 1);  // each pair changed twice
-    Arrangement trial = best.arrangement();
-    std::size_t failures = 0;  // in a row
-    while (failures < most_failures && effort.left() > until && !effort.is_spent() && !best.is_final()) {
-        trial.growth = best.step_up(exploring_step);
-        if (separation.run(trial, style, effort, exploring_patience)) {
-            best.take(trial);
-            trial = best.arrangement();
-            failures = 0;
-            continue;
-        }
-        if (++failures % 3 == 0) trial = best.arrangement();
+/// From one local maximum to another: disturbs, separates roughly, shrinks what still overlaps, compacts.
+void explore(const Ground& ground, Contacts& contacts, Best& best, Random& random, Effort& effort) {
+    Separation separation(ground, contacts, random);
+    best.take(compacted(ground, best.arrangement(), contacts, effort));
+    Arrangement current = best.arrangement();
+    std::size_t vain = 0;  // trials in a row
+    while (vain < vain_trials_an_item * ground.size() && !effort.is_spent() && !best.is_final()) {
+        if (++vain % trials_astray == 0) current = best.arrangement();
+        Arrangement trial = current;
+        trial.growth *= 1 - loosening;
         disturb(ground, trial, random);
+        separation.run(trial, roaming, effort, exploring_patience);
+        const double least = best.arrangement().growth * least_promising;
+        trial.growth = greatest_growth(ground, trial, contacts, least, trial.growth);
+        if (trial.growth == 0) continue;
+        trial = compacted(ground, trial, contacts, effort);
+        if (best.take(trial)) vain = 0;
+        if (trial.growth > current.growth * (1 - tolerated_loss)) current = trial;
     }
 }
 
-void compress(Separation& separation, Best& best, Effort& effort) {
-    const SeparationStyle style;
-    int failures = 0;  // at this step
-    for (double step = first_step; step >= last_step && !effort.is_spent() && !best.is_final();) {
+/// Of many items: grows all by steps and separates what then overlaps.
+void grow(const Ground& ground, Contacts& contacts, Best& best, Random& random, Effort& effort) {
+    constexpr int most_halvings = 6;
+    Separation separation(ground, contacts, random);
+    double step = growing_step;
+    int failures = 0;
+    for (int halvings = 0; halvings < most_halvings && !effort.is_spent() && !best.is_final();) {
         Arrangement trial = best.arrangement();
-        trial.growth = best.step_up(step);
-        if (separation.run(trial, style, effort, compressing_patience)) {
-            best.take(trial);
-            failures = 0;
-        } else if (++failures == vain_trials_a_step) {
-            step /= 2;
-            failures = 0;
-        }
+        trial.growth = best.stepped_up(step);
+        if (separation.run(trial, roaming, effort, growing_patience) && best.take(trial)) continue;
+        if (++failures % 2 != 0) continue;
+        step /= 2;
+        ++halvings;
     }
 }
 
@@ -104,10 +119,7 @@ Arrangement densest(const Ground& ground, const Arrangement& start, Random& rand
     if (ground.size() == 0 || final_growth(ground) == 0) return start;
     Contacts contacts(ground.shapes, ground.clearance);
     Best best(ground, contacts, start, on_better);
-    Separation separation(ground, contacts, random);
-    const auto until = static_cast<std::int64_t>(static_cast<double>(effort.left()) * (1 - exploring_share));
-    explore(ground, separation, best, random, effort, until);
-    compress(separation, best, effort);
+    (ground.size() <= most_compacted ? explore : grow)(ground, contacts, best, random, effort);
     return best.arrangement();
 }
 
@@ -120,14 +132,13 @@ Arrangement calmly_grown(const Ground& ground, const Arrangement& start, const s
     Best best(ground, contacts, start, nobody);
     Separation separation(ground, contacts, random);
     const SeparationStyle style{.roams = false, .homes = homes, .pull = 0.05};
-    double step = first_step * 2;
+    double step = calm_step;
     int failures = 0;
     while (!effort.is_spent() && !best.is_final() && failures < failures_allowed) {
         Arrangement trial = best.arrangement();
-        trial.growth = best.step_up(step);
-        if (separation.run(trial, style, effort, compressing_patience)) {
-            best.take(trial);
-            continue;
+        trial.growth = best.stepped_up(step);
+        if (separation.run(trial, style, effort, growing_patience)) {
+            if (best.take(trial)) continue;
         }
         ++failures;
         step /= 2;
@@ -140,11 +151,6 @@ void pull_home(const Ground& ground, Arrangement& arrangement, const std::vector
     constexpr int rounds = 3;
     constexpr int halvings = 10;
     contacts.set_scales(scales_at(ground, arrangement.growth));
-    const auto is_clear = [&](std::size_t i, Vec2 place) {
-        for (std::size_t j = 0; j < ground.size(); ++j)
-            if (j != i && contacts.depth(i, j, arrangement.places[j] - place) > 0) return false;
-        return true;
-    };
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < ground.size(); ++i) {
             if (ground.pinned[i]) continue;
@@ -152,7 +158,7 @@ void pull_home(const Ground& ground, Arrangement& arrangement, const std::vector
             const Vec2 home = held(homes[i], ground.range(i, arrangement.growth));
             double share = 1;  // of the way home; halved until the place is clear
             for (int k = 0; k < halvings; ++k, share /= 2)
-                if (is_clear(i, here + (home - here) * share)) {
+                if (may_stand(ground, contacts, arrangement, i, here + (home - here) * share)) {
                     arrangement.places[i] = here + (home - here) * share;
                     break;
                 }

@@ -11,10 +11,10 @@ namespace vitrine {
 /// Told of every better arrangement; each is free of overlap.
 using OnBetter = std::function<void(const Arrangement&)>;
 
-/// Makes all I-Regions as large as possible on the field: grows them a little, separates them, and again.
-/// After failures it goes on from a disturbed arrangement; towards the end the steps start from the best and
-/// become finer. Ends when many arrangements in a row and the finest steps gave nothing better. Anytime: the
-/// best so far is always free.
+/// Makes all I-Regions as large as possible on the field. Goes from one local maximum of the growth to
+/// another: exchanges two items or sends one elsewhere, separates what overlaps, compacts by linear programs.
+/// Goes on from what is hardly worse, and after a while from the best. Anytime: the best so far is always
+/// free. Has converged, and ends, when 300 trials an item in a row gave nothing better.
 ///
 /// @param start   free of overlap
 /// @param effort  the most that is spent; few items converge long before

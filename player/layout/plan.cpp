@@ -41,6 +41,7 @@ Ground ground_of(const PlanRequest& request) {
         const Placement at = entry.previous.value_or(Placement{});
         ground.pinned_places.push_back(ground.shapes.back().centroid * at.scale + at.offset);
     }
+    ground.reads = request.order == LayoutOrder::reading;
     ground.scales = natural_scales(items, ground.shapes);
     for (const Shape& shape : ground.shapes)
         ground.limits.push_back(std::min(request.most_scale, fitting_scale(shape, ground.field)));
@@ -78,9 +79,10 @@ Arrangement fitted(const Ground& ground, std::span<const Vec2> places, Contacts&
 }
 
 Arrangement packed(const Ground& ground, double ratio) {
+    Contacts contacts(ground.shapes, ground.clearance);
+    if (ground.reads) return fitted(ground, packed_in_lines(ground.shapes, ground.scales, ratio), contacts);
     Contacts touching(ground.shapes, 0);
     touching.set_scales(ground.scales);
-    Contacts contacts(ground.shapes, ground.clearance);
     Arrangement best;
     best.growth = -1;
     for (const PackingOrder order : {PackingOrder::as_given, PackingOrder::largest_first}) {

@@ -31,6 +31,12 @@ enum class EnergyMode {
     paper,   // eq. 3.4 by descent alone, for reproduction
 };
 
+/// Whether items stand in an order.
+enum class LayoutOrder {
+    free,     // wherever they fit best
+    reading,  // each is read after the one before, in lines from the top and from left to right
+};
+
 /// What is asked of the planner. The same request gives the same layout.
 struct PlanRequest {
     std::vector<PlanItem> items;
@@ -42,6 +48,7 @@ struct PlanRequest {
     double most_scale = 1.5;        // canvas px per source px: beyond it pictures look soft
     bool fills = true;              // in a new layout, I-Regions give way a little where filler would show
     EnergyMode energy = EnergyMode::screen;
+    LayoutOrder order = LayoutOrder::free;  // the paper's energy knows none
 };
 
 }  // namespace vitrine

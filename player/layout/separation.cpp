@@ -10,15 +10,16 @@ namespace {
 
 constexpr int far_tries = 16;
 constexpr int near_tries = 8;
-constexpr std::size_t kept_candidates = 3;
-constexpr double near_share = 0.08;   // of the field's diagonal
-constexpr double finest_step = 0.02;  // canvas px
+constexpr std::size_t kept_candidates = 2;
+constexpr double near_share = 0.08;  // of the field's diagonal
 constexpr double step_growth = 1.1;
 constexpr double step_shrink = 0.5;
-constexpr double weight_decay = 0.95;
-constexpr double least_rise = 1.2;  // of the weight of a colliding pair; the deepest rises by most_rise
-constexpr double most_rise = 2.0;
-constexpr double heaviest = 1e6;
+constexpr float weight_decay = 0.95F;
+constexpr float least_rise = 1.2F;  // of the weight of a colliding pair; the deepest rises by most_rise
+constexpr float most_rise = 2.0F;
+constexpr float heaviest = 1e6F;
+
+}  // namespace
 
 Vec2 random_place(const Box& range, Random& random) {
     const double x = uniform(random);
@@ -26,39 +27,55 @@ Vec2 random_place(const Box& range, Random& random) {
     return {range.min.x + x * (range.max.x - range.min.x), range.min.y + y * (range.max.y - range.min.y)};
 }
 
-}  // namespace
-
 Separation::Separation(const Ground& ground, Contacts& contacts, Random& random)
-    : ground_(ground), contacts_(contacts), random_(random), weights_(ground.size() * ground.size(), 1) {}
+    : ground_(ground),
+      contacts_(contacts),
+      random_(random),
+      weights_(ground.size() * ground.size(), 1),
+      conflicts_(weights_.size(), 0) {}
+
+double Separation::order_loss(std::size_t item, Vec2 place) {
+    const std::span<const float> weight = weights(item);
+    double sum = 0;
+    for (std::size_t j = 0; j < item; ++j)
+        sum += weight[j] * order_->violation(spots_.at(j), place);
+    for (std::size_t j = item + 1; j < ground_.size(); ++j)
+        sum += weight[j] * order_->violation(place, spots_.at(j));
+    return sum;
+}
 
 double Separation::loss(std::size_t item, Vec2 place, double enough) {
     effort_->spend();
     double sum = 0;
     if (!style_->homes.empty()) sum = style_->pull * length(place - style_->homes[item]);
-    for (std::size_t j = 0; j < places_.size() && sum < enough; ++j)
-        if (j != item) sum += weight(item, j) * contacts_.depth(item, j, places_[j] - place);
-    return sum;
+    if (order_) sum += order_loss(item, place);
+    if (sum >= enough) return sum;
+    return sum + contacts_.weighted_depth(item, place, spots_, weights(item), enough - sum);
 }
 
-std::vector<std::size_t> Separation::colliding() {
-    std::vector<std::size_t> items;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (ground_.pinned[i]) continue;
-        for (std::size_t j = 0; j < places_.size(); ++j)
-            if (j != i && contacts_.depth(i, j, places_[j] - places_[i]) > 0) {
-                items.push_back(i);
-                break;
-            }
-    }
-    return items;
+/// What keeps items b < a from being free of each other.
+double Separation::conflict(std::size_t a, std::size_t b) const {
+    const double depth = contacts_.depth(b, a, spots_.at(a) - spots_.at(b));
+    return order_ ? depth + order_->violation(spots_.at(b), spots_.at(a)) : depth;
 }
 
-double Separation::all_depths() {
-    double sum = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            sum += contacts_.depth(i, j, places_[j] - places_[i]);
-    return sum;
+/// @return whether there are any
+bool Separation::update_conflicts() {
+    const std::size_t n = ground_.size();
+    collides_.assign(n, false);
+    total_ = 0;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const double found = ground_.pinned[i] && ground_.pinned[j] ? 0 : conflict(i, j);
+            conflicts_[i * n + j] = static_cast<float>(found);
+            if (found == 0) continue;
+            total_ += found;
+            collides_[i] = collides_[j] = true;
+        }
+    colliding_.clear();
+    for (std::size_t i = 0; i < n; ++i)
+        if (collides_[i] && !ground_.pinned[i]) colliding_.push_back(i);
+    return !colliding_.empty();
 }
 
 void Separation::consider(std::size_t item, Vec2 place) {
@@ -75,11 +92,11 @@ void Separation::consider(std::size_t item, Vec2 place) {
 }
 
 void Separation::propose(std::size_t item) {
-    const Vec2 here = places_[item];
-    for (std::size_t j = 0; j < places_.size(); ++j) {
+    const Vec2 here = spots_.at(item);
+    for (std::size_t j = 0; j < ground_.size(); ++j) {
         if (j == item) continue;
-        const Vec2 way = contacts_.escape(j, item, here - places_[j]);
-        if (way != Vec2{}) consider(item, here + way * (1 + 1e-9));
+        const Vec2 way = contacts_.escape(j, item, here - spots_.at(j));
+        if (way != Vec2{}) consider(item, here + way * (1 + 1e-6));
     }
     const double near = near_share * length(ground_.field.max - ground_.field.min);
     for (int i = 0; i < near_tries; ++i)
@@ -90,7 +107,7 @@ void Separation::propose(std::size_t item) {
 
 Separation::Candidate Separation::refined(std::size_t item, Candidate start, double step) {
     constexpr Vec2 ways[] = {{1, 0}, {0, 1}, {0.7, 0.7}, {0.7, -0.7}};
-    while (step > finest_step && start.loss > 0) {
+    while (step > style_->finest_step && start.loss > 0) {
         const Vec2 by = ways[uniform_index(random_, std::size(ways))] * step;
         bool better = false;
         for (const Vec2 place : {start.place + by, start.place - by}) {
@@ -107,34 +124,32 @@ Separation::Candidate Separation::refined(std::size_t item, Candidate start, dou
 }
 
 void Separation::move(std::size_t item) {
-    const double now = loss(item, places_[item], std::numeric_limits<double>::infinity());
-    best_.assign(1, {places_[item], now});
+    const double now = loss(item, spots_.at(item), std::numeric_limits<double>::infinity());
+    if (now == 0) return;
+    best_.assign(1, {spots_.at(item), now});
     propose(item);
     const double step = near_share / 4 * length(ground_.field.max - ground_.field.min);
-    Candidate best{places_[item], now};
-    for (const Candidate& start : std::vector<Candidate>(best_)) {
+    starts_ = best_;
+    Candidate best{spots_.at(item), now};
+    for (const Candidate& start : starts_) {
         const Candidate end = refined(item, start, step);
         if (end.loss < best.loss) best = end;
     }
-    places_[item] = best.place;
+    spots_.set(item, best.place);
 }
 
 void Separation::reweigh() {
-    std::vector<double> depths(weights_.size());
-    double deepest = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i)
+    const std::size_t n = ground_.size();
+    float deepest = 0;
+    for (const float conflict : conflicts_)
+        deepest = std::max(deepest, conflict);
+    if (deepest == 0) return;
+    for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const double depth = contacts_.depth(i, j, places_[j] - places_[i]);
-            depths[i * places_.size() + j] = depth;
-            deepest = std::max(deepest, depth);
-        }
-    for (std::size_t i = 0; i < places_.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const double depth = depths[i * places_.size() + j];
-            const double factor =
+            const float depth = conflicts_[i * n + j];
+            const float factor =
                 depth > 0 ? least_rise + (most_rise - least_rise) * depth / deepest : weight_decay;
-            const double changed = std::clamp(weight(i, j) * factor, 1.0, heaviest);
-            weight(i, j) = weight(j, i) = changed;
+            weights(i)[j] = weights(j)[i] = std::clamp(weights(i)[j] * factor, 1.0F, heaviest);
         }
 }
 
@@ -142,29 +157,29 @@ bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Eff
     style_ = &style;
     effort_ = &effort;
     contacts_.set_scales(scales_at(ground_, arrangement.growth));
-    std::fill(weights_.begin(), weights_.end(), 1.0);
+    order_.reset();
+    if (ground_.reads) order_ = reading_order(ground_, arrangement.growth);
+    std::fill(weights_.begin(), weights_.end(), 1.0F);
     ranges_.clear();
-    for (std::size_t i = 0; i < ground_.size(); ++i)
+    for (std::size_t i = 0; i < ground_.size(); ++i) {
         ranges_.push_back(ground_.range(i, arrangement.growth));
-    places_ = arrangement.places;
-    for (std::size_t i = 0; i < ground_.size(); ++i)
-        places_[i] = held(places_[i], ranges_[i]);
-    double least = std::numeric_limits<double>::infinity();
-    int idle = 0;  // rounds since the least total depth
-    std::vector<std::size_t> items = colliding();
-    while (!items.empty() && idle < patience && !effort.is_spent()) {
-        std::shuffle(items.begin(), items.end(), random_);
-        for (const std::size_t item : items)
-            move(item);
-        reweigh();
-        const double total = all_depths();
-        ++idle;
-        if (total < least * 0.98) idle = 0;
-        least = std::min(least, total);
-        items = colliding();
+        arrangement.places[i] = held(arrangement.places[i], ranges_[i]);
     }
-    arrangement.places = places_;
-    return items.empty();
+    spots_.assign(arrangement.places);
+    double least = std::numeric_limits<double>::infinity();
+    bool collides = update_conflicts();
+    for (int idle = 0; collides && idle < patience && !effort.is_spent(); ++idle) {
+        std::shuffle(colliding_.begin(), colliding_.end(), random_);
+        for (const std::size_t item : colliding_)
+            move(item);
+        collides = update_conflicts();
+        reweigh();
+        if (total_ < least * 0.98) idle = -1;
+        least = std::min(least, total_);
+    }
+    for (std::size_t i = 0; i < ground_.size(); ++i)
+        if (!ground_.pinned[i]) arrangement.places[i] = held(spots_.at(i), ranges_[i]);
+    return !collides;
 }
 
 }  // namespace vitrine

@@ -2,7 +2,9 @@
 
 #include "player/layout/arrangement.hpp"
 #include "player/layout/effort.hpp"
+#include "player/layout/reading_order.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,19 +12,23 @@ namespace vitrine {
 
 /// How items may move while they are separated.
 struct SeparationStyle {
-    bool roams = true;        // tries places all over the field, not only near
-    std::vector<Vec2> homes;  // canvas px, where items would like to stay; empty: nowhere
-    double pull = 0;          // loss per px from home, against px of depth
+    bool roams = true;          // tries places all over the field, not only near
+    std::vector<Vec2> homes;    // canvas px, where items would like to stay; empty: nowhere
+    double pull = 0;            // loss per px from home, against px of depth
+    double finest_step = 0.02;  // canvas px, of the last refinement
 };
+
+/// Uniform in a box.
+Vec2 random_place(const Box& range, Random& random);
 
 /// Pulls overlapping items apart at one growth: guided local search.
 ///
 /// The loss is the sum over all pairs of weight times depth. A colliding item moves to the best of some
 /// places tried all over its range, some near it and those that clear it of one neighbour, the best refined
-/// along the axes. After each round the weights of pairs that still collide rise and the others decay,
-/// which lifts the search out of local minima.
-/// Source: ALGORITHMS (d) "Escaping minima"; the idea is that of sparrow (arXiv 2509.13329, algorithms 9 and
-/// 11). Differs: the exact penetration depth of convex shapes instead of a proxy by circles.
+/// along the axes. Where the order counts, so does the way to it. After each round the weights of pairs that
+/// still collide rise and the others decay, which lifts the search out of local minima. Source: ALGORITHMS
+/// (d) "Escaping minima"; the idea is that of sparrow (arXiv 2509.13329, algorithms 9 and 11). Differs: the
+/// exact penetration depth of convex shapes instead of a proxy by circles.
 class Separation {
   public:
     /// Both are borrowed and must outlive the object.
@@ -38,24 +44,33 @@ class Separation {
         double loss = 0;
     };
 
-    double& weight(std::size_t a, std::size_t b) { return weights_[a * ground_.size() + b]; }
+    std::span<float> weights(std::size_t item) {
+        return {weights_.data() + item * ground_.size(), ground_.size()};
+    }
 
     double loss(std::size_t item, Vec2 place, double enough);
-    double all_depths();
-    std::vector<std::size_t> colliding();
+    double order_loss(std::size_t item, Vec2 place);
+    double conflict(std::size_t a, std::size_t b) const;
+    bool update_conflicts();
     void move(std::size_t item);
     void consider(std::size_t item, Vec2 place);
     void propose(std::size_t item);
     Candidate refined(std::size_t item, Candidate start, double step);
     void reweigh();
 
-    const Ground& ground_;  // outlives this
-    Contacts& contacts_;    // outlives this
-    Random& random_;        // outlives this
-    std::vector<double> weights_;
+    const Ground& ground_;        // outlives this
+    Contacts& contacts_;          // outlives this
+    Random& random_;              // outlives this
+    std::vector<float> weights_;  // of [a * size + b] and [b * size + a]
+    std::vector<float>
+        conflicts_;  // of [a * size + b], b < a: what keeps the pair from being free, canvas px
+    std::vector<std::size_t> colliding_;
+    std::vector<bool> collides_;
+    double total_ = 0;  // of the conflicts
     std::vector<Box> ranges_;
-    std::vector<Vec2> places_;
-    std::vector<Candidate> best_;             // of one move, the best first
+    Spots spots_;
+    std::optional<ReadingOrder> order_;
+    std::vector<Candidate> best_, starts_;    // of one move, the best first
     const SeparationStyle* style_ = nullptr;  // during run()
     Effort* effort_ = nullptr;                // during run()
 };
