@@ -1,10 +1,10 @@
 #pragma once
 
+#include "analyzer/saliency/drift.hpp"
 #include "analyzer/saliency/i_region.hpp"
 #include "analyzer/saliency/image_saliency.hpp"
 #include "analyzer/saliency/motion_contrast.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
-#include "analyzer/saliency/salient_volume.hpp"
 
 #include <string>
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "analyzer/saliency/flow_field.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 #include "base/geometry/vec2.hpp"
-
-#include <span>
 
 namespace vitrine {
 
@@ -13,28 +12,23 @@ enum class MotionMethod {
     background,  // against pan, zoom and roll, fitted from the voted pan on, with what is noise taken off
 };
 
-/// What moves against the camera between two neighbouring frames.
+/// What moves against the camera between two pictures.
 struct MotionContrast {
     SaliencyMap map;     // S_M
-    Vec2 global_motion;  // px per frame pair that the background moves, x right, y down
+    Vec2 global_motion;  // px per pair that the background moves, x right, y down
+    FlowField flow;      // all motion there is; empty where pictures are too small
 };
 
-/// The motion most vectors agree on, voted in magnitude and direction, as the median around the winning bin.
-/// {0, 0} where there are no vectors.
-/// Source: Dynamic Media Assemblage 3.2. Differs: a vote counts for the neighbouring bins too, and all motion
-/// below a quarter pixel is one bin, for its direction is noise.
-Vec2 voted_motion(std::span<const Vec2> vectors);
-
-/// Motion contrast of one frame by Lucas-Kanade on a grid.
+/// Motion contrast of one picture against an earlier one.
 ///
-/// @param before, after  CV_8UC1 of one size, neighbouring frames, at least 16 px a side, else nothing moves
+/// @param before, after  CV_8UC1 of one size, at least 16 px a side, else nothing moves
 /// @return  map of that size. In voted_pan the largest value is always 1 where anything moves at all. In
 ///          background what is below 0.3 % of the diagonal and half the global motion does not reach 1, so
 ///          that flow noise on a still shot and parallax on a moving one stay near 0
-/// Source: Dynamic Media Assemblage 3.2; voted_pan is its letter, in which vectors that could not be tracked
-/// count 0. Differs in background: that floor; patches that leave the picture are left out, outliers go by a
-/// 3x3 median on the grid, the picture's median contrast is taken off as noise; the similarity, without which
-/// every zoom makes the picture's edges salient.
+/// Source: Dynamic Media Assemblage 3.2; voted_pan is its letter, Lucas-Kanade in which vectors that could
+/// not be tracked count 0. Differs in background: dense flow; that floor; patches that leave the picture are
+/// left out, the picture's median contrast is taken off as noise; the similarity, without which every zoom
+/// makes the picture's edges salient.
 MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after,
                                MotionMethod method = MotionMethod::background);
 

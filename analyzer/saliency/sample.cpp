@@ -1,5 +1,7 @@
 #include "analyzer/saliency/sample.hpp"
 
+#include "analyzer/saliency/background_motion.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -28,6 +30,22 @@ cv::Mat grey(const cv::Mat& bgr) {
     return result;
 }
 
+/// The motion most of what is salient agrees on.
+Vec2 motion_of_salient(const FlowField& flow, const SaliencyMap& saliency) {
+    cv::Mat by_cell;
+    cv::resize(saliency, by_cell, flow.grid, 0, 0, cv::INTER_AREA);
+    const double mean = cv::mean(by_cell)[0];
+    std::vector<Vec2> vectors;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        const double weight = static_cast<double>(by_cell.ptr<float>()[i]) - mean;
+        if (!flow.is_reliable[i] || weight <= 0) continue;
+        vectors.push_back(flow.vectors[i]);
+        weights.push_back(weight);
+    }
+    return voted_motion(vectors, weights);
+}
+
 }  // namespace
 
 cv::Size map_size(cv::Size frame) {
@@ -42,10 +60,16 @@ Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds,
     Sample sample;
     sample.image = resized(image_saliency(now, settings.image), map);
     if (before.size() == frame.size()) {
+        const cv::Size seen = settings.motion == MotionMethod::voted_pan ? size : map;
         const MotionContrast motion =
-            motion_contrast(grey(resized(before, size)), grey(now), settings.motion);
+            motion_contrast(resized(grey(before), seen), resized(grey(frame), seen), settings.motion);
         sample.motion = resized(motion.map, map);
-        sample.global_motion = motion.global_motion * (map.width / (size.width * seconds));
+        const double speed = map.width / (seen.width * seconds);
+        sample.global_motion = motion.global_motion * speed;
+        if (settings.drift == DriftMode::smallest_area) {
+            const SaliencyMap both = combined(sample.motion, sample.image, {}, settings.weights);
+            sample.subject_motion = motion_of_salient(motion.flow, both) * speed;
+        }
     }
     return sample;
 }

@@ -16,6 +16,7 @@ struct Sample {
     std::chrono::nanoseconds pair_time{0};  // of the frame before, that motion was measured against
     SaliencyMap motion;                     // S_M; empty where there was no frame before
     Vec2 global_motion;                     // per second
+    Vec2 subject_motion;                    // per second, of what is salient, in the picture
     SaliencyMap image;                      // S_I
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
     std::chrono::nanoseconds faces_time{0};  // of the frame they were found in

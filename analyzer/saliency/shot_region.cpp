@@ -21,6 +21,7 @@ void forget_the_shot_before(std::vector<Sample>& samples, std::chrono::nanosecon
         if (sample.pair_time < begin) {
             sample.motion.release();
             sample.global_motion = {};
+            sample.subject_motion = {};
         }
         if (sample.faces_time >= begin) continue;
         sample.faces.clear();
@@ -75,7 +76,8 @@ std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std
         const SaliencyMap face = face_saliency(sample.faces, sample.image.size(), 1, settings.has_bodies);
         frames.push_back({.map = combined(sample.motion, sample.image, face, settings.weights),
                           .time = seconds(sample.time - begin),
-                          .global_motion = sample.global_motion});
+                          .global_motion = sample.global_motion,
+                          .subject_motion = sample.subject_motion});
     }
     return frames;
 }

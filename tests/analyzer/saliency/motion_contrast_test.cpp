@@ -1,5 +1,7 @@
 #include "analyzer/saliency/motion_contrast.hpp"
 
+#include "analyzer/saliency/background_motion.hpp"
+
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 

@@ -1,5 +1,7 @@
 #include "analyzer/saliency/salient_volume.hpp"
 
+#include "analyzer/saliency/drift.hpp"
+
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 

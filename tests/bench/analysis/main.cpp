@@ -1,5 +1,5 @@
 // How good the analysis is, on any folder with ground truth in the format of ../shared/media:
-//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion] [--verbose]
+//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] [--verbose]
 
 #include "tests/bench/analysis/tables.hpp"
 
@@ -14,7 +14,7 @@ using namespace vitrine;
 namespace {
 
 int usage() {
-    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion] "
+    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] "
                "[--verbose]\n");
     return 2;
 }
@@ -50,5 +50,6 @@ int main(int argc, char** argv) {
     if (only.empty() || only == "shots") shots_table(input);
     if (only.empty() || only == "subjects") subjects_table(input);
     if (only.empty() || only == "motion") motion_table(input);
+    if (only.empty() || only == "drift") drift_table(input);
     return 0;
 }

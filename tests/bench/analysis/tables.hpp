@@ -21,4 +21,7 @@ void subjects_table(const TableInput& input);
 /// Moving subjects inside the drifting region.
 void motion_table(const TableInput& input);
 
+/// The drift found on pictures that move by known velocities.
+void drift_table(const TableInput& input);
+
 }  // namespace vitrine
