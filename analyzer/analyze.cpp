@@ -21,7 +21,8 @@ class Sampler {
     Sampler(const AnalysisSettings& settings, bool keeps_pictures)
         : settings_(settings),
           keeps_pictures_(keeps_pictures),
-          faces_(face_detector(settings.face_model, settings.face_cascade)) {}
+          faces_(face_detector(settings.face_model, settings.face_cascade)),
+          stage_(image_saliency_stage(settings.image, settings.saliency_model)) {}
 
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
     void push(const VideoFrame& frame, SampleStore& into) {
@@ -36,12 +37,13 @@ class Sampler {
     Sample sample(const VideoFrame& frame) {
         const nanoseconds interval = frame.time - before_.time;
         const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= longest_interval;
-        Sample sample = searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
-                                 std::chrono::duration<double>(interval).count(), settings_);
         if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
             last_faces_ = searched_faces(*faces_, frame.picture, settings_.only_prominent_faces);
             last_faces_time_ = frame.time;
         }
+        Sample sample =
+            searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
+                     std::chrono::duration<double>(interval).count(), settings_, last_faces_, stage_.get());
         ++count_;
         sample.time = frame.time;
         sample.pair_time = before_.time;
@@ -54,6 +56,7 @@ class Sampler {
     const AnalysisSettings& settings_;  // outlives the sampler
     bool keeps_pictures_;
     std::unique_ptr<FaceDetector> faces_;
+    std::unique_ptr<ImageSaliencyStage> stage_;
     VideoFrame before_;
     nanoseconds due_{0};
     int count_ = 0;

@@ -25,11 +25,13 @@ AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
     AnalysisSettings settings = is_letter ? papers_letter() : AnalysisSettings{};
     settings.frame_size = from.frame_size;
     settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));
+    settings.face_cascade = from.face_cascade;
+    if (is_letter) return settings;
     settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
     settings.region.mass = from.region_mass;
-    if (!is_letter) settings.region.margin = from.region_margin;
-    if (!is_letter) settings.face_model = from.face_model;  // the letter is Viola-Jones
-    settings.face_cascade = from.face_cascade;
+    settings.region.margin = from.region_margin;
+    settings.face_model = from.face_model;
+    settings.saliency_model = from.saliency_model;
     return settings;
 }
 

@@ -15,14 +15,15 @@ struct AnalysisSettings {
     int frame_size = 320;        // px, longest side on which motion and contrast are measured
     int samples_per_second = 8;  // frames a second of a film that are searched for what matters
     int face_interval = 4;       // every so many samples faces are looked for
-    SaliencyWeights weights;
+    SaliencyWeights weights{.motion = 0.5, .image = 0.5, .face = 0};  // `subject` heeds faces by itself
     MotionMethod motion = MotionMethod::background;
-    ImageSaliency image = ImageSaliency::barrier;
+    ImageSaliency image = ImageSaliency::subject;
     bool only_prominent_faces = true;  // whether faces far smaller than the tallest count nothing
     bool has_bodies = true;            // whether S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
-    std::string face_model;  // YuNet's ONNX file; "": not used
+    std::string saliency_model;  // an ONNX file that takes the place of `image`; "": not used
+    std::string face_model;      // YuNet's ONNX file; "": not used
     std::string face_cascade =
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used
 };
@@ -33,12 +34,14 @@ struct AnalysisSettings {
 /// is left, and the hull keeps to that part and to 12 corners.
 inline AnalysisSettings papers_letter() {
     AnalysisSettings settings;
+    settings.weights = {};
     settings.motion = MotionMethod::voted_pan;
     settings.image = ImageSaliency::frequency_tuned;
     settings.only_prominent_faces = false;
     settings.has_bodies = false;
     settings.drift = DriftMode::box_centres;
     settings.region.mode = RegionMode::hull;
+    settings.region.mass = 0.5;
     settings.region.margin = 0;
     return settings;
 }

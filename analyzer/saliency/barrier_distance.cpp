@@ -3,9 +3,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -15,52 +15,49 @@ constexpr double strip = 0.1;  // of the side, as wide as a border strip is
 constexpr double regularity =
     10;  // Lab units^2 added to the border's variance, so that a flat sky is no needle
 
-/// One channel's distance with, for each pixel, the highest and lowest value on its best path.
-struct Barrier {
-    cv::Mat values;
-    cv::Mat distance;
-    cv::Mat highest;
-    cv::Mat lowest;
+/// One pixel of one channel: its value, and the best path to it so far.
+struct Place {
+    float value = 0;
+    float distance = std::numeric_limits<float>::max();
+    float highest = 0;
+    float lowest = 0;
+
+    /// Lets the best path of a neighbour go on to this pixel where that is cheaper.
+    void relax(const Place& from) {
+        const float high = std::max(from.highest, value);
+        const float low = std::min(from.lowest, value);
+        if (high - low >= distance) return;
+        distance = high - low;
+        highest = high;
+        lowest = low;
+    }
 };
 
-/// Lets the best path of a neighbour go on to (x, y) where that is cheaper.
-void relax(Barrier& b, int x, int y, int from_x, int from_y) {
-    const float value = b.values.at<float>(y, x);
-    const float high = std::max(b.highest.at<float>(from_y, from_x), value);
-    const float low = std::min(b.lowest.at<float>(from_y, from_x), value);
-    if (high - low >= b.distance.at<float>(y, x)) return;
-    b.distance.at<float>(y, x) = high - low;
-    b.highest.at<float>(y, x) = high;
-    b.lowest.at<float>(y, x) = low;
-}
-
-void scan(Barrier& b, bool is_forward) {
-    const int w = b.values.cols;
-    const int h = b.values.rows;
-    const int step = is_forward ? 1 : -1;
-    for (int k = 1; k + 1 < h; ++k) {
-        const int y = is_forward ? k : h - 1 - k;
-        for (int i = 1; i + 1 < w; ++i) {
-            const int x = is_forward ? i : w - 1 - i;
-            relax(b, x, y, x, y - step);
-            relax(b, x, y, x - step, y);
+std::vector<Place> start(const cv::Mat& lab, int channel) {
+    std::vector<Place> places;
+    places.reserve(lab.total());
+    for (int y = 0; y < lab.rows; ++y) {
+        const auto* row = lab.ptr<cv::Vec3f>(y);
+        for (int x = 0; x < lab.cols; ++x) {
+            const float value = row[x][channel];
+            Place place{.value = value, .highest = value, .lowest = value};
+            if (x == 0 || y == 0 || x + 1 == lab.cols || y + 1 == lab.rows) place.distance = 0;
+            places.push_back(place);
         }
     }
+    return places;
 }
 
-cv::Mat barrier_distance_of(const cv::Mat& values) {
-    Barrier b{.values = values,
-              .distance = cv::Mat(values.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::max())),
-              .highest = values.clone(),
-              .lowest = values.clone()};
-    for (const cv::Rect edge :
-         {cv::Rect(0, 0, values.cols, 1), cv::Rect(0, values.rows - 1, values.cols, 1),
-          cv::Rect(0, 0, 1, values.rows), cv::Rect(values.cols - 1, 0, 1, values.rows)}) {
-        b.distance(edge).setTo(0);
+void scan(std::vector<Place>& places, int w, int h, bool is_forward) {
+    const std::ptrdiff_t step = is_forward ? 1 : -1;
+    for (int k = 1; k + 1 < h; ++k) {
+        const int y = is_forward ? k : h - 1 - k;
+        Place* place = places.data() + static_cast<std::ptrdiff_t>(y) * w + (is_forward ? 1 : w - 2);
+        for (int i = 1; i + 1 < w; ++i, place += step) {
+            place->relax(place[-step * w]);
+            place->relax(place[-step]);
+        }
     }
-    for (int pass = 0; pass < passes; ++pass)
-        scan(b, pass % 2 == 0);
-    return b.distance;
 }
 
 /// The distance of every pixel to the colours of one strip.
@@ -91,11 +88,15 @@ cv::Mat contrast_to(const cv::Mat& lab, const cv::Rect& where) {
 }  // namespace
 
 cv::Mat barrier_distance(const cv::Mat& lab) {
-    std::array<cv::Mat, 3> channels;
-    cv::split(lab, channels.data());
     cv::Mat sum = cv::Mat::zeros(lab.size(), CV_32FC1);
-    for (const cv::Mat& channel : channels)
-        sum += barrier_distance_of(channel);
+    for (int channel = 0; channel < 3; ++channel) {
+        std::vector<Place> places = start(lab, channel);
+        for (int pass = 0; pass < passes; ++pass)
+            scan(places, lab.cols, lab.rows, pass % 2 == 0);
+        auto* to = sum.ptr<float>();
+        for (const Place& place : places)
+            *to++ += place.distance;
+    }
     return sum;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace vitrine {
 namespace {
 
 constexpr int directions = 24;
-constexpr int thickest = 12;  // px of a slab; halved until one fits
+constexpr double faint = 0.5;  // times the mean density inside: what a tight region may still lose
+constexpr int thickest = 12;   // px of a slab; halved until one fits
 
 struct Pixel {
     Vec2 centre;
@@ -128,33 +130,51 @@ struct Peel {
     }
 };
 
-}  // namespace
-
-Polygon peeled(const SaliencyMap& map, const Box& within, const PeelLimits& limits) {
+Peel start(const SaliencyMap& map, const Box& within, std::span<const Box> whole) {
     Peel peel{.pixels = pixels_of(map, within), .all = {}};
-    if (peel.pixels.empty()) return {};
+    if (peel.pixels.empty()) return peel;
     for (int k = 0; k < directions; ++k) {
         peel.all.push_back(
-            direction(2 * std::numbers::pi * k / directions, peel.pixels, to_polygon(within), limits.whole));
+            direction(2 * std::numbers::pi * k / directions, peel.pixels, to_polygon(within), whole));
     }
     for (const Pixel& pixel : peel.pixels)
         peel.mass += pixel.mass;
     peel.area = static_cast<double>(peel.pixels.size());
-    const double whole_mass = cv::sum(map)[0];
-    const double mean = whole_mass / static_cast<double>(map.total());
-    const double most_area = limits.most_area * static_cast<double>(map.total());
+    return peel;
+}
+
+/// Cuts until a further slab would leave less than `mass` or less than `area`, or is at least `dense` times
+/// as dense as what is left.
+void shrink(Peel& peel, double mass, double area, double dense = std::numeric_limits<double>::infinity()) {
     for (;;) {
-        const bool is_too_large = peel.area > most_area;
-        const double spare = is_too_large ? peel.mass : peel.mass - limits.mass * whole_mass;
-        const Cut cut = cheapest(peel.all, spare, peel.area - 1);
-        if (cut.thickness == 0) break;
-        if (!is_too_large && cut.density() >= limits.cheapness * mean) break;
+        const Cut cut = cheapest(peel.all, peel.mass - mass, peel.area - std::max(1.0, area));
+        if (cut.thickness == 0 || cut.mass * peel.area >= dense * peel.mass * cut.area) break;
         peel.apply(cut);
     }
+}
+
+Polygon outline(const Peel& peel, const Box& within) {
     std::vector<HalfPlane> planes;
     for (const Direction& d : peel.all)
         planes.push_back({d.normal, d.origin + d.end});
     return cut_by(to_polygon(within), planes);
+}
+
+}  // namespace
+
+Polygon peeled(const SaliencyMap& map, const Box& within, const PeelLimits& limits) {
+    Peel peel = start(map, within, limits.whole);
+    if (peel.pixels.empty()) return {};
+    const double mass = cv::sum(map)[0];
+    const auto whole = static_cast<double>(map.total());
+    shrink(peel, 0, limits.most_area * whole);
+    shrink(peel, limits.safe_mass * mass, 0);
+    const Polygon safe = outline(peel, within);
+    shrink(peel, limits.tight_mass * mass, limits.tight_area * whole);
+    const double one_slab = std::hypot(map.cols, map.rows);
+    if (peel.area > limits.tight_area * whole + one_slab) return safe;
+    shrink(peel, limits.snug_mass * mass, 0, faint);
+    return outline(peel, within);
 }
 
 }  // namespace vitrine

@@ -8,16 +8,21 @@
 
 namespace vitrine {
 
-/// What a region must keep while it is made smaller.
+/// What a region must keep while it is made smaller; masses are shares of the map's whole saliency, areas
+/// of the map.
 struct PeelLimits {
-    double mass = 0.5;     // share of the map's whole saliency that must stay inside
-    double cheapness = 1;  // a slab is cut only where its mass per area is below so many times the map's mean
-    double most_area = 1;  // share of the map; above it slabs are cut whatever they hold
+    double safe_mass = 0.95;   // kept where saliency is spread widely
+    double tight_mass = 0.64;  // if this much fits into tight_area, the region is tight
+    double tight_area = 0.4;
+    double snug_mass = 0.9;      // more than this is not kept in a tight region, so it may be smaller still
+    double most_area = 1;        // above it slabs are cut whatever they hold
     std::span<const Box> whole;  // px of the map; never cut into
 };
 
-/// A small convex region that holds the share of the map's saliency: from the whole of `within`, again and
-/// again the slab with least saliency per area is cut off, among 24 directions and several thicknesses.
+/// A small convex region around a map's saliency: from the whole of `within`, again and again the slab with
+/// least saliency per area is cut off, among 24 directions and several thicknesses. Where the saliency is
+/// gathered, as much of it is kept as fits into the tight area; where it is not, nobody knows what matters,
+/// and nearly all is kept.
 ///
 /// @param map     CV_32FC1, values >= 0, not all 0
 /// @param within  px of the map; the result stays inside, even where `whole` does not

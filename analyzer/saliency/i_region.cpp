@@ -13,10 +13,8 @@ namespace {
 
 constexpr std::size_t most_corners = 12;
 constexpr double least_area = 0.08;  // of the picture
-constexpr double largest_area = 0.70;
+constexpr double largest_area = 0.80;
 constexpr double middle = 0.6;  // of each side, where nothing is salient
-constexpr double cheapness =
-    0.7;  // slabs denser than so many times the mean stay, beyond the wanted mass too
 
 Polygon middle_of(const Box& core) {
     const Vec2 half{core.width() * middle / 2, core.height() * middle / 2};
@@ -71,8 +69,11 @@ Polygon at_least(Polygon region, double least, const Box& core) {
 Polygon smallest_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
                         const RegionSettings& settings) {
     const auto whole = static_cast<double>(volume.total());
-    const PeelLimits limits{
-        .mass = settings.mass, .cheapness = cheapness, .most_area = largest_area, .whole = faces};
+    const PeelLimits limits{.safe_mass = settings.safe_mass,
+                            .tight_mass = settings.mass,
+                            .tight_area = settings.tight_area,
+                            .most_area = largest_area,
+                            .whole = faces};
     const Polygon tight = peeled(volume, core, limits);
     if (area(tight) <= 0) return middle_of(core);
     const double margin = settings.margin * std::hypot(volume.cols, volume.rows);

@@ -2,6 +2,8 @@
 
 #include "analyzer/saliency/barrier_distance.hpp"
 #include "analyzer/saliency/frequency_tuned.hpp"
+#include "analyzer/saliency/saliency_network.hpp"
+#include "analyzer/saliency/subject_windows.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -57,6 +59,39 @@ SaliencyMap barrier_saliency(const cv::Mat& bgr) {
     return result;
 }
 
+class FrequencyTunedStage : public ImageSaliencyStage {
+  public:
+    SaliencyMap map(const cv::Mat& bgr, std::span<const Face> /*faces*/) override {
+        return frequency_tuned(lab(bgr));
+    }
+};
+
+class BarrierStage : public ImageSaliencyStage {
+  public:
+    SaliencyMap map(const cv::Mat& bgr, std::span<const Face> /*faces*/) override {
+        return barrier_saliency(bgr);
+    }
+};
+
+class SubjectStage : public ImageSaliencyStage {
+  public:
+    SaliencyMap map(const cv::Mat& bgr, std::span<const Face> faces) override {
+        return subject_likelihood(bgr, faces);
+    }
+};
+
+class NetworkStage : public ImageSaliencyStage {
+  public:
+    explicit NetworkStage(const std::string& file) : network_(file) {}
+
+    SaliencyMap map(const cv::Mat& bgr, std::span<const Face> /*faces*/) override {
+        return network_.map(bgr);
+    }
+
+  private:
+    SaliencyNetwork network_;
+};
+
 }  // namespace
 
 SaliencyMap centre_prior(cv::Size size) {
@@ -71,9 +106,17 @@ SaliencyMap centre_prior(cv::Size size) {
     return bell(size.height) * bell(size.width).t();
 }
 
-SaliencyMap image_saliency(const cv::Mat& bgr, ImageSaliency method) {
-    if (method == ImageSaliency::frequency_tuned) return frequency_tuned(lab(bgr));
-    return barrier_saliency(bgr);
+std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network) {
+    if (!network.empty()) return std::make_unique<NetworkStage>(network);
+    switch (method) {
+    case ImageSaliency::frequency_tuned:
+        return std::make_unique<FrequencyTunedStage>();
+    case ImageSaliency::barrier:
+        return std::make_unique<BarrierStage>();
+    case ImageSaliency::subject:
+        break;
+    }
+    return std::make_unique<SubjectStage>();
 }
 
 }  // namespace vitrine

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "analyzer/saliency/face_detector.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
 
 namespace vitrine {
 
@@ -8,18 +13,33 @@ namespace vitrine {
 enum class ImageSaliency {
     frequency_tuned,  // the paper's: contrast to the picture's mean colour
     barrier,          // not connected to the border, unlike the border, near the centre
+    subject,          // likely inside the box around the subject
 };
 
 /// How near the centre each place is: 1 there, falling off by a Gaussian of a third of each side.
 SaliencyMap centre_prior(cv::Size size);
 
-/// S_I of one picture.
+/// Finds what is salient in one picture; whoever has a better way adds it here.
+class ImageSaliencyStage {
+  public:
+    ImageSaliencyStage() = default;
+    ImageSaliencyStage(const ImageSaliencyStage&) = delete;
+    ImageSaliencyStage& operator=(const ImageSaliencyStage&) = delete;
+    virtual ~ImageSaliencyStage() = default;
+
+    /// @param bgr    CV_8UC3, not empty
+    /// @param faces  px of bgr, those known; a stage need not heed them
+    /// @return       S_I of that size, in [0, 1]
+    virtual SaliencyMap map(const cv::Mat& bgr, std::span<const Face> faces) = 0;
+};
+
+/// The stage that the settings ask for.
 ///
-/// @param bgr  CV_8UC3, not empty
-/// @return     of that size, in [0, 1]; all 0 where `barrier` finds the picture flat
-/// Source: Dynamic Media Assemblage 3.2 for frequency_tuned. `barrier` follows MB+ of Zhang et al. 2015,
-/// worked at 160 px, with the frequency-tuned map as a third witness: regions of 21 labelled photographs
-/// overlap their subjects by .63 instead of .47 (regions_bench with YuNet, "ours" and "tuned, min_area").
-SaliencyMap image_saliency(const cv::Mat& bgr, ImageSaliency method);
+/// @param method   used where no network is named. `frequency_tuned`: Dynamic Media Assemblage 3.2.
+/// `barrier` follows MB+ of Zhang et al. 2015, worked at 160 px, with the frequency-tuned map as a third
+/// witness; all 0 where the picture is flat. `subject`: subject_windows.hpp
+/// @param network  an ONNX file (saliency_network.hpp), or ""
+/// @throws std::runtime_error if the network cannot be read
+std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network);
 
 }  // namespace vitrine

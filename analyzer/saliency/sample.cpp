@@ -46,19 +46,29 @@ Vec2 motion_of_salient(const FlowField& flow, const SaliencyMap& saliency) {
     return voted_motion(vectors, weights);
 }
 
+std::vector<Face> scaled(std::span<const Face> faces, double scale) {
+    std::vector<Face> result(faces.begin(), faces.end());
+    for (Face& face : result)
+        face.box = {face.box.min * scale, face.box.max * scale};
+    return result;
+}
+
 }  // namespace
 
 cv::Size map_size(cv::Size frame) {
     return fitted(frame, map_side);
 }
 
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds,
-                const AnalysisSettings& settings) {
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, const AnalysisSettings& settings,
+                std::span<const Face> faces, ImageSaliencyStage* stage) {
     const cv::Size size = fitted(frame.size(), settings.frame_size);
     const cv::Size map = map_size(frame.size());
     const cv::Mat now = resized(frame, size);
     Sample sample;
-    sample.image = resized(image_saliency(now, settings.image), map);
+    const std::vector<Face> placed = scaled(faces, static_cast<double>(size.width) / map.width);
+    const std::unique_ptr<ImageSaliencyStage> own =
+        stage == nullptr ? image_saliency_stage(settings.image, {}) : nullptr;
+    sample.image = resized((stage == nullptr ? *own : *stage).map(now, placed), map);
     if (before.size() == frame.size()) {
         const cv::Size seen = settings.motion == MotionMethod::voted_pan ? size : map;
         const MotionContrast motion =
@@ -78,9 +88,7 @@ std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, b
     const double scale = static_cast<double>(map_size(frame.size()).width) / frame.cols;
     std::vector<Face> faces = detector.detect(frame);
     if (only_prominent) faces = prominent(std::move(faces));
-    for (Face& face : faces)
-        face.box = {face.box.min * scale, face.box.max * scale};
-    return faces;
+    return scaled(faces, scale);
 }
 
 }  // namespace vitrine

@@ -6,6 +6,7 @@
 #include "base/geometry/vec2.hpp"
 
 #include <chrono>
+#include <span>
 #include <vector>
 
 namespace vitrine {
@@ -31,10 +32,12 @@ constexpr int map_side = 160;
 /// @param frame     CV_8UC3, not empty
 /// @param before    the frame directly before it; empty at the start
 /// @param seconds   between the two, > 0
-/// @param settings  frame_size, motion and image are used
+/// @param settings  frame_size, motion and, where there is no stage, image are used
+/// @param faces     px of the maps, those known
+/// @param stage     finds what is salient in the picture itself
 /// @return          maps of at most map_side; times, faces and picture are left to the caller
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds,
-                const AnalysisSettings& settings);
+Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, const AnalysisSettings& settings,
+                std::span<const Face> faces = {}, ImageSaliencyStage* stage = nullptr);
 
 /// The faces in px of the maps that searched() makes of such a frame.
 std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);

@@ -173,6 +173,8 @@ void append_analyzer_keys(std::vector<SettingKey>& keys) {
             number(
                 "analyzer.face_weight", [](S& s) -> double& { return s.analyzer.face_weight; }, 0, 1),
             optional_path(
+                "analyzer.saliency_model", [](S & s) -> auto& { return s.analyzer.saliency_model; }),
+            optional_path(
                 "analyzer.face_model", [](S & s) -> auto& { return s.analyzer.face_model; }),
             optional_path(
                 "analyzer.face_cascade", [](S & s) -> auto& { return s.analyzer.face_cascade; }),

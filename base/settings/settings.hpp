@@ -30,14 +30,15 @@ struct Settings {
         std::chrono::milliseconds quiet{2000};
         int frame_size = 320;  // px, longest side of an analysed frame
         double samples_per_second = 8;
-        double motion_weight = 1.0 / 3;
-        double image_weight = 1.0 / 3;
-        double face_weight = 1.0 / 3;
-        std::string face_model;  // an ONNX file, empty: the cascade
+        double motion_weight = 0.5;
+        double image_weight = 0.5;
+        double face_weight = 0;      // faces count in image saliency already
+        std::string saliency_model;  // an ONNX file, empty: image saliency of our own
+        std::string face_model;      // an ONNX file, empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
         std::string region = "min_area";  // min_area or hull
-        double region_mass = 0.5;
-        double region_margin = 0.02;  // of the picture's diagonal
+        double region_mass = 0.64;
+        double region_margin = 0.008;  // of the picture's diagonal
     } analyzer;
 
     struct Layout {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "analyzer/saliency/saliency_map.hpp"
+
+#include <opencv2/dnn.hpp>
+
+#include <string>
+
+namespace vitrine {
+
+/// A neural network that an operator supplies: one input of 1 x 3 x 320 x 320, RGB with the means and
+/// deviations of ImageNet, whose first output is one map of saliency. U2-Net and its small form are such.
+class SaliencyNetwork {
+  public:
+    /// @param file  ONNX
+    /// @throws std::runtime_error if it cannot be read
+    explicit SaliencyNetwork(const std::string& file);
+
+    /// @param bgr  CV_8UC3, not empty
+    /// @return     S_I of that size, stretched to [0, 1] unless it is nearly the same everywhere
+    /// @throws std::runtime_error if the network does not take such a picture or gives no map
+    SaliencyMap map(const cv::Mat& bgr);
+
+  private:
+    std::string file_;
+    cv::dnn::Net net_;
+};
+
+}  // namespace vitrine

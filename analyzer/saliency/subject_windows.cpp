@@ -1,0 +1,278 @@
+// A photograph's subject is a thing, not a set of pixels: cues that are right about each pixel still say
+// little about where a person ends. So whole windows are judged instead, all rectangles of a coarse grid, and
+// the map is what they say together. Where the cues agree few windows count and the map is sharp; where they
+// do not, many count and the map is broad, which tells the region to be careful.
+
+#include "analyzer/saliency/subject_windows.hpp"
+
+#include "analyzer/saliency/subject_cues.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+constexpr int grid = 12;        // cells along each side
+constexpr double ring = 0.06;   // of each side: what counts as next to a window
+constexpr double faint = 0.02;  // added before logarithms are taken
+
+// A head around a face box, and the body below, as shares of the face box.
+constexpr double hair = 0.35;
+constexpr double ear = 0.15;
+constexpr double chin = 0.15;
+constexpr double shoulder = 0.7;
+constexpr double body_length = 4;
+
+constexpr std::array<float, window_facts> weights{
+    // size, its square, area, off the middle across and down, down, aspect
+    -0.086F,
+    -0.031F,
+    -2.706F,
+    -1.549F,
+    -10.510F,
+    0.706F,
+    -0.553F,
+    // sides, top, bottom, both sides, top and bottom touched
+    -0.457F,
+    -0.112F,
+    0.260F,
+    -0.266F,
+    0.195F,
+    // heads, bodies; with faces: size, bottom touched, size by the face's size
+    0.819F,
+    3.013F,
+    0.081F,
+    0.389F,
+    0.251F,
+    // enclosed: share, rest, density, edge
+    -3.409F,
+    1.792F,
+    0.459F,
+    0.245F,
+    // enclosed cubed: share, rest, density, edge
+    1.151F,
+    -0.738F,
+    0.460F,
+    -0.016F,
+    // sharp: share, rest, density, edge
+    4.032F,
+    -0.480F,
+    1.081F,
+    0.730F,
+    // central: share, rest, density, edge
+    -0.724F,
+    -1.146F,
+    0.640F,
+    0.105F,
+    // enclosed and central: share, rest, density, edge
+    0.667F,
+    -1.170F,
+    0.652F,
+    0.089F,
+};
+
+/// The bounds of the grid's lines along one side, px, and the same moved outward and inward by the ring.
+struct Lines {
+    std::array<int, grid + 1> at{};
+    std::array<int, grid + 1> before{};
+    std::array<int, grid + 1> after{};
+
+    explicit Lines(int side) {
+        const int width = std::max(1, static_cast<int>(std::lround(ring * side)));
+        for (std::size_t k = 0; k <= grid; ++k) {
+            at[k] = static_cast<int>(std::lround(static_cast<double>(k) * side / grid));
+            before[k] = std::max(0, at[k] - width);
+            after[k] = std::min(side, at[k] + width);
+        }
+    }
+};
+
+/// Sums of a map over rectangles.
+class Sums {
+  public:
+    explicit Sums(const cv::Mat& map) { cv::integral(map, table_, CV_64F); }
+
+    double in(int left, int top, int right, int bottom) const {
+        const auto* above = table_.ptr<double>(top);
+        const auto* below = table_.ptr<double>(bottom);
+        return below[right] - below[left] - above[right] + above[left];
+    }
+
+    double whole() const { return table_.at<double>(table_.rows - 1, table_.cols - 1); }
+
+    double mean() const { return whole() / ((table_.rows - 1.0) * (table_.cols - 1.0)); }
+
+  private:
+    cv::Mat table_;
+};
+
+/// What all windows of one picture are judged by.
+struct Evidence {
+    Lines across;
+    Lines down;
+    double aspect = 1;  // width by height
+    std::vector<Sums> cues;
+    std::vector<Box> heads;  // shares of the picture's sides
+    std::vector<Box> bodies;
+    double tallest_face = 0;  // of the picture's height
+};
+
+Box part_of_picture(const Box& box) {
+    return intersection(box, {{0, 0}, {1, 1}});
+}
+
+Evidence evidence(const cv::Mat& bgr, std::span<const Face> faces) {
+    const SubjectCues found = subject_cues(bgr);
+    Evidence e{.across = Lines(found.sharp.cols),
+               .down = Lines(found.sharp.rows),
+               .aspect = static_cast<double>(found.sharp.cols) / found.sharp.rows};
+    e.cues.emplace_back(found.enclosed);
+    e.cues.emplace_back(found.enclosed.mul(found.enclosed).mul(found.enclosed));
+    e.cues.emplace_back(found.sharp);
+    e.cues.emplace_back(found.central);
+    e.cues.emplace_back(found.enclosed.mul(found.central));
+    for (const Face& face : faces) {
+        const Box b{{face.box.min.x / bgr.cols, face.box.min.y / bgr.rows},
+                    {face.box.max.x / bgr.cols, face.box.max.y / bgr.rows}};
+        const double w = b.width();
+        const double h = b.height();
+        e.heads.push_back(
+            part_of_picture({b.min - Vec2{ear * w, hair * h}, b.max + Vec2{ear * w, chin * h}}));
+        e.bodies.push_back(part_of_picture(
+            {b.min - Vec2{shoulder * w, hair * h}, b.max + Vec2{shoulder * w, body_length * h}}));
+        e.tallest_face = std::max(e.tallest_face, h);
+    }
+    return e;
+}
+
+double mean_share(std::span<const Box> boxes, const Box& window) {
+    double sum = 0;
+    for (const Box& box : boxes)
+        sum += box.area() > 0 ? std::max(0.0, intersection(box, window).area()) / box.area() : 0;
+    return boxes.empty() ? 0 : sum / static_cast<double>(boxes.size());
+}
+
+/// Writes facts one after the other.
+class Writer {
+  public:
+    explicit Writer(SubjectWindow& window) : window_(window) {}
+
+    void add(double fact) { window_.facts[count_++] = static_cast<float>(fact); }
+
+  private:
+    SubjectWindow& window_;  // outlives the writer
+    std::size_t count_ = 0;
+};
+
+void add_place(Writer& to, const SubjectWindow& w, double aspect) {
+    const double width = static_cast<double>(w.right - w.left) / grid;
+    const double height = static_cast<double>(w.bottom - w.top) / grid;
+    const double size = std::log(width * height);
+    const double x = (w.left + w.right) / (2.0 * grid) - 0.5;
+    const double y = (w.top + w.bottom) / (2.0 * grid) - 0.5;
+    const double shape = std::log(width * aspect / height);
+    const bool is_left = w.left == 0;
+    const bool is_right = w.right == grid;
+    const bool is_top = w.top == 0;
+    const bool is_bottom = w.bottom == grid;
+    for (const double fact : {size, size * size, width * height, x * x, y * y, y, shape * shape})
+        to.add(fact);
+    to.add(static_cast<int>(is_left) + static_cast<int>(is_right));
+    to.add(static_cast<int>(is_top));
+    to.add(static_cast<int>(is_bottom));
+    to.add(static_cast<int>(is_left && is_right));
+    to.add(static_cast<int>(is_top && is_bottom));
+}
+
+void add_people(Writer& to, const SubjectWindow& w, const Evidence& e) {
+    if (e.heads.empty()) {
+        for (int i = 0; i < 5; ++i)
+            to.add(0);
+        return;
+    }
+    const Box window{{static_cast<double>(w.left) / grid, static_cast<double>(w.top) / grid},
+                     {static_cast<double>(w.right) / grid, static_cast<double>(w.bottom) / grid}};
+    const double size = std::log(window.area());
+    to.add(mean_share(e.heads, window));
+    to.add(mean_share(e.bodies, window));
+    to.add(size);
+    to.add(static_cast<int>(w.bottom == grid));
+    to.add(size * std::log(e.tallest_face));
+}
+
+void add_cue(Writer& to, const SubjectWindow& w, const Evidence& e, const Sums& cue) {
+    const auto [l, t, r, b] =
+        std::array{static_cast<std::size_t>(w.left), static_cast<std::size_t>(w.top),
+                   static_cast<std::size_t>(w.right), static_cast<std::size_t>(w.bottom)};
+    const double inside = cue.in(e.across.at[l], e.down.at[t], e.across.at[r], e.down.at[b]);
+    const double pixels = (e.across.at[r] - e.across.at[l]) * (e.down.at[b] - e.down.at[t]);
+    const double wider = cue.in(e.across.before[l], e.down.before[t], e.across.after[r], e.down.after[b]);
+    const double more = (e.across.after[r] - e.across.before[l]) * (e.down.after[b] - e.down.before[t]);
+    const double mean = cue.mean();
+    const double dense = inside / std::max(1.0, pixels);
+    const double around = more > pixels ? (wider - inside) / (more - pixels) : dense;
+    const double share = inside / cue.whole();
+    to.add(share);
+    to.add(std::log(1 - share + faint));
+    to.add(std::log(dense / mean + faint));
+    to.add(std::log((dense + faint * mean) / (around + faint * mean)));
+}
+
+}  // namespace
+
+std::vector<SubjectWindow> subject_windows(const cv::Mat& bgr, std::span<const Face> faces) {
+    const Evidence e = evidence(bgr, faces);
+    std::vector<SubjectWindow> windows;
+    for (int top = 0; top < grid; ++top) {
+        for (int bottom = top + 1; bottom <= grid; ++bottom) {
+            for (int left = 0; left < grid; ++left) {
+                for (int right = left + 1; right <= grid; ++right) {
+                    SubjectWindow& w = windows.emplace_back(
+                        SubjectWindow{.left = left, .top = top, .right = right, .bottom = bottom});
+                    Writer to(w);
+                    add_place(to, w, e.aspect);
+                    add_people(to, w, e);
+                    for (const Sums& cue : e.cues)
+                        add_cue(to, w, e, cue);
+                }
+            }
+        }
+    }
+    return windows;
+}
+
+SaliencyMap subject_likelihood(const cv::Mat& bgr, std::span<const Face> faces) {
+    const std::vector<SubjectWindow> windows = subject_windows(bgr, faces);
+    std::vector<float> scores;
+    scores.reserve(windows.size());
+    for (const SubjectWindow& w : windows) {
+        float score = 0;
+        for (std::size_t i = 0; i < window_facts; ++i)
+            score += weights[i] * w.facts[i];
+        scores.push_back(score);
+    }
+    const float best = *std::max_element(scores.begin(), scores.end());
+    double sum = 0;
+    cv::Mat steps = cv::Mat::zeros(grid + 1, grid + 1, CV_64F);  // summed from the top left gives the map
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        const auto weight = static_cast<double>(std::exp(scores[i] - best));
+        const SubjectWindow& w = windows[i];
+        sum += weight;
+        steps.at<double>(w.top, w.left) += weight;
+        steps.at<double>(w.bottom, w.right) += weight;
+        steps.at<double>(w.top, w.right) -= weight;
+        steps.at<double>(w.bottom, w.left) -= weight;
+    }
+    cv::Mat summed;
+    cv::integral(steps, summed, CV_64F);
+    cv::Mat cells = summed(cv::Rect(1, 1, grid, grid)) / sum;
+    cells.convertTo(cells, CV_32F);
+    SaliencyMap map;
+    cv::resize(cells, map, bgr.size(), 0, 0, cv::INTER_LINEAR);
+    return cv::max(cv::min(map, 1.0), 0.0);
+}
+
+}  // namespace vitrine
