@@ -3,16 +3,18 @@
 #include "base/geometry/convex_hull.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace vitrine {
 
 namespace {
 
-struct Interval {
-    double begin = 0;
-    double end = 1;
-};
+#ifdef VITRINE_CHECKS_MOVES
+constexpr bool checks_moves = true;
+#else
+constexpr bool checks_moves = false;
+#endif
 
 std::int64_t cross_of(GridPoint a, GridPoint b) {
     return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
@@ -22,51 +24,23 @@ GridPoint difference(GridPoint a, GridPoint b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-std::int64_t twice_area(const GridPolygon& polygon) {
+GridPoint next_corner(const GridPolygon& polygon, std::size_t corner) {
+    return polygon[corner + 1 == polygon.size() ? 0 : corner + 1];
+}
+
+std::int64_t twice_area_of(const GridPolygon& polygon) {
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
-        sum += cross_of(polygon[i], polygon[(i + 1) % polygon.size()]);
+        sum += cross_of(polygon[i], next_corner(polygon, i));
     return sum;
 }
 
-/// The stretch of the edge a -> b inside `other`, as parameters in [0, 1]; begin >= end: none.
-/// @param yields  whether an edge on one of other's, of the same direction, counts as inside
-Interval covered(GridPoint a, GridPoint b, const GridPolygon& other, bool yields) {
-    constexpr Interval none{1, 0};
-    Interval inside;
-    for (std::size_t k = 0; k < other.size(); ++k) {
-        const GridPoint from = other[k];
-        const GridPoint along = difference(other[(k + 1) % other.size()], from);
-        const std::int64_t at_a = cross_of(along, difference(a, from));
-        const std::int64_t at_b = cross_of(along, difference(b, from));
-        if (at_a > 0 && at_b > 0) continue;
-        if (at_a == 0 && at_b == 0) {
-            const GridPoint edge = difference(b, a);
-            const bool same = std::int64_t{along.x} * edge.x + std::int64_t{along.y} * edge.y > 0;
-            if (same && yields) continue;
-            return none;
-        }
-        if (at_a <= 0 && at_b <= 0) return none;
-        const double crossing = static_cast<double>(at_a) / static_cast<double>(at_a - at_b);
-        if (at_a <= 0) inside.begin = std::max(inside.begin, crossing);
-        if (at_b <= 0) inside.end = std::min(inside.end, crossing);
-        if (inside.begin >= inside.end) return none;
-    }
-    return inside;
-}
-
-/// 1 minus the length of the union of intervals within [0, 1]; reorders them.
-double exposed_share(std::vector<Interval>& intervals) {
-    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) {
-        return a.begin < b.begin || (a.begin == b.begin && a.end < b.end);
-    });
-    double free = 0;
-    double reached = 0;
-    for (const Interval& interval : intervals) {
-        free += std::max(0.0, interval.begin - reached);
-        reached = std::max(reached, interval.end);
-    }
-    return free + (1 - reached);
+/// Whether no corner of `other` lies on the inner side of an edge.
+bool is_outside(const GridPolygon& polygon, std::size_t edge, const GridPolygon& other) {
+    const GridPoint from = polygon[edge];
+    const GridPoint along = difference(next_corner(polygon, edge), from);
+    return std::all_of(other.begin(), other.end(),
+                       [&](GridPoint p) { return cross_of(along, difference(p, from)) <= 0; });
 }
 
 }  // namespace
@@ -96,58 +70,131 @@ UnionArea::Extent UnionArea::extent_of(const GridPolygon& polygon) {
 }
 
 bool UnionArea::is_near(const Extent& a, const Extent& b) {
-    return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-UnionArea::UnionArea(std::vector<GridPolygon> polygons) {
+UnionArea::UnionArea(std::vector<GridPolygon> polygons) : separators_(polygons.size() * polygons.size(), 0) {
     std::int64_t twice = 0;
     for (GridPolygon& polygon : polygons) {
-        twice += twice_area(polygon);
-        const Extent extent = extent_of(polygon);
-        items_.push_back({std::move(polygon), extent});
+        Item item{.extent = extent_of(polygon), .twice_area = twice_area_of(polygon)};
+        item.polygon = std::move(polygon);
+        twice += item.twice_area;
+        items_.push_back(std::move(item));
     }
     sum_ = static_cast<double>(twice) / (2 * grid_per_px * grid_per_px);
     for (std::size_t i = 0; i < items_.size(); ++i)
-        items_[i].exposed = exposed(i);
+        for (std::size_t j = 0; j < i; ++j) {
+            if (are_apart(i, j)) continue;
+            add_covers(i, j);
+            add_covers(j, i);
+        }
+    for (Item& item : items_)
+        item.exposed = exposed(item);
+}
+
+/// Whether an edge of one has the whole other outside; remembers which.
+bool UnionArea::separates(std::size_t one, std::size_t other) {
+    const GridPolygon& polygon = items_[one].polygon;
+    const GridPolygon& beyond = items_[other].polygon;
+    for (std::size_t edge = 0; edge < polygon.size(); ++edge)
+        if (is_outside(polygon, edge, beyond)) {
+            separators_[one * items_.size() + other] = static_cast<std::uint16_t>(edge);
+            return true;
+        }
+    return false;
+}
+
+/// Whether two polygons share no inner points.
+bool UnionArea::are_apart(std::size_t one, std::size_t other) {
+    const Item& a = items_[one];
+    const Item& b = items_[other];
+    if (!is_near(a.extent, b.extent) || a.polygon.empty() || b.polygon.empty()) return true;
+    return is_outside(a.polygon, separators_[one * items_.size() + other], b.polygon) ||
+           is_outside(b.polygon, separators_[other * items_.size() + one], a.polygon) ||
+           separates(one, other) || separates(other, one);
+}
+
+/// The stretch of an edge inside another polygon; begin >= end: none.
+/// @param yields  whether an edge on one of other's, of the same direction, counts as inside
+UnionArea::Cover UnionArea::cover(const Item& item, std::size_t edge, const GridPolygon& other, bool yields) {
+    constexpr Cover none{.begin = 1, .end = 0};
+    const GridPoint a = item.polygon[edge];
+    const GridPoint b = next_corner(item.polygon, edge);
+    Cover inside{.edge = static_cast<std::uint32_t>(edge)};
+    for (std::size_t k = 0; k < other.size(); ++k) {
+        const GridPoint from = other[k];
+        const GridPoint along = difference(next_corner(other, k), from);
+        const std::int64_t at_a = cross_of(along, difference(a, from));
+        const std::int64_t at_b = cross_of(along, difference(b, from));
+        if (at_a > 0 && at_b > 0) continue;
+        if (at_a == 0 && at_b == 0) {
+            const GridPoint way = difference(b, a);
+            const bool same = std::int64_t{along.x} * way.x + std::int64_t{along.y} * way.y > 0;
+            if (same && yields) continue;
+            return none;
+        }
+        if (at_a <= 0 && at_b <= 0) return none;
+        const double crossing = static_cast<double>(at_a) / static_cast<double>(at_a - at_b);
+        if (at_a <= 0) inside.begin = std::max(inside.begin, crossing);
+        if (at_b <= 0) inside.end = std::min(inside.end, crossing);
+        if (inside.begin >= inside.end) return none;
+    }
+    return inside;
+}
+
+void UnionArea::add_covers(std::size_t item, std::size_t by) {
+    Item& to = items_[item];
+    for (std::size_t edge = 0; edge < to.polygon.size(); ++edge) {
+        Cover found = cover(to, edge, items_[by].polygon, by < item);
+        if (found.begin >= found.end) continue;
+        found.by = static_cast<std::uint32_t>(by);
+        to.covers.push_back(found);
+    }
+}
+
+/// Sums over the edges what nobody covers. Sorts the covers, so that their order does not count.
+double UnionArea::exposed(Item& item) {
+    std::sort(item.covers.begin(), item.covers.end(), [](const Cover& a, const Cover& b) {
+        if (a.edge != b.edge) return a.edge < b.edge;
+        return a.begin < b.begin || (a.begin == b.begin && a.end < b.end);
+    });
+    std::int64_t whole = item.twice_area;  // of the edges that nobody covers: exact
+    double partly = 0;
+    for (std::size_t k = 0; k < item.covers.size();) {
+        const std::size_t edge = item.covers[k].edge;
+        double free = 0;
+        double reached = 0;
+        for (; k < item.covers.size() && item.covers[k].edge == edge; ++k) {
+            free += std::max(0.0, item.covers[k].begin - reached);
+            reached = std::max(reached, item.covers[k].end);
+        }
+        const std::int64_t twice = cross_of(item.polygon[edge], next_corner(item.polygon, edge));
+        whole -= twice;
+        partly += static_cast<double>(twice) * (free + (1 - reached));
+    }
+    return static_cast<double>(whole) + partly;
 }
 
 void UnionArea::move(std::size_t index, GridPoint by) {
     Item& item = items_[index];
-    const Extent before = item.extent;
     for (GridPoint& p : item.polygon)
         p = {p.x + by.x, p.y + by.y};
-    item.extent = extent_of(item.polygon);
+    item.extent = {item.extent.left + by.x, item.extent.top + by.y, item.extent.right + by.x,
+                   item.extent.bottom + by.y};
+    item.covers.clear();
     for (std::size_t i = 0; i < items_.size(); ++i) {
-        const Extent& extent = items_[i].extent;
-        if (i == index || is_near(extent, before) || is_near(extent, item.extent))
-            items_[i].exposed = exposed(i);
-    }
-}
-
-double UnionArea::exposed(std::size_t index) const {
-    std::vector<Interval> intervals;
-    std::vector<std::size_t> near;
-    const Item& item = items_[index];
-    for (std::size_t j = 0; j < items_.size(); ++j)
-        if (j != index && !items_[j].polygon.empty() && is_near(item.extent, items_[j].extent))
-            near.push_back(j);
-    double whole = 0;  // edges nobody covers: integers, exact
-    double partly = 0;
-    for (std::size_t e = 0; e < item.polygon.size(); ++e) {
-        const GridPoint a = item.polygon[e];
-        const GridPoint b = item.polygon[(e + 1) % item.polygon.size()];
-        intervals.clear();
-        for (const std::size_t j : near) {
-            const Interval inside = covered(a, b, items_[j].polygon, j < index);
-            if (inside.begin < inside.end) intervals.push_back(inside);
+        if (i == index) continue;
+        const std::size_t removed =
+            std::erase_if(items_[i].covers, [&](const Cover& cover) { return cover.by == index; });
+        const bool apart = are_apart(index, i);
+        if (!apart) {
+            add_covers(index, i);
+            add_covers(i, index);
         }
-        const auto twice = static_cast<double>(cross_of(a, b));
-        if (intervals.empty())
-            whole += twice;
-        else
-            partly += twice * exposed_share(intervals);
+        if (!apart || removed > 0) items_[i].exposed = exposed(items_[i]);
     }
-    return whole + partly;
+    item.exposed = exposed(item);
+    if constexpr (checks_moves) assert(agrees_with_fresh());
 }
 
 double UnionArea::area() const {
@@ -155,6 +202,16 @@ double UnionArea::area() const {
     for (const Item& item : items_)
         twice += item.exposed;
     return twice / (2 * grid_per_px * grid_per_px);
+}
+
+bool UnionArea::agrees_with_fresh() const {
+    constexpr double tolerance = 1e-9;  // of the sum of areas; the other way is not exact
+    std::vector<GridPolygon> polygons;
+    for (const Item& item : items_)
+        polygons.push_back(item.polygon);
+    const double other = union_area_by_pieces(polygons);
+    const UnionArea fresh(std::move(polygons));
+    return fresh.area() == area() && fresh.sum() == sum() && std::abs(other - area()) <= tolerance * sum();
 }
 
 Box UnionArea::bounds() const {

@@ -30,9 +30,10 @@ GridPolygon snapped(std::span<const Vec2> convex);
 ///
 /// The area of the union is half the sum of x dy - y dx over the parts of all edges that no other polygon
 /// covers; an edge that lies on one of the same direction counts for the polygon that comes first. Moving
-/// a polygon changes only its own share and those of the polygons near its old or new place. Each share
+/// a polygon changes what it covers of others and others of it, and nothing else. Each polygon's share
 /// depends on the places alone, never on the way there, so the sums equal those of a fresh object to the last
-/// bit.
+/// bit. In debug builds every move is checked against one, and against an evaluation of another
+/// kind.
 class UnionArea {
   public:
     /// @param polygons  convex, counter-clockwise, as snapped() makes them; an empty one counts nothing
@@ -62,18 +63,38 @@ class UnionArea {
         std::int32_t left = 0, top = 0, right = 0, bottom = 0;
     };
 
+    /// The stretch of an edge that lies inside another polygon, in [0, 1] of its length.
+    struct Cover {
+        std::uint32_t edge = 0;
+        std::uint32_t by = 0;
+        double begin = 0;
+        double end = 1;
+    };
+
     struct Item {
         GridPolygon polygon;
         Extent extent;
+        std::int64_t twice_area = 0;
+        std::vector<Cover> covers;
         double exposed = 0;  // twice the polygon's share of the union's area, grid units^2
     };
 
     static Extent extent_of(const GridPolygon& polygon);
     static bool is_near(const Extent& a, const Extent& b);
-    double exposed(std::size_t index) const;
+    static Cover cover(const Item& item, std::size_t edge, const GridPolygon& other, bool yields);
+    static double exposed(Item& item);
+    bool separates(std::size_t one, std::size_t other);
+    bool are_apart(std::size_t one, std::size_t other);
+    void add_covers(std::size_t item, std::size_t by);
+    bool agrees_with_fresh() const;
 
     std::vector<Item> items_;
+    std::vector<std::uint16_t> separators_;  // [a * size + b]: the edge of a that last had b outside
     double sum_ = 0;
 };
+
+/// The area of the union of convex polygons by another way, for checks: each polygon less those before it,
+/// cut into convex pieces. px^2, in double precision.
+double union_area_by_pieces(std::span<const GridPolygon> polygons);
 
 }  // namespace vitrine

@@ -34,7 +34,7 @@ inline double cross(Vec2 a, Vec2 b) {
 }
 
 inline double length(Vec2 a) {
-    return std::hypot(a.x, a.y);
+    return std::sqrt(dot(a, a));
 }
 
 }  // namespace vitrine

@@ -1,5 +1,7 @@
 #include "player/layout/arrangement.hpp"
 
+#include "base/geometry/overlap.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -54,6 +56,17 @@ bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& con
         }
     }
     return true;
+}
+
+bool is_exactly_free(const Ground& ground, const Arrangement& arrangement) {
+    std::vector<GridPolygon> pinned;
+    std::vector<GridPolygon> all;
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        all.push_back(snapped(transformed(ground.shapes[i].outline, ground.scale(i, arrangement.growth),
+                                          arrangement.places[i])));
+        if (ground.pinned[i]) pinned.push_back(all.back());
+    }
+    return UnionArea(std::move(all)).overlap() <= UnionArea(std::move(pinned)).overlap();
 }
 
 bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
@@ -114,8 +127,8 @@ double greatest_growth(const Ground& ground, const Arrangement& arrangement, con
         if (!ground.pinned[i]) most = std::min(most, growth_in_field(ground, i, places[i]));
         for (std::size_t j = 0; j < i && most >= least; ++j)
             if (!ground.pinned[i] || !ground.pinned[j])
-                most = std::min(most, contacts.greatest_growth(i, j, places[j] - places[i], ground.growing(i),
-                                                               ground.growing(j)));
+                most = contacts.greatest_growth(i, j, places[j] - places[i], ground.growing(i),
+                                                ground.growing(j), most);
     }
     if (most < least) return 0;
     return ground.reads ? growth_in_order(ground, places, least, most) : most;

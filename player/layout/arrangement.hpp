@@ -47,6 +47,10 @@ Vec2 held(Vec2 place, const Box& range);
 /// scales of `contacts`.
 bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts);
 
+/// Whether no two I-Regions share inner points, on the grid of exact areas; pinned items
+/// among themselves excepted.
+bool is_exactly_free(const Ground& ground, const Arrangement& arrangement);
+
 /// Whether an item may stand at a place, if the others stay. @pre the scales of `contacts` are those of the
 /// arrangement
 bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,

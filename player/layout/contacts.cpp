@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace vitrine {
@@ -64,35 +65,41 @@ double growth_within(double room, Growing one, Growing other) {
 }  // namespace
 
 void Spots::assign(std::span<const Vec2> places) {
-    x.resize(places.size());
-    y.resize(places.size());
+    constexpr float far_away = 1e15F;
+    const std::size_t whole = (places.size() + 3) / 4 * 4;
+    x.assign(whole, far_away);
+    y.assign(whole, far_away);
     for (std::size_t i = 0; i < places.size(); ++i)
         set(i, places[i]);
 }
 
 Contacts::Contacts(std::span<const Shape> shapes, double clearance)
-    : size_(shapes.size()), clearance_(clearance), pairs_(size_ * size_), reach_squared_(size_ * size_, 0) {
-    for (const Shape& shape : shapes)
-        radii_.push_back(static_cast<float>(shape.radius));
-    for (const Shape& shape : shapes)
+    : size_(shapes.size()),
+      stride_((size_ + lanes - 1) / lanes * lanes),
+      clearance_(clearance),
+      scales_(size_, 1),
+      reach_squared_(size_ * stride_, 0),
+      pairs_(size_ * size_) {
+    for (const Shape& shape : shapes) {
+        outlines_.push_back(shape.outline);
         normals_.push_back(normals(shape.outline));
-    sides_.reserve(size_ * size_ * 3);
-    for (std::size_t a = 0; a < size_; ++a)
-        for (std::size_t b = a + 1; b < size_; ++b)
-            add_pair(a, b, shapes[a], shapes[b]);
+        radii_.push_back(static_cast<float>(shape.radius));
+    }
 }
 
-void Contacts::add_pair(std::size_t a, std::size_t b, const Shape& first, const Shape& second) {
+void Contacts::add_pair(std::size_t a, std::size_t b) const {
+    const Polygon& first = outlines_[a];
+    const Polygon& second = outlines_[b];
     pair_sides_.clear();
-    TurningSupport along_second(second.outline);
+    TurningSupport along_second(second);
     for (std::size_t k = 0; k < normals_[a].size(); ++k) {
         const Vec2 normal = normals_[a][k];
-        pair_sides_.push_back({normal, dot(first.outline[k], normal), along_second.along(normal * -1)});
+        pair_sides_.push_back({normal, dot(first[k], normal), along_second.along(normal * -1)});
     }
-    TurningSupport along_first(first.outline);
+    TurningSupport along_first(first);
     for (std::size_t k = 0; k < normals_[b].size(); ++k) {
         const Vec2 normal = normals_[b][k] * -1;
-        pair_sides_.push_back({normal, along_first.along(normal), dot(second.outline[k], normals_[b][k])});
+        pair_sides_.push_back({normal, along_first.along(normal), dot(second[k], normals_[b][k])});
     }
     const std::size_t begin = sides_.size();
     for (std::size_t k = 0; k < pair_sides_.size(); k += lanes) {
@@ -107,22 +114,26 @@ void Contacts::add_pair(std::size_t a, std::size_t b, const Shape& first, const 
     }
     const Pair pair{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(sides_.size())};
     pairs_[a * size_ + b] = pairs_[b * size_ + a] = pair;
+    set_offsets(a, b, pair);
+}
+
+void Contacts::set_offsets(std::size_t a, std::size_t b, const Pair& pair) const {
+    const auto clearance = static_cast<float>(clearance_);
+    for (std::size_t k = pair.begin; k < pair.end; ++k)
+        sides_[k].offset = sides_[k].first * scales_[a] + sides_[k].second * scales_[b] + clearance;
 }
 
 void Contacts::set_scales(std::span<const double> scales) {
     assert(scales.size() == size_);
-    const auto clearance = static_cast<float>(clearance_);
-    for (std::size_t a = 0; a < size_; ++a) {
-        const auto first = static_cast<float>(scales[a]);
+    for (std::size_t i = 0; i < size_; ++i)
+        scales_[i] = static_cast<float>(scales[i]);
+    const float beyond = static_cast<float>(clearance_) * corner_clearance;
+    for (std::size_t a = 0; a < size_; ++a)
         for (std::size_t b = a + 1; b < size_; ++b) {
-            const auto second = static_cast<float>(scales[b]);
-            const Pair& p = pair(a, b);
-            for (std::size_t k = p.begin; k < p.end; ++k)
-                sides_[k].offset = sides_[k].first * first + sides_[k].second * second + clearance;
-            const float reach = first * radii_[a] + second * radii_[b] + clearance * corner_clearance;
-            reach_squared_[a * size_ + b] = reach_squared_[b * size_ + a] = reach * reach;
+            const float reach = scales_[a] * radii_[a] + scales_[b] * radii_[b] + beyond;
+            reach_squared_[a * stride_ + b] = reach_squared_[b * stride_ + a] = reach * reach;
+            set_offsets(a, b, pairs_[a * size_ + b]);
         }
-    }
 }
 
 float Contacts::inside(const Pair& p, float x, float y) const {
@@ -151,21 +162,29 @@ bool Contacts::is_clear(std::size_t item, Vec2 place, std::span<const Vec2> plac
 
 double Contacts::weighted_depth(std::size_t item, Vec2 place, const Spots& spots,
                                 std::span<const float> weights, double enough) const {
+    using Mask = std::int32_t __attribute__((vector_size(16)));
     const auto x = static_cast<float>(place.x);
     const auto y = static_cast<float>(place.y);
-    const auto limit = static_cast<float>(std::min(enough, 1e30));
-    float sum = 0;
-    const auto add = [&](std::size_t j, float turn) {
-        const float dx = turn * (spots.x[j] - x);
-        const float dy = turn * (spots.y[j] - y);
-        if (is_far(item, j, dx, dy)) return;
-        const float depth = inside(pair(item, j), dx, dy);
-        if (depth > 0) sum += weights[j] * depth;
-    };
-    for (std::size_t j = 0; j < item && sum < limit; ++j)
-        add(j, -1.0F);
-    for (std::size_t j = item + 1; j < size_ && sum < limit; ++j)
-        add(j, 1.0F);
+    const float* reach = reach_squared_.data() + item * stride_;
+    double sum = 0;
+    for (std::size_t j = 0; j < stride_; j += lanes) {
+        Lanes to_x, to_y, reaches;
+        std::memcpy(&to_x, spots.x.data() + j, sizeof(Lanes));
+        std::memcpy(&to_y, spots.y.data() + j, sizeof(Lanes));
+        std::memcpy(&reaches, reach + j, sizeof(Lanes));
+        to_x -= x;
+        to_y -= y;
+        const Mask near = to_x * to_x + to_y * to_y < reaches;  // never the item itself: its reach is 0
+        if ((near[0] | near[1] | near[2] | near[3]) == 0) continue;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            if (near[lane] == 0) continue;
+            const std::size_t other = j + lane;
+            const float turn = item < other ? 1.0F : -1.0F;
+            const float depth = inside(pair(item, other), turn * to_x[lane], turn * to_y[lane]);
+            if (depth > 0) sum += static_cast<double>(weights[other] * depth);
+        }
+        if (sum >= enough) break;
+    }
     return sum;
 }
 
@@ -194,46 +213,55 @@ Vec2 Contacts::escape(std::size_t a, std::size_t b, Vec2 apart) const {
     return best.normal * -best.slack;
 }
 
-double Contacts::greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first,
-                                 Growing second) const {
-    if (a > b) return greatest_growth(b, a, apart * -1, second, first);
-    const double far = first.limit * radii_[a] + second.limit * radii_[b] + clearance_ * corner_clearance;
-    if (dot(apart, apart) >= far * far) return std::numeric_limits<double>::infinity();
+double Contacts::greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first, Growing second,
+                                 double most) const {
+    if (a > b) return greatest_growth(b, a, apart * -1, second, first, most);
+    const double far =
+        first.at(most) * radii_[a] + second.at(most) * radii_[b] + clearance_ * corner_clearance;
+    if (dot(apart, apart) >= far * far) return most;
     const Pair& p = pair(a, b);
-    double most = 0;
+    double growth = 0;
     for (std::size_t k = p.begin; k < p.end; ++k)
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const Sides& sides = sides_[k];
             const double room = sides.x[lane] * apart.x + sides.y[lane] * apart.y - clearance_;
             if (room <= 0) continue;
-            most = std::max(
-                most, growth_within(room, {first.rate * sides.first[lane], first.limit * sides.first[lane]},
-                                    {second.rate * sides.second[lane], second.limit * sides.second[lane]}));
+            growth = std::max(growth, growth_within(room, first.times(sides.first[lane]),
+                                                    second.times(sides.second[lane])));
         }
-    return most;
+    return std::min(growth, most);
 }
 
 Stretch Contacts::blocked(std::size_t a, std::size_t b, Vec2 origin, Vec2 direction) const {
+    const double aside = cross(direction, origin);
+    if (aside * aside >= static_cast<double>(reach_squared_[a * stride_ + b]) * dot(direction, direction))
+        return {};
     const Pair& p = pair(a, b);
     const float turn = a < b ? 1.0F : -1.0F;
     const float x = turn * static_cast<float>(origin.x);
     const float y = turn * static_cast<float>(origin.y);
     const float to_x = turn * static_cast<float>(direction.x);
     const float to_y = turn * static_cast<float>(direction.y);
-    Stretch inside{0, std::numeric_limits<double>::infinity()};
+    const Lanes never = {infinity, infinity, infinity, infinity};
+    Lanes begins = {};
+    Lanes ends = never;
     for (std::size_t k = p.begin; k < p.end; ++k) {
         const Sides& sides = sides_[k];
         const Lanes speed = sides.x * to_x + sides.y * to_y;
         const Lanes room = sides.offset - sides.x * x - sides.y * y;
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            if (speed[lane] == 0 && room[lane] <= 0) return {};
-            const double limit = room[lane] / speed[lane];
-            if (speed[lane] > 0) inside.end = std::min(inside.end, limit);
-            if (speed[lane] < 0) inside.begin = std::max(inside.begin, limit);
-        }
-        if (inside.begin >= inside.end) return {};
+        const Lanes along = room > 0 ? never : -never;  // where the ray runs along the side
+        const Lanes crossing = speed == 0 ? along : room / speed;
+        const Lanes in = speed < 0 ? crossing : begins;
+        const Lanes out = speed < 0 ? ends : crossing;
+        begins = in > begins ? in : begins;
+        ends = out < ends ? out : ends;
     }
-    return inside;
+    Stretch inside{begins[0], ends[0]};
+    for (std::size_t lane = 1; lane < lanes; ++lane) {
+        inside.begin = std::max(inside.begin, static_cast<double>(begins[lane]));
+        inside.end = std::min(inside.end, static_cast<double>(ends[lane]));
+    }
+    return inside.begin < inside.end ? inside : Stretch{};
 }
 
 }  // namespace vitrine

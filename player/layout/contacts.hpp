@@ -2,6 +2,7 @@
 
 #include "player/layout/shape.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,10 +31,15 @@ struct Growing {
     double rate = 1;
     double limit = 1;
 
+    double at(double g) const { return rate * g < limit ? rate * g : limit; }
+
     double end() const { return limit / rate; }
+
+    Growing times(double factor) const { return {rate * factor, limit * factor}; }
 };
 
-/// Places of many items, as the loops over them want them. canvas px
+/// Places of many items, as the loops over them want them: some places far away fill the last four up. canvas
+/// px
 struct Spots {
     std::vector<float> x, y;
 
@@ -54,13 +60,13 @@ struct Spots {
 /// of the sides follow from the scales, and how deep two shapes run into each other is the least
 /// distance to a side. Each shape keeps `clearance` from the others.
 ///
-/// Numbers are of single precision, four sides side by side: an answer is true to `precision`.
+/// Numbers are of single precision, four sides side by side: an answer is true to `precision`. The sides of a
+/// pair are made when it is first near: of many items most pairs never are. Thread-bound, const or not.
 class Contacts {
   public:
     /// canvas px, for canvases of up to 16384 px; all clearances are far above
     static constexpr double precision = 2e-3;
 
-    /// @param shapes     borrowed for the call only
     /// @param clearance  canvas px between any two shapes
     Contacts(std::span<const Shape> shapes, double clearance);
 
@@ -92,10 +98,11 @@ class Contacts {
     /// The side of the pair that holds them apart best.
     Hold hold(std::size_t a, std::size_t b, Vec2 apart) const;
 
-    /// The most growth at which the two shapes are clear, whatever set_scales() said; 0: at none. A growth
-    /// is infinite where both reach their limits before they touch.
+    /// The most growth at which the two shapes are clear, whatever set_scales() said; 0: at none.
     /// @param first, second  the scales of a and b
-    double greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first, Growing second) const;
+    /// @param most           what is returned where they are clear at more
+    double greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first, Growing second,
+                           double most) const;
 
     /// The stretch of the ray origin + r * direction, r >= 0, on which shape b is not clear of a shape a at
     /// the origin of coordinates; begin >= end: none.
@@ -121,24 +128,33 @@ class Contacts {
         double first = 0, second = 0;
     };
 
-    const Pair& pair(std::size_t a, std::size_t b) const { return pairs_[a * size_ + b]; }
-
-    bool is_far(std::size_t a, std::size_t b, float x, float y) const {
-        return x * x + y * y >= reach_squared_[a * size_ + b];
+    /// The sides of a pair. @pre a != b
+    const Pair& pair(std::size_t a, std::size_t b) const {
+        const Pair& found = pairs_[a * size_ + b];
+        if (found.begin == found.end) add_pair(std::min(a, b), std::max(a, b));
+        return found;
     }
 
-    /// The depth by the sides alone: negative where the shapes are clear. @pre a < b
+    bool is_far(std::size_t a, std::size_t b, float x, float y) const {
+        return x * x + y * y >= reach_squared_[a * stride_ + b];
+    }
+
+    /// The depth by the sides alone: negative where the shapes are clear. @pre x, y are b's less a's, a < b
     float inside(const Pair& p, float x, float y) const;
-    void add_pair(std::size_t a, std::size_t b, const Shape& first, const Shape& second);
+    void add_pair(std::size_t a, std::size_t b) const;
+    void set_offsets(std::size_t a, std::size_t b, const Pair& pair) const;
 
     std::size_t size_;
+    std::size_t stride_;  // size, rounded up to whole lanes
     double clearance_;
-    std::vector<float> radii_;
+    std::vector<Polygon> outlines_;
     std::vector<std::vector<Vec2>> normals_;  // of the outlines
-    std::vector<Side> pair_sides_;            // of the pair that is added; kept for its memory
-    std::vector<Sides> sides_;
-    std::vector<Pair> pairs_;           // of [a * size + b] and [b * size + a]
-    std::vector<float> reach_squared_;  // beyond this distance the shapes are clear
+    std::vector<float> radii_;
+    std::vector<float> scales_;
+    std::vector<float> reach_squared_;  // of [a * stride + b]: beyond this distance they are clear
+    mutable std::vector<Pair> pairs_;   // of [a * size + b] and [b * size + a]; empty: not made yet
+    mutable std::vector<Sides> sides_;
+    mutable std::vector<Side> pair_sides_;  // of the pair that is added; kept for its memory
 };
 
 }  // namespace vitrine

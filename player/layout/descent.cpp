@@ -25,6 +25,7 @@ class Descent {
         for (std::size_t i = 0; i < shapes.size(); ++i)
             weights_.push_back(shapes[i].area * scales[i] * scales[i]);
         now_ = energy();
+        result_.first_energy = now_.empty;
     }
 
     /// Moves an item one step where that helps most.
@@ -45,10 +46,16 @@ class Descent {
         if (best_way == GridPoint{}) return false;
         move(item, best_way);
         now_ = best;
+        ++result_.steps;
         return true;
     }
 
-    const std::vector<Vec2>& places() const { return places_; }
+    Descended result() const {
+        Descended result = result_;
+        result.places = places_;
+        result.last_energy = now_.empty;
+        return result;
+    }
 
   private:
     static std::vector<GridPolygon> outlines(std::span<const Shape> shapes, std::span<const double> scales,
@@ -84,13 +91,14 @@ class Descent {
     EnergyMode mode_;
     Vec2 centre_;
     ScreenEnergy now_;
+    Descended result_;  // but for the places
 };
 
 }  // namespace
 
-std::vector<Vec2> descended(std::span<const Shape> shapes, std::span<const double> scales,
-                            std::span<const Vec2> places, double ratio, EnergyMode mode, Random& random,
-                            Effort& effort) {
+Descended descended(std::span<const Shape> shapes, std::span<const double> scales,
+                    std::span<const Vec2> places, double ratio, EnergyMode mode, Random& random,
+                    Effort& effort) {
     Descent descent(shapes, scales, places, ratio, mode);
     std::vector<std::size_t> order(shapes.size());
     std::iota(order.begin(), order.end(), 0);
@@ -101,7 +109,7 @@ std::vector<Vec2> descended(std::span<const Shape> shapes, std::span<const doubl
         for (const std::size_t item : order)
             any = descent.improve(item, effort) || any;
     }
-    return descent.places();
+    return descent.result();
 }
 
 }  // namespace vitrine

@@ -3,6 +3,7 @@
 #include "player/layout/compaction.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace vitrine {
@@ -22,6 +23,12 @@ constexpr int exploring_patience = 4;             // rounds without less overlap
 constexpr int growing_patience = 8;
 constexpr double calm_step = 0.008;  // of the growth, at first
 constexpr SeparationStyle roaming{.finest_step = 1};
+
+#ifdef VITRINE_CHECKS_STATES
+constexpr bool checks_states = true;
+#else
+constexpr bool checks_states = false;
+#endif
 
 /// Keeps the best arrangement.
 class Best {
@@ -49,6 +56,7 @@ class Best {
                                               std::min(limit_, found.growth * reach));
         if (growth <= arrangement_.growth) return false;
         arrangement_ = {found.places, growth};
+        if constexpr (checks_states) assert(is_exactly_free(ground_, arrangement_));
         if (on_better_) on_better_(arrangement_);
         return true;
     }

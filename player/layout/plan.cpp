@@ -85,7 +85,9 @@ Arrangement packed(const Ground& ground, double ratio) {
     touching.set_scales(ground.scales);
     Arrangement best;
     best.growth = -1;
-    for (const PackingOrder order : {PackingOrder::as_given, PackingOrder::largest_first}) {
+    for (const PackingOrder order : {PackingOrder::largest_first, PackingOrder::as_given}) {
+        constexpr std::size_t most_packed_twice = 48;
+        if (order == PackingOrder::as_given && ground.size() > most_packed_twice) break;
         const std::vector<Vec2> places =
             initial_packing(ground.shapes, touching, ground.scales, ratio, order);
         const Arrangement next = fitted(ground, places, contacts);
@@ -133,10 +135,10 @@ Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effor
     contacts.set_scales(ground.scales);
     const std::vector<Vec2> packing =
         initial_packing(ground.shapes, contacts, ground.scales, ratio, PackingOrder::as_given);
-    const std::vector<Vec2> places =
+    const Descended end =
         descended(ground.shapes, ground.scales, packing, ratio, EnergyMode::paper, random, effort);
     Contacts apart(ground.shapes, ground.clearance);
-    return fitted(ground, places, apart);
+    return fitted(ground, end.places, apart);
 }
 
 /// What each item can show, about the centroid of its region, source px.

@@ -14,9 +14,10 @@ constexpr std::size_t kept_candidates = 2;
 constexpr double near_share = 0.08;  // of the field's diagonal
 constexpr double step_growth = 1.1;
 constexpr double step_shrink = 0.5;
-constexpr float weight_decay = 0.95F;
-constexpr float least_rise = 1.2F;  // of the weight of a colliding pair; the deepest rises by most_rise
-constexpr float most_rise = 2.0F;
+constexpr double weight_decay = 0.95;
+constexpr double least_rise = 1.2;  // of the weight of a colliding pair; the deepest rises by most_rise
+constexpr double most_rise = 2.0;
+constexpr std::size_t items_a_move = 64;  // looked through in the time of an evaluated move
 constexpr float heaviest = 1e6F;
 
 }  // namespace
@@ -28,11 +29,7 @@ Vec2 random_place(const Box& range, Random& random) {
 }
 
 Separation::Separation(const Ground& ground, Contacts& contacts, Random& random)
-    : ground_(ground),
-      contacts_(contacts),
-      random_(random),
-      weights_(ground.size() * ground.size(), 1),
-      conflicts_(weights_.size(), 0) {}
+    : ground_(ground), contacts_(contacts), random_(random), weights_(ground.size() * ground.size(), 1) {}
 
 double Separation::order_loss(std::size_t item, Vec2 place) {
     const std::span<const float> weight = weights(item);
@@ -45,7 +42,7 @@ double Separation::order_loss(std::size_t item, Vec2 place) {
 }
 
 double Separation::loss(std::size_t item, Vec2 place, double enough) {
-    effort_->spend();
+    effort_->spend(1 + static_cast<std::int64_t>(ground_.size() / items_a_move));
     double sum = 0;
     if (!style_->homes.empty()) sum = style_->pull * length(place - style_->homes[item]);
     if (order_) sum += order_loss(item, place);
@@ -59,23 +56,29 @@ double Separation::conflict(std::size_t a, std::size_t b) const {
     return order_ ? depth + order_->violation(spots_.at(b), spots_.at(a)) : depth;
 }
 
-/// @return whether there are any
-bool Separation::update_conflicts() {
+/// Finds anew the conflicts of the items that moved.
+void Separation::update_conflicts() {
+    std::erase_if(conflicts_, [&](const Conflict& c) { return has_moved_[c.a] || has_moved_[c.b]; });
     const std::size_t n = ground_.size();
-    collides_.assign(n, false);
-    total_ = 0;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const double found = ground_.pinned[i] && ground_.pinned[j] ? 0 : conflict(i, j);
-            conflicts_[i * n + j] = static_cast<float>(found);
-            if (found == 0) continue;
-            total_ += found;
-            collides_[i] = collides_[j] = true;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!has_moved_[i]) continue;
+        for (std::size_t j = 0; j < n; ++j) {
+            if (j == i || (has_moved_[j] && j < i) || (ground_.pinned[i] && ground_.pinned[j])) continue;
+            const auto [less, more] = std::minmax(i, j);
+            const double found = conflict(more, less);
+            if (found > 0) conflicts_.push_back({more, less, found});
         }
+    }
+    total_ = 0;
+    std::vector<bool> collides(n, false);
+    for (const Conflict& c : conflicts_) {
+        total_ += c.size;
+        collides[c.a] = collides[c.b] = true;
+    }
     colliding_.clear();
     for (std::size_t i = 0; i < n; ++i)
-        if (collides_[i] && !ground_.pinned[i]) colliding_.push_back(i);
-    return !colliding_.empty();
+        if (collides[i] && !ground_.pinned[i]) colliding_.push_back(i);
+    has_moved_.assign(n, false);
 }
 
 void Separation::consider(std::size_t item, Vec2 place) {
@@ -135,22 +138,27 @@ void Separation::move(std::size_t item) {
         const Candidate end = refined(item, start, step);
         if (end.loss < best.loss) best = end;
     }
+    if (best.loss == now) return;
     spots_.set(item, best.place);
+    has_moved_[item] = true;
 }
 
+/// Raises the weights of the pairs that conflict, lowers those of the others that had been raised.
 void Separation::reweigh() {
-    const std::size_t n = ground_.size();
-    float deepest = 0;
-    for (const float conflict : conflicts_)
-        deepest = std::max(deepest, conflict);
-    if (deepest == 0) return;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const float depth = conflicts_[i * n + j];
-            const float factor =
-                depth > 0 ? least_rise + (most_rise - least_rise) * depth / deepest : weight_decay;
-            weights(i)[j] = weights(j)[i] = std::clamp(weights(i)[j] * factor, 1.0F, heaviest);
-        }
+    double largest = 0;
+    for (const Conflict& c : conflicts_)
+        largest = std::max(largest, c.size);
+    for (const Conflict& c : conflicts_) {
+        if (weights(c.a)[c.b] == 1) raised_.push_back({c.a, c.b});
+        const double factor = least_rise + (most_rise - least_rise) * c.size / largest;
+        weights(c.a)[c.b] *= static_cast<float>(factor / weight_decay);  // it decays with the others
+    }
+    std::erase_if(raised_, [&](const std::pair<std::size_t, std::size_t>& pair) {
+        const float lowered = weights(pair.first)[pair.second] * static_cast<float>(weight_decay);
+        const float weight = std::clamp(lowered, 1.0F, heaviest);
+        weights(pair.first)[pair.second] = weights(pair.second)[pair.first] = weight;
+        return weight == 1;
+    });
 }
 
 bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Effort& effort, int patience) {
@@ -160,6 +168,9 @@ bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Eff
     order_.reset();
     if (ground_.reads) order_ = reading_order(ground_, arrangement.growth);
     std::fill(weights_.begin(), weights_.end(), 1.0F);
+    raised_.clear();
+    conflicts_.clear();
+    has_moved_.assign(ground_.size(), true);
     ranges_.clear();
     for (std::size_t i = 0; i < ground_.size(); ++i) {
         ranges_.push_back(ground_.range(i, arrangement.growth));
@@ -167,19 +178,19 @@ bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Eff
     }
     spots_.assign(arrangement.places);
     double least = std::numeric_limits<double>::infinity();
-    bool collides = update_conflicts();
-    for (int idle = 0; collides && idle < patience && !effort.is_spent(); ++idle) {
+    update_conflicts();
+    for (int idle = 0; !conflicts_.empty() && idle < patience && !effort.is_spent(); ++idle) {
         std::shuffle(colliding_.begin(), colliding_.end(), random_);
         for (const std::size_t item : colliding_)
             move(item);
-        collides = update_conflicts();
+        update_conflicts();
         reweigh();
         if (total_ < least * 0.98) idle = -1;
         least = std::min(least, total_);
     }
     for (std::size_t i = 0; i < ground_.size(); ++i)
         if (!ground_.pinned[i]) arrangement.places[i] = held(spots_.at(i), ranges_[i]);
-    return !collides;
+    return conflicts_.empty();
 }
 
 }  // namespace vitrine

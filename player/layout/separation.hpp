@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -44,6 +45,11 @@ class Separation {
         double loss = 0;
     };
 
+    struct Conflict {
+        std::size_t a = 0, b = 0;  // a > b
+        double size = 0;           // canvas px that keep the pair from being free, > 0
+    };
+
     std::span<float> weights(std::size_t item) {
         return {weights_.data() + item * ground_.size(), ground_.size()};
     }
@@ -51,22 +57,22 @@ class Separation {
     double loss(std::size_t item, Vec2 place, double enough);
     double order_loss(std::size_t item, Vec2 place);
     double conflict(std::size_t a, std::size_t b) const;
-    bool update_conflicts();
+    void update_conflicts();
     void move(std::size_t item);
     void consider(std::size_t item, Vec2 place);
     void propose(std::size_t item);
     Candidate refined(std::size_t item, Candidate start, double step);
     void reweigh();
 
-    const Ground& ground_;        // outlives this
-    Contacts& contacts_;          // outlives this
-    Random& random_;              // outlives this
-    std::vector<float> weights_;  // of [a * size + b] and [b * size + a]
-    std::vector<float>
-        conflicts_;  // of [a * size + b], b < a: what keeps the pair from being free, canvas px
-    std::vector<std::size_t> colliding_;
-    std::vector<bool> collides_;
+    const Ground& ground_;                                     // outlives this
+    Contacts& contacts_;                                       // outlives this
+    Random& random_;                                           // outlives this
+    std::vector<float> weights_;                               // of [a * size + b] and [b * size + a]
+    std::vector<std::pair<std::size_t, std::size_t>> raised_;  // weights above 1
+    std::vector<Conflict> conflicts_;
     double total_ = 0;  // of the conflicts
+    std::vector<std::size_t> colliding_;
+    std::vector<bool> has_moved_;  // since the conflicts were found
     std::vector<Box> ranges_;
     Spots spots_;
     std::optional<ReadingOrder> order_;

@@ -52,16 +52,14 @@ std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<
     std::vector<double> scales;
     std::vector<double> sizes;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const double frame = std::max(items[i].core.area(), size_of(shapes[i]));
-        scales.push_back(std::sqrt(1 / frame));
-        sizes.push_back(size_of(shapes[i]) / frame);
+        const double size = size_of(shapes[i]);
+        scales.push_back(std::sqrt(items[i].weight / std::max(items[i].core.area(), size)));
+        sizes.push_back(size * scales[i] * scales[i]);
     }
     if (items.empty()) return scales;
     const double middle = median(sizes);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const double wanted = std::clamp(sizes[i], middle / most_apart, middle * most_apart);
-        scales[i] *= std::sqrt(items[i].weight * wanted / sizes[i]);
-    }
+    for (std::size_t i = 0; i < items.size(); ++i)
+        scales[i] *= std::sqrt(std::clamp(sizes[i], middle / most_apart, middle * most_apart) / sizes[i]);
     return scales;
 }
 

@@ -20,11 +20,11 @@ struct Shape {
 /// it that is 1 px wide.
 Shape shape_of(std::span<const Vec2> region);
 
-/// Relative scales that let the items weigh what they should: equal core area times weight, then the
-/// region's size held within [1/2, 2] of the median, per weight. A sliver counts as large as a
-/// box of its length and a tenth of it, or it would be blown up without bound.
+/// Relative scales that let the items weigh what they should: equal core area times weight, then each
+/// region's size held within [1/2, 2] of the median. A sliver counts as large as a box of its length and a
+/// tenth of it, or it would be blown up without bound.
 /// @return one factor an item, canvas px per source px up to one common factor
-/// Source: ALGORITHMS (d) "Scale normalisation"; the paper leaves it open.
+/// Source: ALGORITHMS (d) "Scale normalisation", s_i = sqrt(w_i A0 / (W_i H_i)); the paper leaves it open.
 std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<const Shape> shapes);
 
 }  // namespace vitrine

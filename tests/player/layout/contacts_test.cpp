@@ -73,7 +73,7 @@ TEST_CASE("shapes grow until they touch, or reach their limits first") {
         const Vec2 apart = random_vector(random, 300);
         const Growing first{0.1, 0.05 + 0.2 * uniform(random)};
         const Growing second{0.12, round % 3 == 0 ? 0.2 : 0.05 + 0.2 * uniform(random)};
-        const double growth = contacts.greatest_growth(a, b, apart, first, second);
+        const double growth = contacts.greatest_growth(a, b, apart, first, second, 1e9);
         const auto is_clear_at = [&](double g) {
             std::vector<double> scales(5, 1.0);
             scales[a] = std::min(first.rate * g, first.limit);

@@ -78,8 +78,9 @@ TEST_CASE("initial packing touches without overlap and descent never raises the 
         for (const EnergyMode mode : {EnergyMode::screen, EnergyMode::paper}) {
             Random random(seed);
             Effort effort(1'000'000);
-            const auto places = descended(shapes, scales, packing, 1.5, mode, random, effort);
-            const Measure after = measure(places);
+            const Descended end = descended(shapes, scales, packing, 1.5, mode, random, effort);
+            const Measure after = measure(end.places);
+            CHECK(end.last_energy <= end.first_energy);
             CHECK(after.hidden <= before.hidden + 1e-9);
             if (mode == EnergyMode::paper)
                 CHECK(paper_energy(after, 1.5) <= paper_energy(before, 1.5));
