@@ -95,6 +95,16 @@ def area(polygon):
     return sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(polygon, polygon[1:] + polygon[:1])) / 2
 
 
+def centroid_and_height(region):
+    """Of a polygon, in its unit."""
+    twice = mx = my = 0
+    for (ax, ay), (bx, by) in zip(region, region[1:] + region[:1]):
+        c = ax * by - ay * bx
+        twice, mx, my = twice + c, mx + (ax + bx) * c, my + (ay + by) * c
+    ys = [y for _, y in region]
+    return (mx / (3 * twice), my / (3 * twice)), max(ys) - min(ys)
+
+
 class Wall(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="vitrine-wall-")
@@ -158,6 +168,26 @@ class Wall(unittest.TestCase):
             for other in regions[:i]:
                 self.assertTrue(are_apart(region, other), "two regions overlap")
         self.assertEqual(plan, self.plan("--slots", "4", "--seed", "3"), "the same seed gives the same plan")
+
+    def test_a_plan_in_reading_order_has_no_inversions(self):
+        for i, (name, colour) in enumerate(COLOURS.items()):
+            disc_photo(self.root / f"{name}.png", colour, 180 + 60 * i, 240 - 20 * i)
+        self.analyse()
+
+        plan = self.plan("--layout.order", "reading", "--show.order", "name")
+
+        paths = [item["path"] for item in plan["items"]]
+        self.assertEqual(paths, sorted(paths))
+        middles, heights = [], []
+        for item in plan["items"]:
+            (x, y), height = centroid_and_height(item["region"])
+            middles.append((x, y))
+            heights.append(height)
+        half_line = sum(heights) / len(heights) / 2
+        for i, (x, y) in enumerate(middles):
+            for x_later, y_later in middles[i + 1:]:
+                below = y_later - y
+                self.assertTrue(below >= half_line or (abs(below) < half_line and x <= x_later), plan["items"])
 
     def test_an_empty_folder_shows_the_idle_picture(self):
         self.analyse()
