@@ -155,7 +155,24 @@ bool is_warm(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value(); });
 }
 
+std::optional<Layout> changed_layout(const PlanRequest& request, Ground standing, Random& random,
+                                     Effort& effort) {
+    if (!is_warm(request)) return std::nullopt;
+    const auto settled = warm_start(request, standing, random, effort);
+    if (!settled) return std::nullopt;
+    return layout_of(request, standing, *settled);
+}
+
 }  // namespace
+
+std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch) {
+    if (request.items.empty()) return std::nullopt;
+    Random random(request.seed);
+    Effort effort(request.budget, watch.should_stop);
+    Ground ground = ground_of(request);
+    bring_to_canvas(request, ground);
+    return changed_layout(request, ground, random, effort);
+}
 
 Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     assert(request.canvas.x > 0 && request.canvas.y > 0);
@@ -170,11 +187,7 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     if (request.energy == EnergyMode::paper)
         return layout_of(request, ground,
                          papers_way(ground, request.canvas.x / request.canvas.y, random, effort));
-    if (is_warm(request)) {
-        Ground standing = ground;
-        if (const auto settled = warm_start(request, standing, random, effort))
-            return layout_of(request, standing, *settled);
-    }
+    if (const auto changed = changed_layout(request, ground, random, effort)) return *changed;
     const bool any_pinned =
         std::find(ground.pinned.begin(), ground.pinned.end(), true) != ground.pinned.end();
     const Arrangement start =

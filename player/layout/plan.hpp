@@ -20,4 +20,8 @@ struct PlanWatch {
 /// makes room. Source: Dynamic Media Assemblage 3.4; ALGORITHMS (d) "Slots rotating".
 Layout plan(const PlanRequest& request, const PlanWatch& watch = {});
 
+/// The same for a wall some of whose items stand, without ever packing it anew.
+/// @return none where nothing stands, or where pinned items leave no room
+std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch = {});
+
 }  // namespace vitrine

@@ -11,13 +11,14 @@ namespace vitrine {
 /// A place on the wall that an item takes over from one that left.
 struct Seat {
     Vec2 centre;      // canvas px, centroid of the I-Region that stood there
-    double area = 0;  // canvas px^2 of that I-Region, > 0
+    double area = 0;  // canvas px^2 of that I-Region; 0: what the item has by nature
 };
 
 /// One item to be laid out, and what it was doing before.
 struct PlanItem {
     LayoutItem item;
     std::optional<Placement> previous;  // it stays and should move little
+    std::optional<Placement> home;      // where it goes back to as far as it can; none: `previous`
     std::optional<Seat> seat;           // it is new and takes over a seat; ignored with `previous`
     bool is_pinned = false;             // it keeps `previous` exactly, even where pinned items overlap
 };

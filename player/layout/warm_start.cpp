@@ -14,15 +14,17 @@ constexpr double most_apart = 2;  // of a scale and the natural one
 constexpr double pull = 0.05;     // loss per px from home
 constexpr int patience = 4;       // rounds of separation without less overlap
 constexpr double newcomer_shrink = 0.93;
-constexpr double common_shrink = 0.98;
+constexpr double first_common_shrink = 0.02;  // of the scale; each further one is larger
+constexpr double common_shrink_rise = 1.35;
+constexpr double most_common_shrink = 0.2;
 constexpr int shrinks_of_newcomers = 6;
-constexpr int shrinks_of_all = 40;
+constexpr int shrinks_of_all = 16;
 
 enum class Role { kept, seated, inserted };
 
 Role role_of(const PlanItem& item) {
     if (item.previous) return Role::kept;
-    return item.seat ? Role::seated : Role::inserted;
+    return item.seat && item.seat->area > 0 ? Role::seated : Role::inserted;
 }
 
 /// The growth at which natural scales are those that the kept items have: the median of the quotients.
@@ -32,6 +34,10 @@ double growth_of_kept(const PlanRequest& request, const Ground& ground) {
         if (request.items[i].previous) growths.push_back(request.items[i].previous->scale / ground.scales[i]);
     std::sort(growths.begin(), growths.end());
     return growths[growths.size() / 2];
+}
+
+Placement home_of(const PlanItem& item) {
+    return item.home.value_or(*item.previous);
 }
 
 /// Sets every scale for a growth of 1. Inserted items come on top, so all unpinned ones make room.
@@ -44,8 +50,8 @@ void set_scales(const PlanRequest& request, Ground& ground) {
         const double natural = ground.scales[i] * growth;
         double scale = natural;
         if (item.previous)
-            scale = item.previous->scale;
-        else if (item.seat)
+            scale = ground.pinned[i] ? item.previous->scale : home_of(item).scale;
+        else if (item.seat && item.seat->area > 0)
             scale = std::sqrt(item.seat->area / ground.shapes[i].area);
         if (!ground.pinned[i]) scale = std::clamp(scale, natural / most_apart, natural * most_apart);
         ground.scales[i] = ground.pinned[i] ? scale : std::min(scale, ground.limits[i]);
@@ -80,25 +86,38 @@ Vec2 roomiest_place(const Ground& ground, const Contacts& contacts, const std::v
     return best;
 }
 
-std::vector<Vec2> homes_of(const PlanRequest& request, const Ground& ground, Random& random, Effort& effort) {
-    Contacts contacts(ground.shapes, ground.clearance);
+/// Where the items are before anything moves, canvas px.
+std::vector<Vec2> starts_of(const PlanRequest& request, const Ground& ground, Contacts& contacts,
+                            Random& random, Effort& effort) {
     contacts.set_scales(ground.scales);
-    std::vector<Vec2> homes(ground.size());
+    std::vector<Vec2> starts(ground.size());
     std::vector<bool> stands(ground.size(), false);
     for (std::size_t i = 0; i < ground.size(); ++i) {
         const PlanItem& item = request.items[i];
         if (item.previous)
-            homes[i] = ground.shapes[i].centroid * item.previous->scale + item.previous->offset;
+            starts[i] = ground.shapes[i].centroid * item.previous->scale + item.previous->offset;
         else if (item.seat)
-            homes[i] = item.seat->centre;
-        stands[i] = role_of(item) != Role::inserted;
+            starts[i] = item.seat->centre;
+        stands[i] = item.previous || item.seat;
     }
     for (std::size_t i = 0; i < ground.size(); ++i) {
         if (stands[i]) continue;
-        homes[i] = roomiest_place(ground, contacts, homes, stands, i, random, effort);
+        starts[i] = roomiest_place(ground, contacts, starts, stands, i, random, effort);
         stands[i] = true;
     }
-    return homes;
+    return starts;
+}
+
+std::vector<Vec2> homes_of(const PlanRequest& request, const Ground& ground, std::vector<Vec2> starts) {
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        if (const auto& home = request.items[i].home; home && request.items[i].previous && !ground.pinned[i])
+            starts[i] = ground.shapes[i].centroid * home->scale + home->offset;
+    return starts;
+}
+
+bool any_newcomer(const PlanRequest& request) {
+    return std::any_of(request.items.begin(), request.items.end(),
+                       [](const PlanItem& item) { return !item.previous; });
 }
 
 void shrink(const PlanRequest& request, Ground& ground, double factor, bool newcomers_only) {
@@ -106,25 +125,66 @@ void shrink(const PlanRequest& request, Ground& ground, double factor, bool newc
         if (!ground.pinned[i] && (!newcomers_only || !request.items[i].previous)) ground.scales[i] *= factor;
 }
 
+/// Newcomers make themselves small, then all.
+bool separated(const PlanRequest& request, Ground& ground, Arrangement& arrangement, Contacts& contacts,
+               const SeparationStyle& style, Random& random, Effort& effort) {
+    Separation separation(ground, contacts, random);
+    const std::vector<Vec2> starts = arrangement.places;
+    const int first = any_newcomer(request) ? 0 : shrinks_of_newcomers;
+    for (int k = first; k < shrinks_of_newcomers + shrinks_of_all && !effort.is_spent(); ++k) {
+        arrangement.places = starts;
+        if (separation.run(arrangement, style, effort, patience)) return true;
+        const bool newcomers_only = k < shrinks_of_newcomers;
+        const double common =
+            first_common_shrink * std::pow(common_shrink_rise, std::max(0, k - shrinks_of_newcomers));
+        const double factor = newcomers_only ? newcomer_shrink : 1 - std::min(common, most_common_shrink);
+        shrink(request, ground, factor, newcomers_only);
+    }
+    return false;
+}
+
+/// The last resort: what stands keeps its place and scale, the newcomers are so small that they fit between.
+bool squeezed_in(const PlanRequest& request, Ground& ground, Arrangement& arrangement, Contacts& contacts) {
+    constexpr double smaller = 0.8;
+    constexpr int tries = 40;
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        if (request.items[i].previous) {
+            ground.scales[i] = request.items[i].previous->scale;
+            ground.limits[i] = std::max(ground.limits[i], ground.scales[i]);
+        }
+    for (int k = 0; k < tries; ++k) {
+        if (is_free(ground, arrangement, contacts)) return true;
+        for (std::size_t i = 0; i < ground.size(); ++i)
+            if (!request.items[i].previous) {
+                ground.scales[i] *= smaller;
+                const Box range = ground.range(i, arrangement.growth);
+                for (std::size_t j = 0; j < ground.size(); ++j) {
+                    const Vec2 way =
+                        j == i ? Vec2{}
+                               : contacts.escape(j, i, arrangement.places[i] - arrangement.places[j]);
+                    arrangement.places[i] = held(arrangement.places[i] + way, range);
+                }
+            }
+    }
+    return is_free(ground, arrangement, contacts);
+}
+
 }  // namespace
 
 std::optional<Arrangement> warm_start(const PlanRequest& request, Ground& ground, Random& random,
                                       Effort& effort) {
     set_scales(request, ground);
-    const std::vector<Vec2> homes = homes_of(request, ground, random, effort);
     Contacts contacts(ground.shapes, ground.clearance);
-    Separation separation(ground, contacts, random);
+    const std::vector<Vec2> starts = starts_of(request, ground, contacts, random, effort);
+    const std::vector<Vec2> homes = homes_of(request, ground, starts);
     const SeparationStyle style{.roams = false, .homes = homes, .pull = pull};
-    Arrangement arrangement{homes, 1};
-    bool is_separated = false;
-    for (int k = 0; k < shrinks_of_newcomers + shrinks_of_all && !effort.is_spent(); ++k) {
-        arrangement.places = homes;
-        is_separated = separation.run(arrangement, style, effort, patience);
-        if (is_separated) break;
-        const bool newcomers_only = k < shrinks_of_newcomers;
-        shrink(request, ground, newcomers_only ? newcomer_shrink : common_shrink, newcomers_only);
+    Arrangement arrangement{starts, 1};
+    if (!separated(request, ground, arrangement, contacts, style, random, effort)) {
+        arrangement.places = starts;
+        if (!squeezed_in(request, ground, arrangement, contacts)) return std::nullopt;
+        return arrangement;
     }
-    if (!is_separated || !is_free(ground, arrangement, contacts)) return std::nullopt;
+    if (!is_free(ground, arrangement, contacts)) return std::nullopt;
     pull_home(ground, arrangement, homes, contacts);
     arrangement = calmly_grown(ground, arrangement, homes, random, effort);
     pull_home(ground, arrangement, homes, contacts);

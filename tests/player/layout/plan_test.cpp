@@ -1,13 +1,11 @@
 #include "player/layout/plan.hpp"
 
-#include "player/layout/energy.hpp"
 #include "player/layout/plan_output.hpp"
 #include "tests/player/layout/instances.hpp"
+#include "tests/player/layout/soundness.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-
-#include <fstream>
 
 using namespace vitrine;
 
@@ -15,21 +13,9 @@ namespace {
 
 /// Whether all regions lie in the canvas and none covers another; leaves a picture where not.
 bool is_sound(const PlanRequest& request, const Layout& layout, const std::string& name) {
-    const std::vector<LayoutItem> items = items_of(request);
-    bool sound = layout.placements.size() == items.size() && layout.canvas == request.canvas;
-    if (sound && !items.empty()) {
-        const Measure measure = measured(items, layout.placements);
-        sound = measure.hidden == 0 && measure.bounds.min.x >= 0 && measure.bounds.min.y >= 0 &&
-                measure.bounds.max.x <= layout.canvas.x && measure.bounds.max.y <= layout.canvas.y;
-    }
     for (const Placement& placement : layout.placements)
-        sound = sound && placement.scale > 0 && placement.scale <= request.most_scale * (1 + 1e-9);
-    if (sound || layout.placements.size() != items.size()) return sound;
-    std::vector<NamedItem> named;
-    for (const LayoutItem& item : items)
-        named.push_back({name, named.size(), item});
-    std::ofstream(fmt::format("{}.svg", name)) << plan_svg({.items = named, .layout = layout});
-    return sound;
+        if (placement.scale > request.most_scale * (1 + 1e-9)) return false;
+    return layout.canvas == request.canvas && is_sound(items_of(request), layout, name);
 }
 
 }  // namespace
