@@ -147,10 +147,7 @@ void Player::take_layout() {
 
 void Player::take_layout(Layout layout) {
     layout.generation = planned_.generation;
-    std::vector<LayoutItem> items;
-    for (const PlanItem& planned : planned_.items)
-        items.push_back(planned.item);
-    wall_.set_layout(layout, cells(items, layout));
+    wall_.set_layout(layout);
 }
 
 void Player::take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time) {

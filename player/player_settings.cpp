@@ -18,8 +18,18 @@ AssemblageSettings assemblage_settings(const Settings& settings) {
             .dwell = settings.show.dwell};
 }
 
+CellStyle cell_style(const Settings& settings) {
+    return {.gutter = settings.layout.gutter,
+            .corner_radius = settings.layout.corner_radius,
+            .feather = settings.layout.feather,
+            .sample_spacing = settings.layout.cells == "sampled" ? settings.layout.sample_spacing : 0};
+}
+
 WallSettings wall_settings(const Settings& settings) {
-    return {.assemblage = assemblage_settings(settings), .crossfade = settings.show.crossfade};
+    return {.assemblage = assemblage_settings(settings),
+            .transition = {.crossfade = settings.show.crossfade,
+                           .motion = settings.show.motion,
+                           .cells = cell_style(settings)}};
 }
 
 View view_of(const Settings& settings) {

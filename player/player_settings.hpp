@@ -10,6 +10,7 @@ namespace vitrine {
 // What the settings mean to the player's stages.
 
 AssemblageSettings assemblage_settings(const Settings& settings);
+CellStyle cell_style(const Settings& settings);
 WallSettings wall_settings(const Settings& settings);
 View view_of(const Settings& settings);
 

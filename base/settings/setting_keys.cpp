@@ -201,11 +201,27 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 "layout.max_enlargement", [](S& s) -> double& { return s.layout.max_enlargement; }, 0.1, 100),
             number(
                 "layout.clearance_pixels", [](S& s) -> double& { return s.layout.clearance; }, 0, 200),
+            choice("layout.cells", [](S & s) -> auto& { return s.layout.cells; }, {"exact", "sampled"}),
+            number(
+                "layout.sample_pixels", [](S& s) -> double& { return s.layout.sample_spacing; }, 2, 200),
+            number(
+                "layout.gutter_pixels", [](S& s) -> double& { return s.layout.gutter; }, 0, 200),
+            number(
+                "layout.corner_radius_pixels", [](S& s) -> double& { return s.layout.corner_radius; }, 0,
+                500),
+            number(
+                "layout.feather_pixels", [](S& s) -> double& { return s.layout.feather; }, 1, 200),
+            choice("layout.mode", [](S & s) -> auto& { return s.layout.mode; }, {"fit", "pan"}),
+            choice("layout.folders", [](S & s) -> auto& { return s.layout.folders; }, {"flat", "nested"}),
             choice("show.order", [](S & s) -> auto& { return s.show.order; }, {"shuffle", "name", "newest"}),
             duration<std::chrono::seconds>(
                 "show.dwell_seconds", [](S & s) -> auto& { return s.show.dwell; }, 1, 86400),
             duration<std::chrono::milliseconds>(
                 "show.crossfade_milliseconds", [](S & s) -> auto& { return s.show.crossfade; }, 0, 10000),
+            duration<std::chrono::milliseconds>(
+                "show.motion_milliseconds", [](S & s) -> auto& { return s.show.motion; }, 0, 10000),
+            number(
+                "show.pan_pixels_per_second", [](S& s) -> double& { return s.show.pan_speed; }, 1, 2000),
             text(
                 "show.background", [](S & s) -> auto& { return s.show.background; },
                 "a colour like \"#101014\"", is_colour),

@@ -48,12 +48,21 @@ struct Settings {
         std::string order = "free";     // free or reading
         double max_enlargement = 1.5;   // canvas px per source px
         double clearance = 2;           // canvas px between two I-Regions
+        std::string cells = "exact";    // exact or sampled
+        double sample_spacing = 10;     // canvas px between sampled sites
+        double gutter = 0;              // canvas px between two cells
+        double corner_radius = 0;       // canvas px
+        double feather = 1;             // canvas px
+        std::string mode = "fit";       // fit or pan
+        std::string folders = "flat";   // flat or nested
     } layout;
 
     struct Show {
         std::string order = "shuffle";  // shuffle, name or newest
         std::chrono::seconds dwell{20};
         std::chrono::milliseconds crossfade{700};
+        std::chrono::milliseconds motion{400};
+        double pan_speed = 30;  // canvas px a second
         std::string background = "#101014";
     } show;
 

@@ -1,180 +1,14 @@
 #include "player/layout/cells.hpp"
 
-#include "player/layout/grid.hpp"
+#include "player/layout/sharing.hpp"
 #include "player/layout/triangulation.hpp"
-#include "player/layout/voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <set>
 
 namespace vitrine {
 
 namespace {
-
-/// Part of the canvas whose nearest item has no pixels there, with those that have.
-struct Orphan {
-    Loops area;
-    std::set<std::size_t> takers;
-};
-
-struct Shares {
-    std::vector<Loops> shown;   // per item, from its own pixels
-    std::vector<Loops> filler;  // per item, where nobody has pixels
-};
-
-void append(Loops& to, const Loops& more) {
-    to.insert(to.end(), more.begin(), more.end());
-}
-
-Box bounds_of(const Loops& loops) {
-    std::vector<Vec2> corners;
-    for (const Loop& loop : loops)
-        for (const CellPoint& p : loop)
-            corners.push_back(from_grid(p));
-    return bounding_box(corners);
-}
-
-/// Splits what has no owner by who has pixels there.
-std::vector<Orphan> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
-    std::vector<Orphan> orphans;
-    if (!orphaned.empty()) orphans.push_back({orphaned, {}});
-    for (std::size_t i = 0; i < cores.size(); ++i) {
-        if (cores[i].empty()) continue;
-        const Box core = bounds_of(cores[i]);
-        std::vector<Orphan> next;
-        for (Orphan& orphan : orphans) {
-            const Box bounds = bounds_of(orphan.area);
-            if (intersection(bounds, core).is_empty()) {
-                next.push_back(std::move(orphan));
-                continue;
-            }
-            if (intersection(bounds, core) == bounds) {
-                orphan.takers.insert(i);
-                next.push_back(std::move(orphan));
-                continue;
-            }
-            Loops inside = intersection_of(orphan.area, cores[i]);
-            Loops outside = difference_of(orphan.area, cores[i]);
-            if (!outside.empty()) next.push_back({std::move(outside), orphan.takers});
-            orphan.takers.insert(i);
-            if (!inside.empty()) next.push_back({std::move(inside), std::move(orphan.takers)});
-        }
-        orphans = std::move(next);
-    }
-    return orphans;
-}
-
-double distance(const Box& a, const Box& b) {
-    return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
-                   std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
-}
-
-/// The most that any point of a box can be away from a region, or more.
-double most_distance(const Box& box, const Polygon& region) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vec2& p : region)
-        least = std::min(least, length({std::max(p.x - box.min.x, box.max.x - p.x),
-                                        std::max(p.y - box.min.y, box.max.y - p.y)}));
-    return least;
-}
-
-/// Those of some takers that can be the nearest somewhere in an area.
-std::set<std::size_t> likely_takers(const Orphan& orphan, std::span<const Polygon> regions) {
-    const Box bounds = bounds_of(orphan.area);
-    double reach = std::numeric_limits<double>::infinity();
-    for (const std::size_t taker : orphan.takers)
-        reach = std::min(reach, most_distance(bounds, regions[taker]));
-    std::set<std::size_t> likely;
-    for (const std::size_t taker : orphan.takers)
-        if (distance(bounds, bounding_box(regions[taker])) <= reach) likely.insert(taker);
-    return likely;
-}
-
-/// Gives each orphan to its nearest takers.
-class Adoption {
-  public:
-    Adoption(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites)
-        : regions_(regions), canvas_(canvas), sites_(sites) {}
-
-    void give(const Orphan& orphan, std::vector<Loops>& shown) {
-        const std::set<std::size_t> takers = likely_takers(orphan, regions_);
-        if (takers.size() == 1) {
-            append(shown[*takers.begin()], orphan.area);
-            return;
-        }
-        const std::vector<Loops>& diagram = diagram_of(takers);
-        Loops rest = orphan.area;
-        for (const std::size_t taker : takers) {
-            append(shown[taker], intersection_of(orphan.area, diagram[taker]));
-            rest = difference_of(rest, diagram[taker]);
-        }
-        append(shown[*orphan.takers.begin()], rest);  // what rounding left
-    }
-
-  private:
-    /// The diagram of some regions only, indexed as all.
-    const std::vector<Loops>& diagram_of(const std::set<std::size_t>& some) {
-        const auto known = diagrams_.find(some);
-        if (known != diagrams_.end()) return known->second;
-        std::vector<Polygon> regions;
-        regions.reserve(some.size());
-        for (const std::size_t i : some)
-            regions.push_back(regions_[i]);
-        std::vector<Loops> found = voronoi(regions, canvas_, sites_);
-        std::vector<Loops> all(regions_.size());
-        std::size_t k = 0;
-        for (const std::size_t i : some)
-            all[i] = std::move(found[k++]);
-        return diagrams_[some] = std::move(all);
-    }
-
-    std::span<const Polygon> regions_;
-    Box canvas_;
-    VoronoiSites sites_;
-    std::map<std::set<std::size_t>, std::vector<Loops>> diagrams_;
-};
-
-/// Pieces that meet become one, unless they would enclose a hole: cutting that open again might cut a region.
-Loops joined(Loops pieces) {
-    if (pieces.size() < 2) return pieces;
-    Loops whole = union_of(pieces, {});
-    const bool has_hole =
-        std::any_of(whole.begin(), whole.end(), [](const Loop& loop) { return twice_area(loop) < 0; });
-    return has_hole ? std::move(pieces) : std::move(whole);
-}
-
-Shares shared_out(std::span<const Polygon> regions, const std::vector<Loops>& cores, const Box& canvas,
-                  const VoronoiSites& sites) {
-    const Loops screen{to_grid(to_polygon(canvas))};
-    const std::vector<Loops> nearest = voronoi(regions, canvas, sites);
-    Shares shares;
-    Loops orphaned;
-    std::vector<Loops> lost(regions.size());
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        const Loops on_screen = intersection_of(nearest[i], screen);
-        shares.shown.push_back(intersection_of(on_screen, cores[i]));
-        lost[i] = difference_of(on_screen, cores[i]);
-        append(orphaned, lost[i]);
-    }
-    orphaned = union_of(orphaned, {});
-    shares.filler.resize(regions.size());
-    Adoption adoption(regions, canvas, sites);
-    for (const Orphan& orphan : split_by_takers(orphaned, cores)) {
-        if (!orphan.takers.empty()) {
-            adoption.give(orphan, shares.shown);
-            continue;
-        }
-        for (std::size_t i = 0; i < regions.size(); ++i)
-            append(shares.filler[i], intersection_of(orphan.area, lost[i]));
-    }
-    for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
-        for (Loops& loops : *some)
-            loops = joined(std::move(loops));
-    return shares;
-}
 
 /// Takes the half of a gap along every border between two cells.
 void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, double gutter) {
@@ -188,6 +22,38 @@ void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, d
             if (j != i) shown[i] = difference_of(shown[i], wide[j]);
         shown[i] = union_of(shown[i], {to_grid(regions[i])});  // a wide gutter ends at the I-Region
     }
+}
+
+/// Rounds the corners of each cell, but never off its I-Region.
+void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, double radius) {
+    if (radius <= 0) return;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Loops inner = grown(shown[i], -radius);
+        const Loops rounded = inner.empty() ? inner : intersection_of(grown(inner, radius), shown[i]);
+        shown[i] = union_of(rounded, {to_grid(regions[i])});
+    }
+}
+
+/// How far a cell may fade out over its neighbours at each place of its outline: not onto any other I-Region,
+/// and no farther than it has pixels.
+Rim rim_of(const Polygon& outline, std::size_t item, std::span<const Polygon> regions, const Box& core,
+           double feather) {
+    const double spacing = std::max(2.0, feather / 2);  // canvas px between corners
+    Rim rim;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec2 a = outline[k];
+        const Vec2 along = outline[(k + 1) % outline.size()] - a;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length(along) / spacing)));
+        for (int i = 0; i < pieces; ++i) {
+            const Vec2 p = a + along * (static_cast<double>(i) / pieces);
+            double room = std::min({p.x - core.min.x, core.max.x - p.x, p.y - core.min.y, core.max.y - p.y});
+            for (std::size_t j = 0; j < regions.size(); ++j)
+                if (j != item) room = std::min(room, distance_to(regions[j], p) - spacing / 2);
+            rim.outline.push_back(p);
+            rim.widths.push_back(std::clamp(room, 1.0, feather));
+        }
+    }
+    return rim;
 }
 
 /// The loop that holds a point of the I-Region comes first.
@@ -220,18 +86,21 @@ void add_to(std::vector<Polygon>& polygons, std::vector<std::array<Vec2, 3>>& tr
 
 std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout, const CellStyle& style) {
     const Box canvas{{0, 0}, layout.canvas};
-    std::vector<Polygon> regions;
-    std::vector<Loops> cores;
+    SharedItems sites;
+    std::vector<Box> frames;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Placement& at = layout.placements[i];
-        regions.push_back(placed_region(items[i], at));
-        const Box core{items[i].core.min * at.scale + at.offset, items[i].core.max * at.scale + at.offset};
-        cores.push_back({to_grid(to_polygon(intersection(core, canvas)))});
-        if (intersection(core, canvas).is_empty()) cores.back().clear();
+        sites.regions.push_back(placed_region(items[i], at));
+        frames.push_back(
+            {items[i].core.min * at.scale + at.offset, items[i].core.max * at.scale + at.offset});
+        const Box core = intersection(frames.back(), canvas);
+        sites.cores.emplace_back();
+        if (!core.is_empty()) sites.cores.back().push_back(to_grid(to_polygon(core)));
     }
-    const VoronoiSites sites{.spacing = style.sample_spacing, .inset = style.sample_inset};
-    Shares shares = shared_out(regions, cores, canvas, sites);
-    open_gutters(shares.shown, regions, style.gutter);
+    Shares shares = shared_out(sites, layout.groups, canvas,
+                               {.spacing = style.sample_spacing, .inset = style.sample_inset});
+    open_gutters(shares.shown, sites.regions, style.gutter);
+    round_corners(shares.shown, sites.regions, style.corner_radius);
     std::vector<Loops*> all;
     for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
         for (Loops& loops : *some) {
@@ -241,9 +110,13 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
     share_corners(all);
     std::vector<Cell> result(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
-        add_to(result[i].parts, result[i].triangles, shares.shown[i]);
-        add_to(result[i].filler, result[i].filler_triangles, shares.filler[i]);
-        put_first(result[i].parts, regions[i]);
+        Cell& cell = result[i];
+        add_to(cell.parts, cell.triangles, shares.shown[i]);
+        add_to(cell.filler, cell.filler_triangles, shares.filler[i]);
+        put_first(cell.parts, sites.regions[i]);
+        if (style.gutter > 0 || style.corner_radius > 0) cell.rim_coverage = 1;
+        for (std::size_t k = 0; style.feather > 1 && k < cell.parts.size(); ++k)
+            cell.rims.push_back(rim_of(cell.parts[k], i, sites.regions, frames[i], style.feather));
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,11 +27,19 @@ struct Placement {
     friend bool operator==(const Placement&, const Placement&) = default;
 };
 
+/// Items that stand together, as those of one folder do: the hull of their I-Regions counts as one.
+struct LayoutGroup {
+    std::vector<std::size_t> items;
+
+    friend bool operator==(const LayoutGroup&, const LayoutGroup&) = default;
+};
+
 /// Where every item stands on a canvas, in the order of the items. An immutable value.
 struct Layout {
     Vec2 canvas;  // px
     std::vector<Placement> placements;
-    double energy = 0;  // share of the canvas that no I-Region covers, in [0, 1]
+    std::vector<LayoutGroup> groups;  // none: all stand by themselves
+    double energy = 0;                // share of the canvas that no I-Region covers, in [0, 1]
     std::uint64_t generation = 0;
     bool is_final = false;  // no better one follows for the same request
 };

@@ -7,8 +7,6 @@ namespace vitrine {
 
 namespace {
 
-constexpr double seam_coverage = 0.5;  // on the seam itself each of the two cells has half
-
 using Vertices = std::vector<CellMesh::Vertex>;
 
 void append(Vertices& vertices, Vec2 point, double coverage) {
@@ -35,32 +33,41 @@ void append_triangles(Vertices& vertices, std::span<const std::array<Vec2, 3>> t
             append(vertices, corner, 1);
 }
 
-void append_fringe(Vertices& vertices, std::span<const Polygon> polygons, double width) {
-    for_each_side(polygons, [&](Vec2 from, Vec2 to) {
+/// @param widths  of the fringe at each corner, px
+void append_fringe(Vertices& vertices, const Polygon& outline, std::span<const double> widths,
+                   double coverage) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const std::size_t next = (k + 1) % outline.size();
+        const Vec2 from = outline[k];
+        const Vec2 to = outline[next];
+        if (to == from) continue;
         const Vec2 side = to - from;
-        if (length(side) == 0) return;
-        const Vec2 outward =
-            Vec2{side.y, -side.x} * (width / length(side));  // counter-clockwise: inside is left
-        append(vertices, from, seam_coverage);
-        append(vertices, to, seam_coverage);
-        append(vertices, to + outward, 0);
-        append(vertices, from, seam_coverage);
-        append(vertices, to + outward, 0);
-        append(vertices, from + outward, 0);
-    });
+        const Vec2 outward = Vec2{side.y, -side.x} * (1 / length(side));  // counter-clockwise: inside is left
+        append(vertices, from, coverage);
+        append(vertices, to, coverage);
+        append(vertices, to + outward * widths[next], 0);
+        append(vertices, from, coverage);
+        append(vertices, to + outward * widths[next], 0);
+        append(vertices, from + outward * widths[k], 0);
+    }
+}
+
+void append_fringe(Vertices& vertices, std::span<const Polygon> polygons, double width, double coverage) {
+    for (const Polygon& polygon : polygons)
+        append_fringe(vertices, polygon, std::vector<double>(polygon.size(), width), coverage);
+}
+
+template <typename Append> CellMesh::Range appended(Vertices& vertices, const Append& append_them) {
+    const auto first = static_cast<int>(vertices.size());
+    append_them();
+    return CellMesh::Range{first, static_cast<int>(vertices.size()) - first};
 }
 
 CellMesh::Layer append_layer(Vertices& vertices, std::span<const Polygon> polygons,
-                             std::span<const std::array<Vec2, 3>> triangles, double fringe) {
-    const auto appended = [&](auto append_them) {
-        const auto first = static_cast<int>(vertices.size());
-        append_them();
-        return CellMesh::Range{first, static_cast<int>(vertices.size()) - first};
-    };
+                             std::span<const std::array<Vec2, 3>> triangles) {
     CellMesh::Layer layer;
-    layer.outline = appended([&] { append_outline(vertices, polygons); });
-    layer.triangles = appended([&] { append_triangles(vertices, triangles); });
-    layer.fringe = appended([&] { append_fringe(vertices, polygons, fringe); });
+    layer.outline = appended(vertices, [&] { append_outline(vertices, polygons); });
+    layer.triangles = appended(vertices, [&] { append_triangles(vertices, triangles); });
     return layer;
 }
 
@@ -68,8 +75,15 @@ CellMesh::Layer append_layer(Vertices& vertices, std::span<const Polygon> polygo
 
 CellMesh cell_mesh(const Cell& cell, double fringe) {
     CellMesh mesh;
-    mesh.filler = append_layer(mesh.vertices, cell.filler, cell.filler_triangles, fringe);
-    mesh.parts = append_layer(mesh.vertices, cell.parts, cell.triangles, fringe);
+    Vertices& vertices = mesh.vertices;
+    mesh.filler = append_layer(vertices, cell.filler, cell.filler_triangles);
+    mesh.filler.fringe = appended(vertices, [&] { append_fringe(vertices, cell.filler, fringe, 0.5); });
+    mesh.parts = append_layer(vertices, cell.parts, cell.triangles);
+    mesh.parts.fringe = appended(vertices, [&] {
+        if (cell.rims.empty()) append_fringe(vertices, cell.parts, fringe, cell.rim_coverage);
+        for (const Rim& rim : cell.rims)
+            append_fringe(vertices, rim.outline, rim.widths, cell.rim_coverage);
+    });
     return mesh;
 }
 

@@ -51,14 +51,13 @@ void Wall::set_catalogue(std::span<const MediaRecord> records) {
     assemblage_.set_catalogue(records);
 }
 
-void Wall::set_layout(const Layout& layout, std::vector<Cell> cells) {
+void Wall::set_layout(const Layout& layout) {
     if (!incoming_ || incoming_->generation != layout.generation || incoming_->fade_began) return;
     std::vector<PlacedShot>& wall = incoming_->wall;
-    assert(layout.placements.size() == wall.size() && cells.size() == wall.size());
-    for (std::size_t i = 0; i < wall.size(); ++i) {
+    assert(layout.placements.size() == wall.size());
+    for (std::size_t i = 0; i < wall.size(); ++i)
         wall[i].placement = layout.placements[i];
-        wall[i].cell = std::make_shared<const Cell>(std::move(cells[i]));
-    }
+    give_cells(wall, canvas_, settings_.transition.cells);
     incoming_->has_layout = true;
     incoming_->wants_sources = true;
 }
@@ -84,7 +83,8 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
 }
 
 void Wall::end_fade(std::chrono::nanoseconds now) {
-    if (!is_fading() || now - *incoming_->fade_began < settings_.crossfade) return;
+    if (!is_fading() || now - *incoming_->fade_began < duration_of(incoming_->acts)) return;
+    shown_canvas_ = incoming_->canvas;
     shown_ = std::move(incoming_->wall);
     incoming_.reset();
 }
@@ -102,7 +102,7 @@ std::optional<WallPlan> Wall::follow_assemblage() {
 
 WallPlan Wall::begin_change(const std::vector<WallShot>& wanted) {
     WallPlan plan{.generation = ++generation_, .canvas = canvas_};
-    incoming_ = Incoming{.generation = generation_, .has_layout = wanted.empty()};
+    incoming_ = Incoming{.generation = generation_, .canvas = canvas_, .has_layout = wanted.empty()};
     for (const WallShot& shot : wanted) {
         incoming_->wall.push_back({.shot = shot});
         plan.items.push_back(plan_item(shot));
@@ -148,12 +148,18 @@ void Wall::give_up_waiting(std::chrono::nanoseconds now) {
 }
 
 void Wall::begin_fade(std::chrono::nanoseconds now) {
+    TransitionStyle style = settings_.transition;
+    if (canvas_ != shown_canvas_) style.motion = {};
+    std::vector<Act>& acts = incoming_->acts;
+    acts = transition(canvas_, shown_, incoming_->wall, style);
+    const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;
     incoming_->fade_began = now;
     for (PlacedShot& placed : incoming_->wall) {
         const PlacedShot* same = find_source(shown_, placed.shot.source);
-        placed.began = same != nullptr ? same->began : now;
+        placed.began = same != nullptr ? same->began : appears;
         assemblage_.shown(placed.shot.source, now);
     }
+    if (!acts.back().motion) acts.back().to = incoming_->wall;
 }
 
 std::vector<SourceId> Wall::retire() {
@@ -169,10 +175,8 @@ std::vector<SourceId> Wall::retire() {
 
 Frame Wall::picture(std::chrono::nanoseconds now) const {
     if (!is_fading()) return compose(canvas_, shown_, {}, 0, now);
-    const std::chrono::duration<double> passed = now - *incoming_->fade_began;
-    const std::chrono::duration<double> whole = settings_.crossfade;
-    const double progress = whole.count() > 0 ? passed / whole : 1;
-    return compose(canvas_, shown_, incoming_->wall, progress, now);
+    return picture_of(incoming_->acts, now - *incoming_->fade_began, canvas_, settings_.transition.cells,
+                      now);
 }
 
 }  // namespace vitrine

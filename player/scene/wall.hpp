@@ -4,6 +4,7 @@
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
 #include "player/scene/shot_request.hpp"
+#include "player/scene/transition.hpp"
 
 #include <cstdint>
 #include <map>
@@ -15,7 +16,7 @@ namespace vitrine {
 
 struct WallSettings {
     AssemblageSettings assemblage;
-    std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
+    TransitionStyle transition;
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
 };
 
@@ -35,9 +36,9 @@ struct WallStep {
 };
 
 /// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
-/// sources are asked for; once they are ready the new wall fades in over the old one, which plays on; then
-/// the sources that are not on it any more retire. One such change at a time; a wish that changes before its
-/// fade has begun is replaced. Knows no clock: events are told to it, step() says what follows.
+/// sources are asked for; once they are ready the old wall, which plays on, moves and fades into the new one;
+/// then the sources that are not on it any more retire. One such change at a time; a wish that changes before
+/// its fade has begun is replaced. Knows no clock: events are told to it, step() says what follows.
 class Wall {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);
@@ -49,8 +50,8 @@ class Wall {
 
     /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. A
     /// better one for the same plan is taken until the fade begins.
-    /// @pre one placement and one cell for each item of the plan
-    void set_layout(const Layout& layout, std::vector<Cell> cells);
+    /// @pre one placement for each item of the plan
+    void set_layout(const Layout& layout);
 
     void source_ready(SourceId source);
 
@@ -68,11 +69,13 @@ class Wall {
   private:
     struct Incoming {
         std::uint64_t generation = 0;
+        Vec2 canvas;  // px
         std::vector<PlacedShot> wall;
         bool has_layout = false;
         bool wants_sources = false;  // of another size than asked for, or not asked for yet
         std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
         std::optional<std::chrono::nanoseconds> fade_began;
+        std::vector<Act> acts;  // of the transition, once it has begun
     };
 
     void end_fade(std::chrono::nanoseconds now);
@@ -91,6 +94,7 @@ class Wall {
     Assemblage assemblage_;
     std::vector<PlacedShot> shown_;
     std::optional<Incoming> incoming_;
+    Vec2 shown_canvas_;  // that shown_ was laid out for
     bool is_canvas_new_ = false;
     std::uint64_t generation_ = 0;
     std::map<SourceId, bool> sources_;  // asked for and not retired; whether ready

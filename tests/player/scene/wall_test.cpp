@@ -31,9 +31,7 @@ struct House {
         return layout;
     }
 
-    void plan(const WallPlan& wanted) {
-        wall.set_layout(layout_of(wanted), std::vector<Cell>(wanted.items.size()));
-    }
+    void plan(const WallPlan& wanted) { wall.set_layout(layout_of(wanted)); }
 
     /// One refresh; checks what must hold in every one.
     WallStep step() {

@@ -1,0 +1,152 @@
+#include "player/scene/transition.hpp"
+
+#include "player/layout/plan_request.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace vitrine {
+
+namespace {
+
+using Shots = std::vector<PlacedShot>;
+
+constexpr double smaller = 0.93;          // per try, of a last shot that is in the way
+constexpr double least_remainder = 0.55;  // of its scale: below it fades out first
+constexpr double clearance = 1.0 / 64;    // canvas px
+
+const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
+    const auto found = std::find_if(wall.begin(), wall.end(),
+                                    [&](const PlacedShot& placed) { return placed.shot.source == source; });
+    return found == wall.end() ? nullptr : &*found;
+}
+
+bool has_slot(std::span<const PlacedShot> wall, int slot) {
+    return std::any_of(wall.begin(), wall.end(),
+                       [&](const PlacedShot& placed) { return placed.shot.slot == slot; });
+}
+
+bool is_free(const LayoutItem& item, const Placement& at, std::span<const PlacedShot> others) {
+    return std::all_of(others.begin(), others.end(), [&](const PlacedShot& other) {
+        return overlap_between({item, at, at}, {other.shot.item, other.placement, other.placement}, clearance)
+            .is_empty();
+    });
+}
+
+/// Where a slot's last shot waits for its next one among those that have moved; none: it would be too small.
+std::optional<Placement> making_room(const PlacedShot& last, std::span<const PlacedShot> moved) {
+    const Vec2 place = seat_of(last.shot.item, last.placement).centre;
+    const Vec2 centroid = (place - last.placement.offset) * (1 / last.placement.scale);
+    for (double factor = 1; factor >= least_remainder; factor *= smaller) {
+        const double scale = last.placement.scale * factor;
+        const Placement at = factor == 1 ? last.placement : Placement{scale, place - centroid * scale};
+        if (is_free(last.shot.item, at, moved)) return at;
+    }
+    return std::nullopt;
+}
+
+/// What stays on the wall while others come and go, before and after it has moved.
+struct Staying {
+    Shots before;
+    Shots after;
+};
+
+Staying staying(std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming) {
+    Shots moved;
+    for (const PlacedShot& placed : incoming)
+        if (find_source(shown, placed.shot.source) != nullptr) moved.push_back(placed);
+    Staying staying;
+    for (const PlacedShot& placed : shown) {
+        PlacedShot after = placed;
+        if (const PlacedShot* same = find_source(incoming, placed.shot.source)) {
+            after.placement = same->placement;
+        } else {
+            if (!has_slot(incoming, placed.shot.slot)) continue;
+            const auto room = making_room(placed, moved);
+            if (!room) continue;
+            after.placement = *room;
+        }
+        staying.before.push_back(placed);
+        staying.after.push_back(after);
+    }
+    return staying;
+}
+
+std::optional<Motion> motion_of(const Staying& staying, Vec2 canvas) {
+    std::vector<LayoutItem> items;
+    std::vector<Placement> from;
+    std::vector<Placement> to;
+    for (std::size_t i = 0; i < staying.before.size(); ++i) {
+        items.push_back(staying.before[i].shot.item);
+        from.push_back(staying.before[i].placement);
+        to.push_back(staying.after[i].placement);
+    }
+    return motion_between(items, from, to, canvas);
+}
+
+}  // namespace
+
+void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style) {
+    std::vector<LayoutItem> items;
+    Layout layout{.canvas = canvas};
+    for (const PlacedShot& placed : wall) {
+        items.push_back(placed.shot.item);
+        layout.placements.push_back(placed.placement);
+    }
+    std::vector<Cell> made = cells(items, layout, style);
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        wall[i].cell = std::make_shared<const Cell>(std::move(made[i]));
+}
+
+std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
+                            std::span<const PlacedShot> incoming, const TransitionStyle& style) {
+    const Shots first(shown.begin(), shown.end());
+    const Shots last(incoming.begin(), incoming.end());
+    const std::vector<Act> fade{{.from = first, .to = last, .duration = style.crossfade}};
+    if (style.motion.count() <= 0 || first.empty() || last.empty()) return fade;
+    Staying stays = staying(shown, incoming);
+    const auto motion = motion_of(stays, canvas);
+    if (!motion || motion->kind == Motion::Kind::still) return fade;
+    std::vector<Act> acts;
+    if (stays.before.size() < first.size()) {
+        give_cells(stays.before, canvas, style.cells);
+        acts.push_back({.from = first, .to = stays.before, .duration = style.crossfade});
+    }
+    const int stages = motion->kind == Motion::Kind::straight ? 1 : 2;
+    acts.push_back({.from = stays.before, .motion = motion, .duration = style.motion * stages});
+    const bool is_anything_new = std::any_of(last.begin(), last.end(), [&](const PlacedShot& placed) {
+        return find_source(shown, placed.shot.source) == nullptr;
+    });
+    if (!is_anything_new) return acts;
+    give_cells(stays.after, canvas, style.cells);
+    acts.push_back({.from = stays.after, .to = last, .duration = style.crossfade});
+    return acts;
+}
+
+std::chrono::nanoseconds duration_of(std::span<const Act> acts) {
+    std::chrono::nanoseconds sum{0};
+    for (const Act& act : acts)
+        sum += act.duration;
+    return sum;
+}
+
+Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec2 canvas,
+                 const CellStyle& style, std::chrono::nanoseconds now) {
+    assert(!acts.empty());
+    std::size_t at = 0;
+    while (at + 1 < acts.size() && passed >= acts[at].duration)
+        passed -= acts[at++].duration;
+    const Act& act = acts[at];
+    const double progress = act.duration.count() > 0 ? std::chrono::duration<double>(passed) /
+                                                           std::chrono::duration<double>(act.duration)
+                                                     : 1;
+    if (!act.motion) return compose(canvas, act.from, act.to, progress, now);
+    Shots moving = act.from;
+    const std::vector<Placement> placements = placements_at(*act.motion, eased(progress));
+    for (std::size_t i = 0; i < moving.size(); ++i)
+        moving[i].placement = placements[i];
+    give_cells(moving, canvas, style);
+    return compose(canvas, moving, {}, 0, now);
+}
+
+}  // namespace vitrine
