@@ -92,6 +92,12 @@ void add_plan_options(CommandLine& line) {
             "--size", [&line](const std::string& text) { parse_size(text, line.plan); },
             "The canvas in pixels, like 1920x1080")
         ->required();
+    line.plan_command
+        ->add_option(
+            "--wall-width", line.plan.wall_width,
+            "Plans a wall that pans, this many pixels long, with --slots items on each screen's width")
+        ->check(CLI::Range(16, 65536));
+    line.plan_command->add_option("--film", line.plan.film, "Writes how the packing came about as an MP4");
     line.plan_command->add_option("--svg", line.plan.svg, "Writes a drawing of the plan");
     line.plan_command->add_option("--json", line.plan.json,
                                   "Writes the plan (default: to the standard output)");

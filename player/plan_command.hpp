@@ -12,8 +12,10 @@ struct PlanOptions {
     std::filesystem::path catalogue;  // the directory of records
     int width = 0;                    // canvas px
     int height = 0;
+    int wall_width = 0;  // px of a wall that pans; 0: none is planned
     std::optional<std::filesystem::path> svg;
     std::optional<std::filesystem::path> json;  // neither: JSON to the standard output
+    std::optional<std::filesystem::path> film;  // of the packing
 };
 
 /// Lays out the first wall that the player would show of a catalogue, without a display. An empty catalogue

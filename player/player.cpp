@@ -7,7 +7,10 @@
 #include "player/display/kms_screen.hpp"
 #include "player/display/offscreen_screen.hpp"
 #include "player/display/screen_choice.hpp"
+#include "player/layout/nesting.hpp"
 #include "player/player_settings.hpp"
+#include "player/scene/panning_wall.hpp"
+#include "player/scene/wall.hpp"
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
@@ -43,7 +46,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       view_(view_of(settings)),
       canvas_(canvas_size(screen_->width(), screen_->height(), view_)),
       renderer_(screen_->width(), screen_->height(), view_),
-      wall_(canvas_, wall_settings(settings)),
+      show_(make_show()),
       sources_(settings.media.root, colour_named(settings.show.background).value_or(Colour{})),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
@@ -72,6 +75,12 @@ std::unique_ptr<Screen> Player::make_screen() {
     return make_kms(kms_options(settings_, std::get<KmsChoice>(choice)));
 }
 
+std::unique_ptr<Show> Player::make_show() const {
+    if (settings_.layout.mode == "pan")
+        return std::make_unique<PanningWall>(canvas_, pan_settings(settings_));
+    return std::make_unique<Wall>(canvas_, wall_settings(settings_));
+}
+
 void Player::run() {
     start_ = EventLoop::Clock::now();
     tick_.arm(0s);
@@ -88,7 +97,7 @@ void Player::follow(const CatalogueChange& change) {
         log::info("replaced: '{}'", path);
     for (const std::string& path : change.gone)
         log::info("gone: '{}'", path);
-    wall_.set_catalogue(follower_.records());
+    show_->set_catalogue(follower_.records());
 }
 
 std::chrono::nanoseconds Player::now() const {
@@ -121,19 +130,19 @@ void Player::follow_screen_size() {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     renderer_.resize(screen_->width(), screen_->height());
-    wall_.set_canvas(canvas);
+    show_->set_canvas(canvas);
 }
 
 WallStep Player::next_step(std::chrono::nanoseconds time) {
     take_layout();
     take_source_events(sources_.update(), time);
-    WallStep step = wall_.step(time);
+    WallStep step = show_->step(time);
     carry_out(step);
     for (int i = 0; is_paced_by_pictures_ && i < most_settling_steps && (step.plan || !step.requests.empty());
          ++i) {
         // The clock stands still until the layout and the sources are there.
         take_source_events(sources_.wait_until_ready(source_patience), time);
-        step = wall_.step(time);
+        step = show_->step(time);
         carry_out(step);
     }
     return step;
@@ -147,17 +156,17 @@ void Player::take_layout() {
 
 void Player::take_layout(Layout layout) {
     layout.generation = planned_.generation;
-    wall_.set_layout(layout);
+    show_->set_layout(layout);
 }
 
 void Player::take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time) {
     for (const SourceEvent& event : events) {
         if (!event.failure) {
-            wall_.source_ready(event.source);
+            show_->source_ready(event.source);
             continue;
         }
         log::warning("not shown for now: {}", *event.failure);
-        wall_.source_failed(event.source, time);
+        show_->source_failed(event.source, time);
     }
 }
 
@@ -178,7 +187,7 @@ void Player::ask(const WallPlan& wall) {
     request.items = wall.items;
     planned_ = wall;
     if (is_paced_by_pictures_)
-        take_layout(plan(request));
+        take_layout(planned(request));
     else
         asked_ = planner_.request(std::move(request));
 }
@@ -195,8 +204,8 @@ void Player::draw(Frame& frame) {
     screen_->begin_frame();
     renderer_.draw(frame);
     screen_->present(frame.time);
-    if (wall_.shown().size() == items_) return;
-    items_ = wall_.shown().size();
+    if (show_->count() == items_) return;
+    items_ = show_->count();
     log::info("wall of {} {}", items_, items_ == 1 ? "item" : "items");
 }
 

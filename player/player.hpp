@@ -8,7 +8,7 @@
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
 #include "player/render/view.hpp"
-#include "player/scene/wall.hpp"
+#include "player/scene/show.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -44,6 +44,7 @@ class Player {
 
   private:
     std::unique_ptr<Screen> make_screen();
+    std::unique_ptr<Show> make_show() const;
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void tick();
@@ -69,7 +70,7 @@ class Player {
     View view_;
     Vec2 canvas_;  // px
     Renderer renderer_;
-    Wall wall_;
+    std::unique_ptr<Show> show_;
     WallPlan planned_;         // the plan last asked for
     std::uint64_t asked_ = 0;  // what the planner calls it
     SourcePool sources_;

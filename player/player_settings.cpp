@@ -29,7 +29,17 @@ WallSettings wall_settings(const Settings& settings) {
     return {.assemblage = assemblage_settings(settings),
             .transition = {.crossfade = settings.show.crossfade,
                            .motion = settings.show.motion,
-                           .cells = cell_style(settings)}};
+                           .cells = cell_style(settings)},
+            .nests = settings.layout.folders == "nested"};
+}
+
+PanSettings pan_settings(const Settings& settings) {
+    const AssemblageSettings assemblage = assemblage_settings(settings);
+    return {.order = assemblage.order,
+            .seed = assemblage.seed,
+            .items_a_screen = assemblage.slots,
+            .speed = settings.show.pan_speed,
+            .cells = cell_style(settings)};
 }
 
 View view_of(const Settings& settings) {

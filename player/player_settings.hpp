@@ -3,6 +3,7 @@
 #include "base/settings/settings.hpp"
 #include "player/layout/plan.hpp"
 #include "player/render/view.hpp"
+#include "player/scene/panning_wall.hpp"
 #include "player/scene/wall.hpp"
 
 namespace vitrine {
@@ -12,6 +13,7 @@ namespace vitrine {
 AssemblageSettings assemblage_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 WallSettings wall_settings(const Settings& settings);
+PanSettings pan_settings(const Settings& settings);
 View view_of(const Settings& settings);
 
 /// All of a request but its items.

@@ -44,4 +44,26 @@ void save_png(const Picture& picture, const std::filesystem::path& path) {
     if (vips_pngsave(tagged.get(), path.c_str(), "compression", 3, nullptr) != 0) throw_vips(path);
 }
 
+Picture drawn_svg(const std::string& svg, int width, int height) {
+    const std::filesystem::path name = "drawing";
+    if (vips_init("vitrine") != 0) throw_vips(name);
+    VipsImage* made = nullptr;
+    if (vips_thumbnail_buffer(const_cast<char*>(svg.data()), svg.size(), &made, width, "height", height,
+                              "size", VIPS_SIZE_FORCE, nullptr) != 0)
+        throw_vips(name);
+    const ImageHandle drawn(made);
+    if (vips_cast(drawn.get(), &made, VIPS_FORMAT_UCHAR, nullptr) != 0) throw_vips(name);
+    const ImageHandle bytes(made);
+    Picture picture{.width = width, .height = height};
+    std::size_t size = 0;
+    void* pixels = vips_image_write_to_memory(bytes.get(), &size);
+    if (pixels == nullptr) throw_vips(name);
+    const auto* first = static_cast<const std::byte*>(pixels);
+    picture.pixels.assign(first, first + size);
+    g_free(pixels);
+    picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4,
+                          std::byte{255});
+    return picture;
+}
+
 }  // namespace vitrine

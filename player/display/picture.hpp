@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace vitrine {
@@ -16,5 +17,9 @@ struct Picture {
 /// Writes an opaque picture as a PNG file, replacing what is there.
 /// @throws std::runtime_error naming the file
 void save_png(const Picture& picture, const std::filesystem::path& path);
+
+/// A drawing as a picture of a size in px, on white.
+/// @throws std::runtime_error where it cannot be read as SVG
+Picture drawn_svg(const std::string& svg, int width, int height);
 
 }  // namespace vitrine

@@ -21,6 +21,9 @@ struct PlanItem {
     std::optional<Placement> home;      // where it goes back to as far as it can; none: `previous`
     std::optional<Seat> seat;           // it is new and takes over a seat; ignored with `previous`
     bool is_pinned = false;             // it keeps `previous` exactly, even where pinned items overlap
+    int group = no_group;               // those of one group stand together, see player/layout/nesting.hpp
+
+    static constexpr int no_group = -1;
 };
 
 /// The seat that a placed item leaves behind.

@@ -1,5 +1,7 @@
 #include "player/layout/plan_output.hpp"
 
+#include "base/geometry/convex_hull.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -63,6 +65,14 @@ std::string plan_svg(const PlanResult& result) {
         draw_cell(out, result.cells[i], i);
     for (std::size_t i = 0; i < result.items.size(); ++i)
         draw_item(out, result.items[i], result.layout.placements[i], i);
+    for (const LayoutGroup& group : result.layout.groups) {
+        std::vector<Vec2> corners;
+        for (const std::size_t i : group.items)
+            for (const Vec2& p : placed_region(result.items[i].item, result.layout.placements[i]))
+                corners.push_back(p);
+        fmt::format_to(out, "<polygon points='{}' fill='none' stroke='#036' stroke-width='4'/>\n",
+                       points(convex_hull(corners)));
+    }
     fmt::format_to(
         out,
         "<text x='12' y='{:.0f}' font-size='18'>energy {:.4f}, regions visible {:.4f}, canvas filled "

@@ -1,5 +1,7 @@
 #include "player/layout/planner.hpp"
 
+#include "player/layout/nesting.hpp"
+
 #include <utility>
 
 namespace vitrine {
@@ -60,7 +62,7 @@ void Planner::make(const Job& job) {
     };
     const PlanWatch watch{.on_better = [&](const Layout& layout) { put(layout, false); },
                           .should_stop = [&] { return is_obsolete(job.generation); }};
-    put(plan(job.request, watch), true);
+    put(planned(job.request, watch), true);
 }
 
 }  // namespace vitrine

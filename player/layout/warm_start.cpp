@@ -1,5 +1,6 @@
 #include "player/layout/warm_start.hpp"
 
+#include "player/layout/compaction.hpp"
 #include "player/layout/optimizer.hpp"
 #include "player/layout/separation.hpp"
 
@@ -187,6 +188,7 @@ std::optional<Arrangement> warm_start(const PlanRequest& request, Ground& ground
     if (!is_free(ground, arrangement, contacts)) return std::nullopt;
     pull_home(ground, arrangement, homes, contacts);
     arrangement = calmly_grown(ground, arrangement, homes, random, effort);
+    arrangement = compacted(ground, arrangement, contacts, effort);
     pull_home(ground, arrangement, homes, contacts);
     return arrangement;
 }

@@ -104,11 +104,12 @@ void Renderer::draw(const Frame& frame) {
         glEnable(GL_BLEND);
         idle_.draw(frame.canvas, view, frame.time, idle);
     }
+    const ToNdc moved = seen_from(view, frame.view);
     const std::span<const DrawItem> items = frame.items;
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
         while (end < items.size() && items[end].alpha == items[begin].alpha)
             ++end;
-        draw_run(items.subspan(begin, end - begin), view);
+        draw_run(items.subspan(begin, end - begin), moved);
     }
     glBindVertexArray(0);
     drop_old_meshes();

@@ -57,4 +57,10 @@ inline ToNdc to_ndc(Vec2 size, Rotation rotation) {
     return {};
 }
 
+/// The same with another canvas point at the top left.
+inline ToNdc seen_from(ToNdc view, Vec2 point) {
+    view.origin = view.origin - view.x_axis * point.x - view.y_axis * point.y;
+    return view;
+}
+
 }  // namespace vitrine

@@ -1,6 +1,7 @@
 #include "player/scene/compose.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine {
 
@@ -31,6 +32,17 @@ bool is_unchanged(const PlacedShot& placed, std::span<const PlacedShot> old_wall
 }
 
 }  // namespace
+
+ShotRequest request_of(const PlacedShot& placed) {
+    const WallShot& shot = placed.shot;
+    const double scale = std::min(1.0, placed.placement.scale);
+    return {.source = shot.source,
+            .path = shot.key.path,
+            .kind = shot.kind,
+            .shot = shot.shot,
+            .width = std::max(1, static_cast<int>(std::lround(shot.picture.x * scale))),
+            .height = std::max(1, static_cast<int>(std::lround(shot.picture.y * scale)))};
+}
 
 Vec2 slide(const Shot& shot, std::chrono::nanoseconds local) {
     if (shot.duration().count() <= 0) return {};

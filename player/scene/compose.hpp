@@ -1,7 +1,9 @@
 #pragma once
 
+#include "player/layout/plan_request.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
 
 #include <chrono>
 #include <memory>
@@ -15,7 +17,11 @@ struct PlacedShot {
     Placement placement;
     std::shared_ptr<const Cell> cell;   // shared: with the frames under way
     std::chrono::nanoseconds began{0};  // when it first appeared
+    int group = PlanItem::no_group;     // those of one stand together
 };
+
+/// What a shot's source is asked for where it stands: no more pixels than are shown.
+ShotRequest request_of(const PlacedShot& placed);
 
 /// How far the subject has moved in a shot that loops, source px; 0 for a photo.
 Vec2 slide(const Shot& shot, std::chrono::nanoseconds local);

@@ -27,6 +27,7 @@ struct DrawItem {
 /// Everything that one screen refresh shows: drawn in order, testable without GL.
 struct Frame {
     Vec2 canvas;  // px
+    Vec2 view;    // the canvas point that is shown at the top left, px: a wall that is wider passes by
     std::vector<DrawItem> items;
     double idle = 0;                   // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started

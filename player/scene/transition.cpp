@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 
 namespace vitrine {
 
@@ -93,6 +94,11 @@ void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& sty
         items.push_back(placed.shot.item);
         layout.placements.push_back(placed.placement);
     }
+    std::map<int, LayoutGroup> groups;
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        if (wall[i].group != PlanItem::no_group) groups[wall[i].group].items.push_back(i);
+    for (auto& [name, group] : groups)
+        if (group.items.size() > 1) layout.groups.push_back(std::move(group));
     std::vector<Cell> made = cells(items, layout, style);
     for (std::size_t i = 0; i < wall.size(); ++i)
         wall[i].cell = std::make_shared<const Cell>(std::move(made[i]));

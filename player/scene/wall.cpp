@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 namespace vitrine {
@@ -26,18 +25,13 @@ bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& want
                       [](const PlacedShot& a, const WallShot& b) { return a.shot.source == b.source; });
 }
 
-ShotRequest request(const PlacedShot& placed) {
-    const WallShot& shot = placed.shot;
-    const double scale = std::min(1.0, placed.placement.scale);
-    return {.source = shot.source,
-            .path = shot.key.path,
-            .kind = shot.kind,
-            .shot = shot.shot,
-            .width = std::max(1, static_cast<int>(std::lround(shot.picture.x * scale))),
-            .height = std::max(1, static_cast<int>(std::lround(shot.picture.y * scale)))};
-}
-
 }  // namespace
+
+int folder_number(const std::string& path, std::map<std::string, int>& folders) {
+    const std::size_t slash = path.find('/');
+    if (slash == std::string::npos) return PlanItem::no_group;
+    return folders.emplace(path.substr(0, slash), static_cast<int>(folders.size())).first->second;
+}
 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
     : settings_(settings), canvas_(canvas), assemblage_(settings.assemblage) {}
@@ -103,9 +97,12 @@ std::optional<WallPlan> Wall::follow_assemblage() {
 WallPlan Wall::begin_change(const std::vector<WallShot>& wanted) {
     WallPlan plan{.generation = ++generation_, .canvas = canvas_};
     incoming_ = Incoming{.generation = generation_, .canvas = canvas_, .has_layout = wanted.empty()};
+    std::map<std::string, int> folders;
     for (const WallShot& shot : wanted) {
-        incoming_->wall.push_back({.shot = shot});
+        const int group = settings_.nests ? folder_number(shot.key.path, folders) : PlanItem::no_group;
+        incoming_->wall.push_back({.shot = shot, .group = group});
         plan.items.push_back(plan_item(shot));
+        plan.items.back().group = group;
     }
     return plan;
 }
@@ -125,7 +122,7 @@ void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
     if (!incoming_->waiting) incoming_->waiting = now;
     if (std::exchange(incoming_->wants_sources, false)) {
         for (const PlacedShot& placed : incoming_->wall) {
-            step.requests.push_back(request(placed));
+            step.requests.push_back(request_of(placed));
             sources_.try_emplace(placed.shot.source, false);
         }
     }
@@ -149,7 +146,8 @@ void Wall::give_up_waiting(std::chrono::nanoseconds now) {
 
 void Wall::begin_fade(std::chrono::nanoseconds now) {
     TransitionStyle style = settings_.transition;
-    if (canvas_ != shown_canvas_) style.motion = {};
+    if (canvas_ != shown_canvas_ || settings_.nests)
+        style.motion = {};  // hulls of groups might meet on the way
     std::vector<Act>& acts = incoming_->acts;
     acts = transition(canvas_, shown_, incoming_->wall, style);
     const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "player/layout/plan_request.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
-#include "player/scene/shot_request.hpp"
+#include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"
 
 #include <cstdint>
@@ -17,49 +16,41 @@ namespace vitrine {
 struct WallSettings {
     AssemblageSettings assemblage;
     TransitionStyle transition;
+    bool nests = false;                                            // the files of a folder stand together
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
 };
 
-/// What is to be laid out.
-struct WallPlan {
-    std::uint64_t generation = 0;  // to be handed back with the layout
-    Vec2 canvas;                   // px
-    std::vector<PlanItem> items;   // each where it stands now, or with the seat of its slot's last shot
-};
-
-/// What is to be done in this frame, beside drawing it.
-struct WallStep {
-    Frame frame;
-    std::optional<WallPlan> plan;       // replaces a plan still under way
-    std::vector<ShotRequest> requests;  // new sources, or another size for one that plays
-    std::vector<SourceId> retired;      // not in this frame and never again
-};
+/// The number of the folder under the media root that a file lies in, as PlanItem::group.
+/// @param folders  those known; a new one is added
+int folder_number(const std::string& path, std::map<std::string, int>& folders);
 
 /// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
 /// sources are asked for; once they are ready the old wall, which plays on, moves and fades into the new one;
 /// then the sources that are not on it any more retire. One such change at a time; a wish that changes before
-/// its fade has begun is replaced. Knows no clock: events are told to it, step() says what follows.
-class Wall {
+/// its fade has begun is replaced.
+class Wall final : public Show {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);
 
     /// Another screen mode: the same shots are laid out anew.
-    void set_canvas(Vec2 canvas);
+    void set_canvas(Vec2 canvas) override;
 
-    void set_catalogue(std::span<const MediaRecord> records);
+    void set_catalogue(std::span<const MediaRecord> records) override;
 
     /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. A
     /// better one for the same plan is taken until the fade begins.
     /// @pre one placement for each item of the plan
-    void set_layout(const Layout& layout);
+    void set_layout(const Layout& layout) override;
 
-    void source_ready(SourceId source);
+    void source_ready(SourceId source) override;
 
     /// Its file gives way to another; what is on the wall of it stays until the other is ready.
-    void source_failed(SourceId source, std::chrono::nanoseconds now);
+    void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
     /// @param now  since the player's start; never goes back
-    WallStep step(std::chrono::nanoseconds now);
+    WallStep step(std::chrono::nanoseconds now) override;
+
+    std::size_t count() const override { return shown_.size(); }
 
     bool is_fading() const { return incoming_ && incoming_->fade_began.has_value(); }
 

@@ -107,3 +107,56 @@ TEST_CASE("a gutter takes half its width from each side and nothing from a regio
 TEST_CASE("an empty layout has no cells") {
     CHECK(cells({}, {.canvas = {100, 100}}).empty());
 }
+
+TEST_CASE("sampled sites ripple and erode as far as their spacing says, exact ones never") {
+    // Two walls 8 px apart, sampled inside by 2 px: the ripple is s^2 / (8 (g + 2 d)), so regions are cut
+    // from a spacing of 2 sqrt(g (g + 2 d)) = 19.6 px on.
+    const LayoutItem wall{.region = to_polygon({{0, 0}, {96, 400}}), .core = {{-500, -500}, {500, 900}}};
+    LayoutItem lower = wall;  // its samples lie at other heights
+    lower.region = to_polygon({{0, 30}, {96, 400}});
+    const std::vector<LayoutItem> items{wall, lower};
+    const Layout layout{.canvas = {200, 400}, .placements = {{1, {0, 0}}, {1, {104, 0}}}};
+    const auto lost = [&](double spacing) {
+        const std::vector<Cell> all = cells(items, layout, {.sample_spacing = spacing, .sample_inset = 2});
+        double sum = 0;
+        for (std::size_t i = 0; i < 2; ++i)
+            sum += area_of(difference_of({to_grid(placed_region(items[i], layout.placements[i]))},
+                                         loops_of(all[i].parts)));
+        return sum;
+    };
+    CHECK(lost(0) == 0);
+    CHECK(lost(15) < 0.5);
+    CHECK(lost(60) > lost(15) + 1);
+}
+
+TEST_CASE("rounded corners never cut a region and only take from the cells") {
+    const PlanRequest request = random_request(6, 3);
+    const std::vector<LayoutItem> items = items_of(request);
+    const Layout layout = plan(request);
+    const std::vector<Cell> sharp = cells(items, layout, {.gutter = 6});
+    const std::vector<Cell> round = cells(items, layout, {.gutter = 6, .corner_radius = 25});
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Loops region{to_grid(placed_region(items[i], layout.placements[i]))};
+        CHECK(area_of(difference_of(region, loops_of(round[i].parts))) < 1e-3);
+        CHECK(area_of(difference_of(loops_of(round[i].parts), loops_of(sharp[i].parts))) < 1e-3);
+        CHECK(area_of(loops_of(round[i].parts)) < area_of(loops_of(sharp[i].parts)));
+    }
+}
+
+TEST_CASE("feathers end before the next region and before the picture does") {
+    const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const LayoutItem near{.region = to_polygon({{-24, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const std::vector<LayoutItem> items{item, near};
+    const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {100, 0}}}};
+    const std::vector<Cell> all = cells(items, layout, {.feather = 30});
+    REQUIRE_FALSE(all[0].rims.empty());
+    double widest = 0;
+    for (const Rim& rim : all[0].rims)
+        for (std::size_t k = 0; k < rim.outline.size(); ++k) {
+            const Vec2 p = rim.outline[k];
+            widest = std::max(widest, rim.widths[k]);
+            if (std::abs(p.y - 50) < 8 && p.x > 60) CHECK(p.x + rim.widths[k] <= 76 + 1e-9);
+        }
+    CHECK(widest > 8);
+    CHECK(cells(items, layout)[0].rims.empty());
+}

@@ -1,0 +1,207 @@
+#include "player/scene/panning_wall.hpp"
+
+#include "player/layout/layout_item.hpp"
+#include "player/scene/transition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+
+namespace {
+
+constexpr double ahead = 0.3;  // screens before the view at which sources are asked for
+constexpr auto longest_step = std::chrono::milliseconds(100);  // that the view moves on after a pause
+
+bool can_be_shown(const MediaRecord& record) {
+    return record.state == MediaState::ready && record.width > 0 && record.height > 0 &&
+           !record.shots.empty();
+}
+
+Box bounds_of(const Cell& cell) {
+    Box bounds;
+    bool any = false;
+    for (const std::vector<Polygon>* some : {&cell.parts, &cell.filler})
+        for (const Polygon& polygon : *some) {
+            bounds = any ? united(bounds, bounding_box(polygon)) : bounding_box(polygon);
+            any = true;
+        }
+    return bounds;
+}
+
+}  // namespace
+
+PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
+    : settings_(settings), canvas_(canvas), round_(settings.order, settings.seed), strip_{.screen = canvas} {}
+
+void PanningWall::set_canvas(Vec2 canvas) {
+    if (canvas == canvas_) return;
+    for (const Shown& shown : shots_)
+        if (shown.source != Source::unasked && shown.source != Source::retired)
+            left_.push_back(shown.placed.shot.source);
+    canvas_ = canvas;
+    strip_ = {.screen = canvas};
+    shots_.clear();
+    extension_.reset();
+    view_ = base_ = 0;
+}
+
+void PanningWall::set_catalogue(std::span<const MediaRecord> records) {
+    files_.clear();
+    for (const MediaRecord& record : records)
+        if (can_be_shown(record)) files_.emplace(record.path, record);
+    std::vector<const MediaRecord*> known;
+    for (const auto& [path, record] : files_)
+        known.push_back(&record);
+    round_.set_files(known);
+}
+
+/// Forgets what has passed, and what has not come yet and is gone.
+void PanningWall::drop_passed() {
+    const double right = view_ + canvas_.x * (1 + ahead);
+    for (std::size_t i = shots_.size(); i-- > 0;) {
+        const Shown& shown = shots_[i];
+        const bool is_gone = !files_.contains(shown.placed.shot.key.path) && shown.left > right &&
+                             shown.source == Source::unasked;
+        if (shown.source != Source::retired && !is_gone) continue;
+        const auto at = static_cast<std::ptrdiff_t>(i);
+        shots_.erase(shots_.begin() + at);
+        strip_.items.erase(strip_.items.begin() + at);
+        strip_.placements.erase(strip_.placements.begin() + at);
+    }
+}
+
+bool PanningWall::is_on_wall(const ShotKey& key) const {
+    return std::any_of(shots_.begin(), shots_.end(), [&](const Shown& shown) {
+        return shown.source != Source::retired && shown.placed.shot.key == key;
+    });
+}
+
+std::optional<ShotKey> PanningWall::next_key() {
+    const auto fits = [&](const ShotKey& key) {
+        return !is_on_wall(key) && std::none_of(newcomers_.begin(), newcomers_.end(),
+                                                [&](const WallShot& shot) { return shot.key == key; });
+    };
+    if (auto key = round_.take(fits)) return key;
+    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); });
+    if (auto key = round_.take(fits)) return key;
+    return round_.take([](const ShotKey&) { return true; });
+}
+
+std::vector<WallShot> PanningWall::next_shots(std::size_t count) {
+    newcomers_.clear();
+    while (newcomers_.size() < count) {
+        const auto key = next_key();
+        if (!key) break;
+        const MediaRecord& record = files_.at(key->path);
+        const Shot& shot = record.shots.at(static_cast<std::size_t>(key->shot));
+        newcomers_.push_back(
+            {.source = ++last_source_,
+             .key = *key,
+             .kind = record.kind,
+             .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
+             .item = layout_item(record, shot),
+             .shot = shot});
+    }
+    return newcomers_;
+}
+
+std::optional<WallPlan> PanningWall::extend() {
+    if (extension_ || files_.empty()) return std::nullopt;
+    if (!strip_.items.empty() && view_ + canvas_.x < strip_.firm - canvas_.x) return std::nullopt;
+    drop_passed();
+    std::vector<LayoutItem> items;
+    for (const WallShot& shot :
+         next_shots(wanted_newcomers(strip_, static_cast<std::size_t>(settings_.items_a_screen))))
+        items.push_back(shot.item);
+    extension_ = extension(strip_, items, {});
+    return WallPlan{.generation = ++generation_,
+                    .canvas = extension_->request.canvas,
+                    .items = extension_->request.items};
+}
+
+void PanningWall::set_layout(const Layout& layout) {
+    if (!extension_ || layout.generation != generation_) return;
+    strip_ = extended(strip_, *extension_, layout);
+    extension_.reset();
+    for (const WallShot& shot : newcomers_)
+        shots_.push_back({.placed = {.shot = shot}});
+    base_ = std::floor(view_);
+    std::vector<PlacedShot> wall;
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        shots_[i].placed.placement = strip_.placements[i];
+        shots_[i].placed.placement.offset.x -= base_;
+        wall.push_back(shots_[i].placed);
+    }
+    give_cells(wall, {strip_.end - base_, canvas_.y}, settings_.cells);
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        const Box bounds = bounds_of(*wall[i].cell);
+        shots_[i].placed.cell = wall[i].cell;
+        shots_[i].left = bounds.min.x + base_;
+        shots_[i].right = bounds.max.x + base_;
+    }
+}
+
+void PanningWall::source_ready(SourceId source) {
+    for (Shown& shown : shots_)
+        if (shown.placed.shot.source == source && shown.source == Source::asked) shown.source = Source::ready;
+}
+
+void PanningWall::source_failed(SourceId source, std::chrono::nanoseconds /*now*/) {
+    for (Shown& shown : shots_)
+        if (shown.placed.shot.source == source) shown.source = Source::failed;
+}
+
+bool PanningWall::is_in_view(const Shown& shown) const {
+    return shown.right > view_ && shown.left < view_ + canvas_.x;
+}
+
+/// The view goes on while all that is in it is ready.
+void PanningWall::advance(std::chrono::nanoseconds now) {
+    const std::chrono::nanoseconds passed =
+        std::min<std::chrono::nanoseconds>(now - last_.value_or(now), longest_step);
+    last_ = now;
+    for (Shown& shown : shots_) {
+        if (!is_in_view(shown)) continue;
+        if (shown.source == Source::unasked || shown.source == Source::asked) return;
+        if (!shown.has_begun) shown.placed.began = now;
+        shown.has_begun = true;
+    }
+    const double step = settings_.speed * std::chrono::duration<double>(passed).count();
+    view_ = std::min(view_ + step, std::max(view_, strip_.firm - canvas_.x));
+}
+
+void PanningWall::ask_and_retire(WallStep& step) {
+    step.retired = std::move(left_);
+    left_.clear();
+    for (Shown& shown : shots_) {
+        if (shown.source == Source::unasked && shown.left < view_ + canvas_.x * (1 + ahead)) {
+            step.requests.push_back(request_of(shown.placed));
+            shown.source = Source::asked;
+        }
+        if (shown.right > view_ || shown.source == Source::retired) continue;
+        if (shown.source != Source::unasked) step.retired.push_back(shown.placed.shot.source);
+        shown.source = Source::retired;
+    }
+}
+
+WallStep PanningWall::step(std::chrono::nanoseconds now) {
+    WallStep step;
+    advance(now);
+    step.plan = extend();
+    ask_and_retire(step);
+    std::vector<PlacedShot> seen;
+    for (const Shown& shown : shots_)
+        if (is_in_view(shown) && shown.source == Source::ready) seen.push_back(shown.placed);
+    step.frame = compose(canvas_, seen, {}, 0, now);
+    step.frame.view = {view_ - base_, 0};
+    return step;
+}
+
+std::size_t PanningWall::count() const {
+    return static_cast<std::size_t>(std::count_if(shots_.begin(), shots_.end(), [&](const Shown& shown) {
+        return is_in_view(shown) && shown.source == Source::ready;
+    }));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "player/layout/strip.hpp"
+#include "player/scene/assemblage.hpp"
+#include "player/scene/compose.hpp"
+#include "player/scene/show.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct PanSettings {
+    ShotOrder order = ShotOrder::shuffle;
+    std::uint64_t seed = 1;
+    int items_a_screen = 12;
+    double speed = 30;  // canvas px a second
+    CellStyle cells;
+};
+
+/// A wall that passes slowly by, for more shots than fit. What comes is laid out ahead of the view, its
+/// sources are asked for shortly before they come into it, and retire once they have left it; nothing in view
+/// ever moves against its neighbours. The view waits for sources that are late.
+class PanningWall final : public Show {
+  public:
+    PanningWall(Vec2 canvas, const PanSettings& settings);
+
+    void set_canvas(Vec2 canvas) override;
+    void set_catalogue(std::span<const MediaRecord> records) override;
+    void set_layout(const Layout& layout) override;
+    void source_ready(SourceId source) override;
+    void source_failed(SourceId source, std::chrono::nanoseconds now) override;
+    WallStep step(std::chrono::nanoseconds now) override;
+    std::size_t count() const override;
+
+    /// Left edge of what is seen, px from where the wall began.
+    double view() const { return view_; }
+
+  private:
+    enum class Source { unasked, asked, ready, failed, retired };
+
+    struct Shown {
+        PlacedShot placed;  // in px from base_
+        Source source = Source::unasked;
+        bool has_begun = false;
+        double left = 0, right = 0;  // of the cell, strip px
+    };
+
+    void drop_passed();
+    std::vector<WallShot> next_shots(std::size_t count);
+    std::optional<ShotKey> next_key();
+    bool is_on_wall(const ShotKey& key) const;
+    std::optional<WallPlan> extend();
+    bool is_in_view(const Shown& shown) const;
+    void advance(std::chrono::nanoseconds now);
+    void ask_and_retire(WallStep& step);
+
+    PanSettings settings_;
+    Vec2 canvas_;
+    std::map<std::string, MediaRecord> files_;
+    ShotRound round_;
+    Strip strip_;
+    std::vector<Shown> shots_;    // one a strip item
+    std::vector<SourceId> left_;  // of a wall that was given up
+    std::optional<StripExtension> extension_;
+    std::vector<WallShot> newcomers_;  // of the extension
+    double view_ = 0;                  // strip px
+    double base_ = 0;                  // strip px that the cells' px count from
+    std::optional<std::chrono::nanoseconds> last_;
+    std::uint64_t generation_ = 0;
+    SourceId last_source_ = 0;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "player/layout/plan_request.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+/// What is to be laid out.
+struct WallPlan {
+    std::uint64_t generation = 0;  // to be handed back with the layout
+    Vec2 canvas;                   // px
+    std::vector<PlanItem> items;   // each where it stands now, or with the seat of its slot's last shot
+};
+
+/// What is to be done in this frame, beside drawing it.
+struct WallStep {
+    Frame frame;
+    std::optional<WallPlan> plan;       // replaces a plan still under way
+    std::vector<ShotRequest> requests;  // new sources, or another size for one that plays
+    std::vector<SourceId> retired;      // not in this frame and never again
+};
+
+/// What is on the screen, from wish to picture. Knows no clock: events are told to it, step() says what
+/// follows.
+class Show {
+  public:
+    Show() = default;
+    Show(const Show&) = delete;
+    Show& operator=(const Show&) = delete;
+    Show(Show&&) = default;
+    Show& operator=(Show&&) = default;
+    virtual ~Show() = default;
+
+    /// Another screen mode.
+    virtual void set_canvas(Vec2 canvas) = 0;
+
+    virtual void set_catalogue(std::span<const MediaRecord> records) = 0;
+
+    /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored.
+    /// @pre one placement for each item of the plan
+    virtual void set_layout(const Layout& layout) = 0;
+
+    virtual void source_ready(SourceId source) = 0;
+
+    virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
+
+    /// @param now  since the player's start; never goes back
+    virtual WallStep step(std::chrono::nanoseconds now) = 0;
+
+    /// How many shots are on the screen.
+    virtual std::size_t count() const = 0;
+};
+
+}  // namespace vitrine
