@@ -4,10 +4,10 @@
 
 namespace vitrine {
 
-/// Where every item shall stand when those of one group stand together: each group is packed by itself, then
-/// counts as one item whose region is the hull of its regions, and takes them along where it goes. The layout
-/// names the groups. A group of one is an item by itself. Source: Dynamic Media Assemblage, future work
-/// (hierarchies of media).
+/// Where every item shall stand when those of one group stand together: the canvas is divided among the
+/// groups by what their items weigh, and each is packed on its part, so that the hulls of their I-Regions
+/// never overlap. Items without a group are one too. The layout names the groups of more than one item.
+/// Source: Dynamic Media Assemblage, future work (hierarchies of media).
 Layout plan_nested(const PlanRequest& request, const PlanWatch& watch = {});
 
 /// plan(), or plan_nested() where items stand in groups.

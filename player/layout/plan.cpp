@@ -155,6 +155,12 @@ bool is_warm(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value(); });
 }
 
+/// Whether anything stands that would rather not move.
+bool can_be_disturbed(const PlanRequest& request) {
+    return std::any_of(request.items.begin(), request.items.end(),
+                       [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
+}
+
 std::optional<Layout> changed_layout(const PlanRequest& request, Ground standing, Random& random,
                                      Effort& effort) {
     if (!is_warm(request)) return std::nullopt;
@@ -187,7 +193,8 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     if (request.energy == EnergyMode::paper)
         return layout_of(request, ground,
                          papers_way(ground, request.canvas.x / request.canvas.y, random, effort));
-    if (const auto changed = changed_layout(request, ground, random, effort)) return *changed;
+    if (can_be_disturbed(request))
+        if (const auto changed = changed_layout(request, ground, random, effort)) return *changed;
     const bool any_pinned =
         std::find(ground.pinned.begin(), ground.pinned.end(), true) != ground.pinned.end();
     const Arrangement start =
