@@ -1,17 +1,17 @@
 #pragma once
 
-#include "analyzer/video/feature_window.hpp"
+#include "analyzer/video/take_change.hpp"
 
 namespace vitrine {
 
 /// So long after a frame must be known before it can be judged.
-constexpr std::chrono::milliseconds cut_radius{240};
-constexpr std::size_t cut_radius_frames = 4;  // at least so many, where frames are rare
+constexpr std::chrono::milliseconds cut_horizon = longest_return;
 
-/// Whether a new shot begins with `frame`: its colour difference to the frame before is the largest around it
-/// and stands out, and what follows stays different from what went before, which a flash's does not.
+/// Whether a new shot begins with `frame`: the picture changes at once, no motion explains the change, and
+/// what follows is another take.
 ///
-/// Source: Lienhart's CHD (Dynamic Media Assemblage 3.1). Differs: an adaptive threshold and the flash guard.
+/// Source: Lienhart's CHD (Dynamic Media Assemblage 3.1). Differs: the change is measured at the place as
+/// well, compensated for motion and set against its surroundings; flashes and things passing by are no cuts.
 bool is_cut(const FeatureWindow& window, std::size_t frame);
 
 }  // namespace vitrine

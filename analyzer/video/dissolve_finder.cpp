@@ -19,20 +19,38 @@ constexpr double alike = .6;                // NCC of both ends
 constexpr double least_difference = .15;    // colour difference of both ends
 constexpr double uneven = .18;              // largest deviation from even growth
 constexpr double most_residue = .05;        // energy beside D, share of D's
-constexpr double unlike = .2;               // NCC of ends that no motion explains: both shots may move then
+constexpr double even = .1;                 // deviation of what nothing but a dissolve grows like
+constexpr double most_residue_if_even = .17;
+constexpr milliseconds least_if_even{320};
+constexpr double unlike = .2;  // NCC of ends that no motion explains: both shots may move then
 constexpr double most_residue_if_unlike = .10;
 constexpr milliseconds quiet{320};  // without a window, a dissolve is over
 
+// Bars that move in from above and below are no dissolve: what lies there does not count.
+constexpr std::size_t row = 3 * FrameFeatures::signature_width;
+constexpr std::size_t first_place = 3 * row;
+constexpr std::size_t end_place = (FrameFeatures::signature_height - 3) * row;
+constexpr double places = end_place - first_place;
+
 double mean_product(const FrameFeatures& a, const FrameFeatures& b) {
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < a.signature.size(); ++i)
-        sum += std::int64_t{a.signature[i]} * b.signature[i];
-    return static_cast<double>(sum) / static_cast<double>(a.signature.size());
+    std::uint32_t sum = 0;
+    for (std::size_t i = first_place; i < end_place; ++i)
+        sum += std::uint32_t{a.signature[i]} * b.signature[i];
+    return sum / places;
+}
+
+double mean_of(const FrameFeatures& a) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = first_place; i < end_place; ++i)
+        sum += a.signature[i];
+    return sum / places;
 }
 
 double correlation(const FrameFeatures& a, const FrameFeatures& b) {
-    const double spread = a.deviation * b.deviation;
-    return spread > 1 ? (mean_product(a, b) - a.mean * b.mean) / spread : 0;
+    const double ma = mean_of(a);
+    const double mb = mean_of(b);
+    const double spread = std::sqrt((mean_product(a, a) - ma * ma) * (mean_product(b, b) - mb * mb));
+    return spread > 1 ? (mean_product(a, b) - ma * mb) / spread : 0;
 }
 
 // The share and residue of one frame on the line from s to e, by products of signatures only:
@@ -79,14 +97,19 @@ bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t las
     const std::size_t step = std::max<std::size_t>(1, (last - first) / most_looked_at);
     const auto length = std::chrono::duration<double>(end.time - start.time).count();
     double residue = 0;
+    double unevenness = 0;
     int looked_at = 0;
     for (std::size_t i = first + step; i < last; i += step, ++looked_at) {
         const Line line = ends.line(window.at(i));
         const double due = std::chrono::duration<double>(window.time(i) - start.time).count() / length;
-        if (std::abs(line.share - due) >= uneven) return false;
+        unevenness = std::max(unevenness, std::abs(line.share - due));
+        if (unevenness >= uneven) return false;
         residue += line.residue;
     }
-    return looked_at > 0 && residue / looked_at < (likeness < unlike ? most_residue_if_unlike : most_residue);
+    const double most = unevenness < even && end.time - start.time >= least_if_even ? most_residue_if_even
+                        : likeness < unlike                                         ? most_residue_if_unlike
+                                                                                    : most_residue;
+    return looked_at > 0 && residue / looked_at < most;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace vitrine {
 /// For frames s..e with signatures f, D = f_e - f_s and a_t = <f_t - f_s, D> / |D|^2 must grow evenly from 0
 /// to 1 while hardly anything is left beside D. A pan moves evenly as well, but between alike pictures: hence
 /// the normalised cross-correlation of both ends. Windows of several lengths end at each frame; those that
-/// overlap are one dissolve.
+/// overlap are one dissolve. Whether motion explains the change after all is asked by TransitionDetector.
 class DissolveFinder {
   public:
     /// Looks at the windows that end with `frame`.

@@ -16,7 +16,7 @@ class FeatureWindow {
     static constexpr std::size_t max_frames = 900;  // 6 s at 150 frames a second
 
     void push(const FrameFeatures& features) {
-        step_.push_back(frames_.empty() ? 0 : colour_difference(frames_.back(), features));
+        step_.push_back(frames_.empty() ? 0 : picture_difference(frames_.back(), features));
         frames_.push_back(features);
         while (frames_.size() > max_frames || frames_.back().time - frames_.front().time > span) {
             frames_.pop_front();
@@ -34,19 +34,33 @@ class FeatureWindow {
         return frames_[frame - first_];
     }
 
-    /// Colour difference of a frame to the one before it.
+    /// Picture difference of a frame to the one before it, grey levels.
     double step_at(std::size_t frame) const { return step_[frame - first_]; }
 
     std::chrono::nanoseconds time(std::size_t frame) const { return at(frame).time; }
 
-    /// The frame `count` before, but no earlier than the oldest.
-    std::size_t before(std::size_t frame, std::size_t count) const {
-        return frame - std::min(count, frame - first_);
+    /// The first frame that is not before a time, or the newest.
+    std::size_t frame_at(std::chrono::nanoseconds time) const {
+        const auto found =
+            std::lower_bound(frames_.begin(), frames_.end(), time,
+                             [](const FrameFeatures& frame, auto at) { return frame.time < at; });
+        return std::min(first_ + static_cast<std::size_t>(found - frames_.begin()), end() - 1);
     }
 
-    /// The frame `count` after, but no later than the newest.
-    std::size_t after(std::size_t frame, std::size_t count) const {
-        return std::min(frame + count, end() - 1);
+    /// The last frame at least so long before a frame, or the oldest.
+    std::size_t back(std::size_t frame, std::chrono::nanoseconds by) const {
+        std::size_t other = frame;
+        while (other > first_ && time(frame) - time(other) < by)
+            --other;
+        return other;
+    }
+
+    /// The first frame at least so long after a frame, or the newest.
+    std::size_t ahead(std::size_t frame, std::chrono::nanoseconds by) const {
+        std::size_t other = frame;
+        while (other + 1 < end() && time(other) - time(frame) < by)
+            ++other;
+        return other;
     }
 
   private:

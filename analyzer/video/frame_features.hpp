@@ -13,14 +13,17 @@ struct FrameFeatures {
     static constexpr std::size_t bins = 8;              // a colour channel
     static constexpr std::size_t signature_width = 32;  // px
     static constexpr std::size_t signature_height = 18;
+    static constexpr std::size_t detail_width = 64;  // px
+    static constexpr std::size_t detail_height = 36;
 
     std::chrono::nanoseconds time{0};
     std::array<std::uint16_t, bins * bins * bins>
         histogram{};  // shares of the picture, the sum is about 65535
-    std::array<std::uint8_t, signature_width * signature_height>
-        signature{};       // the picture in grey, very small
-    double mean = 0;       // of the signature
-    double deviation = 0;  // standard deviation of it
+    std::array<std::uint8_t, 3 * signature_width * signature_height>
+        signature{};                                                  // the picture in BGR, very small
+    std::array<std::uint8_t, detail_width * detail_height> detail{};  // the picture in grey, small
+    double mean = 0;                                                  // of the detail
+    double deviation = 0;                                             // standard deviation of it
 };
 
 FrameFeatures features_of(const VideoFrame& frame);

@@ -9,8 +9,16 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::chrono::milliseconds settle{1500};  // longer than a dissolve's longest window
+constexpr std::chrono::milliseconds settle{2500};  // longer than what is judged late and the usual wipe
 constexpr std::chrono::milliseconds touching{60};  // a cut so near a fade's end is that end
+
+constexpr std::chrono::milliseconds longest_flash{400};  // to white or black and back
+
+// What a dissolve leaves unexplained, see GradualChange.
+constexpr double least_left = .12;
+constexpr double least_area = .55;  // a thing that passes, or bars that move in, fill less
+constexpr double least_unmoved = .25;
+constexpr double least_on_way = .43;
 
 bool is_gradual(const Transition& transition) {
     return transition.end > transition.begin;
@@ -35,7 +43,7 @@ Transition joined(const Transition& a, const Transition& b) {
 std::vector<Transition> TransitionDetector::push(const FrameFeatures& frame) {
     window_.push(frame);
     judged_ = std::max(judged_, window_.first());
-    while (judged_ + cut_radius_frames < window_.end() && frame.time - window_.time(judged_) >= cut_radius)
+    while (frame.time - window_.time(judged_) >= cut_horizon)
         judge(judged_++);
     const auto first_open = std::find_if(pending_.begin(), pending_.end(),
                                          [&](const Transition& found) { return !is_settled(found); });
@@ -47,22 +55,38 @@ std::vector<Transition> TransitionDetector::push(const FrameFeatures& frame) {
 std::vector<Transition> TransitionDetector::finish(std::chrono::nanoseconds end) {
     while (judged_ < window_.end())
         judge(judged_++);
-    if (const auto found = dissolves_.finish()) add(*found);
+    if (const auto found = dissolves_.finish(); found && is_dissolve(*found)) add(*found);
     if (const auto found = fades_.finish(end)) add(*found);
     return std::exchange(pending_, {});
 }
 
 void TransitionDetector::judge(std::size_t frame) {
     since_ = std::max(since_, window_.first());
+    faded_ = std::max(faded_, window_.first());
     if (is_cut(window_, frame)) {
         add({window_.time(frame), window_.time(frame), ShotEnd::cut});
         since_ = frame;
     }
-    if (const auto found = dissolves_.push(window_, frame, since_)) add(*found);
-    if (const auto found = fades_.push(window_, frame, since_)) {
+    if (const auto found = dissolves_.push(window_, frame, since_); found && is_dissolve(*found)) add(*found);
+    if (const auto found = wipes_.push(window_, frame, faded_)) add(*found);
+    if (const auto found = fades_.push(window_, frame, since_); found && !is_flash(*found)) {
         add(*found);
         since_ = std::max(since_, frame);
+        faded_ = since_;
     }
+}
+
+bool TransitionDetector::is_flash(const Transition& found) const {
+    if (found.end - found.begin > longest_flash || found.begin <= window_.time(window_.first())) return false;
+    return !is_new_take(window_, window_.frame_at(found.begin) - 1, window_.frame_at(found.end));
+}
+
+bool TransitionDetector::is_dissolve(const Transition& found) const {
+    const std::size_t begin = window_.frame_at(found.begin);
+    const std::size_t end = window_.frame_at(found.end);
+    const GradualChange change = gradual_change(window_, begin, end);
+    return change.share > least_left && change.area > least_area && change.unmoved > least_unmoved &&
+           change.on_way > least_on_way && is_new_take(window_, begin, end);
 }
 
 void TransitionDetector::add(const Transition& found) {

@@ -4,6 +4,7 @@
 #include "analyzer/video/fade_finder.hpp"
 #include "analyzer/video/feature_window.hpp"
 #include "analyzer/video/transition.hpp"
+#include "analyzer/video/wipe_finder.hpp"
 
 #include <vector>
 
@@ -21,14 +22,18 @@ class TransitionDetector {
 
   private:
     void judge(std::size_t frame);
+    bool is_flash(const Transition& found) const;
+    bool is_dissolve(const Transition& found) const;
     void add(const Transition& found);
     bool is_settled(const Transition& found) const;
 
     FeatureWindow window_;
     DissolveFinder dissolves_;
+    WipeFinder wipes_;
     FadeFinder fades_;
     std::vector<Transition> pending_;  // in time order, not overlapping
     std::size_t judged_ = 0;           // frames before this one are judged
+    std::size_t faded_ = 0;            // the first frame after the last fade
     std::size_t since_ = 0;            // the first frame after the last transition
 };
 

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 
 namespace vitrine {
@@ -17,24 +16,56 @@ nanoseconds time_of(double frame, double fps) {
     return nanoseconds(static_cast<std::int64_t>(frame / fps * 1e9));
 }
 
-Transition gradual(double first, double last, double fps, ShotEnd kind) {
-    return {time_of(first, fps), time_of(last + 1, fps), kind};
-}
+// When a film's frames are shown: evenly, or as the truth's "times" say.
+class FrameTimes {
+  public:
+    explicit FrameTimes(const nlohmann::json& json)
+        : fps_(std::stod(json.at("fps").get<std::string>())),
+          seconds_(json.value("times", std::vector<double>())) {}
+
+    double fps() const { return fps_; }
+
+    nanoseconds at(std::size_t frame) const {
+        if (seconds_.empty()) return time_of(static_cast<double>(frame), fps_);
+        if (frame >= seconds_.size()) return time_of(1, fps_) + at(seconds_.size() - 1);
+        return time_of(seconds_[frame], 1);
+    }
+
+    Transition gradual(std::size_t first, std::size_t last, ShotEnd kind) const {
+        return {at(first), at(last + 1), kind};
+    }
+
+  private:
+    double fps_;
+    std::vector<double> seconds_;
+};
 
 Truth read_truth(const nlohmann::json& json) {
-    Truth truth{.file = json.at("file"), .fps = std::stod(json.at("fps").get<std::string>())};
+    const FrameTimes times(json);
+    Truth truth{.file = json.at("file"), .fps = times.fps()};
     for (const auto& entry : json.at("transitions")) {
         if (entry.at("type") == "cut") {
-            const nanoseconds at = time_of(entry.at("frame"), truth.fps);
+            const nanoseconds at = times.at(entry.at("frame"));
             truth.transitions.push_back({at, at, ShotEnd::cut});
         } else {
             const auto kind = entry.at("type") == "dissolve" ? ShotEnd::dissolve : ShotEnd::fade;
-            truth.transitions.push_back(gradual(entry.at("start"), entry.at("end"), truth.fps, kind));
+            truth.transitions.push_back(times.gradual(entry.at("start"), entry.at("end"), kind));
         }
     }
     for (const auto& range : json.value("ignore", nlohmann::json::array()))
-        truth.ignored.push_back(gradual(range.at(0), range.at(1), truth.fps, ShotEnd::fade));
+        truth.ignored.push_back(times.gradual(range.at(0), range.at(1), ShotEnd::fade));
+    truth.is_one_take = truth.transitions.empty();
     return truth;
+}
+
+// A list of films of one take: their names beside the folder of the truths.
+void read_takes(const nlohmann::json& json, const std::string& folder, std::vector<Truth>& truths) {
+    for (const auto& [name, ignored] : json.at("files").items()) {
+        truths.push_back({.file = folder + "/" + name, .is_one_take = true});
+        for (const auto& range : ignored)
+            truths.back().ignored.push_back(
+                {time_of(range.at(0), 1), time_of(range.at(1), 1), ShotEnd::fade});
+    }
 }
 
 bool overlap(const Transition& a, const Transition& b, nanoseconds tolerance) {
@@ -107,33 +138,45 @@ double Tally::f1() const {
     return twice == 0 ? 0 : static_cast<double>(twice) / (twice + missed + false_alarms);
 }
 
-Score score_of(const Truth& truth, const std::vector<Transition>& found) {
+Score& Score::operator+=(const Score& other) {
+    cuts += other.cuts;
+    gradual += other.gradual;
+    all += other.all;
+    return *this;
+}
+
+Score score_of(const Truth& truth, const std::vector<Transition>& found, Names names) {
     const Judge judge(truth, found);
     Score score;
     for (const Transition& true_one : truth.transitions) {
         Tally& tally = is_cut(true_one) ? score.cuts : score.gradual;
-        const bool hit = judge.is_found(true_one, false);
+        const bool hit = judge.is_found(true_one, names == Names::none && !is_cut(true_one));
         ++(hit ? tally.found : tally.missed);
         ++(judge.is_found(true_one, true) ? score.all.found : score.all.missed);
         if (!hit) score.mistakes.push_back("missed " + name(true_one));
     }
     for (const Transition& one : found) {
         if (!judge.is_judged(one)) continue;
-        if (!judge.is_true(one, false)) {
-            ++(is_cut(one) ? score.cuts : score.gradual).false_alarms;
-            score.mistakes.push_back("false " + name(one));
-        }
-        if (!judge.is_true(one, true)) ++score.all.false_alarms;
+        const bool is_somewhere = judge.is_true(one, true);
+        if (!is_somewhere) ++score.all.false_alarms;
+        if (names == Names::none ? is_somewhere : judge.is_true(one, false)) continue;
+        ++(is_cut(one) ? score.cuts : score.gradual).false_alarms;
+        score.mistakes.push_back("false " + name(one));
     }
     return score;
 }
 
-std::vector<Truth> read_truths(const std::string& folder) {
+std::vector<Truth> read_truths(const std::filesystem::path& folder) {
     std::vector<Truth> truths;
-    for (const char* part : {"edited/gt", "composites/gt"}) {
-        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(folder) / part)) {
+    for (const auto& part : std::filesystem::directory_iterator(folder)) {
+        if (!std::filesystem::is_directory(part.path() / "gt")) continue;
+        for (const auto& entry : std::filesystem::directory_iterator(part.path() / "gt")) {
             std::ifstream file(entry.path());
-            truths.push_back(read_truth(nlohmann::json::parse(file)));
+            const auto json = nlohmann::json::parse(file);
+            if (json.contains("transitions"))
+                truths.push_back(read_truth(json));
+            else if (json.contains("files"))
+                read_takes(json, part.path().filename(), truths);
         }
     }
     std::ranges::sort(truths, {}, &Truth::file);

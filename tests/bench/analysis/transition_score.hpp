@@ -2,6 +2,7 @@
 
 #include "analyzer/video/transition.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ struct Truth {
     double fps = 25;
     std::vector<Transition> transitions;
     std::vector<Transition> ignored;  // ranges in which nothing is judged
+    bool is_one_take = false;         // all that is found is wrong
 };
 
-/// The truth files of a media folder. @throws std::exception where one cannot be read
-std::vector<Truth> read_truths(const std::string& folder);
+/// The truths in FOLDER/*/gt/*.json. @throws std::exception where one cannot be read
+std::vector<Truth> read_truths(const std::filesystem::path& folder);
 
 struct Tally {
     int found = 0;
@@ -32,8 +34,16 @@ struct Score {
     Tally gradual;  // by overlap, +-2 frames
     Tally all;      // whatever the kind
     std::vector<std::string> mistakes;
+
+    Score& operator+=(const Score& other);
 };
 
-Score score_of(const Truth& truth, const std::vector<Transition>& found);
+/// What a detector names the transitions it finds.
+enum class Names {
+    kinds,  // a cut reported within a dissolve is false among the cuts
+    none    // only times: what lies in a gradual transition finds it and is no false cut
+};
+
+Score score_of(const Truth& truth, const std::vector<Transition>& found, Names names = Names::kinds);
 
 }  // namespace vitrine
