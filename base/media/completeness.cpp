@@ -188,34 +188,51 @@ std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, con
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto start = numbers.at(starts.at + i * starts.bytes, starts.bytes);
         const auto length = numbers.at(lengths.at + i * lengths.bytes, lengths.bytes);
-        if (start && length) end = std::max(end, *start + *length);
+        if (start && length) end = std::max(end, std::min(*start, unlimited) + std::min(*length, unlimited));
     }
     return end;
 }
 
-// TIFF: the first directory, the lists it points to, and the strips or tiles that these point to. BigTIFF,
-// for files beyond 4 GiB, says nothing here.
+// Where a directory has what: TIFF counts with 4 bytes, BigTIFF, for files beyond 4 GiB, with 8.
+struct TiffLayout {
+    std::uint64_t directory_at = 4;  // where its position stands
+    std::uint64_t number_bytes = 4;  // of positions and counts
+    std::uint64_t entries_bytes = 2;
+
+    std::uint64_t entry_bytes() const { return 4 + 2 * number_bytes; }
+};
+
+constexpr TiffLayout big_tiff{.directory_at = 8, .number_bytes = 8, .entries_bytes = 8};
+
+// TIFF: the first directory, the lists it points to, and the strips or tiles that these point to.
 FileExtent tiff_extent(const Bytes& file) {
     FileExtent extent{.present = file.size()};
     const auto head = file.at<2>(0);
     const TiffNumbers numbers(file, head && (*head)[0] == 'M');
-    const auto directory = numbers.at(4, 4);
-    if (!directory || numbers.at(2, 2) != 42) return extent;
-    constexpr std::uint64_t entry_bytes = 12;
-    const auto entries = numbers.at(*directory, 2);
-    extent.declared = *directory + 2 + entries.value_or(1) * entry_bytes;
+    constexpr std::uint64_t big_version = 43;
+    const TiffLayout layout = numbers.at(2, 2) == big_version ? big_tiff : TiffLayout{};
+    const auto directory = numbers.at(layout.directory_at, layout.number_bytes);
+    if (!directory || *directory > unlimited) return extent;
+    const auto entries = numbers.at(*directory, layout.entries_bytes);
+    const std::uint64_t first = *directory + layout.entries_bytes;
+    const std::uint64_t count = std::min(entries.value_or(1), std::uint64_t{max_boxes});
+    extent.declared = first + count * layout.entry_bytes();
     TiffList starts;
     TiffList lengths;
-    for (std::uint64_t i = 0; i < entries.value_or(0); ++i) {
-        const std::uint64_t entry = *directory + 2 + i * entry_bytes;
-        const auto value = numbers.at(entry + 8, 4);
+    for (std::uint64_t i = 0; entries && i < count; ++i) {
+        const std::uint64_t entry = first + i * layout.entry_bytes();
+        const std::uint64_t value_at = entry + 4 + layout.number_bytes;
+        const auto value = numbers.at(value_at, layout.number_bytes);
         if (!value) return extent;
-        constexpr std::array<std::uint8_t, 6> type_bytes{0, 1, 1, 2, 4, 8};  // others: not looked at
+        constexpr std::array<std::uint8_t, 17> type_bytes{0, 1, 1, 2, 4, 8, 0, 0, 0,
+                                                          0, 0, 0, 0, 0, 0, 0, 8};  // others: not looked at
         const std::uint64_t type = numbers.at(entry + 2, 2).value_or(0);
-        TiffList list{.at = *value,
-                      .count = numbers.at(entry + 4, 4).value_or(0),
+        TiffList list{.at = std::min(*value, unlimited),
+                      .count =
+                          std::min(numbers.at(entry + 4, layout.number_bytes).value_or(0), unlimited >> 4),
                       .bytes = type < type_bytes.size() ? type_bytes[type] : std::uint64_t{0}};
-        if (list.count * list.bytes <= 4) list.at = entry + 8;  // it stands in the entry itself
+        if (list.count * list.bytes <= layout.number_bytes)
+            list.at = value_at;  // it stands in the entry itself
         extent.declared = std::max(extent.declared, list.at + list.count * list.bytes);
         const std::uint64_t tag = numbers.at(entry, 2).value_or(0);
         if (tag == 273 || tag == 324) starts = list;  // StripOffsets, TileOffsets

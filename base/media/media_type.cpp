@@ -35,6 +35,8 @@ constexpr std::array shown{
     Magic{0, "GIF89a"sv, MediaFormat::gif},
     Magic{0, "II*\0"sv, MediaFormat::tiff},
     Magic{0, "MM\0*"sv, MediaFormat::tiff},
+    Magic{0, "II+\0"sv, MediaFormat::tiff},  // BigTIFF
+    Magic{0, "MM\0+"sv, MediaFormat::tiff},
     Magic{0, "\x1a\x45\xdf\xa3"sv, MediaFormat::matroska},
     Magic{8, "AVI LIST"sv, MediaFormat::avi},
     Magic{0, "\0\0\1\xba"sv, MediaFormat::mpeg_ps},
@@ -78,6 +80,7 @@ constexpr std::array not_shown{
     Other{"\0\0\0\x0cjxl "sv, "a JPEG XL picture; JPEG XL is not shown"},
     Other{"\0\0\0\x0cjp  "sv, "a JPEG 2000 picture; JPEG 2000 is not shown"},
     Other{"\0\0\1\xb3"sv, "a bare video stream; put it into an MP4 or MKV container"},
+    Other{"\0\0\0\1bud1"sv, "a file of macOS about a folder, not a picture or film"},
     Other{"\0\0\0\1"sv, "a bare video stream; put it into an MP4 or MKV container"},
     Other{"\0\5\x16\7"sv, "a file of macOS about another file, not a picture or film"},
 };

@@ -38,6 +38,9 @@ double toned(double light) {
     return std::min(1.0, light * (1 + light / (white * white)) / (1 + light));
 }
 
+// Of a usual film and its screen, which is BT.1886: so that a grey stays what it is.
+constexpr double usual_gamma = 2.4;
+
 double srgb(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
@@ -45,19 +48,34 @@ double srgb(double light) {
 }  // namespace
 
 std::optional<ToneMap> ToneMap::of(const GstVideoColorimetry& colours) {
-    const bool hybrid_log = colours.transfer == GST_VIDEO_TRANSFER_ARIB_STD_B67;
-    if (!hybrid_log && colours.transfer != GST_VIDEO_TRANSFER_SMPTE2084) return std::nullopt;
-    return ToneMap(hybrid_log, colours.primaries == GST_VIDEO_COLOR_PRIMARIES_BT2020);
+    const bool is_wide = colours.primaries == GST_VIDEO_COLOR_PRIMARIES_BT2020;
+    if (colours.transfer == GST_VIDEO_TRANSFER_ARIB_STD_B67) return ToneMap(Curve::hybrid_log, is_wide);
+    if (colours.transfer == GST_VIDEO_TRANSFER_SMPTE2084)
+        return ToneMap(Curve::perceptual_quantizer, is_wide);
+    if (is_wide) return ToneMap(Curve::usual, true);
+    return std::nullopt;
 }
 
-ToneMap::ToneMap(bool hybrid_log, bool wide) : code_(full_light + 1) {
-    for (std::size_t i = 0; i < light_.size(); ++i) {
-        const double value = static_cast<double>(i) / 255;
-        const double light = hybrid_log ? hybrid_log_gamma(value) : perceptual_quantizer(value);
-        light_[i] = static_cast<std::int32_t>(std::lround(full_light * toned(light / paper_white)));
+ToneMap::ToneMap(Curve curve, bool wide) : code_(full_light + 1) {
+    const auto light_of = [curve](double value) {
+        switch (curve) {
+        case Curve::perceptual_quantizer:
+            return toned(perceptual_quantizer(value) / paper_white);
+        case Curve::hybrid_log:
+            return toned(hybrid_log_gamma(value) / paper_white);
+        case Curve::usual:
+            break;
+        }
+        return std::pow(value, usual_gamma);
+    };
+    for (std::size_t i = 0; i < light_.size(); ++i)
+        light_[i] =
+            static_cast<std::int32_t>(std::lround(full_light * light_of(static_cast<double>(i) / 255)));
+    for (std::size_t i = 0; i < code_.size(); ++i) {
+        const double light = static_cast<double>(i) / full_light;
+        const double code = curve == Curve::usual ? std::pow(light, 1 / usual_gamma) : srgb(light);
+        code_[i] = static_cast<std::uint8_t>(std::lround(255 * code));
     }
-    for (std::size_t i = 0; i < code_.size(); ++i)
-        code_[i] = static_cast<std::uint8_t>(std::lround(255 * srgb(static_cast<double>(i) / full_light)));
     constexpr std::array<std::array<double, 3>, 3> narrower{
         {{1.6605, -0.5876, -0.0729}, {-0.1246, 1.1329, -0.0083}, {-0.0182, -0.1006, 1.1188}}};  // BT.2087
     for (std::size_t row = 0; row < 3; ++row)

@@ -88,3 +88,26 @@ TEST_CASE("a copy that took its whole space first is waited for, one with zeros 
     std::ofstream(file.path, std::ios::binary | std::ios::app) << "end";
     CHECK_NOTHROW(require_complete(file.path, MediaFormat::mp4));
 }
+
+TEST_CASE("a BigTIFF cut before its directory, or inside its pixels, is waited for") {
+    const auto number = [](std::uint64_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i, value >>= 8)
+            text += static_cast<char>(value & 0xff);
+        return text;
+    };
+    const auto entry = [&](int tag, std::uint64_t value) {
+        constexpr int is_64_bit = 16;
+        return number(static_cast<std::uint64_t>(tag), 2) + number(is_64_bit, 2) + number(1, 8) +
+               number(value, 8);
+    };
+    const std::string directory =
+        number(2, 8) + entry(273, 80) + entry(279, 40);  // one strip: bytes 80 to 120
+    const std::string front =
+        fmt::format("II+{}{}", number(0, 1), number(8, 2) + number(0, 2) + number(16, 8));
+    const std::string whole = front + directory + std::string(120 - front.size() - directory.size(), 'x');
+    CHECK(refusal_of(whole, MediaFormat::tiff).empty());
+    CHECK(refusal_of(whole.substr(0, 90), MediaFormat::tiff) ==
+          "the copy is not complete: 75 % of it is here");
+    CHECK(refusal_of(front, MediaFormat::tiff) == "the copy is not complete: 36 % of it is here");
+}

@@ -67,6 +67,8 @@ TEST_CASE("what could lead to other files or the network is refused by name") {
           "<?xml version='1.0'?><svg xmlns='x'/>"sv, "<!DOCTYPE HTML><title>404"sv, "%PDF-1.7"sv})
         CHECK(refusal_of(head).state == MediaState::unsupported);
     CHECK(refusal_of("#EXTM3U\n"sv).reason == "this is a playlist; playlists are not played");
+    CHECK(refusal_of("\0\0\0\1Bud1\0"sv).reason ==
+          "this is a file of macOS about a folder, not a picture or film");
 }
 
 TEST_CASE("nothing and only zeros are waited for") {

@@ -22,8 +22,11 @@ std::array<std::uint8_t, 3> mapped(GstVideoTransferFunction transfer, std::array
 }  // namespace
 
 TEST_CASE("a film for usual screens is left as it is") {
-    CHECK_FALSE(ToneMap::of(colours(GST_VIDEO_TRANSFER_BT709)));
-    CHECK_FALSE(ToneMap::of(colours(GST_VIDEO_TRANSFER_UNKNOWN)));
+    for (const auto transfer : {GST_VIDEO_TRANSFER_BT709, GST_VIDEO_TRANSFER_UNKNOWN}) {
+        GstVideoColorimetry usual = colours(transfer);
+        usual.primaries = GST_VIDEO_COLOR_PRIMARIES_BT709;
+        CHECK_FALSE(ToneMap::of(usual));
+    }
 }
 
 TEST_CASE("HDR's paper white is bright, its black black and its peak full, of both kinds") {
