@@ -16,7 +16,22 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr int frames_ahead = 4;  // decoded while the caller works on an earlier one
+constexpr int frames_ahead = 4;     // decoded while the caller works on an earlier one
+constexpr int decoder_threads = 2;  // watch starts a child for every two cores
+
+// Says that frames with gaps between their rows are welcome, which appsink 1.22 does not: else the decoder
+// copies every frame.
+GstPadProbeReturn welcome_gaps(GstPad*, GstPadProbeInfo* info, gpointer) {
+    GstQuery* query = gst_pad_probe_info_get_query(info);
+    if (GST_QUERY_TYPE(query) != GST_QUERY_ALLOCATION) return GST_PAD_PROBE_OK;
+    gst_query_add_allocation_meta(query, GST_VIDEO_META_API_TYPE, nullptr);
+    GstCaps* caps = nullptr;  // lent by the query
+    gst_query_parse_allocation(query, &caps, nullptr);
+    GstVideoInfo frame;
+    if (caps && gst_video_info_from_caps(&frame, caps))
+        gst_query_add_allocation_pool(query, nullptr, static_cast<guint>(GST_VIDEO_INFO_SIZE(&frame)), 1, 0);
+    return GST_PAD_PROBE_HANDLED;
+}
 
 GstPtr<GstElement> appsink_tail() {
     start_gstreamer();
@@ -27,7 +42,10 @@ GstPtr<GstElement> appsink_tail() {
 }
 
 GstPtr<GstElement> sink_in(GstElement* tail) {
-    return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(tail), "sink"));
+    GstPtr<GstElement> sink(gst_bin_get_by_name(GST_BIN(tail), "sink"));
+    const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
+    gst_pad_add_probe(pad.get(), GST_PAD_PROBE_TYPE_QUERY_DOWNSTREAM, welcome_gaps, nullptr, nullptr);
+    return sink;
 }
 
 // The rotation that the film's tags ask for; they lie on the pad once a frame has passed it.
@@ -102,8 +120,10 @@ class MappedFrame {
 
 }  // namespace
 
-FilmSource::FilmSource(const std::string& path, int analysis_size)
-    : chain_(path, appsink_tail()), sink_(sink_in(chain_.tail())) {
+FilmSource::FilmSource(const std::string& path, int analysis_size, Colour background)
+    : chain_(path, appsink_tail(), {.max_threads = decoder_threads}),
+      sink_(sink_in(chain_.tail())),
+      background_(background) {
     require_complete(path, chain_.format());
     extent_known_ = file_extent(path, chain_.format()).declared > 0;
     chain_.preroll(stall_deadline);
@@ -173,7 +193,7 @@ nanoseconds FilmSource::time_of(GstSample* sample) {
 
 VideoFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {
     const MappedFrame frame(sample);
-    cv::Mat picture = reduce_frame(frame.get(), coded_size_);  // rows without gaps
+    cv::Mat picture = reduce_frame(frame.get(), coded_size_, background_);  // rows without gaps
     if (tones_) tones_->apply({picture.data, picture.total() * picture.elemSize()}, 3, true);
     return {.picture = turned(picture, turn_), .time = time};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/video/frame_source.hpp"
+#include "base/media/colour.hpp"
 #include "base/media/decode_chain.hpp"
 #include "base/media/tone_map.hpp"
 
@@ -20,8 +21,9 @@ constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
 /// The frames of a film, decoded as fast as they are asked for.
 class FilmSource : public FrameSource {
   public:
+    /// @param background  what shows through where the film is transparent
     /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits
-    FilmSource(const std::string& path, int analysis_size);
+    FilmSource(const std::string& path, int analysis_size, Colour background = {});
 
     const MediaInfo& info() const override { return info_; }
 
@@ -36,6 +38,7 @@ class FilmSource : public FrameSource {
 
     DecodeChain chain_;
     GstPtr<GstElement> sink_;
+    Colour background_;
     MediaInfo info_;
     GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
     std::optional<ToneMap> tones_;  // of an HDR film

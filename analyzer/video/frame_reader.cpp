@@ -15,7 +15,7 @@ constexpr int photo_enlargement =
 std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size, Colour background) {
     if (kind_of(media_format(path)) == MediaKind::photo)
         return std::make_unique<PhotoSource>(path, photo_enlargement * analysis_size, background);
-    return std::make_unique<FilmSource>(path, analysis_size);
+    return std::make_unique<FilmSource>(path, analysis_size, background);
 }
 
 }  // namespace vitrine

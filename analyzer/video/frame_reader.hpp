@@ -17,7 +17,7 @@ namespace vitrine {
 /// @param analysis_size  px, the longest side of a film's frames; a photo's has twice as many, for its faces
 /// are
 ///                       searched once only. Smaller media keep their size
-/// @param background     what shows through where a photo is transparent
+/// @param background     what shows through where the medium is transparent
 /// @throws MediaError    where the file is no medium, is not complete, is damaged or beyond the limits
 std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size = 320,
                                         Colour background = {});

@@ -11,6 +11,8 @@ namespace vitrine {
 
 namespace {
 
+constexpr int weight_bits = 23;  // of a block's weight: sums of 16 bits stay below 32
+
 // One component of a frame: a plane, or every second byte of one (NV12).
 struct Component {
     const std::uint8_t* data = nullptr;
@@ -35,39 +37,81 @@ template <typename Sample> const Sample* row_of(const Component& plane, int row)
     return reinterpret_cast<const Sample*>(plane.data + static_cast<std::ptrdiff_t>(row) * plane.stride);
 }
 
-// Adds `rows` rows into sums, one a column. The loops are plain so that the compiler vectorises them.
+// Some rows of a plane, evenly spread.
+struct Rows {
+    int first = 0;
+    int count = 1;
+    int step = 1;
+};
+
+// Adds the rows, so many as is known when this is compiled, into sums, one a column: each is stored once. The
+// loops are plain so that the compiler vectorises them.
+template <int count, typename Sample, typename Sum>
+void add_few_rows(const Component& plane, const Rows& rows, std::vector<Sum>& sums) {
+    std::array<const Sample*, count> from{};
+    for (int row = 0; row < count; ++row)
+        from[static_cast<std::size_t>(row)] = row_of<Sample>(plane, rows.first + row * rows.step);
+    Sum* const out = sums.data();
+    const std::size_t columns = sums.size();
+    for (std::size_t i = 0; i < columns; ++i) {
+        Sum sum = 0;
+        for (const Sample* samples : from)
+            sum = static_cast<Sum>(sum + samples[i]);
+        out[i] = sum;
+    }
+}
+
 template <typename Sample, typename Sum>
-void add_rows(const Component& plane, int first, int rows, std::vector<Sum>& sums) {
-    const int count = static_cast<int>(sums.size());
+void add_rows(const Component& plane, const Rows& rows, std::vector<Sum>& sums) {
+    if (rows.count == 3) return add_few_rows<3, Sample>(plane, rows, sums);  // 1080p to 320 px
+    if (rows.count == 2) return add_few_rows<2, Sample>(plane, rows, sums);  // 720p
     std::fill(sums.begin(), sums.end(), Sum{0});
-    for (int row = first; row < first + rows; ++row) {
-        const Sample* samples = row_of<Sample>(plane, row);
+    for (int row = 0; row < rows.count; ++row) {
+        const Sample* samples = row_of<Sample>(plane, rows.first + row * rows.step);
         Sum* out = sums.data();
-        for (int i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < sums.size(); ++i)
             out[i] = static_cast<Sum>(out[i] + samples[i]);
+    }
+}
+
+template <int block, typename Sum>
+void average_few_columns(const Sum* sums, std::uint32_t scale, std::uint8_t* to, int count) {
+    for (int x = 0; x < count; ++x) {
+        std::uint32_t sum = 0;
+        for (int i = 0; i < block; ++i)
+            sum += sums[x * block + i];
+        to[x] = static_cast<std::uint8_t>((sum * scale + (1U << (weight_bits - 1))) >> weight_bits);
     }
 }
 
 template <typename Sum>
 void average_columns(const Sum* sums, int block, int step, std::uint32_t scale, cv::Mat& out, int row) {
     auto* to = out.ptr<std::uint8_t>(row);
+    if (step == 1 && block == 6) return average_few_columns<6>(sums, scale, to, out.cols);
+    if (step == 1 && block == 4) return average_few_columns<4>(sums, scale, to, out.cols);
+    if (step == 1 && block == 3) return average_few_columns<3>(sums, scale, to, out.cols);
     for (int x = 0; x < out.cols; ++x) {
         std::uint32_t sum = 0;
         for (int i = 0; i < block; ++i)
             sum += sums[static_cast<std::ptrdiff_t>(x * block + i) * step];
-        to[x] = static_cast<std::uint8_t>((std::uint64_t{sum} * scale + (1U << 23)) >> 24);
+        to[x] = static_cast<std::uint8_t>((sum * scale + (1U << (weight_bits - 1))) >> weight_bits);
     }
 }
 
-// Averages whole blocks; what is left over at the right and bottom, less than a block, is not looked at.
+// Averages whole blocks; what is left over at the right and bottom, less than a block, is not looked at. Of
+// high blocks every second row is left out: to fetch a frame from memory is what takes time, and what is
+// finer than two rows no map shows.
 template <typename Sample, typename Sum>
 cv::Mat average_blocks(const Component& plane, int block_width, int block_height) {
+    constexpr int high = 4;
+    const int step = block_height >= high ? 2 : 1;
+    const int rows = (block_height + step - 1) / step;
     cv::Mat out(plane.height / block_height, plane.width / block_width, CV_8UC1);
     std::vector<Sum> sums(static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.step));
-    const double weight = 1.0 / (block_width * block_height * (1 << plane.shift));
-    const auto scale = static_cast<std::uint32_t>(std::floor(weight * (1 << 24)));
+    const double weight = 1.0 / (block_width * rows * (1 << plane.shift));
+    const auto scale = static_cast<std::uint32_t>(std::floor(weight * (1 << weight_bits)));
     for (int row = 0; row < out.rows; ++row) {
-        add_rows<Sample>(plane, row * block_height, block_height, sums);
+        add_rows<Sample>(plane, {.first = row * block_height, .count = rows, .step = step}, sums);
         average_columns(sums.data(), block_width, plane.step, scale, out, row);
     }
     return out;
@@ -144,16 +188,33 @@ cv::Mat to_bgr(const cv::Mat& luma, const cv::Mat& cb, const cv::Mat& cr, const 
     return bgr;
 }
 
+void lay_over(cv::Mat& bgr, const cv::Mat& alpha, Colour background) {
+    const std::array<int, 3> behind{background.blue, background.green, background.red};
+    for (int row = 0; row < bgr.rows; ++row) {
+        const auto* opacity = alpha.ptr<std::uint8_t>(row);
+        auto* pixel = bgr.ptr<std::uint8_t>(row);
+        for (int x = 0; x < bgr.cols; ++x, ++opacity, pixel += 3)
+            for (std::size_t i = 0; i < behind.size(); ++i)
+                pixel[i] = static_cast<std::uint8_t>(
+                    (pixel[i] * *opacity + behind[i] * (255 - *opacity) + 127) / 255);
+    }
+}
+
 }  // namespace
 
-cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size) {
+cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size, Colour background) {
     const cv::Mat luma = shrink(component_of(frame, 0), size);
     const Matrix matrix = matrix_of(frame.info);
     if (GST_VIDEO_FRAME_N_COMPONENTS(&frame) < 3) {
         const cv::Mat neutral(size, CV_8UC1, cv::Scalar(128));
         return to_bgr(luma, neutral, neutral, matrix);
     }
-    return to_bgr(luma, shrink(component_of(frame, 1), size), shrink(component_of(frame, 2), size), matrix);
+    cv::Mat bgr =
+        to_bgr(luma, shrink(component_of(frame, 1), size), shrink(component_of(frame, 2), size), matrix);
+    constexpr guint alpha = 3;
+    if (GST_VIDEO_FRAME_N_COMPONENTS(&frame) > alpha)
+        lay_over(bgr, shrink(component_of(frame, alpha), size), background);
+    return bgr;
 }
 
 }  // namespace vitrine

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/media/colour.hpp"
+
 #include <gst/video/video.h>
 #include <opencv2/core.hpp>
 
@@ -7,7 +9,8 @@ namespace vitrine {
 
 /// The raw formats reduce_frame() reads; others are converted to one of them first.
 constexpr const char* reducible_formats = "{ I420, YV12, Y42B, Y444, NV12, GRAY8, I420_10LE, I422_10LE, "
-                                          "Y444_10LE, I420_12LE, I422_12LE, Y444_12LE }";
+                                          "Y444_10LE, I420_12LE, I422_12LE, Y444_12LE, A420, A420_10LE, "
+                                          "A422_10LE, A444_10LE }";
 
 /// A decoded frame made small and turned to BGR with the film's own colour matrix and range.
 ///
@@ -15,8 +18,9 @@ constexpr const char* reducible_formats = "{ I420, YV12, Y42B, Y444, NV12, GRAY8
 /// converted at the small size only. A 1280 x 720 frame costs a twentieth of its decoding.
 ///
 /// @param frame  mapped for reading, of one of reducible_formats
-/// @param size   px, not larger than the frame in either direction
-/// @return       CV_8UC3, BGR
-cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size);
+/// @param size        px, not larger than the frame in either direction
+/// @param background  what shows through where the frame is transparent
+/// @return            CV_8UC3, BGR
+cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size, Colour background = {});
 
 }  // namespace vitrine
