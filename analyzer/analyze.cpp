@@ -67,8 +67,11 @@ class Sampler {
 /// Closes shots: takes their samples and adds them to the record.
 class ShotWriter {
   public:
-    ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer)
-        : record_(record), settings_(settings), observer_(observer) {}
+    ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
+               const GrowthObserver& grown)
+        : record_(record), settings_(settings), observer_(observer), grown_(grown), part_(record) {
+        part_.is_complete = false;
+    }
 
     SampleStore& samples() { return samples_; }
 
@@ -81,12 +84,17 @@ class ShotWriter {
                                                   {record_.width, record_.height}, settings_);
         record_.shots.push_back(evidence.shot);
         if (observer_) observer_(evidence);
+        if (!grown_ || record_.kind == MediaKind::photo) return;
+        part_.shots = {evidence.shot};
+        grown_(part_);
     }
 
   private:
-    MediaRecord& record_;  // all three outlive the writer
+    MediaRecord& record_;  // all four outlive the writer
     const AnalysisSettings& settings_;
     const ShotObserver& observer_;
+    const GrowthObserver& grown_;
+    MediaRecord part_;  // what is told of the newest shot
     SampleStore samples_;
 };
 
@@ -102,14 +110,19 @@ nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interv
 
 }  // namespace
 
-MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer) {
+MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer,
+                    const GrowthObserver& grown) {
+    cv::setNumThreads(1);  // the decoder has the other core; OpenCV's own threads mostly wait, and burn it
     const MediaInfo& info = source.info();
-    MediaRecord record{
-        .kind = info.kind, .state = MediaState::ready, .width = info.width, .height = info.height};
+    MediaRecord record{.kind = info.kind,
+                       .state = MediaState::ready,
+                       .width = info.width,
+                       .height = info.height,
+                       .duration = info.duration};
     std::optional<VideoFrame> frame = source.next();
     if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
     Sampler sampler(settings, static_cast<bool>(observer));
-    ShotWriter writer(record, settings, observer);
+    ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
     const cv::Size size = frame->picture.size();
     if (info.kind == MediaKind::photo) {

@@ -91,11 +91,21 @@ bool has_more(const UniqueFd& fd, std::string& text) {
     return read_some(fd, text) && text.size() > before;
 }
 
+/// Takes the first line off, where it is whole.
+std::optional<std::string> first_line(std::string& text) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string::npos) return std::nullopt;
+    std::string line = text.substr(0, end);
+    text.erase(0, end + 1);
+    return line;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& command,
-                           const ChildLimits& limits, std::function<void(const ChildResult&)> ended)
-    : limits_(limits), ended_(std::move(ended)) {
+                           const ChildLimits& limits, std::function<void(const ChildResult&)> ended,
+                           Said said)
+    : limits_(limits), ended_(std::move(ended)), said_(std::move(said)) {
     Pipe output, complaint;
     Launch launch{.memory = limits.memory_bytes > 0 ? limits.memory_bytes : RLIM_INFINITY,
                   .processor_seconds = processor_seconds(limits.deadline),
@@ -140,18 +150,34 @@ void ChildProcess::stop() {
 }
 
 void ChildProcess::kill(ChildResult::End why) {
-    if (pid_ < 0 || is_killed_) return;
+    if (is_killed_) return;
     is_killed_ = true;
     result_.end = why;
-    ::kill(-pid_, SIGKILL);
+    if (pid_ >= 0) ::kill(-pid_, SIGKILL);
+}
+
+/// Reads some of the output. @return false at its end or limit
+bool ChildProcess::take_output() {
+    std::string& text = said_ ? line_ : result_.output;
+    const std::size_t before = text.size();
+    const bool has_end = !read_some(output_, text);
+    const std::size_t room = limits_.output_bytes - std::min(heard_, limits_.output_bytes);
+    heard_ += text.size() - before;
+    if (heard_ > limits_.output_bytes) {
+        text.resize(before + room);
+        kill(ChildResult::End::talked_too_much);
+        return false;
+    }
+    if (!said_) return !has_end;
+    while (std::optional<std::string> line = first_line(line_)) {
+        said_(*line);
+        result_.output = std::move(*line);
+    }
+    return !has_end;
 }
 
 void ChildProcess::read_output() {
-    if (!read_some(output_, result_.output)) output_source_ = {};
-    if (result_.output.size() <= limits_.output_bytes) return;
-    output_source_ = {};
-    result_.output.resize(limits_.output_bytes);
-    kill(ChildResult::End::talked_too_much);
+    if (!take_output()) output_source_ = {};
 }
 
 void ChildProcess::read_complaint() {
@@ -167,17 +193,15 @@ void ChildProcess::reap() {
     siginfo_t info{};
     if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED) < 0) throw_errno("wait for a child");
     pid_ = -1;
-    while (result_.output.size() <= limits_.output_bytes && has_more(output_, result_.output)) {
-    }
+    std::size_t before = 0;
+    do
+        before = heard_;
+    while (take_output() && heard_ > before);
     while (has_more(complaint_, result_.complaint)) {
     }
     if (result_.complaint.size() > max_complaint)
         result_.complaint.erase(0, result_.complaint.size() - max_complaint);
-    if (result_.output.size() > limits_.output_bytes) {
-        result_.output.resize(limits_.output_bytes);
-        if (!is_killed_) result_.end = ChildResult::End::talked_too_much;
-        is_killed_ = true;
-    }
+    if (!line_.empty()) result_.output = std::move(line_);
     result_.code = info.si_status;
     if (!is_killed_)
         result_.end = info.si_code == CLD_EXITED ? ChildResult::End::exited : ChildResult::End::killed;

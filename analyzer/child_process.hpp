@@ -33,7 +33,8 @@ struct ChildResult {
 
     End end = End::exited;
     int code = 0;
-    std::string output;     // its standard output, at most ChildLimits::output_bytes
+    std::string output;  // its standard output, at most ChildLimits::output_bytes; the last line where `said`
+                         // got them
     std::string complaint;  // the end of its standard error, at most max_complaint bytes
 };
 
@@ -43,11 +44,15 @@ class ChildProcess {
   public:
     static constexpr std::size_t max_complaint = 4096;
 
+    /// Hears each line of the standard output as soon as it is whole, without its end.
+    using Said = std::function<void(const std::string& line)>;
+
     /// @param command  the program's file and its arguments
     /// @param ended    called once from the loop; may destroy this object
+    /// @param said     called from the loop, before `ended`; may not destroy this object
     /// @throws std::system_error where no process can be made; a program that is missing exits with 127
     ChildProcess(EventLoop& loop, const std::vector<std::string>& command, const ChildLimits& limits,
-                 std::function<void(const ChildResult&)> ended);
+                 std::function<void(const ChildResult&)> ended, Said said = {});
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
@@ -60,12 +65,16 @@ class ChildProcess {
   private:
     void kill(ChildResult::End why);
     void read_output();
+    bool take_output();
     void read_complaint();
     void reap();
 
     ChildLimits limits_;
     std::function<void(const ChildResult&)> ended_;
+    Said said_;
     ChildResult result_;
+    std::string line_;        // the unfinished one, where said_ hears lines
+    std::size_t heard_ = 0;   // bytes of output so far
     bool is_killed_ = false;  // by us: result_.end says why
     pid_t pid_ = -1;          // -1: reaped
     UniqueFd process_, output_, complaint_;

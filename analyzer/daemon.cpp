@@ -22,6 +22,7 @@ namespace {
 
 constexpr auto remote_rescan = 10s;  // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;  // until the media folder is there
+constexpr auto growth_rest = 500ms;  // between two writings of films whose analysis goes on
 constexpr double bytes_per_mebibyte = 1 << 20;
 
 Schedule::Time now() {
@@ -58,6 +59,10 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
         rescan();
         advance();
     });
+    growth_ = loop_.timer([this] {
+        is_growth_resting_ = false;
+        store_growth();
+    });
     load_catalogue();
     rescan();
     wake_.arm(0s);
@@ -78,9 +83,12 @@ void Daemon::load_catalogue() {
         std::error_code ignored;  // it is overwritten at the latest
         fs::remove(file, ignored);
     });
-    for (const MediaRecord& record : records)
+    for (const MediaRecord& record : records) {
+        const bool is_waiting = record.state == MediaState::waiting;
         schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
-                        record.state != MediaState::waiting);
+                        !is_waiting && record.is_complete, is_waiting);
+        if (!record.is_complete) growing_.known(record);
+    }
 }
 
 void Daemon::rescan() {
@@ -122,6 +130,7 @@ void Daemon::perform(const Action& action) {
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
         unsaved_.erase(action.path);
+        growing_.end(action.path);
         told_waiting_.erase(action.path);
         return catalogue_.remove(action.path);
     }
@@ -139,17 +148,42 @@ void Daemon::start(const Action& action) {
     command.push_back(folder_.absolute(action.path).string());
     const ChildLimits limits = limits_for(action.facts);
     log::debug("analysing '{}'", action.path);
+    growing_.begin(record_of(action.path, action.facts, MediaState::waiting, ""));
     children_[action.path] = std::make_unique<ChildProcess>(
         loop_, command, limits,
         [this, path = action.path, facts = action.facts, limits](const ChildResult& result) {
             finish(path, facts, result, limits);
+        },
+        [this, path = action.path, facts = action.facts](const std::string& line) {
+            grow(path, facts, line);
         });
+}
+
+/// The first shot of a film is on the wall while the rest of it is still looked at.
+void Daemon::grow(const std::string& path, const FileFacts& facts, const std::string& line) {
+    try {
+        const std::optional<MediaRecord> part = growth_of(line, path, facts);
+        if (!part) return;
+        growing_.add(*part);
+    } catch (const std::runtime_error& error) {  // loading one record
+        return log::warning("a part of '{}' makes no sense, ignoring: {}", path, error.what());
+    }
+    if (!is_growth_resting_) store_growth();
+}
+
+void Daemon::store_growth() {
+    if (!growing_.has_news()) return;
+    for (const MediaRecord& record : growing_.take_news())
+        if (schedule_.grew(record.path)) store(record);
+    is_growth_resting_ = true;
+    growth_.arm(growth_rest);
 }
 
 void Daemon::finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
                     const ChildLimits& limits) {
     children_.erase(path);
     follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
+    store_growth();
     answer(outcome_of(result, limits, path, facts));
     advance();
 }
@@ -166,10 +200,12 @@ void Daemon::answer(Outcome outcome) {
         break;
     case Verdict::quarantine:
         record.reason = "twice " + record.reason;
+        if (auto known = kept(stored(record.path), outcome)) record = std::move(*known);
         break;
     case Verdict::store:
         break;
     }
+    growing_.end(record.path);
     store(record);
     if (record.state != MediaState::waiting)
         told_waiting_.erase(record.path);
@@ -187,21 +223,28 @@ void Daemon::tell(const MediaRecord& record) {
     }
     if (record.state != MediaState::ready)
         log::warning("{}: '{}': {}", name_of(record.state), record.path, record.reason);
+    else if (!record.reason.empty())
+        log::warning("ready: '{}': {}", record.path, record.reason);
     else if (!options_.is_once)
         log::info("ready: '{}'", record.path);
 }
 
 /// A record that was damaged meanwhile is missed until the next start, which finds its file unknown.
 void Daemon::move(const Action& action) {
+    std::optional<MediaRecord> record = stored(action.from);
+    if (!record) return log::warning("renamed without a record: '{}'", action.path);
+    record->path = action.path;
+    store(*record);
+    catalogue_.remove(action.from);
+    log::info("renamed: '{}' to '{}'", action.from, action.path);
+}
+
+std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
     try {
-        std::optional<MediaRecord> record = catalogue_.find(action.from);
-        if (!record) return log::warning("renamed without a record: '{}'", action.path);
-        record->path = action.path;
-        store(*record);
-        catalogue_.remove(action.from);
-        log::info("renamed: '{}' to '{}'", action.from, action.path);
+        return catalogue_.find(path);
     } catch (const std::runtime_error& error) {  // loading one record
-        log::warning("record of '{}' unreadable, ignoring: {}", action.from, error.what());
+        log::warning("record of '{}' unreadable, ignoring: {}", path, error.what());
+        return std::nullopt;
     }
 }
 

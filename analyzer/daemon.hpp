@@ -2,6 +2,7 @@
 
 #include "analyzer/child_process.hpp"
 #include "analyzer/folder_follower.hpp"
+#include "analyzer/growing_records.hpp"
 #include "analyzer/media_folder.hpp"
 #include "analyzer/outcome.hpp"
 #include "analyzer/schedule.hpp"
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -46,6 +48,9 @@ class Daemon {
     /// Whether the media folder was there when last looked for.
     bool is_online() const { return follower_.is_online(); }
 
+    /// Whether the folder was there and every record is on the disk.
+    bool is_up_to_date() const { return is_online() && unsaved_.empty(); }
+
     std::string status() const;
 
   private:
@@ -56,8 +61,11 @@ class Daemon {
     void start(const Action& action);
     void finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
                 const ChildLimits& limits);
+    void grow(const std::string& path, const FileFacts& facts, const std::string& line);
+    void store_growth();
     void answer(Outcome outcome);
     void move(const Action& action);
+    std::optional<MediaRecord> stored(const std::string& path) const;
     void store(const MediaRecord& record);
     void tell(const MediaRecord& record);
     ChildLimits limits_for(const FileFacts& facts) const;
@@ -70,11 +78,13 @@ class Daemon {
     Schedule schedule_;
     FolderFollower follower_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
+    GrowingRecords growing_;
+    bool is_growth_resting_ = false;              // parts were written a moment ago
     std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
     std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough
     std::vector<std::string> remarks_;            // of the last rescan: each is told once
     std::size_t analysed_ = 0;
-    EventLoop::Source events_, wake_, rescan_, watchdog_;
+    EventLoop::Source events_, wake_, rescan_, growth_, watchdog_;
 };
 
 }  // namespace vitrine

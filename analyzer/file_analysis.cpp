@@ -56,18 +56,46 @@ std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& sta
                       colour_named(settings.show.background).value_or(Colour{}));
 }
 
+/// What a film that broke off keeps; the last shot ends where the damage begins, or earlier.
+MediaRecord known_part(MediaRecord known, const MediaError& error) {
+    using std::chrono::seconds;
+    const auto end = std::chrono::floor<seconds>(known.shots.back().end).count();
+    known.reason =
+        fmt::format("shown up to {}:{:02}:{:02}: {}", end / 3600, end / 60 % 60, end % 60, error.what());
+    known.is_complete = true;
+    known.duration = known.shots.back().end;
+    return known;
+}
+
+/// Path, bytes and mtime are the same in all that is said of a file.
+void name(MediaRecord& record, const fs::path& file, const struct stat& status, const Settings& settings) {
+    record.path = path_in_record(file, settings.media.root);
+    record.bytes = static_cast<std::uint64_t>(status.st_size);
+    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+}
+
 /// Whatever the file is, there is something to say of it.
-MediaRecord analysed(const fs::path& file, const struct stat& status, const Settings& settings) {
+MediaRecord analysed(const fs::path& file, const struct stat& status, const Settings& settings,
+                     const GrowthObserver& grown) {
     const auto without_shots = [](MediaState state, const std::string& reason) {
         MediaRecord record;
         record.state = state;
         record.reason = reason;
         return record;
     };
+    MediaRecord known;
+    const auto keep = [&](const MediaRecord& part) {
+        if (known.shots.empty())
+            known = part;
+        else
+            known.shots.insert(known.shots.end(), part.shots.begin(), part.shots.end());
+        grown(part);
+    };
     try {
-        return analyze(*opened(file, status, settings), analysis_settings(settings.analyzer));
+        return analyze(*opened(file, status, settings), analysis_settings(settings.analyzer), {}, keep);
     } catch (const MediaError& error) {
-        return without_shots(error.state(), error.what());
+        const bool is_kept = error.state() == MediaState::failed && !known.shots.empty();
+        return is_kept ? known_part(known, error) : without_shots(error.state(), error.what());
     } catch (const std::bad_alloc&) {
         return without_shots(MediaState::failed,
                              fmt::format("it needs more memory than {} MiB", settings.analyzer.memory));
@@ -76,12 +104,16 @@ MediaRecord analysed(const fs::path& file, const struct stat& status, const Sett
 
 }  // namespace
 
-MediaRecord record_of_file(const fs::path& file, const Settings& settings) {
+MediaRecord record_of_file(const fs::path& file, const Settings& settings,
+                           const std::function<void(const MediaRecord&)>& grown) {
     const struct stat status = status_of(file);
-    MediaRecord record = analysed(file, status, settings);
-    record.path = path_in_record(file, settings.media.root);
-    record.bytes = static_cast<std::uint64_t>(status.st_size);
-    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+    const auto tell = [&](MediaRecord part) {
+        if (!grown) return;
+        name(part, file, status, settings);
+        grown(part);
+    };
+    MediaRecord record = analysed(file, status, settings, tell);
+    name(record, file, status, settings);
     return record;
 }
 

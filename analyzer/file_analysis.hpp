@@ -4,15 +4,19 @@
 #include "base/settings/settings.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace vitrine {
 
-/// The record of one file as it is now: with its shots, or with the reason why there are none.
+/// The record of one file as it is now: with its shots, or with the reason why there are none. A film that
+/// turns out to be damaged behind its first shots keeps them, and has the reason too.
 ///
 /// @param file  anywhere; its path in the record is relative to settings.media.root where it lies in there
+/// @param grown  sees what is new of a film whenever a shot is over, a record of the new shots alone
 /// @throws std::system_error where there is no such file
-MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings);
+MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings,
+                           const std::function<void(const MediaRecord&)>& grown = {});
 
 /// Writes the sheet that shows how the file's regions came about, as PNG.
 /// @return the record

@@ -16,9 +16,12 @@ std::vector<std::string> FolderFollower::rescan(Schedule::Time now) {
     is_online_ = folder_.device().has_value() && !is_unmounted(listing);
     if (!is_online_) {
         watch_.remove(folder_.root());
-        return {fmt::format("the media folder '{}' is not there", folder_.root().string())};
+        const char* what =
+            is_suspiciously_empty(listing) ? "is empty; its share may not be mounted" : "is not there";
+        return {fmt::format("the media folder '{}' {}", folder_.root().string(), what)};
     }
     if (!listing.files.empty() || !device_) device_ = folder_.device();
+    has_seen_files_ |= !listing.files.empty();
     compare(listing, "", now);
     if (unwatched_ > 0)
         listing.remarks.push_back(fmt::format(
@@ -28,7 +31,14 @@ std::vector<std::string> FolderFollower::rescan(Schedule::Time now) {
 
 /// An empty folder on another file system than before is the place where a share was mounted.
 bool FolderFollower::is_unmounted(const MediaFolder::Listing& listing) const {
-    return listing.files.empty() && device_ && device_ != folder_.device();
+    return is_suspiciously_empty(listing) ||
+           (listing.files.empty() && device_ && device_ != folder_.device());
+}
+
+/// The rule of the empty folder: where a catalogue has files, a folder in which this run has seen none says
+/// nothing about them. One file in it is proof enough that it is the right one.
+bool FolderFollower::is_suspiciously_empty(const MediaFolder::Listing& listing) const {
+    return listing.files.empty() && !has_seen_files_ && !schedule_.paths_below("").empty();
 }
 
 void FolderFollower::watch(const std::string& folder) {

@@ -40,6 +40,7 @@ class FolderFollower {
     void saw(const MediaFolder::File& file, Schedule::Time now);
     std::string relative(const std::filesystem::path& directory) const;
     bool is_unmounted(const MediaFolder::Listing& listing) const;
+    bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;
 
     const MediaFolder& folder_;  // outlives this
     Schedule& schedule_;         // outlives this
@@ -47,6 +48,7 @@ class FolderFollower {
     std::size_t unwatched_ = 0;  // folders that the kernel refused to watch in this rescan
     bool is_online_ = false;
     bool is_remote_ = false;
+    bool has_seen_files_ = false;          // in this run
     std::optional<std::uint64_t> device_;  // where files were last seen
 };
 

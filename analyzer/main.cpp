@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -33,20 +34,36 @@ struct CommandLine {
     std::string file;
     std::string sheet = "sheet.png";
     bool is_once = false;
+    bool is_growing = false;
 };
+
+/// Decoded frames come and go by the megabyte: their memory is kept, for each return to the kernel costs it
+/// clearing every page again.
+void keep_freed_memory() {
+    constexpr int most_kept = 64 << 20;
+    constexpr int largest_on_heap = 32 << 20;  // what glibc allows
+    ::mallopt(M_TRIM_THRESHOLD, most_kept);
+    ::mallopt(M_MMAP_THRESHOLD, largest_on_heap);
+}
 
 /// The record is all that reaches the standard output: libraries that print go to the standard error.
 int analyze_command(const CommandLine& line, const Settings& settings) {
+    keep_freed_memory();
     const UniqueFd output(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
     if (!output.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
         throw_errno("redirect the standard output");
-    std::string_view text;
-    const std::string json = to_json(record_of_file(line.file, settings)) + "\n";
-    for (text = json; !text.empty();) {
-        const ssize_t n = ::write(output.get(), text.data(), text.size());
-        if (n < 0) throw_errno("write the record");
-        text.remove_prefix(static_cast<std::size_t>(n));
-    }
+    const auto say = [&](const MediaRecord& record) {
+        const std::string json = to_json(record) + "\n";
+        for (std::string_view text = json; !text.empty();) {
+            const ssize_t n = ::write(output.get(), text.data(), text.size());
+            if (n < 0) throw_errno("write the record");
+            text.remove_prefix(static_cast<std::size_t>(n));
+        }
+    };
+    if (line.is_growing)
+        say(record_of_file(line.file, settings, say));
+    else
+        say(record_of_file(line.file, settings));
     return EXIT_SUCCESS;
 }
 
@@ -69,6 +86,7 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
     for (const std::string& word : line.options.arguments())
         options.child.push_back(word);
     options.child.emplace_back("analyze");
+    options.child.emplace_back("--grow");
     options.limits.deadline = analyzer.deadline;
     if (memory_can_be_limited)
         options.limits.memory_bytes = static_cast<std::uint64_t>(analyzer.memory) << mebibyte_bits;
@@ -82,7 +100,11 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
 
 int watch_command(const CommandLine& line, const Settings& settings) {
     EventLoop loop;
-    const auto quit = [&loop] { loop.quit(); };
+    bool is_interrupted = false;
+    const auto quit = [&] {
+        is_interrupted = true;
+        loop.quit();
+    };
     const EventLoop::Source terminate = loop.signal(SIGTERM, quit);
     const EventLoop::Source interrupt = loop.signal(SIGINT, quit);
     const Daemon daemon(loop, watch_options(line, settings));
@@ -90,7 +112,8 @@ int watch_command(const CommandLine& line, const Settings& settings) {
     log::info("watching '{}': {}", settings.media.root, daemon.status());
     loop.run();
     service::stopping();
-    return line.is_once && !daemon.is_online() ? EXIT_FAILURE : EXIT_SUCCESS;
+    if (!line.is_once) return EXIT_SUCCESS;
+    return daemon.is_up_to_date() && !is_interrupted ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 int run(int argc, char** argv) {
@@ -101,6 +124,7 @@ int run(int argc, char** argv) {
     line.options.add_to(app);
     CLI::App* analyze = app.add_subcommand("analyze", "Print the record of one file as JSON");
     analyze->add_option("FILE", line.file)->required();
+    analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
     CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
     explain->add_option("FILE", line.file)->required();
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();

@@ -65,12 +65,35 @@ MediaRecord record_of(const std::string& path, const FileFacts& facts, MediaStat
             .reason = std::move(reason)};
 }
 
+std::optional<MediaRecord> growth_of(const std::string& line, const std::string& path,
+                                     const FileFacts& facts) {
+    MediaRecord part = record_from_json(line);
+    if (part.is_complete) return std::nullopt;
+    if (part.state != MediaState::ready) throw std::runtime_error("a part that is not ready");
+    part.path = path;
+    part.bytes = facts.bytes;
+    part.mtime_ns = facts.mtime_ns;
+    return part;
+}
+
+std::optional<MediaRecord> kept(std::optional<MediaRecord> known, const Outcome& outcome) {
+    const MediaRecord& judged = outcome.record;
+    if (!outcome.ran_out || !known || known->shots.empty() || known->state != MediaState::ready ||
+        known->bytes != judged.bytes || known->mtime_ns != judged.mtime_ns)
+        return std::nullopt;
+    known->is_complete = true;
+    known->reason = fmt::format("not shown to its end: {}", judged.reason);
+    known->duration = known->shots.back().end;
+    return known;
+}
+
 Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
                    const FileFacts& facts) {
     using End = ChildResult::End;
     if (result.end == End::late || result.end == End::killed)
         return {.answer = Answer::died,
-                .record = record_of(path, facts, MediaState::quarantined, reason_of(result, limits))};
+                .record = record_of(path, facts, MediaState::quarantined, reason_of(result, limits)),
+                .ran_out = result.end == End::late || result.code == SIGKILL || result.code == SIGXCPU};
     if (result.end != End::exited || result.code != 0)
         return {.answer = Answer::final,
                 .record = record_of(path, facts, MediaState::failed, reason_of(result, limits))};
@@ -78,6 +101,7 @@ Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const s
         MediaRecord record = record_from_json(result.output);
         if (record.state == MediaState::ready && record.shots.empty())
             throw std::runtime_error("ready without a shot");
+        if (!record.is_complete) throw std::runtime_error("it ends before the film is over");
         record.path = path;
         record.bytes = facts.bytes;
         record.mtime_ns = facts.mtime_ns;

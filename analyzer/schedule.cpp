@@ -11,8 +11,8 @@ Schedule::Schedule(const Pace& pace) : pace_(pace) {
     assert(pace.children >= 1);
 }
 
-void Schedule::known(const std::string& path, const FileFacts& facts, bool is_settled) {
-    entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = !is_settled};
+void Schedule::known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held) {
+    entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = is_held};
 }
 
 void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds still_for, Time now) {
@@ -105,6 +105,14 @@ void Schedule::gone(const std::string& path, Time now) {
                           .forget_at = now + pace_.rename_grace};
     enter(path, entry, Phase::unseen);
     entries_.erase(found);
+}
+
+bool Schedule::grew(const std::string& path) {
+    const auto found = entries_.find(path);
+    if (found == entries_.end() || found->second.phase != Phase::running) return false;
+    found->second.is_recorded = true;
+    found->second.is_held = false;
+    return true;
 }
 
 Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {

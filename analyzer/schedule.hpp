@@ -70,14 +70,20 @@ class Schedule {
 
     explicit Schedule(const Pace& pace);
 
-    /// A record that an earlier run left. @param is_settled  not `waiting`: holds while the file is unchanged
-    void known(const std::string& path, const FileFacts& facts, bool is_settled);
+    /// A record that an earlier run left.
+    /// @param is_settled  holds while the file is unchanged; else the file is analysed anew
+    /// @param is_held     it is `waiting`
+    void known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
 
     /// The file is there. @param still_for  how long it is known to be unchanged already
     void saw(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for, Time now);
 
     /// The file is not there. In a rename this comes before saw() of the new name.
     void gone(const std::string& path, Time now);
+
+    /// The catalogue is about to have a record of a file that is still being analysed.
+    /// @return whether it is: false where the file changed or went in the meantime
+    bool grew(const std::string& path);
 
     Verdict finished(const std::string& path, Answer answer, Time now);
 

@@ -32,6 +32,8 @@ CatalogueChange change_between(const std::vector<MediaRecord>& before,
         const MediaRecord* old = find(before, record.path);
         if (old == nullptr)
             change.added.push_back(record.path);
+        else if (*old != record && is_grown_from(record, *old))
+            change.grown.push_back(record.path);
         else if (*old != record)
             change.replaced.push_back(record.path);
     }

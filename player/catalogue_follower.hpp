@@ -14,10 +14,11 @@ namespace vitrine {
 /// What became of the files that can be shown, by path.
 struct CatalogueChange {
     std::vector<std::string> added;
+    std::vector<std::string> grown;  // the same content with further shots: what plays plays on
     std::vector<std::string> replaced;
     std::vector<std::string> gone;
 
-    bool is_empty() const { return added.empty() && replaced.empty() && gone.empty(); }
+    bool is_empty() const { return added.empty() && grown.empty() && replaced.empty() && gone.empty(); }
 };
 
 /// The ready records of a catalogue, kept up to date while the event loop runs. A directory that is not there

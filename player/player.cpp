@@ -93,6 +93,8 @@ void Player::run() {
 void Player::follow(const CatalogueChange& change) {
     for (const std::string& path : change.added)
         log::info("new: '{}'", path);
+    for (const std::string& path : change.grown)
+        log::debug("further shots: '{}'", path);
     for (const std::string& path : change.replaced)
         log::info("replaced: '{}'", path);
     for (const std::string& path : change.gone)

@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace vitrine {
 
@@ -13,6 +14,15 @@ Box core(const MediaRecord& record, const Shot& shot) {
     const Vec2 size{static_cast<double>(record.width), static_cast<double>(record.height)};
     return {{std::max(0.0, -travel.x), std::max(0.0, -travel.y)},
             {size.x - std::max(0.0, travel.x), size.y - std::max(0.0, travel.y)}};
+}
+
+bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
+    const auto head = [](const MediaRecord& record) {
+        return std::tie(record.path, record.kind, record.bytes, record.mtime_ns, record.state, record.width,
+                        record.height);
+    };
+    return head(after) == head(before) && after.shots.size() >= before.shots.size() &&
+           std::equal(before.shots.begin(), before.shots.end(), after.shots.begin());
 }
 
 std::string record_id(const std::string& path) {

@@ -45,15 +45,16 @@ struct Shot {
 
 /// All that is known of one file: the analyzer writes it, the player reads it.
 struct MediaRecord {
-    static constexpr int current_version = 1;
+    static constexpr int current_version = 2;
 
     std::string path;  // relative to the media root, '/' between folders, any bytes
     MediaKind kind = MediaKind::photo;
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
     MediaState state = MediaState::waiting;
-    std::string reason;  // plain words for the operator, empty when ready
-    int width = 0;       // px of the upright picture, square pixels
+    bool is_complete = true;  // false: its analysis goes on, shots may be added behind
+    std::string reason;       // plain words for the operator; of a ready film, why it is not shown to its end
+    int width = 0;            // px of the upright picture, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
@@ -64,6 +65,9 @@ struct MediaRecord {
 /// The part of the picture that every frame of the shot shows once frames are aligned along the drift,
 /// in px of the shot's first frame: the intersection over t of Frame - drift * t.
 Box core(const MediaRecord& record, const Shot& shot);
+
+/// Whether `after` says of the same content all that `before` says, and at most further shots behind.
+bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
 
 /// Names the file's record: 16 hex digits, the same for the same path.
 std::string record_id(const std::string& path);

@@ -115,6 +115,7 @@ MediaRecord to_record(const Json& json) {
     record.bytes = json.at("bytes").get<std::uint64_t>();
     record.mtime_ns = json.at("mtime_ns").get<std::int64_t>();
     record.state = value_in(states, json, "state");
+    record.is_complete = json.at("complete").get<bool>();
     record.reason = json.at("reason").get<std::string>();
     record.width = json.at("width").get<int>();
     record.height = json.at("height").get<int>();
@@ -149,6 +150,7 @@ std::string to_json(const MediaRecord& record) {
               {"bytes", record.bytes},
               {"mtime_ns", record.mtime_ns},
               {"state", name_of(record.state)},
+              {"complete", record.is_complete},
               {"reason", record.reason},
               {"width", record.width},
               {"height", record.height},

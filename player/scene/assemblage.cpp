@@ -31,7 +31,8 @@ void Assemblage::set_catalogue(std::span<const MediaRecord> records) {
     std::erase_if(avoided_, [&](const auto& avoided) {
         const auto before = files_.find(avoided.first);
         const auto after = files.find(avoided.first);
-        return before == files_.end() || after == files.end() || before->second != after->second;
+        return before == files_.end() || after == files.end() ||
+               !is_grown_from(after->second, before->second);
     });
     files_.swap(files);  // `files` is what was known before, from here on
     std::vector<const MediaRecord*> known;
@@ -49,7 +50,7 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
         const auto found = files_.find(key.path);
         if (found == files_.end() || key.shot >= static_cast<int>(found->second.shots.size())) {
             slot = {};
-        } else if (found->second != before.at(key.path)) {
+        } else if (!is_grown_from(found->second, before.at(key.path))) {
             put(slot, key);
         }
     }

@@ -66,6 +66,28 @@ TEST_CASE("a photo has one shot without time, around its subject") {
     }
 }
 
+TEST_CASE("a shot is told as soon as it is over, while most of the film is still to come") {
+    int drawn = 0;
+    DrawnFilm film(MediaKind::video, 400, [&drawn](int i) {
+        drawn = i + 1;
+        return with_disc(i < 50 ? cv::Scalar(30, 40, 160) : cv::Scalar(160, 140, 30), {100 + i / 4, 90});
+    });
+    std::vector<MediaRecord> parts;
+    std::vector<int> drawn_at;
+    const MediaRecord record = analyze(film, without_faces(), {}, [&](const MediaRecord& part) {
+        parts.push_back(part);
+        drawn_at.push_back(drawn);
+    });
+    REQUIRE(record.shots.size() == 2);
+    REQUIRE(parts.size() == 2);
+    CHECK(record.is_complete);
+    CHECK_FALSE(parts[0].is_complete);
+    CHECK(parts[0].shots == std::vector{record.shots[0]});
+    CHECK(parts[1].shots == std::vector{record.shots[1]});
+    CHECK(parts[0].duration == milliseconds(16'000));
+    CHECK(drawn_at[0] < 200);
+}
+
 TEST_CASE("a cut makes two shots, each around its own subject") {
     DrawnFilm film(MediaKind::video, 50, [](int i) {
         return i < 25 ? with_disc({200, 190, 180}, {80, 90}) : with_disc({20, 90, 20}, {240, 90});

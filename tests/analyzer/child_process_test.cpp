@@ -2,11 +2,15 @@
 
 #include "tests/temporary_directory.hpp"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <csignal>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 using namespace vitrine;
 using namespace std::chrono_literals;
@@ -43,6 +47,32 @@ TEST_CASE("a long output arrives whole, one beyond the limit ends the child") {
     CHECK(result.end == End::talked_too_much);
     CHECK(result.output.size() == 500'000);
     CHECK(run("head -c 600000 /dev/zero", {.output_bytes = 500'000}).end == End::talked_too_much);
+}
+
+TEST_CASE("lines are heard as they come, the last one is the answer") {
+    const TemporaryDirectory home;
+    const std::string gate = (home.path / "gate").string();
+    REQUIRE(::mkfifo(gate.c_str(), 0600) == 0);
+    EventLoop loop;
+    std::vector<std::string> lines;
+    std::optional<ChildResult> result;
+    const std::string script =
+        "echo one; printf 'tw'; read -r word < '" + gate + "'; echo o; printf 'left over'";
+    const ChildProcess child(
+        loop, {"/bin/sh", "-c", script}, {}, [&](const ChildResult& ended) { result = ended; },
+        [&](const std::string& line) { lines.push_back(line); });
+    const auto comes_true = [&](const auto& condition) {
+        const auto end = EventLoop::Clock::now() + 60s;
+        while (!condition() && EventLoop::Clock::now() < end)
+            loop.run_once(1s);
+        return condition();
+    };
+    CHECK(comes_true([&] { return lines == std::vector<std::string>{"one"}; }));  // the child still waits
+    CHECK_FALSE(result.has_value());
+    std::ofstream(gate) << "go\n";
+    CHECK(comes_true([&] { return result.has_value(); }));
+    CHECK(lines == std::vector<std::string>{"one", "two"});
+    CHECK(result->output == "left over");
 }
 
 TEST_CASE("of endless complaints the end is kept") {

@@ -2,6 +2,8 @@
 
 #include "tests/temporary_directory.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -26,9 +28,18 @@ constexpr const char* reader = R"(
     half) state=waiting ;;
     *) state=ready ;;
     esac
-    echo '{"version":1,"path":"x","kind":"photo","bytes":0,"mtime_ns":0,"state":"'$state'","reason":"","width":4,"height":3,
-           "duration_ns":0,"shots":[{"begin_ns":0,"end_ns":0,"ends_with":"end",
-                                     "region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}]}')";
+    say() {
+        echo '{"version":2,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
+             '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']}'
+    }
+    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
+    second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
+    case "$word" in
+    film) say false "$first"; read -r _ < "$0.gate"; say true "$first,$second" ;;
+    hang) say false "$first"; read -r _ < "$0.gate" ;;
+    shoot) say false "$first"; kill -SEGV $$ ;;
+    *) say true "$first" ;;
+    esac)";
 
 /// A media folder, a catalogue and a daemon between them that analyses with a shell script.
 struct House {
@@ -40,9 +51,9 @@ struct House {
         return {.root = root,
                 .catalogue = home.path / "catalogue",
                 .child = {"/bin/sh", script.string()},
-                .limits = {.deadline = 20s},
+                .limits = {.deadline = deadline},
                 .pace = {.quiet = 1ms, .rename_grace = 100ms, .first_retry = 1ms, .retries = 2},
-                .rescan = 1h};
+                .rescan = rescan};
     }
 
     fs::path drop(const std::string& name, const std::string& content = "picture\n") const {
@@ -67,6 +78,23 @@ struct House {
         return comes_true([&] { return state_of(path) == state; });
     }
 
+    std::optional<MediaRecord> record(const std::string& path) const {
+        return Catalogue(home.path / "catalogue").find(path);
+    }
+
+    /// How many shots a film has so far, 0 without a record.
+    std::size_t shots(const std::string& path) const {
+        const auto found = record(path);
+        return found ? found->shots.size() : 0;
+    }
+
+    /// Films of the reader wait here behind their first shot.
+    std::string gate() const {
+        const std::string name = script.string() + ".gate";
+        ::mkfifo(name.c_str(), 0600);
+        return name;
+    }
+
     std::size_t records() const { return Catalogue(home.path / "catalogue").load().size(); }
 
     /// How often children were started.
@@ -75,6 +103,8 @@ struct House {
         return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(log), {}, '\n'));
     }
 
+    std::chrono::milliseconds deadline = 20s;
+    std::chrono::milliseconds rescan = 1h;
     TemporaryDirectory home;
     fs::path root = home.path / "media";
     fs::path script;
@@ -100,6 +130,88 @@ TEST_CASE("what is in the folder at the start and what comes later gets its reco
     fs::rename(house.root / "x.part", house.root / "x.jpg");
     CHECK(house.becomes("x.jpg", MediaState::ready));
     CHECK(house.records() == 5);
+}
+
+TEST_CASE("the first shot of a film is in the catalogue while the rest of it is still analysed") {
+    House house;
+    const std::string gate = house.gate();
+    house.drop("film.mp4", "film\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.shots("film.mp4") == 1; }));
+    CHECK(house.record("film.mp4")->state == MediaState::ready);
+    CHECK_FALSE(house.record("film.mp4")->is_complete);
+    CHECK(house.record("film.mp4")->bytes == 5);
+    std::ofstream(gate) << "go\n";
+    REQUIRE(house.comes_true([&] { return house.shots("film.mp4") == 2; }));
+    CHECK(house.record("film.mp4")->is_complete);
+}
+
+TEST_CASE("a film whose analysis was cut off by a restart is analysed anew and stays on the wall meanwhile") {
+    House house;
+    const std::string gate = house.gate();
+    house.drop("film.mp4", "film\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.shots("film.mp4") == 1; }));
+    house.daemon.reset();
+    house.start();
+    CHECK(house.comes_true([&] { return house.analyses() == 2; }));
+    CHECK(house.shots("film.mp4") == 1);
+    std::ofstream(gate) << "go\n";
+    CHECK(house.comes_true([&] { return house.shots("film.mp4") == 2; }));
+}
+
+TEST_CASE("a film that is deleted while it is analysed leaves no record") {
+    House house;
+    const std::string gate = house.gate();
+    const fs::path film = house.drop("film.mp4", "film\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.shots("film.mp4") == 1; }));
+    fs::remove(film);
+    CHECK(house.comes_true([&] { return house.records() == 0; }));
+}
+
+TEST_CASE("a film that takes too long keeps the shots that are known, one that crashes the reader does not") {
+    House house;
+    const std::string gate = house.gate();
+    house.drop("slow.mp4", "hang\n");
+    house.drop("crash.mp4", "shoot\n");
+    house.deadline = 1s;
+    house.start();
+    CHECK(house.becomes("crash.mp4", MediaState::quarantined));
+    REQUIRE(house.comes_true([&] {
+        const auto record = house.record("slow.mp4");
+        return record && record->is_complete;
+    }));
+    CHECK(house.record("slow.mp4")->state == MediaState::ready);
+    CHECK(house.shots("slow.mp4") == 1);
+    CHECK(house.record("slow.mp4")->reason == "not shown to its end: twice it took longer than 1 s");
+    CHECK(house.analyses() == 4);
+}
+
+TEST_CASE("an empty folder at the start loses no record, until a file in it shows that it is the right one") {
+    House house;
+    house.drop("a.jpg");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    house.daemon.reset();
+    fs::remove(house.root / "a.jpg");
+    house.rescan = 50ms;
+    house.start();
+    CHECK_FALSE(house.daemon->is_online());
+    CHECK(house.records() == 1);
+    house.drop("b.jpg");
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    CHECK(house.comes_true([&] { return house.records() == 1; }));
+    CHECK(house.daemon->is_online());
+}
+
+TEST_CASE("a record that cannot be stored is missed") {
+    House house;
+    house.drop("a.jpg");
+    const fs::path blocker = house.home.path / "catalogue" / (record_id("a.jpg") + ".json");
+    fs::create_directories(blocker / "full");
+    house.start();
+    CHECK(house.comes_true([&] { return house.analyses() == 1 && !house.daemon->is_up_to_date(); }));
 }
 
 TEST_CASE("replaced is analysed again, deleted is gone, renamed and moved keep their analysis") {

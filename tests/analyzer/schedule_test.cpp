@@ -102,9 +102,9 @@ TEST_CASE("a copy that only fills the space it reserved is still changing") {
 
 TEST_CASE("a record of an earlier run holds for the same bytes and time, another is analysed") {
     Bench bench;
-    bench.schedule.known("same.jpg", {.bytes = 10, .mtime_ns = 1}, true);
-    bench.schedule.known("other.jpg", {.bytes = 11, .mtime_ns = 1}, true);
-    bench.schedule.known("waiting.jpg", {.bytes = 10, .mtime_ns = 1}, false);
+    bench.schedule.known("same.jpg", {.bytes = 10, .mtime_ns = 1}, true, false);
+    bench.schedule.known("other.jpg", {.bytes = 11, .mtime_ns = 1}, true, false);
+    bench.schedule.known("waiting.jpg", {.bytes = 10, .mtime_ns = 1}, false, true);
     CHECK(bench.schedule.is_idle());
     bench.see("same.jpg", small, 1h);
     bench.see("other.jpg", small, 1h);
@@ -116,7 +116,7 @@ TEST_CASE("a record of an earlier run holds for the same bytes and time, another
 
 TEST_CASE("the record of a file that was deleted between two runs goes") {
     Bench bench;
-    bench.schedule.known("old.jpg", small, true);
+    bench.schedule.known("old.jpg", small, true, false);
     bench.lose("old.jpg");
     CHECK_FALSE(bench.schedule.is_idle());
     CHECK(bench.after(499ms).empty());

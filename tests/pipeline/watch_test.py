@@ -42,6 +42,15 @@ def png(width=64, height=48, shade=200, ground=90, alpha=None):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
 
 
+def make_film(path, colours, seconds):
+    """A film of plain takes, small enough to be drawn at once; a moving bar keeps each of them alive."""
+    takes = [f"color={colour}:size=160x96:rate=25:duration={length},drawbox=x='mod(t*20\\,140)':y=30:w=20:h=30:c=white:t=fill[v{i}]"
+             for i, (colour, length) in enumerate(zip(colours, seconds))]
+    joined = "".join(f"[v{i}]" for i in range(len(takes))) + f"concat=n={len(takes)}"
+    subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", "-filter_complex", ";".join([*takes, joined]), "-c:v", "mpeg4",
+                    "-g", "25", str(path)], check=True)
+
+
 class Watch(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="vitrine-watch-")
@@ -150,6 +159,45 @@ class Watch(unittest.TestCase):
         for name in ("noise.jpg", "empty.jpg", "letter.txt"):
             self.assertNotEqual(records[name]["state"], "ready")
             self.assertTrue(records[name]["reason"], name)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not here")
+    def test_the_first_shot_of_a_film_is_in_the_catalogue_before_its_analysis_ends(self):
+        make_film(self.root / "film.mp4", ["red", "blue", "green"], seconds=[2, 2, 40])
+        watcher = self.start()
+        records = self.until("a part of the film", lambda records: "film.mp4" in records)
+        part = records["film.mp4"]
+        self.assertEqual((part["state"], part["complete"]), ("ready", False))
+        self.assertLess(part["shots"][-1]["end_ns"], 10 * 10**9)
+        whole = self.until("all of the film", lambda records: records["film.mp4"]["complete"])["film.mp4"]
+        self.assertEqual(len(whole["shots"]), 3)
+        self.assertEqual(whole["shots"][:len(part["shots"])], part["shots"])
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_once_fails_where_a_record_cannot_be_written_and_where_it_is_stopped(self):
+        (self.root / "a.png").write_bytes(png(64))
+        once = [ANALYZER, "watch", "--once", *self.settings()]
+        self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 0)
+        (record,) = (self.state / "catalogue").glob("*.json")
+        record.unlink()
+        (record / "in the way").mkdir(parents=True)  # as good as a full disk
+        self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 1)
+
+        shutil.rmtree(record)
+        stopped = subprocess.Popen([*once[:-1], "100000"], stderr=subprocess.PIPE)  # waits for quiet
+        os.utime(self.root / "a.png")
+        self.assertIn(b"watching", stopped.stderr.readline())
+        stopped.terminate()
+        self.assertEqual(stopped.wait(PATIENCE), 1)
+        stopped.stderr.close()
+
+    def test_an_empty_folder_is_no_reason_to_forget_what_was_in_it(self):
+        (self.root / "a.png").write_bytes(png(64))
+        once = [ANALYZER, "watch", "--once", *self.settings()]
+        self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 0)
+        os.rename(self.root / "a.png", Path(self.folder.name) / "a.png")  # the share is not mounted
+        self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 1)
+        self.assertEqual(set(self.records()), {"a.png"})
 
     def test_a_second_start_changes_nothing(self):
         for i in range(3):

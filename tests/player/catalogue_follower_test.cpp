@@ -28,6 +28,17 @@ TEST_CASE("what is new, what was replaced and what is gone is told apart") {
     CHECK(change_between(after, after).is_empty());
 }
 
+TEST_CASE("a film to which shots were added has grown and is not replaced") {
+    std::vector<MediaRecord> before{record("a"), record("b")};
+    before[0].is_complete = false;
+    std::vector<MediaRecord> after = before;
+    after[0].shots.push_back({.begin = 1s, .end = 2s});
+    after[1].shots[0].end = 1s;
+    const CatalogueChange change = change_between(before, after);
+    CHECK(change.grown == std::vector<std::string>{"a"});
+    CHECK(change.replaced == std::vector<std::string>{"b"});
+}
+
 TEST_CASE("a follower sees a catalogue that comes into being, changes and loses a record") {
     const TemporaryDirectory directory;
     const Catalogue catalogue(directory.path / "catalogue");

@@ -230,6 +230,24 @@ TEST_CASE("a replaced file is loaded anew in its slot and the others stay") {
     CHECK(after[1] == before[1]);
 }
 
+TEST_CASE("a film to which shots are added plays on, and its new shots come to the wall") {
+    std::vector<MediaRecord> records = photos(1);
+    records[0].shots.push_back(records[0].shots[0]);
+    records[0].is_complete = false;
+    std::vector<MediaRecord> first = records;
+    first[0].shots.pop_back();
+    Player wall = player({.slots = 2, .order = ShotOrder::name}, first);
+    const auto before = wall.assemblage.wall();
+    REQUIRE(before.size() == 1);
+    wall.assemblage.set_catalogue(records);
+    const auto after = wall.assemblage.wall();
+    REQUIRE(after.size() == 2);
+    CHECK(after[0] == before[0]);
+    records[0].is_complete = true;
+    wall.assemblage.set_catalogue(records);
+    CHECK(wall.assemblage.wall() == after);
+}
+
 TEST_CASE("a file that failed gives way and is tried again later or when it changes") {
     Player wall = player({.slots = 1, .order = ShotOrder::name, .amends = 60s}, photos(1));
     const SourceId first = wall.assemblage.wall()[0].source;
