@@ -1,5 +1,6 @@
 #include "player/playback/film_loop.hpp"
 
+#include "base/media/tone_probe.hpp"
 #include "player/playback/mapped_sample.hpp"
 
 #include <algorithm>
@@ -124,6 +125,7 @@ bool FilmLoop::open() {
     start_gstreamer();
     GstPtr<GstElement> tail = make_bin(tail_words);
     const GstPtr<GstElement> sink = named(tail.get(), "pictures");
+    map_tones(tail.get(), sink.get());
     GstAppSinkCallbacks callbacks{};
     callbacks.new_sample = &FilmLoop::on_sample;
     gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
