@@ -12,8 +12,9 @@ namespace vitrine {
 
 /// Brings the pictures of an HDR film, which look grey and flat where they are shown as they are, to what a
 /// usual screen shows: paper white of 203 cd/m2 at three quarters of full, highlights up to 1000 cd/m2 below
-/// full, colours from BT.2020 to BT.709. A film of BT.2020 colours that is no HDR only has these changed. Tables only: measured 6 ms of processor a megapixel.
-/// Source: SMPTE ST 2084, ITU-R BT.2100 and BT.2408, Reinhard et al. 2002 (eq. 4).
+/// full, colours from BT.2020 to BT.709. A film of BT.2020 colours that is no HDR only has these changed.
+/// Tables only: measured 6 ms of processor a megapixel. Source: SMPTE ST 2084, ITU-R BT.2100 and BT.2408,
+/// Reinhard et al. 2002 (eq. 4).
 class ToneMap {
   public:
     /// Nothing where the film is made for usual screens, colours included.
