@@ -121,7 +121,7 @@ MediaRecord explain_file(const fs::path& file, const std::string& sheet, const S
     const struct stat status = status_of(file);
     const SheetTitle title{.name = file.filename().string(),
                            .bytes = static_cast<std::uint64_t>(status.st_size)};
-    return write_explain_sheet(*opened(file, status, settings), title, sheet,
+    return write_explain_sheet([&] { return opened(file, status, settings); }, title, sheet,
                                analysis_settings(settings.analyzer));
 }
 

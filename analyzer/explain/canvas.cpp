@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vips/vips.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -91,6 +92,13 @@ void Canvas::outline(const Polygon& polygon, Ink colour, int thickness) {
                             static_cast<int>(std::lround(p.y * (1 << sub_pixel_bits))));
     }
     cv::polylines(picture_, points, true, bgr(colour), thickness, cv::LINE_AA, sub_pixel_bits);
+}
+
+void Canvas::arrow(Vec2 from, Vec2 to, Ink colour, int thickness) {
+    const auto point = [](Vec2 p) { return cv::Point(cv::Point2d(p.x, p.y) * (1 << sub_pixel_bits)); };
+    const double head = std::clamp(8 / length(to - from), 0.0, 0.5);
+    cv::arrowedLine(picture_, point(from), point(to), bgr(colour), thickness, cv::LINE_AA, sub_pixel_bits,
+                    head);
 }
 
 int Canvas::text_width(std::string_view line, double size, TextWeight weight) const {

@@ -29,6 +29,8 @@ class Canvas {
 
     void outline(const Polygon& polygon, Ink colour, int thickness);
 
+    void arrow(Vec2 from, Vec2 to, Ink colour, int thickness);
+
     /// One line of text with the middle of its capitals at `at.y`; what is not UTF-8 is shown as replacement
     /// characters.
     /// @param most_width  beyond it the middle of the text is left out

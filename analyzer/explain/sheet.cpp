@@ -13,34 +13,71 @@ namespace vitrine {
 namespace {
 
 constexpr int margin = 48;
-constexpr int cell_width = 256;
-constexpr int tallest_cell = 240;
+constexpr int widest_frame = 400;
+constexpr int tallest_frame = 300;
 constexpr int gap = 14;
-constexpr int columns = 7;
-constexpr int header_height = 104;
-constexpr int column_titles_height = 34;
-constexpr int row_title_height = 34;
-constexpr int row_gap = 22;
-constexpr int sheet_width = 2 * margin + columns * cell_width + (columns - 1) * gap;
+constexpr int group_gap = 34;  // between frames and maps
+constexpr int label_height = 22;
+constexpr int header_height = 132;
+constexpr int row_title_height = 32;
+constexpr int row_gap = 30;
+constexpr int least_width = 1100;
+constexpr int narrowest_facts = 150;
 constexpr Ink paper = 0xFBFAF8;
 constexpr Ink ink = 0x1C1B1A;
 constexpr Ink faint_ink = 0x76726D;
 constexpr Ink no_map = 0xECE9E5;
 constexpr Ink region_colour = 0xFF8A00;
-constexpr Ink end_colour = 0x00C8E0;
+constexpr Ink letter_colour = 0xF03A9B;
+constexpr Ink drift_colour = 0x00C8E0;
 constexpr Ink face_colour = 0x4CE06A;
-constexpr double dimmed = 0.4;  // brightness outside the region
+constexpr double dimmed = 0.45;  // brightness outside the region
 
 struct Cell {
     Vec2 at;
     cv::Size size;
 };
 
-cv::Size cell_size(const MediaRecord& record) {
-    const double scale = std::min(static_cast<double>(cell_width) / record.width,
-                                  static_cast<double>(tallest_cell) / record.height);
-    return {std::max(1, static_cast<int>(std::lround(record.width * scale))),
-            std::max(1, static_cast<int>(std::lround(record.height * scale)))};
+/// Where things stand on the sheet of one file: one frame of a photo or three of each shot, and right of them
+/// two rows of three maps.
+struct Plan {
+    int frames = 1;
+    cv::Size frame;
+    cv::Size map;
+
+    double maps_x() const { return margin + frames * (frame.width + gap) - gap + group_gap; }
+
+    int map_step() const { return std::max(map.width, narrowest_facts) + gap; }
+
+    int width() const {
+        return std::max(least_width, static_cast<int>(maps_x()) + 3 * map_step() - gap + margin);
+    }
+
+    int row_height() const { return row_title_height + label_height + frame.height + row_gap; }
+
+    Vec2 frame_at(int number, double top) const {
+        return {margin + static_cast<double>(number) * (frame.width + gap),
+                top + row_title_height + label_height};
+    }
+
+    Vec2 map_at(int column, int row, double top) const {
+        return {maps_x() + static_cast<double>(column) * map_step(),
+                top + row_title_height + label_height +
+                    static_cast<double>(row) * (map.height + label_height)};
+    }
+};
+
+Plan plan_of(const MediaRecord& record) {
+    const double scale = std::min(static_cast<double>(widest_frame) / record.width,
+                                  static_cast<double>(tallest_frame) / record.height);
+    const auto fit = [&](double s) {
+        return cv::Size(std::max(1, static_cast<int>(std::lround(record.width * s))),
+                        std::max(1, static_cast<int>(std::lround(record.height * s))));
+    };
+    Plan plan{.frames = record.kind == MediaKind::photo ? 1 : 3, .frame = fit(scale), .map = {}};
+    const double map_height = std::max(24.0, (plan.frame.height - label_height) / 2.0);
+    plan.map = fit(map_height / record.height);
+    return plan;
 }
 
 cv::Mat fitted(const cv::Mat& picture, cv::Size size) {
@@ -59,16 +96,17 @@ cv::Mat coloured(const SaliencyMap& map, double highest) {
     return result;
 }
 
-void draw_map(Canvas& canvas, const Cell& cell, const SaliencyMap& map, double highest,
+void draw_map(Canvas& canvas, const Cell& cell, const char* name, const SaliencyMap& map, double highest,
               const char* otherwise) {
+    canvas.text(name, cell.at - Vec2{0, label_height / 2.0}, 12, faint_ink, TextWeight::bold);
     if (!map.empty()) {
         canvas.place(fitted(coloured(map, highest), cell.size), cell.at);
         return;
     }
     const Vec2 size{static_cast<double>(cell.size.width), static_cast<double>(cell.size.height)};
     canvas.fill({cell.at, cell.at + size}, no_map);
-    const int width = canvas.text_width(otherwise, 13);
-    canvas.text(otherwise, cell.at + Vec2{(size.x - width) / 2, size.y / 2}, 13, faint_ink);
+    const int width = canvas.text_width(otherwise, 12);
+    canvas.text(otherwise, cell.at + Vec2{(size.x - width) / 2, size.y / 2}, 12, faint_ink);
 }
 
 double highest_of(const SaliencyMap& map) {
@@ -77,69 +115,123 @@ double highest_of(const SaliencyMap& map) {
     return highest;
 }
 
-Polygon on_cell(const Polygon& source, Vec2 offset, double scale, const Cell& cell) {
-    return transformed(source, scale, offset * scale + cell.at);
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
 }
 
-/// The frame dimmed outside the region as it lies then; at the shot's end, where it drifts, in a second
-/// colour.
-void draw_region(Canvas& canvas, const Cell& cell, const ShotEvidence& row, double scale) {
-    const IRegion& region = row.shot.region;
-    const auto seconds = [](std::chrono::nanoseconds t) { return std::chrono::duration<double>(t).count(); };
-    const Vec2 moved_by = region.drift * seconds(row.picture_time - row.shot.begin);
-    cv::Mat frame = fitted(row.picture, cell.size);
-    cv::Mat mask = cv::Mat::zeros(cell.size, CV_8UC1);
+cv::Mat dimmed_outside(const cv::Mat& frame, const Polygon& region) {
+    cv::Mat mask = cv::Mat::zeros(frame.size(), CV_8UC1);
     std::vector<cv::Point> points;
-    for (const Vec2 p : transformed(region.polygon, scale, moved_by * scale)) {
+    for (const Vec2 p : region)
         points.emplace_back(cv::Point2d(p.x - 0.5, p.y - 0.5));
-    }
     cv::fillConvexPoly(mask, points, 255, cv::LINE_AA);
-    cv::Mat dim = frame * dimmed;
-    frame.copyTo(dim, mask);
-    canvas.place(dim, cell.at);
-    canvas.outline(on_cell(region.polygon, moved_by, scale, cell), region_colour, 2);
-    if (region.drift == Vec2{}) return;
-    const Box picture{cell.at, cell.at + Vec2{cell.size.width - 1.0, cell.size.height - 1.0}};
-    const Vec2 end = region.drift * seconds(row.shot.duration());
-    canvas.outline(clipped(on_cell(region.polygon, end, scale, cell), picture), end_colour, 1);
+    cv::Mat result = frame * dimmed;
+    frame.copyTo(result, mask);
+    return result;
 }
 
-std::string row_title(const ShotEvidence& row, const MediaRecord& record, std::size_t number) {
-    const double share = area(row.shot.region.polygon) / (static_cast<double>(record.width) * record.height);
-    std::string region = fmt::format("region {:.0f} % of the picture", share * 100);
-    if (record.kind == MediaKind::photo) return region;
-    std::string title = fmt::format("shot {}   {} to {}   {} samples   {}", number, time_text(row.shot.begin),
-                                    time_text(row.shot.end), row.samples, region);
-    const Vec2 drift = row.shot.region.drift;
-    if (drift == Vec2{}) return title + "   still";
-    return title + fmt::format("   moves {:+.0f}, {:+.0f} px/s", drift.x, drift.y);
+/// A frame with what was found in it: the region as it lies then, the letter's, faces, and the way the region
+/// still goes.
+void draw_frame(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const ShownFrame& shown,
+                const MediaRecord& record) {
+    const double scale = static_cast<double>(cell.size.width) / record.width;
+    const IRegion& region = row.shot.region;
+    const auto lies = [&](const IRegion& r, std::chrono::nanoseconds time) {
+        return transformed(r.polygon, scale, r.drift * (scale * seconds(time - row.shot.begin)));
+    };
+    const Polygon now = lies(region, shown.time);
+    const cv::Mat frame = fitted(shown.picture, cell.size);
+    canvas.place(dimmed_outside(frame, now), cell.at);
+    const Box picture{cell.at, cell.at + Vec2{cell.size.width - 1.0, cell.size.height - 1.0}};
+    const auto outline = [&](const Polygon& polygon, Ink colour, int thickness) {
+        canvas.outline(clipped(transformed(polygon, 1, cell.at), picture), colour, thickness);
+    };
+    if (!row.letter.polygon.empty()) outline(lies(row.letter, shown.time), letter_colour, 1);
+    for (const Face& face : shown.faces) {
+        const double face_scale = static_cast<double>(cell.size.width) / row.volume.cols;
+        outline(transformed(to_polygon(face.box), face_scale, {}), face_colour, 1);
+    }
+    outline(now, region_colour, 2);
+    const Vec2 left = region.drift * (scale * seconds(row.shot.end - shown.time));
+    if (length(left) < 4) return;
+    const Vec2 from = centroid(now) + cell.at;
+    canvas.arrow(from, from + left, drift_colour, 2);
+}
+
+double part_of(const IRegion& region, const MediaRecord& record) {
+    return 100 * area(region.polygon) / (static_cast<double>(record.width) * record.height);
+}
+
+/// What the row says in words, in the place of a sixth map.
+void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const MediaRecord& record) {
+    std::vector<std::pair<std::string, Ink>> lines;
+    lines.emplace_back(fmt::format("region {:.0f} %", part_of(row.shot.region, record)), ink);
+    if (!row.letter.polygon.empty())
+        lines.emplace_back(fmt::format("paper's letter {:.0f} %", part_of(row.letter, record)), ink);
+    if (record.kind == MediaKind::video) {
+        const Vec2 drift = row.shot.region.drift;
+        lines.emplace_back(drift == Vec2{} ? "stands still"
+                                           : fmt::format("moves {:+.0f}, {:+.0f} px/s", drift.x, drift.y),
+                           ink);
+        lines.emplace_back(fmt::format("{} samples", row.samples), faint_ink);
+    }
+    double y = cell.at.y + 8;
+    for (const auto& [line, colour] : lines) {
+        canvas.text(line, {cell.at.x, y}, 13, colour);
+        y += 21;
+    }
+}
+
+void draw_maps(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
+               const Plan& plan) {
+    const auto cell = [&](int column, int line) { return Cell{plan.map_at(column, line, top), plan.map}; };
+    draw_map(canvas, cell(0, 0), "S_M motion", row.motion, 1, "no frame before");
+    draw_map(canvas, cell(1, 0), "S_I image", row.image, 1, "no sample");
+    draw_map(canvas, cell(2, 0), "S_F faces", row.faces.empty() ? SaliencyMap() : row.face, 1, "no face");
+    draw_map(canvas, cell(0, 1), "S combined", row.combined,
+             row.combined.empty() ? 1 : highest_of(row.combined), "no sample");
+    draw_map(canvas, cell(1, 1), "S_c accumulated", row.volume, highest_of(row.volume), "");
+    draw_facts(canvas, cell(2, 1), row, record);
+}
+
+std::string row_title(const ShotEvidence& row, std::size_t number) {
+    return fmt::format("shot {}   {} to {}", number, time_text(row.shot.begin), time_text(row.shot.end));
 }
 
 void draw_row(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
-              std::size_t number) {
-    canvas.text(row_title(row, record, number), {margin, top + row_title_height / 2.0}, 14, ink);
-    const cv::Size size = cell_size(record);
-    const auto cell = [&](int column) {
-        const double x = margin + column * (cell_width + gap) + (cell_width - size.width) / 2.0;
-        return Cell{{x, top + row_title_height}, size};
-    };
-    const double scale = static_cast<double>(size.width) / record.width;
-    draw_map(canvas, cell(1), row.motion, 1, "no frame before");
-    draw_map(canvas, cell(2), row.image, 1, "no sample");
-    draw_map(canvas, cell(3), row.faces.empty() ? SaliencyMap() : row.face, 1, "no face");
-    draw_map(canvas, cell(4), row.combined, row.combined.empty() ? 1 : highest_of(row.combined), "no sample");
-    draw_map(canvas, cell(5), row.volume, highest_of(row.volume), "");
-    if (row.picture.empty()) {
-        draw_map(canvas, cell(0), {}, 1, "no sample");
-        draw_map(canvas, cell(6), {}, 1, "no sample");
-        return;
+              std::size_t number, const Plan& plan) {
+    const bool is_film = record.kind == MediaKind::video;
+    if (is_film) canvas.text(row_title(row, number), {margin, top + 12}, 15, ink, TextWeight::bold);
+    draw_maps(canvas, top, row, record, plan);
+    constexpr std::array<const char*, 3> names{"begin", "middle", "end"};
+    for (int i = 0; i < plan.frames; ++i) {
+        const Cell cell{plan.frame_at(i, top), plan.frame};
+        const auto index = static_cast<std::size_t>(i);
+        if (row.frames.size() != names.size()) {
+            draw_map(canvas, cell, "", {}, 1, "no sample");
+            continue;
+        }
+        const ShownFrame& shown = row.frames[index];
+        const std::string label =
+            is_film ? fmt::format("{}   {}", names[index], time_text(shown.time)) : "frame and region";
+        canvas.text(label, cell.at - Vec2{0, label_height / 2.0}, 12, faint_ink, TextWeight::bold);
+        draw_frame(canvas, cell, row, shown, record);
     }
-    canvas.place(fitted(row.picture, size), cell(0).at);
-    for (const Face& face : row.faces) {
-        const double face_scale = static_cast<double>(size.width) / row.image.cols;
-        canvas.outline(transformed(to_polygon(face.box), face_scale, cell(0).at), face_colour, 1);
+}
+
+void draw_legend(Canvas& canvas, double y, int width) {
+    constexpr std::array<std::pair<const char*, Ink>, 4> entries{{{"region", region_colour},
+                                                                  {"by the paper's letter", letter_colour},
+                                                                  {"where it moves to", drift_colour},
+                                                                  {"face", face_colour}}};
+    double x = width - margin;
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+        x -= canvas.text_width(entry->first, 13);
+        canvas.text(entry->first, {x, y}, 13, faint_ink);
+        x -= 26;
+        canvas.fill({{x, y - 1.5}, {x + 18, y + 1.5}}, entry->second);
+        x -= 22;
     }
-    draw_region(canvas, cell(6), row, scale);
 }
 
 std::string facts(const SheetTitle& title, const MediaRecord& record, std::size_t rows) {
@@ -151,16 +243,6 @@ std::string facts(const SheetTitle& title, const MediaRecord& record, std::size_
                         record.shots.size() == 1 ? "shot" : "shots");
     if (rows < record.shots.size()) text += fmt::format(", of which the {} longest are shown", rows);
     return text;
-}
-
-void draw_column_titles(Canvas& canvas, double top) {
-    constexpr std::array<const char*, columns> titles{
-        "frame", "S_M motion contrast", "S_I image", "S_F faces", "S combined", "S_c accumulated", "region"};
-    for (int i = 0; i < columns; ++i) {
-        const double x = margin + i * (cell_width + gap);
-        canvas.text(titles[static_cast<std::size_t>(i)], {x, top + column_titles_height / 2.0}, 13, faint_ink,
-                    TextWeight::bold);
-    }
 }
 
 std::size_t number_of(const Shot& shot, const MediaRecord& record) {
@@ -182,23 +264,23 @@ void LongestShots::add(ShotEvidence evidence) {
 Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record,
                    const std::vector<ShotEvidence>& rows) {
     const int line_height = record.kind == MediaKind::photo ? 0 : time_line_height;
-    const int row_height = row_title_height + cell_size(record).height + row_gap;
-    const int height = margin + header_height + line_height + column_titles_height +
-                       static_cast<int>(rows.size()) * row_height + margin - row_gap;
-    Canvas canvas(sheet_width, height, paper);
-    canvas.text(title.name, {margin, margin + 16.0}, 28, ink, TextWeight::bold, sheet_width - 2 * margin);
+    const Plan plan = plan_of(record);
+    const int height = margin + header_height + line_height +
+                       static_cast<int>(rows.size()) * plan.row_height() - row_gap + margin;
+    const int width = plan.width();
+    Canvas canvas(width, height, paper);
+    canvas.text(title.name, {margin, margin + 16.0}, 28, ink, TextWeight::bold, width - 2 * margin);
     canvas.text(facts(title, record, rows.size()), {margin, margin + 56.0}, 16, faint_ink);
-    double top = margin + header_height;
+    draw_legend(canvas, margin + 56.0, width);
+    double top = margin + header_height - (record.kind == MediaKind::photo ? 30 : 0);
     if (line_height > 0) {
-        const Box place{{margin, top}, {static_cast<double>(sheet_width - margin), top + line_height}};
+        const Box place{{margin, top}, {static_cast<double>(width - margin), top + line_height}};
         draw_time_line(canvas, place, record, rows);
         top += line_height;
     }
-    draw_column_titles(canvas, top);
-    top += column_titles_height;
     for (const ShotEvidence& row : rows) {
-        draw_row(canvas, top, row, record, number_of(row.shot, record));
-        top += row_height;
+        draw_row(canvas, top, row, record, number_of(row.shot, record), plan);
+        top += plan.row_height();
     }
     return canvas;
 }

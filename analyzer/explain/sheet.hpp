@@ -32,8 +32,9 @@ struct SheetTitle {
 };
 
 /// The sheet that explains what the analysis saw in one file, the paper's figure 4.4 for any medium: a time
-/// line of all shots, then a row for each of `rows` with a frame of it, S_M, S_I, S_F, S, the accumulated
-/// volume and the frame with the region.
+/// line of all shots, then a row for each of `rows` with its first, middle and last sample, the region as it
+/// lies then, the way it still goes, the faces and, where known, the region by the paper's letter; S_M, S_I,
+/// S_F and S of the middle one, and the accumulated volume.
 ///
 /// @param record  of the whole file; `rows` are some of its shots
 Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record, const std::vector<ShotEvidence>& rows);

@@ -20,8 +20,8 @@ constexpr double camera_floor = 0.5;
 constexpr int least_side = 16;            // px
 constexpr int spread = 9;                 // px within which a difference counts
 constexpr double noise_share = 1.5;       // of the median difference, below which all is noise
-constexpr double least_difference = 1;    // grey levels
-constexpr double certain_difference = 4;  // grey levels above that from which on a motion is certain
+constexpr double least_difference = 3;    // grey levels
+constexpr double certain_difference = 5;  // grey levels above that from which on a motion is certain
 
 /// |v - background| by cell, 0 where the flow has no answer.
 cv::Mat contrast_by_cell(const FlowField& flow, const BackgroundMotion& background) {

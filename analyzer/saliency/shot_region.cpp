@@ -1,5 +1,7 @@
 #include "analyzer/saliency/shot_region.hpp"
 
+#include "analyzer/saliency/movers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,8 +98,9 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
                  const std::vector<SalientFrame>& frames, bool has_bodies) {
     const std::size_t middle = samples.size() / 2;
     const Sample& sample = samples[middle];
-    evidence.picture = sample.picture;
-    evidence.picture_time = sample.time;
+    for (const Sample* shown : {&samples.front(), &sample, &samples.back()}) {
+        if (!shown->picture.empty()) evidence.frames.push_back({shown->picture, shown->time, shown->faces});
+    }
     evidence.motion = sample.motion;
     evidence.image = sample.image;
     evidence.faces = sample.faces;
@@ -121,8 +124,10 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
         volume +=
             centre_prior(map) * (leaning * static_cast<double>(std::max<std::size_t>(1, frames.size())));
     }
-    const Polygon region = i_region(volume, common_part(map, drift, duration),
-                                    heads(samples, shot.begin, drift, map), settings.region);
+    std::vector<Box> whole = heads(samples, shot.begin, drift, map);
+    for (const Box& mover : movers(samples, shot.begin, drift))
+        whole.push_back(mover);
+    const Polygon region = i_region(volume, common_part(map, drift, duration), whole, settings.region);
     shot.region = to_source(region, drift, map, source);
     evidence.shot = std::move(shot);
     if (!samples.empty()) show_middle(evidence, samples, frames, settings.has_bodies);

@@ -4,21 +4,29 @@
 #include "analyzer/saliency/sample.hpp"
 #include "base/catalogue/record.hpp"
 
-#include <span>
+#include <chrono>
+#include <vector>
 
 namespace vitrine {
+
+/// A frame of a shot as people are shown it.
+struct ShownFrame {
+    cv::Mat picture;  // BGR
+    std::chrono::nanoseconds time{0};
+    std::vector<Face> faces;  // px of the map
+};
 
 /// What led to the region of one shot, for whoever asks why it is where it is. Maps are in px of the map.
 struct ShotEvidence {
     Shot shot;
-    cv::Mat picture;  // BGR, of the sample in the middle of the shot; empty where pictures were not kept
-    std::chrono::nanoseconds picture_time{0};
-    SaliencyMap motion;  // S_M of that sample, empty where it has none
+    std::vector<ShownFrame> frames;  // first, middle and last sample; none where pictures were not kept
+    SaliencyMap motion;              // S_M of the middle sample, empty where it has none
     SaliencyMap image;
     SaliencyMap face;
     SaliencyMap combined;
     SaliencyMap volume;  // S_c, in px of the shot's begin
     std::vector<Face> faces;
+    IRegion letter;  // the region by the paper's letter, to compare with; no corners where nobody asked
     std::size_t samples = 0;
 };
 

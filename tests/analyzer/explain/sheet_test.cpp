@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vips/vips.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -24,7 +25,11 @@ struct Scratch {
 
 ShotEvidence grey_shot_with_region() {
     ShotEvidence evidence{.samples = 1};
-    evidence.picture = cv::Mat(180, 320, CV_8UC3, cv::Scalar(120, 120, 120));
+    for (const int second : {0, 1, 2}) {
+        evidence.frames.push_back({.picture = cv::Mat(180, 320, CV_8UC3, cv::Scalar(120, 120, 120)),
+                                   .time = std::chrono::seconds(second),
+                                   .faces = {}});
+    }
     evidence.image = SaliencyMap(90, 160, CV_32FC1, cv::Scalar(0.5));
     evidence.face = SaliencyMap::zeros(90, 160, CV_32FC1);
     evidence.combined = evidence.image.clone();
@@ -48,6 +53,13 @@ cv::Mat read_back(const std::string& path) {
     return result;
 }
 
+/// How many pixels have about this colour, RGB.
+int line_pixels(const cv::Mat& pixels, cv::Scalar colour, double tolerance = 8) {
+    cv::Mat found;
+    cv::inRange(pixels, colour - cv::Scalar::all(tolerance), colour + cv::Scalar::all(tolerance), found);
+    return cv::countNonZero(found);
+}
+
 }  // namespace
 
 TEST_CASE("a sheet is read back as it was drawn, with the region on it") {
@@ -61,16 +73,41 @@ TEST_CASE("a sheet is read back as it was drawn, with the region on it") {
     const cv::Mat pixels = read_back(file.path);
 
     CHECK(pixels.size() == sheet.picture().size());
-    CHECK(pixels.cols > 7 * 200);
+    CHECK(pixels.cols >= 1100);
     cv::Mat grey;
     cv::cvtColor(pixels, grey, cv::COLOR_RGB2GRAY);
     cv::Scalar mean;
     cv::Scalar deviation;
     cv::meanStdDev(grey, mean, deviation);
     CHECK(deviation[0] > 10);
-    cv::Mat region_line;
-    cv::inRange(pixels, cv::Scalar(250, 130, 0), cv::Scalar(255, 145, 8), region_line);
-    CHECK(cv::countNonZero(region_line) > 300);
-    // The line lies in the last of the seven columns only.
-    CHECK(cv::countNonZero(region_line.colRange(0, pixels.cols * 6 / 7)) == 0);
+    CHECK(line_pixels(pixels, {255, 138, 0}) > 300);
+    // No map is drawn on.
+    CHECK(line_pixels(pixels.colRange(pixels.cols * 2 / 3, pixels.cols).rowRange(140, pixels.rows),
+                      {255, 138, 0}) == 0);
+}
+
+TEST_CASE("the sheet of a film shows the region going along, and the letter's to compare") {
+    ShotEvidence evidence = grey_shot_with_region();
+    evidence.shot.end = std::chrono::seconds(2);
+    MediaRecord record{.kind = MediaKind::video, .state = MediaState::ready, .width = 320, .height = 180};
+    record.duration = std::chrono::seconds(2);
+    record.shots.push_back(evidence.shot);
+    constexpr double thin = 70;  // such a line is blended with what it is drawn on
+    const auto below_the_legend = [&](const ShotEvidence& row) {
+        cv::Mat result;
+        cv::cvtColor(drawn_sheet({.name = "drawn.mp4"}, record, {row}).picture(), result, cv::COLOR_BGR2RGB);
+        return result.rowRange(250, result.rows).clone();
+    };
+
+    const cv::Mat still = below_the_legend(evidence);
+    CHECK(line_pixels(still, {0, 200, 224}) == 0);
+    CHECK(line_pixels(still, {240, 58, 155}, thin) == 0);
+
+    evidence.shot.region.drift = {30, 0};
+    evidence.letter.polygon = {{4, 4}, {310, 4}, {310, 170}, {4, 170}};
+    record.shots = {evidence.shot};
+    const cv::Mat moving = below_the_legend(evidence);
+    CHECK(line_pixels(moving, {0, 200, 224}) > 60);
+    CHECK(line_pixels(moving, {240, 58, 155}, thin) > 300);
+    CHECK(cv::norm(still, moving, cv::NORM_L1) > 0);
 }

@@ -89,6 +89,54 @@ TEST_CASE("ground that a moving camera sees deeper and nearer is no subject") {
     CHECK(strongest < 0.5);
 }
 
+TEST_CASE("what is at the edge of a panned picture counts as seen in one picture only") {
+    const FlowField flow = dense_flow(scene({20, 30}, {150, 90}), scene({32, 30}, {162, 90}));
+    const auto at = [&](double x, double y) {
+        return static_cast<std::size_t>(y / flow.cell) * static_cast<std::size_t>(flow.grid.width) +
+               static_cast<std::size_t>(x / flow.cell);
+    };
+    // Given a pan by 12 px: the left 12 px and half a patch are gone in the second picture.
+    CHECK_FALSE(flow.is_reliable[at(5, 90)]);
+    CHECK_FALSE(flow.is_reliable[at(13, 90)]);
+    CHECK(flow.is_reliable[at(40, 90)]);
+    CHECK(flow.vectors[at(60, 40)].x == doctest::Approx(-12).epsilon(0.05));
+}
+
+TEST_CASE("bare ground in noise does not move, whatever the flow says of it") {
+    // Given a grey picture with a band of texture, all still, in independent noise.
+    cv::Mat ground(90, 160, CV_8UC1, cv::Scalar(120));
+    texture()(cv::Rect(0, 0, 160, 30)).copyTo(ground.rowRange(0, 30));
+    cv::RNG random(9);
+    const auto seen = [&] {
+        cv::Mat noise(ground.size(), CV_16SC1);
+        random.fill(noise, cv::RNG::NORMAL, 0, 4);
+        cv::Mat sum;
+        ground.convertTo(sum, CV_16SC1);
+        sum += noise;
+        sum.convertTo(sum, CV_8UC1);
+        return sum;
+    };
+    for (int i = 0; i < 5; ++i) {
+        const cv::Mat before = seen();
+        double strongest = 0;
+        cv::minMaxLoc(motion_contrast(before, seen()).map, nullptr, &strongest);
+        CHECK(strongest < 0.2);
+    }
+}
+
+TEST_CASE("a light that goes up is no motion") {
+    const cv::Mat before = scene({20, 30}, {150, 90}) * 0.7;
+    const cv::Mat after = before * 1.15;
+    CHECK(cv::mean(motion_contrast(before, after).map)[0] < 0.1);
+}
+
+TEST_CASE("votes count by their weight") {
+    const std::vector<Vec2> vectors{{3, 1}, {3, 1}, {3, 1}, {-8, 5}};
+    const std::vector<double> weights{1, 1, 1, 9};
+    CHECK(voted_motion(vectors) == Vec2{3, 1});
+    CHECK(voted_motion(vectors, weights) == Vec2{-8, 5});
+}
+
 TEST_CASE("what comes into a panned picture at its edge is no motion") {
     const MotionContrast found = motion_contrast(scene({20, 30}, {150, 90}), scene({29, 30}, {159, 90}));
     double strongest = 0;

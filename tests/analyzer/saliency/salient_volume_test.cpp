@@ -72,6 +72,36 @@ TEST_CASE("a subject that stands still, or hardly moves, gets no drift") {
     CHECK(found_drift(moving_disc({80, 45}, {40, 0}, 1), 0, DriftMode::smallest_area) == Vec2{});
 }
 
+TEST_CASE("what the flow measured is the drift, and that of the background where it carries the subject") {
+    std::vector<SalientFrame> frames = moving_disc({40, 50}, {20, -6}, 16);
+    for (SalientFrame& frame : frames) {
+        frame.global_motion = {20.4, -6.1};
+        frame.subject_motion = {19, -7};
+    }
+    const Vec2 carried = found_drift(frames, 2, DriftMode::smallest_area);
+    CHECK(carried.x == doctest::Approx(20.4));
+    CHECK(carried.y == doctest::Approx(-6.1));
+    for (SalientFrame& frame : frames)
+        frame.global_motion = {};
+    const Vec2 own = found_drift(frames, 2, DriftMode::smallest_area);
+    CHECK(own.x == doctest::Approx(19));
+    CHECK(own.y == doctest::Approx(-7));
+}
+
+TEST_CASE("a motion that would spread the saliency is no drift, as a river's between its banks") {
+    std::vector<SalientFrame> frames = moving_disc({80, 45}, {0, 0}, 16);
+    for (SalientFrame& frame : frames)
+        frame.subject_motion = {25, 0};
+    CHECK(found_drift(frames, 2, DriftMode::smallest_area) == Vec2{});
+}
+
+TEST_CASE("a camera that shakes without going anywhere gives no drift") {
+    std::vector<SalientFrame> frames = moving_disc({80, 45}, {0, 0}, 16);
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        frames[i].global_motion = frames[i].subject_motion = {i % 4 < 2 ? 60.0 : -60.0, 0};
+    CHECK(found_drift(frames, 2, DriftMode::smallest_area) == Vec2{});
+}
+
 TEST_CASE("however fast the subject, all frames keep 60 % of each side in common") {
     for (const DriftMode mode : {DriftMode::smallest_area, DriftMode::box_centres}) {
         const Vec2 drift = found_drift(moving_disc({20, 45}, {60, 0}, 16), 2, mode);

@@ -1,3 +1,4 @@
+#include "analyzer/saliency/movers.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "analyzer/saliency/shot_region.hpp"
 
@@ -74,6 +75,38 @@ TEST_CASE("the region holds a moving disc at every time of the shot") {
             CHECK(is_inside_convex(now, centre + edge, 4));
         }
     }
+}
+
+TEST_CASE("a subject that runs through the picture is held wherever it is") {
+    // Given a salient disc that stays, and a small one that crosses the picture in the first of four seconds.
+    std::vector<Sample> samples;
+    const auto runner = [](int i) { return Vec2{10 + 20.0 * i, 70}; };
+    for (int i = 0; i < 32; ++i) {
+        samples.push_back(sample_with_disc(milliseconds(125 * i), {80, 35}));
+        samples.back().motion = SaliencyMap::zeros(90, 160, CV_32FC1);
+        if (i < 8) cv::circle(samples.back().motion, cv::Point2d(runner(i).x, runner(i).y), 7, 1, cv::FILLED);
+    }
+    const Polygon region =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(4)}, {160, 90}, {160, 90}, {})
+            .shot.region.polygon;
+    for (int i = 0; i < 8; ++i)
+        CHECK(is_inside_convex(region, runner(i), 1));
+}
+
+TEST_CASE("one flash of motion, and motion everywhere, hold nothing") {
+    std::vector<Sample> samples;
+    for (int i = 0; i < 8; ++i) {
+        samples.push_back(sample_with_disc(milliseconds(125 * i), {80, 45}));
+        samples.back().motion = SaliencyMap::zeros(90, 160, CV_32FC1);
+    }
+    cv::circle(samples[3].motion, {20, 20}, 6, 1, cv::FILLED);
+    CHECK(movers(samples, seconds(0), {}).empty());
+    for (Sample& sample : samples) {
+        for (const cv::Point corner :
+             {cv::Point(12, 12), cv::Point(148, 12), cv::Point(12, 78), cv::Point(148, 78)})
+            cv::circle(sample.motion, corner, 8, 1, cv::FILLED);
+    }
+    CHECK(movers(samples, seconds(0), {}).empty());
 }
 
 TEST_CASE("motion measured across the shot's begin does not count") {

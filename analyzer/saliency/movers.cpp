@@ -1,0 +1,74 @@
+#include "analyzer/saliency/movers.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+#include "base/geometry/polygon.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+constexpr double moving = 0.5;     // S_M of all of a mover
+constexpr double certain = 0.8;    // and of some place in it
+constexpr double speck = 0.002;    // of the picture, below which a box is none
+constexpr double most = 0.3;       // of the picture, above which it is no one thing
+constexpr double most_all = 0.55;  // of the picture, that all boxes' hull may take
+constexpr double nearby = 1.0;     // of two boxes' mean side, that their centres may lie apart
+
+std::vector<Box> spots(const SaliencyMap& motion) {
+    std::vector<Box> result;
+    if (motion.empty()) return result;
+    cv::Mat labels;
+    cv::Mat stats;
+    cv::Mat centres;
+    const cv::Mat mask = motion >= moving;
+    const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
+    for (int i = 1; i < count; ++i) {
+        const cv::Rect r(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                         stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const double part = r.area() / static_cast<double>(motion.total());
+        if (part < speck || part > most) continue;
+        double strongest = 0;
+        cv::minMaxLoc(motion(r), nullptr, &strongest, nullptr, nullptr, labels(r) == i);
+        if (strongest < certain) continue;
+        result.push_back({{static_cast<double>(r.x), static_cast<double>(r.y)},
+                          {static_cast<double>(r.x + r.width), static_cast<double>(r.y + r.height)}});
+    }
+    return result;
+}
+
+bool has_near(const std::vector<Box>& boxes, const Box& box) {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& other) {
+        const double side = (box.width() + box.height() + other.width() + other.height()) / 4;
+        return length(box.centre() - other.centre()) <= nearby * side;
+    });
+}
+
+}  // namespace
+
+std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift) {
+    std::vector<std::vector<Box>> found;
+    for (const Sample& sample : samples)
+        found.push_back(spots(sample.motion));
+    std::vector<Box> result;
+    std::vector<Vec2> corners;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Vec2 moved_by = drift * -std::chrono::duration<double>(samples[i].time - begin).count();
+        for (const Box& box : found[i]) {
+            const bool is_seen_before = i > 0 && has_near(found[i - 1], box);
+            const bool is_seen_after = i + 1 < found.size() && has_near(found[i + 1], box);
+            if (!is_seen_before && !is_seen_after) continue;
+            result.push_back({box.min + moved_by, box.max + moved_by});
+            for (const Vec2 corner : to_polygon(result.back()))
+                corners.push_back(corner);
+        }
+    }
+    if (result.empty()) return result;
+    const cv::Size size = samples.front().image.size();
+    if (area(convex_hull(corners)) > most_all * size.area()) return {};
+    return result;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "analyzer/saliency/sample.hpp"
+#include "base/geometry/box.hpp"
+
+#include <chrono>
+#include <vector>
+
+namespace vitrine {
+
+/// What clearly moves by itself in a shot, wherever it does, as boxes moved to where they are at the shot's
+/// begin: a subject that runs through the picture is outside what is salient on average, and still must not
+/// be cut. A mover is a spot of strong motion contrast, neither a speck nor most of the picture, that the
+/// sample before or after shows nearby; none where together they reach over most of the picture, as crowds
+/// do.
+///
+/// @param drift  px of the map per second
+/// @return       px of the map; may reach beyond it
+std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift);
+
+}  // namespace vitrine
