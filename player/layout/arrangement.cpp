@@ -46,8 +46,10 @@ bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& con
     const ReadingOrder order = reading_order(ground, arrangement.growth);
     for (std::size_t i = 0; i < ground.size(); ++i) {
         const Vec2 place = arrangement.places[i];
-        const Vec2 inside = held(place, ground.range(i, arrangement.growth));
-        if (length(inside - place) > Contacts::precision) return false;
+        const Box range = ground.range(i, arrangement.growth);
+        const bool fits = range.max.x >= range.min.x - Contacts::precision &&
+                          range.max.y >= range.min.y - Contacts::precision;
+        if (!fits || length(held(place, range) - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
             if (ground.pinned[i] && ground.pinned[j]) continue;  // nothing can be done about those
             if (ground.reads && order.violation(arrangement.places[j], place) > Contacts::precision)

@@ -58,6 +58,16 @@ TEST_CASE("a linear program without room stays where it is, and one without boun
     CHECK(boundless.maximise(0, 100)[0] == 0);
 }
 
+TEST_CASE("an item larger than the field is free nowhere") {
+    const LayoutItem square{.region = to_polygon({{0, 0}, {10, 10}}), .core = {{0, 0}, {10, 10}}};
+    const Ground ground = ground_of(std::vector<LayoutItem>{square}, {200, 100});
+    Contacts contacts(ground.shapes, ground.clearance);
+    const double growth = 150 / (10 * ground.scales[0]);  // a side of 150 px
+    for (const double y : {25.0, 50.0, 75.0})
+        CHECK_FALSE(is_free(ground, {{{100, y}}, growth}, contacts));
+    CHECK(is_free(ground, {{{100, 50}}, growth / 1.6}, contacts));
+}
+
 TEST_CASE("two squares in a box twice as wide as high grow until they fill it") {
     const LayoutItem square{.region = to_polygon({{0, 0}, {10, 10}}), .core = {{0, 0}, {10, 10}}};
     const std::vector<LayoutItem> items{square, square};
