@@ -91,7 +91,7 @@ void share_with_neighbours(std::vector<float>& counts) {
 
 /// Minus the mean distance from the picture's middle, in sides, of the places that have a pixel's colour.
 cv::Mat nearness_of_colours(const cv::Mat& lab) {
-    const auto count = static_cast<std::size_t>(cells[0] * cells[1] * cells[2]);
+    constexpr auto count = std::size_t{cells[0]} * std::size_t{cells[1]} * std::size_t{cells[2]};
     std::vector<float> pixels(count, 1e-9F);
     std::vector<float> distances(count, 0);
     cv::Mat cell(lab.size(), CV_32SC1);
