@@ -14,13 +14,13 @@ namespace vitrine {
 namespace {
 
 constexpr double half = 0.5;
-constexpr double least_gain = 0.05;        // of the area, for which the region starts to move
-constexpr double most_loss = 0.02;         // of the area, that the subject's own motion may cost
-constexpr double most_loss_panned = 0.15;  // that the camera's may, for then nothing stands still
-constexpr double carried = 0.25;       // of the background's motion, by which a subject it carries differs
-constexpr double unsteady = 0.2;       // of the way, beyond which a motion is no drift
-constexpr double followable = 0.75;    // of a measured drift, that the common part must allow
-constexpr double least_travel = 0.03;  // of the diagonal over the shot, below which it stands still
+constexpr double least_gain = 0.05;       // of the area, for which the region starts to move
+constexpr double most_loss = 0.02;        // of the area, that the subject's own motion may cost
+constexpr double most_loss_panned = 0.5;  // that the camera's may, for then nothing stands still
+constexpr double carried = 0.25;          // of the background's motion, by which a subject it carries differs
+constexpr double unsteady = 0.2;          // of the way, beyond which a motion is no drift
+constexpr double followable = 0.75;       // of a measured drift, that the common part must allow
+constexpr double least_travel = 0.03;     // of the diagonal over the shot, below which it stands still
 
 /// Whether a drift leads anywhere during the shot.
 bool is_travel(Vec2 drift, double duration, cv::Size frame) {

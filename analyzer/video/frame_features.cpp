@@ -26,8 +26,7 @@ void count_colours(const cv::Mat& picture, FrameFeatures& features) {
     }
     const float share = 65535.F / static_cast<float>(total);
     for (std::size_t i = 0; i < counts.size(); ++i)
-        features.histogram[i] =
-            static_cast<std::uint16_t>(static_cast<int>(static_cast<float>(counts[i]) * share + .5F));
+        features.histogram[i] = static_cast<std::uint16_t>(cvRound(static_cast<float>(counts[i]) * share));
 }
 
 constexpr std::size_t channels = 3;
@@ -91,7 +90,7 @@ class Columns {
 
   private:
     static std::uint8_t rounded(std::uint32_t sum, float share) {
-        return static_cast<std::uint8_t>(static_cast<int>(static_cast<float>(sum) * share + .5F));
+        return static_cast<std::uint8_t>(cvRound(static_cast<float>(sum) * share));
     }
 
     std::array<int, FrameFeatures::detail_width> begin_{};

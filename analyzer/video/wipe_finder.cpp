@@ -89,8 +89,9 @@ std::vector<WipeFinder::Passing> WipeFinder::passings(const FeatureWindow& windo
     std::vector<Passing> out;
     for (std::size_t i = 0; i < places; ++i) {
         if (most[i] < 3 * least_change) continue;
-        const auto x = static_cast<double>(i % FrameFeatures::signature_width) + .5;
-        const auto y = static_cast<double>(i / FrameFeatures::signature_width) + .5;
+        const std::size_t row = i / FrameFeatures::signature_width;
+        const double x = static_cast<double>(i % FrameFeatures::signature_width) + .5;
+        const double y = static_cast<double>(row) + .5;
         const Seconds time = window.time(first + when[i]) - window.time(first);
         const double change = std::min(most[i] / 3.0, most_change);
         out.push_back({.x = x / FrameFeatures::signature_width - .5,
