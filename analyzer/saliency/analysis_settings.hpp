@@ -13,7 +13,7 @@ namespace vitrine {
 /// What an operator or a comparison with the paper may turn; the defaults are what is shipped.
 struct AnalysisSettings {
     int frame_size = 320;        // px, longest side on which motion and contrast are measured
-    int samples_per_second = 8;  // frames a second of a film that are searched for what matters
+    int samples_per_second = 5;  // frames a second of a film that are searched for what matters
     int face_interval = 4;       // every so many samples faces are looked for
     SaliencyWeights weights{.motion = 0.5, .image = 0.5, .face = 0};  // `subject` heeds faces by itself
     MotionMethod motion = MotionMethod::background;

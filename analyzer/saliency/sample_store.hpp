@@ -16,7 +16,7 @@ namespace vitrine {
 class SampleStore {
   public:
     static constexpr std::size_t recent =
-        64;  // 8 s at 8 a second, longer than any transition takes to be told
+        64;  // 13 s at 5 a second, longer than any transition takes to be told
     static constexpr std::size_t most_settled = 192;
 
     /// @param sample  later than all before

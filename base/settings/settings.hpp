@@ -29,7 +29,7 @@ struct Settings {
         std::chrono::seconds rescan{60};
         std::chrono::milliseconds quiet{2000};
         int frame_size = 320;  // px, longest side of an analysed frame
-        double samples_per_second = 8;
+        double samples_per_second = 5;
         double motion_weight = 0.5;
         double image_weight = 0.5;
         double face_weight = 0;      // faces count in image saliency already
