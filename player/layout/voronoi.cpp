@@ -1,6 +1,7 @@
 #include "player/layout/voronoi.hpp"
 
 #include "base/geometry/overlap.hpp"
+#include "player/layout/voronoi_numbers.hpp"
 
 #include <boost/polygon/point_concept.hpp>
 #include <boost/polygon/point_data.hpp>
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace vitrine {
 
@@ -115,11 +114,15 @@ class Tracer {
 
     std::vector<Loops> run() {
         for (const Edge& edge : diagram_.edges())
-            if (is_border(edge) && sites_.owner(edge) < loops_.size() && !done_.contains(&edge)) trace(edge);
+            if (is_border(edge) && sites_.owner(edge) < loops_.size() && edge.color() == untraced)
+                trace(edge);
         return std::move(loops_);
     }
 
   private:
+    static constexpr std::size_t untraced = 0;
+    static constexpr std::size_t traced = 1;
+
     bool is_border(const Edge& edge) const { return sites_.owner(edge) != sites_.owner(*edge.twin()); }
 
     /// The next border edge of the same owner, with the owner's area on the left.
@@ -134,7 +137,7 @@ class Tracer {
         Loop loop;
         const Edge* edge = &first;
         do {
-            done_.insert(edge);
+            edge->color(traced);
             append(loop, *edge);
             edge = &after(*edge);
         } while (edge != &first);
@@ -186,7 +189,6 @@ class Tracer {
     const Sites& sites_;      // outlives this
     const Diagram& diagram_;  // outlives this
     std::vector<Loops> loops_;
-    std::unordered_set<const Edge*> done_;
 };
 
 }  // namespace
@@ -201,8 +203,10 @@ std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, 
     }
     add_guards(input, canvas, regions.size());
     Diagram diagram;
-    boost::polygon::construct_voronoi(input.points.begin(), input.points.end(), input.segments.begin(),
-                                      input.segments.end(), &diagram);
+    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers> builder;
+    boost::polygon::insert(input.points.begin(), input.points.end(), &builder);
+    boost::polygon::insert(input.segments.begin(), input.segments.end(), &builder);
+    builder.construct(&diagram);
     return Tracer(input, diagram, regions.size()).run();
 }
 
