@@ -169,7 +169,7 @@ Polygon peeled(const SaliencyMap& map, const Box& within, const PeelLimits& limi
     const auto whole = static_cast<double>(map.total());
     shrink(peel, 0, limits.most_area * whole);
     shrink(peel, limits.safe_mass * mass, 0);
-    const Polygon safe = outline(peel, within);
+    Polygon safe = outline(peel, within);
     shrink(peel, limits.tight_mass * mass, limits.tight_area * whole);
     const double one_slab = std::hypot(map.cols, map.rows);
     if (peel.area > limits.tight_area * whole + one_slab) return safe;

@@ -50,6 +50,7 @@ bool has_near(const std::vector<Box>& boxes, const Box& box) {
 
 std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift) {
     std::vector<std::vector<Box>> found;
+    found.reserve(samples.size());
     for (const Sample& sample : samples)
         found.push_back(spots(sample.motion));
     std::vector<Box> result;

@@ -120,10 +120,12 @@ double usual_scale(const Standing& wall, const LayoutItem& newcomer) {
     std::vector<LayoutItem> items = wall.items;
     items.push_back(newcomer);
     std::vector<Shape> shapes;
+    shapes.reserve(items.size());
     for (const LayoutItem& item : items)
         shapes.push_back(shape_of(item.region));
     const std::vector<double> natural = natural_scales(items, shapes);
     std::vector<double> growths;
+    growths.reserve(wall.items.size());
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         growths.push_back(wall.placements[i].scale / natural[i]);
     const auto middle = growths.begin() + static_cast<std::ptrdiff_t>(growths.size() / 2);

@@ -22,6 +22,7 @@ std::vector<Group> groups_of(const PlanRequest& request) {
         group.weight += request.items[i].item.weight;
     }
     std::vector<Group> groups;
+    groups.reserve(named.size());
     for (auto& [name, group] : named)
         groups.push_back(std::move(group));
     std::stable_sort(groups.begin(), groups.end(),
