@@ -38,10 +38,13 @@ bool is_free(const LayoutItem& item, const Placement& at, std::span<const Placed
 std::optional<Placement> making_room(const PlacedShot& last, std::span<const PlacedShot> moved) {
     const Vec2 place = seat_of(last.shot.item, last.placement).centre;
     const Vec2 centroid = (place - last.placement.offset) * (1 / last.placement.scale);
-    for (double factor = 1; factor >= least_remainder; factor *= smaller) {
-        const double scale = last.placement.scale * factor;
-        const Placement at = factor == 1 ? last.placement : Placement{scale, place - centroid * scale};
+    double factor = 1;
+    Placement at = last.placement;
+    while (factor >= least_remainder) {
         if (is_free(last.shot.item, at, moved)) return at;
+        factor *= smaller;
+        const double scale = last.placement.scale * factor;
+        at = {scale, place - centroid * scale};
     }
     return std::nullopt;
 }
@@ -108,7 +111,7 @@ std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
                             std::span<const PlacedShot> incoming, const TransitionStyle& style) {
     const Shots first(shown.begin(), shown.end());
     const Shots last(incoming.begin(), incoming.end());
-    const std::vector<Act> fade{{.from = first, .to = last, .duration = style.crossfade}};
+    std::vector<Act> fade{{.from = first, .to = last, .duration = style.crossfade}};
     if (style.motion.count() <= 0 || first.empty() || last.empty()) return fade;
     Staying stays = staying(shown, incoming);
     const auto motion = motion_of(stays, canvas);
