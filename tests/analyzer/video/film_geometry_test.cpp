@@ -2,6 +2,8 @@
 
 #include "tests/analyzer/video/drawn_film.hpp"
 
+#include <gst/gst.h>
+
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -57,6 +59,37 @@ void set_matrix(const std::string& path, const Matrix& matrix) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
+/// What the demuxer says of a film's orientation: "flip-rotate-0", ...; "" where it says nothing.
+std::string told_orientation(const std::string& path) {
+    const std::string line = fmt::format("filesrc location={} ! qtdemux ! fakesink", path);
+    GstElement* pipeline = gst_parse_launch(line.c_str(), nullptr);
+    REQUIRE(pipeline != nullptr);
+    gst_element_set_state(pipeline, GST_STATE_PLAYING);
+    GstBus* bus = gst_element_get_bus(pipeline);
+    std::string told;
+    constexpr auto wanted =
+        static_cast<GstMessageType>(GST_MESSAGE_TAG | GST_MESSAGE_EOS | GST_MESSAGE_ERROR);
+    bool is_over = false;
+    while (!is_over) {
+        GstMessage* message = gst_bus_timed_pop_filtered(bus, 60 * GST_SECOND, wanted);
+        REQUIRE(message != nullptr);
+        is_over = GST_MESSAGE_TYPE(message) != GST_MESSAGE_TAG;
+        if (!is_over) {
+            GstTagList* tags = nullptr;
+            gst_message_parse_tag(message, &tags);
+            gchar* value = nullptr;
+            if (gst_tag_list_get_string(tags, GST_TAG_IMAGE_ORIENTATION, &value) != 0) told = value;
+            g_free(value);
+            gst_tag_list_unref(tags);
+        }
+        gst_message_unref(message);
+    }
+    gst_object_unref(bus);
+    gst_element_set_state(pipeline, GST_STATE_NULL);
+    gst_object_unref(pipeline);
+    return told;
+}
+
 int grey(const cv::Mat& picture, double x, double y) {
     return picture.at<cv::Vec3b>(static_cast<int>(y * picture.rows), static_cast<int>(x * picture.cols))[1];
 }
@@ -75,6 +108,11 @@ TEST_CASE("a film is upright under the matrices of its track, mirrored ones too"
         CAPTURE(m.c);
         CAPTURE(m.d);
         set_matrix(path, m);
+        const bool is_mirrored = m.a * m.d - m.b * m.c < 0;
+        if (is_mirrored && !told_orientation(path).starts_with("flip")) {
+            MESSAGE("this qtdemux does not know mirrored tracks");  // Debian's before 1.22.0-5+deb12u4
+            continue;
+        }
         FilmSource source(path, 64);
         CHECK(source.info().width == (m.a != 0 ? width : height));
         CHECK(source.info().height == (m.a != 0 ? height : width));
