@@ -9,7 +9,7 @@
 namespace vitrine {
 
 /// An integer of up to 2048 bits, for the diagram's exact predicates: sign and 64-bit digits, the lowest
-/// first. Coordinates are below 2^23, so nothing overflows.
+/// first; as wide as boost's own.
 // Moving is copying. NOLINTNEXTLINE(cppcoreguidelines-special-member-functions)
 class WideInt {
   public:
@@ -144,7 +144,7 @@ struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }
 };
 
-/// What boost's diagram computes with where double is not enough, half of its time by default. Its integers
+/// What boost's diagram computes with where double is not enough. Its own integers
 /// have 32-bit digits, and its floating type keeps the exponent apart and takes each number to pieces at
 /// every step; long double has a wide enough exponent by itself.
 struct VoronoiNumbers : boost::polygon::detail::voronoi_ctype_traits<boost::polygon::detail::int32> {

@@ -1,4 +1,6 @@
+#include "base/catalogue/catalogue.hpp"
 #include "base/geometry/convex_hull.hpp"
+#include "player/layout/layout_item.hpp"
 #include "tests/bench/packing/bench.hpp"
 
 #include <cmath>
@@ -27,6 +29,15 @@ double cpu_ms() {
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+Items regions_of(const std::string& directory) {
+    Items items;
+    for (const MediaRecord& record : Catalogue(directory).load())
+        if (record.state == MediaState::ready)
+            for (const Shot& shot : record.shots)
+                items.push_back(layout_item(record, shot));
+    return items;
 }
 
 Items random_hulls(std::size_t count, Random& random) {

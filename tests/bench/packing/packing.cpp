@@ -3,8 +3,6 @@
 // Tables: shares, real, paper, moves, many, changes, edits. Shares are of a 16:9 screen, times are of the
 // CPU.
 
-#include "base/catalogue/catalogue.hpp"
-#include "player/layout/layout_item.hpp"
 #include "tests/bench/packing/bench.hpp"
 
 #include <fmt/format.h>
@@ -26,15 +24,6 @@ BenchOptions options_of(int argc, char** argv) {
         if (name == "--catalogue") options.catalogue = argv[k + 1];
     }
     return options;
-}
-
-Items regions_of(const std::string& directory) {
-    Items items;
-    for (const MediaRecord& record : Catalogue(directory).load())
-        if (record.state == MediaState::ready)
-            for (const Shot& shot : record.shots)
-                items.push_back(layout_item(record, shot));
-    return items;
 }
 
 void print_real(const BenchOptions& options) {

@@ -1,8 +1,8 @@
 #include "player/layout/descent.hpp"
 #include "player/layout/energy.hpp"
 #include "player/layout/initial_packing.hpp"
-#include "player/layout/reading_order.hpp"
 #include "tests/bench/packing/bench.hpp"
+#include "tests/player/layout/inversions.hpp"
 
 #include <fmt/format.h>
 
@@ -72,17 +72,6 @@ Layout plan_within(PlanRequest request, double ms) {
     const double start = cpu_ms();
     request.budget = std::numeric_limits<std::int64_t>::max();
     return plan(request, {.should_stop = [&] { return cpu_ms() - start >= ms; }});
-}
-
-std::size_t inversions_of(const Items& items, const Layout& layout) {
-    std::vector<Vec2> places;
-    double height = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Polygon region = placed_region(items[i], layout.placements[i]);
-        places.push_back(centroid(region));
-        height += bounding_box(region).height();
-    }
-    return inversions(places, {height / (2 * static_cast<double>(items.size()))});
 }
 
 void measure(Row& row, const Items& items, std::uint64_t seed) {

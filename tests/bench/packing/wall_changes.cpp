@@ -1,16 +1,15 @@
 // How quickly and how calmly a wall follows changes, and what its cells cost and leave over.
-//   wall_changes [INSTANCES [CATALOGUE]]
+//   wall_changes [INSTANCES [CATALOGUE [edits|cells]]]
 // On items like those of real media, or on the regions of a catalogue. Times are of the CPU, moves of the
 // items that are not edited are in shares of the canvas' diagonal, shares are of the 16:9 screen covered by
 // I-Regions.
 
-#include "base/catalogue/catalogue.hpp"
 #include "player/layout/cells.hpp"
 #include "player/layout/edit.hpp"
 #include "player/layout/energy.hpp"
-#include "player/layout/layout_item.hpp"
 #include "player/layout/motion.hpp"
 #include "player/layout/plan_output.hpp"
+#include "tests/bench/packing/bench.hpp"
 #include "tests/player/layout/instances.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +17,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <map>
 
@@ -26,14 +24,8 @@ using namespace vitrine;
 
 namespace {
 
-using Items = std::vector<LayoutItem>;
-
 constexpr Vec2 canvas{1920, 1080};
 constexpr std::size_t counts[] = {6, 12, 24, 200};
-
-double cpu_ms() {
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// Where the items of a wall come from.
 class Supply {
@@ -54,15 +46,6 @@ class Supply {
   private:
     Items real_;
 };
-
-Items regions_of(const char* directory) {
-    Items items;
-    for (const MediaRecord& record : Catalogue(directory).load())
-        if (record.state == MediaState::ready)
-            for (const Shot& shot : record.shots)
-                items.push_back(layout_item(record, shot));
-    return items;
-}
 
 Layout planned(const Items& items, Vec2 size, std::uint64_t seed) {
     PlanRequest request{.canvas = size, .seed = seed};

@@ -3,24 +3,13 @@
 #include "player/layout/energy.hpp"
 #include "player/layout/shape.hpp"
 #include "tests/player/layout/instances.hpp"
+#include "tests/player/layout/inversions.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace vitrine;
 
 namespace {
-
-/// Pairs of a layout that are not read in the order of the items; line height and places measured anew.
-std::size_t inversions_of(const std::vector<LayoutItem>& items, const Layout& layout) {
-    std::vector<Vec2> places;
-    double height = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Polygon region = placed_region(items[i], layout.placements[i]);
-        places.push_back(centroid(region));
-        height += bounding_box(region).height();
-    }
-    return inversions(places, {height / (2 * static_cast<double>(items.size()))});
-}
 
 bool is_sound(const PlanRequest& request, const Layout& layout) {
     const Measure measure = measured(items_of(request), layout.placements);

@@ -52,13 +52,6 @@ Player player(AssemblageSettings settings, const std::vector<MediaRecord>& recor
     return player;
 }
 
-std::vector<MediaRecord> photos(int count) {
-    std::vector<MediaRecord> records;
-    for (int i = 0; i < count; ++i)
-        records.push_back(photo("p" + std::to_string(100 + i)));
-    return records;
-}
-
 }  // namespace
 
 TEST_CASE("every photo is shown once before any is shown again") {

@@ -45,13 +45,6 @@ struct House {
     }
 };
 
-std::vector<MediaRecord> photos(int count) {
-    std::vector<MediaRecord> records;
-    for (int i = 0; i < count; ++i)
-        records.push_back(photo("p" + std::to_string(100 + i)));
-    return records;
-}
-
 }  // namespace
 
 TEST_CASE("an empty catalogue pans over nothing") {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vitrine {
 
@@ -22,6 +23,14 @@ inline MediaRecord photo(std::string path, std::int64_t mtime_ns = 1) {
             .width = 640,
             .height = 360,
             .shots = {{.region = middle()}}};
+}
+
+/// p100, p101, ...
+inline std::vector<MediaRecord> photos(int count) {
+    std::vector<MediaRecord> records;
+    for (int i = 0; i < count; ++i)
+        records.push_back(photo("p" + std::to_string(100 + i)));
+    return records;
 }
 
 inline MediaRecord film(std::string path, int shots,
