@@ -32,7 +32,9 @@ constexpr auto status_interval = 5s;
 constexpr int most_settling_steps = 100;  // each gives up on a file at least
 
 KmsOptions kms_options(const Settings& settings, const KmsChoice& choice) {
-    return {.card = choice.card, .wish = parse_mode(settings.output.mode)};
+    return {.card = choice.card,
+            .wish = parse_mode(settings.output.mode),
+            .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best};
 }
 
 }  // namespace
@@ -110,6 +112,7 @@ std::chrono::nanoseconds Player::now() const {
 void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
+    tell_of_screen();
     if (!screen_->is_visible()) {
         clock_.skip_to(time);
         return tick_.arm(invisible_pause);
@@ -125,6 +128,11 @@ void Player::tick() {
         clock_.shown(time);
     service::alive();
     tick_.arm(std::max(0ns, clock_.due() - now()));
+}
+
+void Player::tell_of_screen() {
+    for (const ScreenEvent& event : screen_->take_events())
+        log::write(event.is_trouble ? log::Level::warning : log::Level::info, "screen: " + event.text);
 }
 
 void Player::follow_screen_size() {

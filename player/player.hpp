@@ -48,6 +48,7 @@ class Player {
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void tick();
+    void tell_of_screen();
     void follow_screen_size();
     WallStep next_step(std::chrono::nanoseconds time);
     void take_layout();

@@ -234,6 +234,7 @@ void append_player_keys(std::vector<SettingKey>& keys) {
             rotation("output.rotation", [](S& s) -> int& { return s.output.rotation; }),
             whole(
                 "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
+            choice("output.api", [](S & s) -> auto& { return s.output.api; }, {"best", "legacy"}),
         });
 }
 

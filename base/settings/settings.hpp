@@ -71,6 +71,7 @@ struct Settings {
         std::string mode;            // WIDTHxHEIGHT or WIDTHxHEIGHT@HZ, empty: the panel's own
         int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
         int frame_rate = 30;
+        std::string api = "best";  // best or legacy
     } output;
 };
 

@@ -108,6 +108,9 @@ void KmsScreen::present(std::chrono::nanoseconds) {
         on_screen_ = std::move(buffer);
         needs_mode_ = false;
         has_shown_ = true;
+        const auto since = std::chrono::steady_clock::now() - found_;
+        tell(fmt::format("first picture on {} after {} ms", output_->name,
+                         std::chrono::ceil<std::chrono::milliseconds>(since).count()));
     }
     take_result(error, "set the mode");
 }
@@ -116,7 +119,7 @@ void KmsScreen::take_result(int error, const char* what) {
     if (error == 0 || error == EBUSY || error == EINTR || error == EAGAIN) return;
     log::debug("'{}': cannot {}: {}", card_.path().string(), what, std::generic_category().message(error));
     if (is_loss_of_master(error)) {
-        is_master_ = false;
+        set_master(false);
         needs_mode_ = true;
         return;
     }
@@ -172,17 +175,26 @@ void KmsScreen::on_tick() {
         in_flight_.reset();
         needs_mode_ = true;
     }
-    if (!is_master_ && drmSetMaster(card_.fd()) == 0) is_master_ = true;
+    if (!is_master_ && drmSetMaster(card_.fd()) == 0) set_master(true);
     look_for_panel(!output_);
 }
 
 void KmsScreen::look_for_panel(bool asks_panels) {
     const std::optional<Output> found = choose_output(card_.state(asks_panels), wish_, card_.is_atomic());
     if (output_ && found ? output_->is_same(*found) : !output_ && !found) return;
-    log::debug("'{}': {}", card_.path().string(),
-               found ? fmt::format("a panel at {} with {}", found->name, found->mode.name) : "no panel");
+    if (output_) tell(fmt::format("panel gone from {}", output_->name));
     go_dark();
     if (found) light(*found);
+}
+
+void KmsScreen::tell(std::string text, bool is_trouble) {
+    events_.push_back({.is_trouble = is_trouble, .text = std::move(text)});
+}
+
+void KmsScreen::set_master(bool is_master) {
+    is_master_ = is_master;
+    found_ = std::chrono::steady_clock::now();
+    tell(is_master ? "master regained" : "master lost", !is_master);
 }
 
 void KmsScreen::light(const Output& output) {
@@ -192,6 +204,9 @@ void KmsScreen::light(const Output& output) {
     scanout_.emplace(card_, *device_, egl_, width_, height_);
     output_ = output;
     needs_mode_ = true;
+    found_ = std::chrono::steady_clock::now();
+    tell(fmt::format("visible {}x{} on {} at {:.2f} Hz", width_, height_, output.name,
+                     refresh_rate(output.mode)));
 }
 
 void KmsScreen::go_dark() {

@@ -10,6 +10,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vitrine {
 
@@ -47,6 +50,8 @@ class KmsScreen final : public Screen {
 
     bool is_visible() const override { return output_ && is_master_; }
 
+    std::vector<ScreenEvent> take_events() override { return std::exchange(events_, {}); }
+
     std::string description() const override;
 
   private:
@@ -60,6 +65,8 @@ class KmsScreen final : public Screen {
     int set_mode(const ScanoutBuffer& buffer);
     int flip(const ScanoutBuffer& buffer);
     void take_result(int error, const char* what);
+    void tell(std::string text, bool is_trouble = false);
+    void set_master(bool is_master);
 
     Card card_;
     OutputWish wish_;
@@ -73,6 +80,8 @@ class KmsScreen final : public Screen {
     bool needs_mode_ = true;  // the next picture comes with a mode, all others flip
     bool has_shown_ = false;  // a mode was set once: what fails later is a state
     int ticks_in_flight_ = 0;
+    std::vector<ScreenEvent> events_;
+    std::chrono::steady_clock::time_point found_;  // when the panel was
     std::optional<Output> output_;
     OutputProperties properties_;
     std::unique_ptr<SavedCrtc> before_;  // what the panel showed before us

@@ -45,6 +45,8 @@ class OffscreenScreen final : public Screen {
 
     bool is_visible() const override { return true; }
 
+    std::vector<ScreenEvent> take_events() override { return {}; }
+
     std::string description() const override;
 
     /// What has been drawn last.

@@ -2,8 +2,15 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace vitrine {
+
+/// Something that became of a screen, for the log.
+struct ScreenEvent {
+    bool is_trouble = false;
+    std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
+};
 
 /// A place to show pictures: a KMS output, or memory when off screen. One of the two true seams of the
 /// player. Thread-bound to the thread that made it, which holds its EGL context current.
@@ -34,6 +41,9 @@ class Screen {
 
     /// False while there is nothing to draw on (no panel): nothing is rendered then.
     virtual bool is_visible() const = 0;
+
+    /// What has become of it since the last call.
+    virtual std::vector<ScreenEvent> take_events() = 0;
 
     /// For the log: what this is, its mode, its renderer.
     virtual std::string description() const = 0;
