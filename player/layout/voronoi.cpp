@@ -1,7 +1,7 @@
 #include "player/layout/voronoi.hpp"
 
 #include "base/geometry/overlap.hpp"
-#include "player/layout/voronoi_numbers.hpp"
+#include "player/layout/voronoi_circles.hpp"
 
 #include <boost/polygon/point_concept.hpp>
 #include <boost/polygon/point_data.hpp>
@@ -23,8 +23,9 @@ using SitePoint = boost::polygon::point_data<std::int32_t>;
 
 constexpr double bend_tolerance = 0.25;  // canvas px between a bend and its chords
 constexpr double beyond = 4;             // canvas sizes from the canvas to the guards, which bound all cells
+constexpr std::int32_t site_origin = 1 << 25;  // grid units added to sites, see CheckedCircles
 
-/// What the diagram is built from, in units of grid_per_px.
+/// What the diagram is built from, in units of grid_per_px from `site_origin` up and left of the canvas.
 struct Sites {
     std::vector<GridSegment> segments;
     std::vector<SitePoint> points;
@@ -39,18 +40,22 @@ struct Sites {
 };
 
 SitePoint to_site(GridPoint p) {
-    return {p.x, p.y};
+    return {p.x + site_origin, p.y + site_origin};
+}
+
+SitePoint to_site(Vec2 p) {
+    return {static_cast<std::int32_t>(std::lround(p.x * grid_per_px)) + site_origin,
+            static_cast<std::int32_t>(std::lround(p.y * grid_per_px)) + site_origin};
 }
 
 Vec2 to_px(double x, double y) {
-    return {x / grid_per_px, y / grid_per_px};
+    return {(x - site_origin) / grid_per_px, (y - site_origin) / grid_per_px};
 }
 
 void add_outline(Sites& sites, const Polygon& region, std::size_t owner) {
     const GridPolygon outline = snapped(region);
     if (outline.empty()) {
-        const Vec2 p = region.empty() ? Vec2{} : region[0] * grid_per_px;
-        sites.points.emplace_back(std::lround(p.x), std::lround(p.y));
+        sites.points.push_back(to_site(region.empty() ? Vec2{} : region[0]));
         sites.owner_of_point.push_back(owner);
     }
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -69,7 +74,7 @@ void add_samples(Sites& sites, const Polygon& region, std::size_t owner, const V
             const Vec2 on = a + edge * (static_cast<double>(i) / count);
             const double depth = length(on - middle);
             const Vec2 p = on + (middle - on) * (depth > 0 ? std::min(1.0, how.inset / depth) : 0);
-            sites.points.emplace_back(std::lround(p.x * grid_per_px), std::lround(p.y * grid_per_px));
+            sites.points.push_back(to_site(p));
             sites.owner_of_point.push_back(owner);
         }
     }
@@ -80,8 +85,7 @@ void add_guards(Sites& sites, const Box& canvas, std::size_t owner) {
     const double away = beyond * std::max(canvas.width(), canvas.height());
     const Vec2 c = canvas.centre();
     for (const Vec2 to : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-        const Vec2 p = (c + to * away) * grid_per_px;
-        sites.points.emplace_back(std::lround(p.x), std::lround(p.y));
+        sites.points.push_back(to_site(c + to * away));
         sites.owner_of_point.push_back(owner);
     }
 }
@@ -203,7 +207,7 @@ std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, 
     }
     add_guards(input, canvas, regions.size());
     Diagram diagram;
-    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers> builder;
+    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers, VoronoiPredicates> builder;
     boost::polygon::insert(input.points.begin(), input.points.end(), &builder);
     boost::polygon::insert(input.segments.begin(), input.segments.end(), &builder);
     builder.construct(&diagram);
