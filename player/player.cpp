@@ -49,7 +49,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       canvas_(canvas_size(screen_->width(), screen_->height(), view_)),
       renderer_(screen_->width(), screen_->height(), view_),
       show_(make_show()),
-      sources_(settings.media.root, colour_named(settings.show.background).value_or(Colour{})),
+      sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
+               colour_named(settings.show.background).value_or(Colour{})),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
@@ -172,6 +173,8 @@ void Player::take_layout(Layout layout) {
 void Player::take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time) {
     for (const SourceEvent& event : events) {
         if (!event.failure) {
+            if (!event.unstored.empty())
+                log::info("not in the store, played from the media folder: '{}'", event.unstored);
             show_->source_ready(event.source);
             continue;
         }

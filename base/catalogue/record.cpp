@@ -21,8 +21,11 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
         return std::tie(record.path, record.kind, record.bytes, record.mtime_ns, record.state, record.width,
                         record.height);
     };
+    const auto is_same = [](const Shot& a, const Shot& b) {
+        return a.begin == b.begin && a.end == b.end && a.ends_with == b.ends_with && a.region == b.region;
+    };
     return head(after) == head(before) && after.shots.size() >= before.shots.size() &&
-           std::equal(before.shots.begin(), before.shots.end(), after.shots.begin());
+           std::equal(before.shots.begin(), before.shots.end(), after.shots.begin(), is_same);
 }
 
 std::string record_id(const std::string& path) {

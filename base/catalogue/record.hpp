@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/catalogue/stored_shot.hpp"
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,7 @@ struct Shot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
+    std::optional<StoredShot> stored;  // what is played; nothing: the file itself, or not made yet
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
@@ -45,7 +48,7 @@ struct Shot {
 
 /// All that is known of one file: the analyzer writes it, the player reads it.
 struct MediaRecord {
-    static constexpr int current_version = 2;
+    static constexpr int current_version = 3;
 
     std::string path;  // relative to the media root, '/' between folders, any bytes
     MediaKind kind = MediaKind::photo;
@@ -66,7 +69,8 @@ struct MediaRecord {
 /// in px of the shot's first frame: the intersection over t of Frame - drift * t.
 Box core(const MediaRecord& record, const Shot& shot);
 
-/// Whether `after` says of the same content all that `before` says, and at most further shots behind.
+/// Whether `after` says of the same content all that `before` says, and at most further shots behind. Where
+/// they are stored does not count.
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
 
 /// Names the file's record: 16 hex digits, the same for the same path.

@@ -81,14 +81,37 @@ Vec2 to_vec2(const Json& json) {
     return v;
 }
 
+Json to_object(const StoredShot& stored) {
+    return {{"file", stored.file},
+            {"begin_ns", stored.begin.count()},
+            {"width", stored.width},
+            {"height", stored.height},
+            {"dropped", stored.is_dropped}};
+}
+
+StoredShot to_stored(const Json& json) {
+    StoredShot stored;
+    stored.file = json.at("file").get<std::string>();
+    stored.begin = std::chrono::nanoseconds(json.at("begin_ns").get<std::int64_t>());
+    stored.width = json.at("width").get<int>();
+    stored.height = json.at("height").get<int>();
+    stored.is_dropped = json.at("dropped").get<bool>();
+    if (!is_store_name(stored.file)) throw std::runtime_error("record: 'file' names none of the store");
+    if (stored.begin.count() < 0 || stored.width <= 0 || stored.height <= 0)
+        throw std::runtime_error("record: a stored shot without a size or a place");
+    return stored;
+}
+
 Json to_object(const Shot& shot) {
     Json polygon = Json::array();
     for (const Vec2& corner : shot.region.polygon)
         polygon.push_back(to_array(corner));
-    return {{"begin_ns", shot.begin.count()},
-            {"end_ns", shot.end.count()},
-            {"ends_with", name_of(shot.ends_with)},
-            {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    Json json{{"begin_ns", shot.begin.count()},
+              {"end_ns", shot.end.count()},
+              {"ends_with", name_of(shot.ends_with)},
+              {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    if (shot.stored) json["stored"] = to_object(*shot.stored);
+    return json;
 }
 
 Shot to_shot(const Json& json) {
@@ -101,6 +124,7 @@ Shot to_shot(const Json& json) {
     for (const Json& corner : polygon)
         shot.region.polygon.push_back(to_vec2(corner));
     shot.region.drift = to_vec2(json.at("region").at("drift"));
+    if (json.contains("stored")) shot.stored = to_stored(json["stored"]);
     return shot;
 }
 

@@ -7,7 +7,7 @@
 
 namespace vitrine {
 
-/// The record as one JSON object, format version 2 (docs/catalogue.md), without a newline.
+/// The record as one JSON object, format version 3 (docs/catalogue.md), without a newline.
 /// A path that is not UTF-8 is written with replacement characters, and exactly in "path_hex".
 std::string to_json(const MediaRecord& record);
 

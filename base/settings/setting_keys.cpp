@@ -44,6 +44,13 @@ SettingKey whole(std::string name, const Member<int>& member, int least, int mos
         .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
 }
 
+SettingKey bytes(std::string name, const Member<std::int64_t>& member, std::int64_t most) {
+    return {.name = std::move(name),
+            .allowed = fmt::format("a whole number from 0 to {}", most),
+            .assign = [=](Settings& s, const SettingValue& v) { member(s) = whole_number(v, 0, most); },
+            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
+}
+
 SettingKey number(std::string name, const Member<double>& member, double least, double most) {
     return {.name = std::move(name),
             .allowed = fmt::format("a number from {} to {}", least, most),
@@ -246,6 +253,11 @@ std::vector<SettingKey> make_keys() {
                          "media.root", [](S & s) -> auto& { return s.media.root; }),
                      path(
                          "state.directory", [](S & s) -> auto& { return s.state.directory; }),
+                     bytes(
+                         "store.max_bytes", [](S & s) -> auto& { return s.store.max_bytes; },
+                         std::int64_t{1} << 50),
+                     whole(
+                         "store.clip_size", [](S& s) -> int& { return s.store.clip_size; }, 0, 4096),
                      choice("log.level", [](S & s) -> auto& { return s.log.level; },
                             {"error", "warning", "info", "debug"}),
                  });

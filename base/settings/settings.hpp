@@ -17,6 +17,11 @@ struct Settings {
         std::string directory = "/var/lib/vitrine";
     } state;
 
+    struct Store {
+        std::int64_t max_bytes = std::int64_t{8} << 30;  // of copies and clips; 0: none are made
+        int clip_size = 0;  // px, longest side of a clip; 0: as layout.slots makes cells
+    } store;
+
     struct Log {
         std::string level = "info";  // error, warning, info or debug
     } log;

@@ -1,5 +1,9 @@
 #include "player/playback/source_pool.hpp"
 
+#include "player/scene/stored_request.hpp"
+
+#include <unistd.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -15,7 +19,11 @@ constexpr long most_at_once = 3;  // sources that are read to their first pictur
 void SourcePool::request(const ShotRequest& request) {
     const auto playing = playing_.find(request.source);
     if (playing != playing_.end()) {
-        playing->second.source->resize(request.width, request.height);
+        Playing& known = playing->second;
+        known.request.width = request.width;
+        known.request.height = request.height;
+        const ShotRequest read = known.is_stored ? *stored_request(known.request) : known.request;
+        known.source->resize(read.width, read.height);
         return;
     }
     const auto waiting = std::find_if(waiting_.begin(), waiting_.end(), [&](const ShotRequest& other) {
@@ -103,8 +111,9 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
         const ShotRequest request = std::move(waiting_.front());
         waiting_.pop_front();
         try {
-            playing_[request.source].source =
-                std::make_unique<ShotSource>(root_ + "/" + request.path, request, background_);
+            Playing& playing = playing_[request.source];
+            playing.request = request;
+            start(playing, true);
         } catch (const std::exception& error) {
             playing_.erase(request.source);
             events.push_back({.source = request.source, .failure = error.what()});
@@ -112,13 +121,28 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
     }
 }
 
+/// What the store has is preferred; it may have lost it since.
+void SourcePool::start(Playing& playing, bool may_be_stored) {
+    const std::optional<ShotRequest> stored = stored_request(playing.request);
+    const std::string copy = stored ? places_.store + "/" + stored->path : "";
+    playing.is_stored = may_be_stored && stored && ::access(copy.c_str(), R_OK) == 0;
+    playing.source = playing.is_stored
+                         ? std::make_unique<ShotSource>(copy, *stored, background_)
+                         : std::make_unique<ShotSource>(places_.media + "/" + playing.request.path,
+                                                        playing.request, background_);
+}
+
 void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events) {
     if (!playing.is_told_ready && playing.source->is_ready()) {
         playing.is_told_ready = true;
-        events.push_back({.source = id});
+        events.push_back({.source = id, .unstored = playing.is_stored ? "" : playing.request.path});
     }
     if (playing.is_told_failed) return;
     if (auto failure = playing.source->failure()) {
+        if (playing.is_stored && !playing.is_told_ready) {  // damaged: the file itself may be sound
+            ending_.push_back(std::move(playing.source));
+            return start(playing, false);
+        }
         playing.is_told_failed = true;
         events.push_back({.source = id, .failure = std::move(failure)});
     }

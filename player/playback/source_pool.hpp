@@ -19,16 +19,22 @@ namespace vitrine {
 struct SourceEvent {
     SourceId source = 0;
     std::optional<std::string> failure;  // in plain words; none: it is ready
+    std::string unstored;  // the file of the media folder that it is read from; empty: the store
+};
+
+/// Where the files lie.
+struct MediaPlaces {
+    std::string media;  // the media folder
+    std::string store;  // of the analyzer; a shot that it has is played from there
 };
 
 /// The sources of what is on the wall and of what comes next. Reading and ending happen in the background, a
 /// few at a time.
 class SourcePool {
   public:
-    /// @param root        the media folder
     /// @param background  what shows through where a photo is transparent
-    explicit SourcePool(std::string root, Colour background = {})
-        : root_(std::move(root)), background_(background) {}
+    explicit SourcePool(MediaPlaces places, Colour background = {})
+        : places_(std::move(places)), background_(background) {}
 
     /// A new source, or another size for one there is.
     void request(const ShotRequest& request);
@@ -58,15 +64,18 @@ class SourcePool {
   private:
     struct Playing {
         std::unique_ptr<ShotSource> source;
+        ShotRequest request;     // as it was made last
+        bool is_stored = false;  // read from the store
         std::optional<Sample> sample;
         bool is_told_ready = false;
         bool is_told_failed = false;
     };
 
     void start_waiting(std::vector<SourceEvent>& events);
+    void start(Playing& playing, bool may_be_stored);
     void tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events);
 
-    std::string root_;
+    MediaPlaces places_;
     Colour background_;
     std::deque<ShotRequest> waiting_;
     std::map<SourceId, Playing> playing_;

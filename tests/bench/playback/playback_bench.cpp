@@ -78,7 +78,7 @@ double decode_alone(const std::string& path, Film& film) {
 
 void play(const Job& job, const Film& film, double alone) {
     const double before_pss = pss_mebibytes();
-    SourcePool pool(".");
+    SourcePool pool({.media = ".", .store = "."});
     Frame frame;
     for (int i = 1; i <= job.sources; ++i) {
         const auto source = static_cast<SourceId>(i);

@@ -4,7 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <string>
+#include <utility>
 
 using namespace vitrine;
 using namespace std::chrono_literals;
@@ -36,7 +40,7 @@ Frame frame_of(int sources, std::chrono::nanoseconds local) {
 TEST_CASE("every source asked for is told of once, ready or failed with a reason") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
-    SourcePool pool(folder.path);
+    SourcePool pool({.media = folder.path, .store = folder.path / "store"});
     for (SourceId id = 1; id <= 8; ++id)
         pool.request(request(id, id == 5 ? "missing" : "film"));
     std::multiset<SourceId> ready;
@@ -52,7 +56,7 @@ TEST_CASE("every source asked for is told of once, ready or failed with a reason
 TEST_CASE("a frame's sources are taken to its time and its slides to the very pictures") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
-    SourcePool pool(folder.path);
+    SourcePool pool({.media = folder.path, .store = folder.path / "store"});
     for (SourceId id = 1; id <= 3; ++id)
         pool.request(request(id, "film"));
     pool.wait_until_ready(patience);
@@ -72,7 +76,7 @@ TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
     for (int i = 0; i < 10; ++i) {
-        SourcePool pool(folder.path);
+        SourcePool pool({.media = folder.path, .store = folder.path / "store"});
         for (SourceId id = 1; id <= 8; ++id)
             pool.request(request(id, "film"));
         pool.update();
@@ -85,4 +89,33 @@ TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
         pool.advance(frame);
         CHECK(frame.items[0].slide == Vec2{-1, -1});
     }
+}
+
+TEST_CASE("a shot is read from the store, and from the media folder where the store has lost or damaged it") {
+    const Folder folder;
+    const std::string clip = "0123456789abcdef/clip.mp4";
+    const auto store = folder.path / "store";
+    std::filesystem::create_directories((store / clip).parent_path());
+    write_film(folder.path / "film", {.pictures = 50, .rate = 25, .chain = mp4});
+    ShotRequest wanted = request(1, "film");
+    wanted.shot.stored = {.file = clip, .width = 80, .height = 48};
+    const auto told = [&] {
+        SourcePool pool({.media = folder.path, .store = store});
+        pool.request(wanted);
+        const std::vector<SourceEvent> events = pool.wait_until_ready(patience);
+        REQUIRE(events.size() == 1);
+        CHECK_FALSE(events[0].failure);
+        Frame frame = frame_of(1, 0ms);
+        pool.wait_for(frame, patience);
+        pool.advance(frame);
+        const int width = pool.sample(1)->width;
+        return std::pair(events[0].unstored, width);
+    };
+    CHECK(told() == std::pair(std::string("film"), 160));
+    std::ofstream(store / clip) << "no film at all";
+    CHECK(told() == std::pair(std::string("film"), 160));
+    write_film(store / clip, {.pictures = 25, .rate = 25, .chain = mp4});
+    CHECK(told() == std::pair(std::string(), 80));
+    std::filesystem::remove(folder.path / "film");
+    CHECK(told() == std::pair(std::string(), 80));
 }
