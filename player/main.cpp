@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -50,6 +52,16 @@ void parse_size(const std::string& text, PlanOptions& options) {
     }
 }
 
+Rehearsal read_rehearsal(const std::string& path) {
+    std::ifstream file(path);
+    const std::string script(std::istreambuf_iterator<char>(file), {});
+    try {
+        return Rehearsal(script);
+    } catch (const std::runtime_error& error) {
+        throw CLI::ValidationError("--rehearse", error.what());
+    }
+}
+
 struct CommandLine {
     CLI::App app{"Plays the photos and films of the catalogue together on one canvas"};
     SettingOptions settings;
@@ -73,6 +85,11 @@ void add_play_options(CommandLine& line) {
         "How long to play, like 20s (default: until stopped)");
     line.app.add_option("--film", line.play.film, "Off screen: writes what is shown as an MP4");
     line.app.add_option("--snapshot", line.play.snapshot, "Off screen: writes the last picture as a PNG");
+    line.app
+        .add_option_function<std::string>(
+            "--rehearse", [&line](const std::string& path) { line.play.rehearsal = read_rehearsal(path); },
+            "A script of files that come and go and of shots that are dragged (docs/operating.md)")
+        ->check(CLI::ExistingFile);
     line.app
         .add_option_function<std::string>(
             "--pace", [&line](const std::string& pace) { line.play.is_realtime = pace == "realtime"; },

@@ -102,7 +102,14 @@ void Player::follow(const CatalogueChange& change) {
         log::info("replaced: '{}'", path);
     for (const std::string& path : change.gone)
         log::info("gone: '{}'", path);
-    show_->set_catalogue(follower_.records());
+    if (!options_.rehearsal) return show_->set_catalogue(follower_.records());
+    show_->set_catalogue(options_.rehearsal->present(follower_.records()));
+}
+
+void Player::rehearse(std::chrono::nanoseconds time) {
+    if (options_.rehearsal->advance(time))
+        show_->set_catalogue(options_.rehearsal->present(follower_.records()));
+    show_->touch(options_.rehearsal->finger());
 }
 
 std::chrono::nanoseconds Player::now() const {
@@ -121,6 +128,7 @@ void Player::tick() {
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
     if (!screen_->is_ready()) return tick_.arm(busy_pause);
     follow_screen_size();
+    if (options_.rehearsal) rehearse(time);
     WallStep step = next_step(time);
     draw(step.frame);
     if (is_paced_by_pictures_)

@@ -6,6 +6,7 @@
 #include "player/frame_clock.hpp"
 #include "player/layout/planner.hpp"
 #include "player/playback/source_pool.hpp"
+#include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
 #include "player/render/view.hpp"
 #include "player/scene/show.hpp"
@@ -26,6 +27,7 @@ struct PlayOptions {
     std::optional<std::chrono::nanoseconds> duration;  // none: until stopped
     std::optional<std::filesystem::path> film;         // off screen only
     std::optional<std::filesystem::path> snapshot;     // off screen only: the last picture
+    std::optional<Rehearsal> rehearsal;                // what happens to the wall of itself
     bool is_realtime = false;  // off screen: pictures at their time, late or not, instead of each exact
 };
 
@@ -49,6 +51,7 @@ class Player {
     void follow(const CatalogueChange& change);
     void tick();
     void tell_of_screen();
+    void rehearse(std::chrono::nanoseconds time);
     void follow_screen_size();
     WallStep next_step(std::chrono::nanoseconds time);
     void take_layout();

@@ -30,7 +30,10 @@ WallSettings wall_settings(const Settings& settings) {
             .transition = {.crossfade = settings.show.crossfade,
                            .motion = settings.show.motion,
                            .cells = cell_style(settings)},
-            .nests = settings.layout.folders == "nested"};
+            .nests = settings.layout.folders == "nested",
+            .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
+                      .clearance = settings.layout.clearance,
+                      .most_scale = settings.layout.max_enlargement}};
 }
 
 PanSettings pan_settings(const Settings& settings) {

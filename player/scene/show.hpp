@@ -51,6 +51,9 @@ class Show {
 
     virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
 
+    /// Where a finger is on the canvas, px; none: there is none. A show that cannot be touched ignores it.
+    virtual void touch(std::optional<Vec2> /*finger*/) {}
+
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;
 

@@ -122,7 +122,10 @@ std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
         acts.push_back({.from = first, .to = stays.before, .duration = style.crossfade});
     }
     const int stages = motion->kind == Motion::Kind::straight ? 1 : 2;
-    acts.push_back({.from = stays.before, .motion = motion, .duration = style.motion * stages});
+    acts.push_back({.from = stays.before,
+                    .motion = motion,
+                    .duration = style.motion * stages,
+                    .is_even = style.is_even});
     const bool is_anything_new = std::any_of(last.begin(), last.end(), [&](const PlacedShot& placed) {
         return find_source(shown, placed.shot.source) == nullptr;
     });
@@ -151,7 +154,8 @@ Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec
                                                      : 1;
     if (!act.motion) return compose(canvas, act.from, act.to, progress, now);
     Shots moving = act.from;
-    const std::vector<Placement> placements = placements_at(*act.motion, eased(progress));
+    const std::vector<Placement> placements =
+        placements_at(*act.motion, act.is_even ? progress : eased(progress));
     for (std::size_t i = 0; i < moving.size(); ++i)
         moving[i].placement = placements[i];
     give_cells(moving, canvas, style);

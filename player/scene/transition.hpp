@@ -16,6 +16,7 @@ struct TransitionStyle {
     std::chrono::nanoseconds motion =
         std::chrono::milliseconds(250);  // of one stage; 0: nothing moves, all fades
     CellStyle cells;
+    bool is_even = false;  // moves at one speed, as what follows a finger does
 };
 
 /// A part of a transition: `from` moves, or `to` fades in over it.
@@ -24,6 +25,7 @@ struct Act {
     std::vector<PlacedShot> to;
     std::optional<Motion> motion;  // of `from`
     std::chrono::nanoseconds duration{0};
+    bool is_even = false;  // else moves begin and end slowly
 };
 
 /// Gives each shot its cell of a layout of these shots alone.

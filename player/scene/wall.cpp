@@ -8,6 +8,8 @@ namespace vitrine {
 
 namespace {
 
+constexpr auto hand_step = std::chrono::milliseconds(120);  // from one step after a finger to the next
+
 const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
     const auto found = std::find_if(wall.begin(), wall.end(),
                                     [&](const PlacedShot& placed) { return placed.shot.source == source; });
@@ -34,7 +36,7 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders) 
 }
 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
-    : settings_(settings), canvas_(canvas), assemblage_(settings.assemblage) {}
+    : settings_(settings), canvas_(canvas), assemblage_(settings.assemblage), hand_(settings.touch) {}
 
 void Wall::set_canvas(Vec2 canvas) {
     is_canvas_new_ = is_canvas_new_ || canvas != canvas_;
@@ -43,6 +45,10 @@ void Wall::set_canvas(Vec2 canvas) {
 
 void Wall::set_catalogue(std::span<const MediaRecord> records) {
     assemblage_.set_catalogue(records);
+}
+
+void Wall::touch(std::optional<Vec2> finger) {
+    if (!settings_.nests) hand_.touch(finger);
 }
 
 void Wall::set_layout(const Layout& layout) {
@@ -68,8 +74,10 @@ void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
 WallStep Wall::step(std::chrono::nanoseconds now) {
     WallStep step;
     end_fade(now);
-    if (!incoming_) assemblage_.advance(now);
-    if (!is_fading()) step.plan = follow_assemblage();
+    if (!incoming_ && canvas_ == shown_canvas_) follow_hand();
+    const bool is_left_alone = !hand_.is_holding() && !(incoming_ && incoming_->is_by_hand);
+    if (!incoming_ && is_left_alone) assemblage_.advance(now);
+    if (!is_fading() && is_left_alone) step.plan = follow_assemblage();
     if (incoming_ && incoming_->has_layout && !is_fading()) prepare(step, now);
     step.frame = picture(now);
     step.retired = retire();
@@ -81,6 +89,17 @@ void Wall::end_fade(std::chrono::nanoseconds now) {
     shown_canvas_ = incoming_->canvas;
     shown_ = std::move(incoming_->wall);
     incoming_.reset();
+}
+
+/// A small change of its own where a finger moves something.
+void Wall::follow_hand() {
+    const auto placements = hand_.step(shown_, canvas_);
+    if (!placements) return;
+    incoming_ = Incoming{.generation = ++generation_, .canvas = canvas_, .wall = shown_, .is_by_hand = true};
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+        incoming_->wall[i].placement = (*placements)[i];
+    give_cells(incoming_->wall, canvas_, settings_.transition.cells);
+    incoming_->has_layout = incoming_->wants_sources = true;
 }
 
 /// A new plan where the assemblage wants something else than what stands or is on its way.
@@ -148,6 +167,10 @@ void Wall::begin_fade(std::chrono::nanoseconds now) {
     TransitionStyle style = settings_.transition;
     if (canvas_ != shown_canvas_ || settings_.nests)
         style.motion = {};  // hulls of groups might meet on the way
+    if (incoming_->is_by_hand) {
+        style.motion = style.crossfade = hand_step;
+        style.is_even = true;
+    }
     std::vector<Act>& acts = incoming_->acts;
     acts = transition(canvas_, shown_, incoming_->wall, style);
     const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;

@@ -2,6 +2,7 @@
 
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
+#include "player/scene/hand.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"
 
@@ -18,6 +19,7 @@ struct WallSettings {
     TransitionStyle transition;
     bool nests = false;                                            // the files of a folder stand together
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
+    EditRules touch;                                               // by which a finger moves shots
 };
 
 /// The number of the folder under the media root that a file lies in, as PlanItem::group.
@@ -36,6 +38,10 @@ class Wall final : public Show {
     void set_canvas(Vec2 canvas) override;
 
     void set_catalogue(std::span<const MediaRecord> records) override;
+
+    /// What the finger holds follows it; nothing changes of itself before all has settled again. Folders that
+    /// stand together cannot be touched.
+    void touch(std::optional<Vec2> finger) override;
 
     /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. A
     /// better one for the same plan is taken until the fade begins.
@@ -64,12 +70,14 @@ class Wall final : public Show {
         std::vector<PlacedShot> wall;
         bool has_layout = false;
         bool wants_sources = false;  // of another size than asked for, or not asked for yet
+        bool is_by_hand = false;
         std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
         std::optional<std::chrono::nanoseconds> fade_began;
         std::vector<Act> acts;  // of the transition, once it has begun
     };
 
     void end_fade(std::chrono::nanoseconds now);
+    void follow_hand();
     std::optional<WallPlan> follow_assemblage();
     WallPlan begin_change(const std::vector<WallShot>& wanted);
     PlanItem plan_item(const WallShot& shot) const;
@@ -83,6 +91,7 @@ class Wall final : public Show {
     WallSettings settings_;
     Vec2 canvas_;
     Assemblage assemblage_;
+    Hand hand_;
     std::vector<PlacedShot> shown_;
     std::optional<Incoming> incoming_;
     Vec2 shown_canvas_;  // that shown_ was laid out for

@@ -256,6 +256,28 @@ TEST_CASE("another canvas lays the same shots out anew without restarting them")
     CHECK(house.planned.size() == 2);
 }
 
+TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn meanwhile") {
+    House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
+    house.run(2s);
+    const SourceId held = house.wall.shown()[2].shot.source;
+    house.wall.touch(Vec2{360, 90});  // the middle of the third region
+    house.step();
+    for (int x = 360; x <= 1000; x += 10) {
+        house.wall.touch(Vec2{static_cast<double>(x), 90.0 + (x - 360) / 4.0});
+        const WallStep step = house.step();
+        CHECK(step.frame.items.size() >= 3);
+    }
+    house.run(60s);
+    REQUIRE(house.wall.shown()[2].shot.source == held);
+    const PlacedShot& placed = house.wall.shown()[2];
+    CHECK(length(seat_of(placed.shot.item, placed.placement).centre - Vec2{1000, 250}) < 10);
+    CHECK(house.planned.size() == 1);
+    CHECK(house.playing.size() == 3);
+    house.wall.touch(std::nullopt);
+    house.run(5s);
+    CHECK(house.planned.size() > 1);
+}
+
 TEST_CASE("hours of rotation with failures, additions and deletions leave no source behind") {
     House house = ::house({});
     std::mt19937_64 engine(5);

@@ -1,0 +1,64 @@
+#include "player/rehearsal.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::vector<std::string> paths(const Rehearsal& rehearsal) {
+    const std::vector<MediaRecord> records{{.path = "a b.jpg"}, {.path = "c.jpg"}, {.path = "d.jpg"}};
+    std::vector<std::string> paths;
+    for (const MediaRecord& record : rehearsal.present(records))
+        paths.push_back(record.path);
+    return paths;
+}
+
+using Paths = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("files of a rehearsal come and go at their times, the others are always there") {
+    Rehearsal rehearsal("# a comment\n\n5 remove c.jpg\n 2.5 add a b.jpg\n7 add c.jpg\n");
+    CHECK(paths(rehearsal) == Paths{"c.jpg", "d.jpg"});
+    CHECK_FALSE(rehearsal.advance(2400ms));
+    CHECK(rehearsal.advance(2500ms));
+    CHECK(paths(rehearsal) == Paths{"a b.jpg", "c.jpg", "d.jpg"});
+    CHECK(rehearsal.advance(6s));
+    CHECK(paths(rehearsal) == Paths{"a b.jpg", "d.jpg"});
+    CHECK(rehearsal.advance(9s));
+    CHECK(paths(rehearsal) == Paths{"a b.jpg", "c.jpg", "d.jpg"});
+    CHECK_FALSE(rehearsal.advance(10s));
+}
+
+TEST_CASE("the finger of a rehearsal goes evenly from one place to the other and is lifted") {
+    Rehearsal rehearsal("4 drag 100 200 300 100 2\n");
+    rehearsal.advance(3900ms);
+    CHECK_FALSE(rehearsal.finger());
+    rehearsal.advance(4s);
+    CHECK(rehearsal.finger() == Vec2{100, 200});
+    rehearsal.advance(5s);
+    CHECK(rehearsal.finger() == Vec2{200, 150});
+    rehearsal.advance(6s);
+    CHECK(rehearsal.finger() == Vec2{300, 100});
+    rehearsal.advance(6001ms);
+    CHECK_FALSE(rehearsal.finger());
+}
+
+TEST_CASE("a wrong line of a rehearsal is named with its number and what is wrong") {
+    const auto fault = [](const std::string& script) {
+        try {
+            const Rehearsal rehearsal(script);
+        } catch (const std::runtime_error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(fault("1 add a\n2 dance b\n") ==
+          "line 2 of the rehearsal, '2 dance b': an event is one of add, remove, drag");
+    CHECK(fault("add a\n").find("line 1") != std::string::npos);
+    CHECK(fault("1 add\n").find("not named") != std::string::npos);
+    CHECK(fault("1 drag 1 2 3\n").find("X Y X Y SECONDS") != std::string::npos);
+    CHECK(fault("-1 add a\n").find("from 0 to") != std::string::npos);
+}

@@ -1,0 +1,130 @@
+#include "player/scene/hand.hpp"
+
+#include "player/layout/energy.hpp"
+#include "player/layout/plan.hpp"
+#include "player/scene/transition.hpp"
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace vitrine;
+
+namespace {
+
+constexpr Vec2 canvas{640, 360};
+
+std::vector<PlacedShot> packed_wall(int count) {
+    PlanRequest request{.canvas = canvas, .budget = 20'000};
+    for (int i = 0; i < count; ++i) {
+        const double width = 120 + 20 * (i % 3);
+        request.items.push_back(
+            {.item = {.region = to_polygon({{200, 100}, {200 + width, 220}}), .core = {{0, 0}, {640, 360}}}});
+    }
+    const Layout layout = plan(request);
+    std::vector<PlacedShot> wall;
+    for (std::size_t i = 0; i < layout.placements.size(); ++i)
+        wall.push_back({.shot = {.source = i + 1, .slot = static_cast<int>(i), .item = request.items[i].item},
+                        .placement = layout.placements[i]});
+    give_cells(wall, canvas, {});
+    return wall;
+}
+
+Vec2 place(const PlacedShot& placed) {
+    return seat_of(placed.shot.item, placed.placement).centre;
+}
+
+double share_seen(const std::vector<PlacedShot>& wall) {
+    double sum = 0;
+    for (const PlacedShot& placed : wall)
+        sum += seat_of(placed.shot.item, placed.placement).area;
+    return sum / (canvas.x * canvas.y);
+}
+
+/// One step; true where something moved. Checks what must hold after every one.
+bool step(Hand& hand, std::vector<PlacedShot>& wall) {
+    const auto placements = hand.step(wall, canvas);
+    if (!placements) return false;
+    REQUIRE(placements->size() == wall.size());
+    std::vector<LayoutItem> items;
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        wall[i].placement = (*placements)[i];
+        items.push_back(wall[i].shot.item);
+    }
+    const Measure measure = measured(items, *placements);
+    REQUIRE(measure.hidden == 0);
+    REQUIRE(measure.bounds.min.x >= 0);
+    REQUIRE(measure.bounds.min.y >= 0);
+    REQUIRE(measure.bounds.max.x <= canvas.x);
+    REQUIRE(measure.bounds.max.y <= canvas.y);
+    give_cells(wall, canvas, {});
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("what is held follows the finger across the wall, and settles at its size where it is dropped") {
+    std::vector<PlacedShot> wall = packed_wall(8);
+    const double seen = share_seen(wall);
+    const double scale = wall[0].placement.scale;
+    const Vec2 from = place(wall[0]);
+    const Vec2 to{canvas.x - from.x, canvas.y - from.y};
+    Hand hand({.budget = 20'000});
+    for (int k = 0; k <= 12; ++k) {
+        hand.touch(from + (to - from) * (k / 12.0));
+        step(hand, wall);
+        CHECK(share_seen(wall) > 0.5 * seen);
+    }
+    for (int k = 0; k < 4; ++k)
+        step(hand, wall);
+    CHECK(length(place(wall[0]) - to) < 0.1 * length(canvas));
+    CHECK(wall[0].placement.scale < 0.9 * scale);
+    hand.touch(std::nullopt);
+    CHECK(hand.is_holding());
+    CHECK(step(hand, wall));
+    CHECK_FALSE(hand.is_holding());
+    CHECK(wall[0].placement.scale > 0.85 * scale);
+    CHECK(length(place(wall[0]) - to) < 0.2 * length(canvas));
+    CHECK(share_seen(wall) > 0.8 * seen);
+    CHECK_FALSE(hand.step(wall, canvas));
+}
+
+TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the canvas") {
+    std::mt19937_64 engine(3);
+    std::uniform_real_distribution<double> share(-0.2, 1.2);
+    for (const int count : {1, 2, 7}) {
+        std::vector<PlacedShot> wall = packed_wall(count);
+        Hand hand({.budget = 10'000});
+        for (int k = 0; k < 40; ++k) {
+            if (k % 9 == 8)
+                hand.touch(std::nullopt);
+            else
+                hand.touch(Vec2{share(engine) * canvas.x, share(engine) * canvas.y});
+            step(hand, wall);
+        }
+    }
+}
+
+TEST_CASE("a finger that rests moves nothing, and none at all neither") {
+    std::vector<PlacedShot> wall = packed_wall(5);
+    Hand hand({});
+    CHECK_FALSE(hand.step(wall, canvas));
+    hand.touch(place(wall[2]));
+    CHECK_FALSE(hand.step(wall, canvas));
+    CHECK(hand.is_holding());
+    Hand empty({});
+    empty.touch(Vec2{10, 10});
+    CHECK_FALSE(empty.step({}, canvas));
+}
+
+TEST_CASE("a shot that leaves the wall leaves the hand") {
+    std::vector<PlacedShot> wall = packed_wall(5);
+    Hand hand({.budget = 10'000});
+    hand.touch(place(wall[4]));
+    hand.step(wall, canvas);
+    REQUIRE(hand.is_holding());
+    wall.pop_back();
+    step(hand, wall);
+    CHECK_FALSE(hand.is_holding());
+}
