@@ -29,7 +29,7 @@ constexpr const char* reader = R"(
     *) state=ready ;;
     esac
     say() {
-        echo '{"version":2,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
+        echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
              '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']}'
     }
     first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
