@@ -1,7 +1,6 @@
 #include "player/playback/film_loop.hpp"
 
-#include "base/media/tone_probe.hpp"
-#include "player/playback/mapped_sample.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -12,8 +11,8 @@ namespace vitrine {
 namespace {
 
 constexpr const char* tail_words =
-    "videoconvertscale add-borders=false alpha-mode=set"
-    " ! videoflip video-direction=auto ! capsfilter name=size caps-change-mode=delayed"
+    "videoconvertscale ! videoflip video-direction=auto"
+    " ! capsfilter caps=\"video/x-raw,format={}\""
     " ! appsink name=pictures sync=false max-buffers=1 enable-last-sample=false";
 constexpr std::chrono::nanoseconds usual_period =
     std::chrono::milliseconds(33);                                           // where the film does not say
@@ -24,13 +23,6 @@ constexpr const char* stop_name = "vitrine-stop";
 
 GstPtr<GstElement> named(GstElement* bin, const char* name) {
     return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(bin), name));
-}
-
-void set_size(GstElement* tail, int width, int height) {
-    const GstPtr<GstCaps> caps(gst_caps_new_simple("video/x-raw", "format", G_TYPE_STRING, "RGBA", "width",
-                                                   G_TYPE_INT, width, "height", G_TYPE_INT, height,
-                                                   "pixel-aspect-ratio", GST_TYPE_FRACTION, 1, 1, nullptr));
-    g_object_set(named(tail, "size").get(), "caps", caps.get(), nullptr);
 }
 
 std::chrono::nanoseconds period(GstElement* tail) {
@@ -66,8 +58,12 @@ bool has_segment_seeks(MediaFormat format) {
 
 }  // namespace
 
-FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue)
-    : part_(std::move(part)), queue_(queue), thread_([this] { run(); }) {}
+FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue, PictureForm form)
+    : part_(std::move(part)),
+      queue_(queue),
+      size_(Size{part_.width, part_.height}),
+      scaler_(form),
+      thread_([this] { run(); }) {}
 
 FilmLoop::~FilmLoop() {
     stop();
@@ -75,10 +71,7 @@ FilmLoop::~FilmLoop() {
 }
 
 void FilmLoop::resize(int width, int height) {
-    const std::lock_guard lock(mutex_);
-    part_.width = width;
-    part_.height = height;
-    if (chain_) set_size(chain_->tail(), width, height);
+    size_ = Size{width, height};
 }
 
 void FilmLoop::stop() {
@@ -123,9 +116,8 @@ void FilmLoop::play() {
 /// False: told to stop meanwhile.
 bool FilmLoop::open() {
     start_gstreamer();
-    GstPtr<GstElement> tail = make_bin(tail_words);
+    GstPtr<GstElement> tail = make_bin(fmt::format(tail_words, PictureScaler::formats).c_str());
     const GstPtr<GstElement> sink = named(tail.get(), "pictures");
-    map_tones(tail.get(), sink.get());
     GstAppSinkCallbacks callbacks{};
     callbacks.new_sample = &FilmLoop::on_sample;
     gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
@@ -134,7 +126,6 @@ bool FilmLoop::open() {
     way_ = has_segment_seeks(chain->format()) ? Rewind::segment : Rewind::flush;
     const std::lock_guard lock(mutex_);
     if (is_stopped_) return false;
-    set_size(chain->tail(), part_.width, part_.height);
     chain_ = std::move(chain);
     return true;
 }
@@ -229,7 +220,8 @@ GstFlowReturn FilmLoop::put(GstSample* sample) noexcept {
     std::chrono::nanoseconds stream_time = *time;
     if (stream_time < part_.begin - period_ / 2 || (to_ && stream_time >= *to_)) return GST_FLOW_OK;
     if (stream_time <= from_ + rounding) stream_time = part_.begin;  // cut off at the segment's start
-    std::optional<Sample> picture = mapped(sample, stream_time);
+    const Size size = size_;
+    std::optional<Sample> picture = scaler_.scaled(sample, size.width, size.height, stream_time);
     if (!picture) return GST_FLOW_OK;
     if (last_ && stream_time <= *last_) ++loop_;
     last_ = stream_time;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/media/decode_chain.hpp"
+#include "player/playback/picture_scaler.hpp"
 #include "player/playback/sample_queue.hpp"
 
 #include <atomic>
@@ -32,7 +33,7 @@ struct FilmPart {
 class FilmLoop {
   public:
     /// @param queue  outlives this; closed when nothing more will come
-    FilmLoop(FilmPart part, SampleQueue& queue);
+    FilmLoop(FilmPart part, SampleQueue& queue, PictureForm form = PictureForm::rgba);
     FilmLoop(const FilmLoop&) = delete;
     FilmLoop& operator=(const FilmLoop&) = delete;
     FilmLoop(FilmLoop&&) = delete;
@@ -68,8 +69,14 @@ class FilmLoop {
     GstFlowReturn put(GstSample* sample) noexcept;
     static GstFlowReturn on_sample(GstAppSink* sink, gpointer self);
 
+    struct Size {
+        int width = 0;  // px
+        int height = 0;
+    };
+
     FilmPart part_;
     SampleQueue& queue_;  // outlives this
+    std::atomic<Size> size_;
     Rewind way_ = Rewind::segment;
     std::uint64_t pictures_at_rewind_ = 0;
     int barren_loops_ = 0;  // one after the other
@@ -79,6 +86,7 @@ class FilmLoop {
     std::optional<std::chrono::nanoseconds> to_;
     bool is_named_by_stamp_ = false;  // pictures are, not by stream time
     // Of the streaming thread.
+    PictureScaler scaler_;
     std::optional<std::chrono::nanoseconds> last_;
     std::uint64_t loop_ = 0;
 

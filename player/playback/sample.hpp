@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -7,12 +8,37 @@
 
 namespace vitrine {
 
-/// One picture ready for the renderer: upright, square pixels, RGBA with 8 bits a channel, opaque.
+/// How the bytes of a picture lie, 8 bits a channel.
+enum class PixelLayout {
+    rgba,  // one plane, opaque
+    i420,  // brightness, then two planes of colour differences with half the columns and rows, rounded up
+    nv12,  // brightness, then one such plane with both differences side by side
+};
+
+/// What the brightness and the colour differences of a picture mean.
+struct ColourCode {
+    enum class Matrix { bt601, bt709, bt2020 };
+
+    Matrix matrix = Matrix::bt601;
+    bool is_full_range = false;  // 0 to 255, else 16 to 235 and 16 to 240
+
+    friend bool operator==(const ColourCode&, const ColourCode&) = default;
+};
+
+/// One picture ready for the renderer: upright, square pixels once it is shown at the size asked for.
 struct Sample {
+    struct Plane {
+        std::size_t stride = 0;            // bytes a row
+        std::span<const std::byte> bytes;  // lent by the sample's owner
+    };
+
     int width = 0;  // px
     int height = 0;
-    std::size_t stride = 0;                   // bytes a row
-    std::span<const std::byte> pixels;        // height * stride bytes, lent by `owner`
+    std::size_t stride = 0;             // bytes a row
+    std::span<const std::byte> pixels;  // height * stride bytes, lent by `owner`; the brightness of planes
+    PixelLayout layout = PixelLayout::rgba;
+    std::array<Plane, 2> chroma;              // of i420 both, of nv12 the first
+    ColourCode colours;                       // of all but rgba
     std::shared_ptr<const void> owner;        // shared: the decoder's buffer pool and the renderer's queue
     std::chrono::nanoseconds stream_time{0};  // when in the film
 };

@@ -51,9 +51,9 @@ void check_gl(const char* what) {
         throw std::runtime_error(fmt::format("{}: {}", what, error_name(error)));
 }
 
-Program::Program(const char* vertex, const char* fragment) {
+Program::Program(const char* vertex, const std::string& fragment) {
     attach(id_.value, GL_VERTEX_SHADER, vertex);
-    attach(id_.value, GL_FRAGMENT_SHADER, fragment);
+    attach(id_.value, GL_FRAGMENT_SHADER, fragment.c_str());
     glLinkProgram(id_.value);
     GLint done = 0;
     glGetProgramiv(id_.value, GL_LINK_STATUS, &done);

@@ -2,6 +2,7 @@
 
 #include <GLES3/gl3.h>
 
+#include <string>
 #include <utility>
 
 namespace vitrine {
@@ -42,7 +43,7 @@ void check_gl(const char* what);
 class Program {
   public:
     /// @throws std::runtime_error with the compiler's words
-    Program(const char* vertex, const char* fragment);
+    Program(const char* vertex, const std::string& fragment);
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     Program(Program&&) = delete;

@@ -1,9 +1,9 @@
 #include "player/render/renderer.hpp"
 
+#include "player/render/colour_matrix.hpp"
 #include "player/render/shaders.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -14,6 +14,8 @@ namespace {
 constexpr double fringe_width = 1;          // canvas px
 constexpr double filler_blur = 0.25;        // radius, as a share of the picture's shorter side
 constexpr double small_picture = 1.5;       // texels a canvas px, from which single ones are stepped over
+constexpr double same_size = 0.75;          // canvas px that a picture of the very size may differ
+constexpr double same_place = 1e-3;         // canvas px
 constexpr std::uint64_t kept_unused = 120;  // frames that a cell's vertices outlast their last use
 
 void set(GLint uniform, Vec2 value) {
@@ -24,9 +26,25 @@ bool is_opaque(const DrawItem& item) {
     return item.alpha >= 1;
 }
 
+bool is_whole(double value) {
+    return std::abs(value - std::round(value)) < same_place;
+}
+
+std::string picture_shader(PixelLayout layout) {
+    switch (layout) {
+    case PixelLayout::i420:
+        return i420_picture;
+    case PixelLayout::nv12:
+        return nv12_picture;
+    case PixelLayout::rgba:
+        break;
+    }
+    return rgba_picture;
+}
+
 }  // namespace
 
-Renderer::PictureProgram::PictureProgram(const char* fragment_shader)
+Renderer::PictureProgram::PictureProgram(const std::string& fragment_shader)
     : program(vertex_shader, fragment_shader),
       x_axis(program.uniform("x_axis")),
       y_axis(program.uniform("y_axis")),
@@ -35,15 +53,21 @@ Renderer::PictureProgram::PictureProgram(const char* fragment_shader)
       uv_offset(program.uniform("uv_offset")),
       blur(program.uniform("blur")),
       level(program.uniform("level")),
-      alpha(program.uniform("alpha")) {}
+      alpha(program.uniform("alpha")),
+      to_rgb(program.uniform("to_rgb")),
+      zero(program.uniform("zero")) {
+    program.use();
+    int unit = 0;
+    for (const char* plane : {"picture", "blue", "red"})
+        glUniform1i(program.uniform(plane), unit++);
+}
 
-Renderer::Renderer(int width, int height, const View& view)
-    : width_(width),
-      height_(height),
-      view_(view),
-      opaque_(opaque_shader),
-      blended_(blended_shader),
-      filler_(filler_shader) {
+Renderer::Programs::Programs(PixelLayout layout)
+    : opaque(picture_shader(layout) + opaque_shader),
+      blended(picture_shader(layout) + blended_shader),
+      filler(picture_shader(layout) + filler_shader) {}
+
+Renderer::Renderer(int width, int height, const View& view) : width_(width), height_(height), view_(view) {
     check_gl("make the renderer");
 }
 
@@ -55,25 +79,9 @@ void Renderer::resize(int width, int height) {
 
 void Renderer::upload(SourceId source, const Sample& sample) {
     assert(is_own_thread());
-    assert(sample.width > 0 && sample.height > 0 && sample.stride % 4 == 0);
-    assert(sample.pixels.size() >= sample.stride * static_cast<std::size_t>(sample.height - 1) +
-                                       static_cast<std::size_t>(sample.width) * 4);
-    Texture& texture = textures_[source];
-    if (texture.width != sample.width || texture.height != sample.height) {
-        texture = Texture{.width = sample.width, .height = sample.height};
-        const auto levels = std::bit_width(static_cast<unsigned>(std::max(sample.width, sample.height)));
-        glBindTexture(GL_TEXTURE_2D, texture.name.id());
-        glTexStorage2D(GL_TEXTURE_2D, levels, GL_RGBA8, sample.width, sample.height);
-        check_gl("make room for a picture");
-    }
-    glBindTexture(GL_TEXTURE_2D, texture.name.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(sample.stride / 4));
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, sample.width, sample.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                    sample.pixels.data());
-    check_gl("upload a picture");
-    texture.has_mipmap = false;
-    ++texture.uploads;
+    const auto [place, is_new] = textures_.try_emplace(source, sample);
+    if (!is_new && !place->second.fits(sample)) place->second = PictureTexture(sample);
+    place->second.upload(sample);
 }
 
 void Renderer::forget(SourceId source) {
@@ -104,6 +112,8 @@ void Renderer::draw(const Frame& frame) {
         glEnable(GL_BLEND);
         idle_.draw(frame.canvas, view, frame.time, idle);
     }
+    is_on_pixels_ = is_whole(frame.view.x) && is_whole(frame.view.y) &&
+                    frame.canvas == canvas_size(width_, height_, view_);
     const ToNdc moved = seen_from(view, frame.view);
     const std::span<const DrawItem> items = frame.items;
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
@@ -147,20 +157,29 @@ void Renderer::draw_run(std::span<const DrawItem> items, const ToNdc& view) {
 
 void Renderer::draw_outlines(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    draw_range(filler_, item, view, GL_LINES, cell.filler.outline);
-    draw_range(opaque_, item, view, GL_LINES, cell.parts.outline);
+    draw_range(programs(item).filler, item, view, GL_LINES, cell.filler.outline);
+    draw_range(programs(item).opaque, item, view, GL_LINES, cell.parts.outline);
 }
 
 void Renderer::draw_fills(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    draw_range(filler_, item, view, GL_TRIANGLES, cell.filler.triangles);
-    draw_range(is_opaque(item) ? opaque_ : blended_, item, view, GL_TRIANGLES, cell.parts.triangles);
+    const Programs& of_item = programs(item);
+    draw_range(of_item.filler, item, view, GL_TRIANGLES, cell.filler.triangles);
+    draw_range(is_opaque(item) ? of_item.opaque : of_item.blended, item, view, GL_TRIANGLES,
+               cell.parts.triangles);
 }
 
 void Renderer::draw_fringes(const DrawItem& item, const ToNdc& view) {
     const Mesh& cell = mesh(item.cell);
-    draw_range(filler_, item, view, GL_TRIANGLES, cell.filler.fringe);
-    draw_range(blended_, item, view, GL_TRIANGLES, cell.parts.fringe);
+    draw_range(programs(item).filler, item, view, GL_TRIANGLES, cell.filler.fringe);
+    draw_range(programs(item).blended, item, view, GL_TRIANGLES, cell.parts.fringe);
+}
+
+const Renderer::Programs& Renderer::programs(const DrawItem& item) {
+    const PixelLayout layout = textures_.at(item.source).layout();
+    std::optional<Programs>& programs = programs_.at(static_cast<std::size_t>(layout));
+    if (!programs) programs.emplace(layout);
+    return *programs;
 }
 
 void Renderer::draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
@@ -171,46 +190,68 @@ void Renderer::draw_range(const PictureProgram& program, const DrawItem& item, c
 }
 
 void Renderer::bind(const PictureProgram& program, const DrawItem& item, const ToNdc& view) {
-    const bool is_filler = &program == &filler_;
-    Texture& texture = textures_.at(item.source);
+    const bool is_filler = program.blur >= 0;
+    PictureTexture& texture = textures_.at(item.source);
+    const bool is_one_to_one = !is_filler && is_exact(texture, item);
     glBindVertexArray(meshes_.at(item.cell.get()).array.id());
-    glBindTexture(GL_TEXTURE_2D, texture.name.id());
-    const GLint wrap = is_filler ? GL_MIRRORED_REPEAT : GL_CLAMP_TO_EDGE;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    choose_filter(texture, item, is_filler);
+    choose_filter(texture, item, is_filler, is_one_to_one);
 
-    // texel = (u - offset) / scale + slide, as a share of the picture
-    const double scale = item.placement.scale;
-    const Vec2 first = item.slide - item.placement.offset * (1 / scale);
     program.program.use();
     set(program.x_axis, view.x_axis);
     set(program.y_axis, view.y_axis);
     set(program.origin, view.origin);
-    set(program.uv_scale, {1 / (scale * item.picture.x), 1 / (scale * item.picture.y)});
-    set(program.uv_offset, {first.x / item.picture.x, first.y / item.picture.y});
+    set_texels(program, texture, item, is_one_to_one);
     glUniform1f(program.alpha, static_cast<float>(item.alpha));
+    if (program.to_rgb >= 0) {
+        const ColourMatrix colours = colour_matrix(texture.colours());
+        glUniformMatrix3fv(program.to_rgb, 1, GL_FALSE, colours.matrix.data());
+        glUniform3fv(program.zero, 1, colours.zero.data());
+    }
     if (is_filler) set_blur(program, texture);
 }
 
-void Renderer::set_blur(const PictureProgram& filler, const Texture& texture) {
-    const double radius = filler_blur * std::min(texture.width, texture.height);  // texels
-    set(filler.blur, {radius / texture.width, radius / texture.height});
+// texel = (u - offset) / scale + slide, as a share of the picture; one that is drawn pixel for pixel is moved
+// to whole ones, by less than half of one.
+void Renderer::set_texels(const PictureProgram& program, const PictureTexture& texture, const DrawItem& item,
+                          bool is_exact) const {
+    const Vec2 offset = item.placement.offset;
+    if (is_exact) {
+        set(program.uv_scale, {1.0 / texture.width(), 1.0 / texture.height()});
+        set(program.uv_offset,
+            {-std::round(offset.x) / texture.width(), -std::round(offset.y) / texture.height()});
+        return;
+    }
+    const double scale = item.placement.scale;
+    const Vec2 first = item.slide - offset * (1 / scale);
+    set(program.uv_scale, {1 / (scale * item.picture.x), 1 / (scale * item.picture.y)});
+    set(program.uv_offset, {first.x / item.picture.x, first.y / item.picture.y});
+}
+
+/// Whether a texel of the picture is a pixel of the screen: then it is not filtered, which is sharper, and
+/// half of what the picture costs where the processor draws it.
+bool Renderer::is_exact(const PictureTexture& texture, const DrawItem& item) const {
+    const Vec2 shown = item.picture * item.placement.scale;
+    return is_on_pixels_ && texture.layout() == PixelLayout::rgba && item.slide == Vec2{} &&
+           std::abs(shown.x - texture.width()) < same_size &&
+           std::abs(shown.y - texture.height()) < same_size;
+}
+
+void Renderer::set_blur(const PictureProgram& filler, const PictureTexture& texture) {
+    const double radius = filler_blur * std::min(texture.width(), texture.height());  // texels
+    set(filler.blur, {radius / texture.width(), radius / texture.height()});
     glUniform1f(filler.level,
                 static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius wide
 }
 
 // Smaller copies are made of a photo shown small, once; a film is not worth them, it would need them for
 // every picture. Filler does need them, of both.
-void Renderer::choose_filter(Texture& texture, const DrawItem& item, bool is_filler) {
-    const double texels = texture.width / (item.picture.x * item.placement.scale);  // a canvas px
-    const bool is_small_photo = texels >= small_picture && texture.uploads == 1;
-    if ((is_filler || is_small_photo) && !texture.has_mipmap) {
-        glGenerateMipmap(GL_TEXTURE_2D);
-        texture.has_mipmap = true;
-    }
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                    texture.has_mipmap ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
+void Renderer::choose_filter(PictureTexture& texture, const DrawItem& item, bool is_filler, bool is_exact) {
+    const double texels = texture.width() / (item.picture.x * item.placement.scale);  // a canvas px
+    const bool is_small_photo = texels >= small_picture && texture.is_still();
+    if (is_filler || is_small_photo) texture.make_smaller_copies();
+    const GLint wrap = is_filler ? GL_MIRRORED_REPEAT : GL_CLAMP_TO_EDGE;
+    if (is_exact) return texture.bind(GL_NEAREST, GL_NEAREST, wrap);
+    texture.bind(texture.has_smaller_copies() ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR, wrap);
 }
 
 Renderer::Mesh& Renderer::mesh(const std::shared_ptr<const Cell>& cell) {

@@ -4,12 +4,16 @@
 #include "player/render/cell_mesh.hpp"
 #include "player/render/gl_objects.hpp"
 #include "player/render/idle_picture.hpp"
+#include "player/render/picture_texture.hpp"
 #include "player/render/view.hpp"
 #include "player/scene/frame.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <unordered_map>
 
@@ -38,14 +42,6 @@ class Renderer {
     void draw(const Frame& frame);
 
   private:
-    struct Texture {
-        GlTexture name;
-        int width = 0;  // px
-        int height = 0;
-        bool has_mipmap = false;  // a still picture shown small or blurred
-        std::uint64_t uploads = 0;
-    };
-
     struct Mesh {
         std::shared_ptr<const Cell> cell;  // shared: while it lives no other cell has its address
         GlBuffer vertices;
@@ -56,7 +52,7 @@ class Renderer {
     };
 
     struct PictureProgram {
-        explicit PictureProgram(const char* fragment_shader);
+        explicit PictureProgram(const std::string& fragment_shader);
 
         Program program;
         GLint x_axis;
@@ -64,9 +60,20 @@ class Renderer {
         GLint origin;
         GLint uv_scale;
         GLint uv_offset;
-        GLint blur;   // -1: the program draws sharp
-        GLint level;  // likewise
-        GLint alpha;  // -1: the program draws opaque
+        GLint blur;    // -1: the program draws sharp
+        GLint level;   // likewise
+        GLint alpha;   // -1: the program draws opaque
+        GLint to_rgb;  // -1: the picture is in RGB
+        GLint zero;    // likewise
+    };
+
+    /// Those for one layout of pixels.
+    struct Programs {
+        explicit Programs(PixelLayout layout);
+
+        PictureProgram opaque;
+        PictureProgram blended;
+        PictureProgram filler;
     };
 
     bool is_own_thread() const;
@@ -78,8 +85,12 @@ class Renderer {
     void draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
                     CellMesh::Range range);
     void bind(const PictureProgram& program, const DrawItem& item, const ToNdc& view);
-    static void set_blur(const PictureProgram& filler, const Texture& texture);
-    static void choose_filter(Texture& texture, const DrawItem& item, bool is_filler);
+    void set_texels(const PictureProgram& program, const PictureTexture& texture, const DrawItem& item,
+                    bool is_exact) const;
+    const Programs& programs(const DrawItem& item);
+    bool is_exact(const PictureTexture& texture, const DrawItem& item) const;
+    static void set_blur(const PictureProgram& filler, const PictureTexture& texture);
+    static void choose_filter(PictureTexture& texture, const DrawItem& item, bool is_filler, bool is_exact);
     Mesh& mesh(const std::shared_ptr<const Cell>& cell);
     void drop_old_meshes();
 
@@ -88,11 +99,10 @@ class Renderer {
     int height_;
     View view_;
     std::uint64_t frames_ = 0;
-    PictureProgram opaque_;
-    PictureProgram blended_;
-    PictureProgram filler_;
+    std::array<std::optional<Programs>, 3> programs_;  // by layout, each made when it is first needed
     IdlePicture idle_;
-    std::unordered_map<SourceId, Texture> textures_;
+    bool is_on_pixels_ = true;  // canvas points of whole numbers are corners of pixels, in this frame
+    std::unordered_map<SourceId, PictureTexture> textures_;
     std::unordered_map<const Cell*, Mesh> meshes_;
 };
 

@@ -19,52 +19,93 @@ void main() {
 }
 )";
 
-inline constexpr const char* opaque_shader = R"(
+// What the shaders below get a pixel of the picture with: `picture_at` by the smaller copies that the sampler
+// chooses, `copy_at` by one of them.
+inline constexpr const char* rgba_picture = R"(
 precision mediump float;
-in highp vec2 uv;
 uniform sampler2D picture;
+
+vec3 picture_at(highp vec2 uv) {
+    return texture(picture, uv).rgb;
+}
+
+vec3 copy_at(highp vec2 uv, float level) {
+    return textureLod(picture, uv, level).rgb;
+}
+)";
+
+// Brightness in one plane, its colour differences in one or two of half the size.
+inline constexpr const char* i420_picture = R"(
+precision highp float;
+uniform sampler2D picture, blue, red;
+uniform mat3 to_rgb;
+uniform vec3 zero;   // what black is coded as
+
+vec3 picture_at(highp vec2 uv) {
+    return to_rgb * (vec3(texture(picture, uv).r, texture(blue, uv).r, texture(red, uv).r) - zero);
+}
+
+vec3 copy_at(highp vec2 uv, float level) {
+    vec3 coded = vec3(textureLod(picture, uv, level).r, textureLod(blue, uv, level).r, textureLod(red, uv, level).r);
+    return to_rgb * (coded - zero);
+}
+)";
+
+inline constexpr const char* nv12_picture = R"(
+precision highp float;
+uniform sampler2D picture, blue;
+uniform mat3 to_rgb;
+uniform vec3 zero;
+
+vec3 picture_at(highp vec2 uv) {
+    return to_rgb * (vec3(texture(picture, uv).r, texture(blue, uv).rg) - zero);
+}
+
+vec3 copy_at(highp vec2 uv, float level) {
+    return to_rgb * (vec3(textureLod(picture, uv, level).r, textureLod(blue, uv, level).rg) - zero);
+}
+)";
+
+inline constexpr const char* opaque_shader = R"(
+in highp vec2 uv;
 out vec4 pixel;
 
 void main() {
-    pixel = texture(picture, uv);
+    pixel = vec4(picture_at(uv), 1.0);
 }
 )";
 
 inline constexpr const char* blended_shader = R"(
-precision mediump float;
 in highp vec2 uv;
-in float coverage;
-uniform sampler2D picture;
+in mediump float coverage;
 uniform float alpha;
 out vec4 pixel;
 
 void main() {
-    pixel = vec4(texture(picture, uv).rgb, alpha * coverage);
+    pixel = vec4(picture_at(uv), alpha * coverage);
 }
 )";
 
 // The mirrored picture, so blurred that nothing in it is recognised, and dark: a frame, not a second picture.
 // The taps lie on a sunflower's spiral and are the same for each pixel, so that still pictures stand still.
 inline constexpr const char* filler_shader = R"(
-precision highp float;
 in highp vec2 uv;
 in mediump float coverage;
-uniform sampler2D picture;
-uniform vec2 blur;     // radius, as a share of the picture
-uniform float level;   // of the smaller copies
+uniform highp vec2 blur;     // radius, as a share of the picture
+uniform highp float level;   // of the smaller copies
 uniform float alpha;
 out vec4 pixel;
 
 const int taps = 16;
 const float light = 0.3;
-const mat2 golden_turn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
+const highp mat2 golden_turn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
 
 void main() {
-    vec3 sum = vec3(0.0);
-    vec2 unit = vec2(1.0, 0.0);
+    highp vec3 sum = vec3(0.0);
+    highp vec2 unit = vec2(1.0, 0.0);
     for (int i = 0; i < taps; ++i) {
-        vec2 place = unit * sqrt((float(i) + 0.5) / float(taps)) * blur;
-        sum += textureLod(picture, uv + place, level).rgb;
+        highp vec2 place = unit * sqrt((float(i) + 0.5) / float(taps)) * blur;
+        sum += copy_at(uv + place, level);
         unit = golden_turn * unit;
     }
     pixel = vec4(sum * (light / float(taps)), alpha * coverage);

@@ -1,5 +1,4 @@
 #include "base/media/decode_chain.hpp"
-#include "base/media/tone_probe.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -141,38 +140,5 @@ TEST_CASE("what a library says of a film is not the operator's reason") {
         CHECK(reason.starts_with("the film"));
         CHECK(reason.find("srv") == std::string::npos);
         CHECK(reason.find("demu") == std::string::npos);
-    }
-}
-
-TEST_CASE("HDR films reach a tail that maps tones as bright as a usual screen shows them, others untouched") {
-    const TempFolder folder;
-
-    struct Film {
-        const char* colorimetry;
-        int grey;      // as coded: paper white of each
-        int expected;  // tone_map_test.cpp
-    };
-
-    for (const Film& film :
-         {Film{"bt2100-pq", 148, 191}, Film{"bt2100-hlg", 191, 191}, Film{"bt709", 148, 148}}) {
-        CAPTURE(film.colorimetry);
-        const std::string path = folder.path / "tones.mkv";
-        run(fmt::format(
-            "videotestsrc num-buffers=3 pattern=solid-color foreground-color=0xff{0:02x}{0:02x}{0:02x} ! "
-            "video/x-raw,format=I420_10LE,width=96,height=64,framerate=25/1,colorimetry={1} ! avenc_ffv1 ! "
-            "matroskamux ! filesink location={2}",
-            film.grey, film.colorimetry, path));
-        GstPtr<GstElement> tail = frames_tail();
-        const GstPtr<GstElement> sink(gst_bin_get_by_name(GST_BIN(tail.get()), "sink"));
-        map_tones(tail.get(), sink.get());
-        DecodeChain chain(path, std::move(tail));
-        chain.preroll(deadline);
-        const GstPtr<GstSample> sample(gst_app_sink_pull_preroll(sink_of(chain)));
-        REQUIRE(sample);
-        GstMapInfo bytes;
-        REQUIRE(gst_buffer_map(gst_sample_get_buffer(sample.get()), &bytes, GST_MAP_READ));
-        for (std::size_t i = 0; i < 3; ++i)
-            CHECK(std::abs(bytes.data[bytes.size / 2 + i] - film.expected) <= 6);
-        gst_buffer_unmap(gst_sample_get_buffer(sample.get()), &bytes);
     }
 }

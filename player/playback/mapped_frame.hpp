@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gst/video/video.h>
+
+namespace vitrine {
+
+/// A decoded frame's memory, readable for as long as this lives. The buffer is held by the map.
+class MappedFrame {
+  public:
+    explicit MappedFrame(GstSample* sample) {
+        GstVideoInfo info;
+        const GstCaps* caps = gst_sample_get_caps(sample);
+        if (caps == nullptr || !gst_video_info_from_caps(&info, caps)) return;
+        is_mapped_ =
+            gst_video_frame_map(&frame_, &info, gst_sample_get_buffer(sample), GST_MAP_READ) != FALSE;
+    }
+
+    MappedFrame(const MappedFrame&) = delete;
+    MappedFrame& operator=(const MappedFrame&) = delete;
+    MappedFrame(MappedFrame&&) = delete;
+    MappedFrame& operator=(MappedFrame&&) = delete;
+
+    ~MappedFrame() {
+        if (is_mapped_) gst_video_frame_unmap(&frame_);
+    }
+
+    bool is_mapped() const { return is_mapped_; }
+
+    const GstVideoFrame& frame() const { return frame_; }
+
+  private:
+    GstVideoFrame frame_{};
+    bool is_mapped_ = false;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/media/tone_map.hpp"
+#include "player/playback/picture_memory.hpp"
+#include "player/playback/sample.hpp"
+
+#include <gst/video/video.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+struct SwsContext;
+
+namespace vitrine {
+
+/// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
+/// colours, RGBA at the very size where the processor does all of it.
+enum class PictureForm { rgba, planes };
+
+/// Makes pictures for the renderer of decoded frames. FFmpeg's scaler, as it costs a fifth of
+/// videoconvertscale: measured 0.6 against 3.0 ms from 720p to 360p, 0.07 against 0.25 ms at the same size.
+class PictureScaler {
+  public:
+    /// The raw formats that scaled() reads, as caps; all else is to be converted to one of them before.
+    static constexpr const char* formats = "{ I420, NV12, Y42B, Y444, I420_10LE, RGBx }";
+
+    explicit PictureScaler(PictureForm form);
+    PictureScaler(const PictureScaler&) = delete;
+    PictureScaler& operator=(const PictureScaler&) = delete;
+    PictureScaler(PictureScaler&&) = delete;
+    PictureScaler& operator=(PictureScaler&&) = delete;
+    ~PictureScaler();
+
+    /// The picture of a decoded frame; nothing where its memory cannot be read. RGBA has the size asked for,
+    /// planes may be larger, up to twice. HDR has the tones of a usual screen.
+    /// @param width, height  px that the picture is shown at
+    std::optional<Sample> scaled(GstSample* frame, int width, int height,
+                                 std::chrono::nanoseconds stream_time);
+
+  private:
+    struct EndScaler {
+        void operator()(SwsContext* scaler) const;
+    };
+
+    /// What a scaler is made for.
+    struct Task {
+        GstVideoFormat format = GST_VIDEO_FORMAT_UNKNOWN;
+        int from_width = 0;  // px
+        int from_height = 0;
+        int width = 0;
+        int height = 0;
+        PixelLayout layout = PixelLayout::rgba;
+
+        friend bool operator==(const Task&, const Task&) = default;
+    };
+
+    void follow(const GstVideoInfo& video);
+    bool prepare(const Task& task);
+    std::optional<Sample> converted(const GstVideoFrame& frame, int width, int height, PixelLayout layout);
+
+    PictureForm form_;
+    PictureMemory memory_;
+    std::unique_ptr<SwsContext, EndScaler> scaler_;
+    Task prepared_;                   // that scaler_ is made for
+    GstVideoColorimetry followed_{};  // of the film
+    ColourCode colours_;              // likewise
+    std::optional<ToneMap> tones_;    // likewise
+};
+
+}  // namespace vitrine
