@@ -2,15 +2,12 @@
 
 #include "base/catalogue/catalogue.hpp"
 #include "base/media/colour.hpp"
+#include "base/settings/output_words.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
-#include "player/display/kms_screen.hpp"
-#include "player/display/offscreen_screen.hpp"
+#include "player/display/kms_display.hpp"
+#include "player/display/offscreen_display.hpp"
 #include "player/display/screen_choice.hpp"
-#include "player/layout/nesting.hpp"
-#include "player/player_settings.hpp"
-#include "player/scene/panning_wall.hpp"
-#include "player/scene/wall.hpp"
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
@@ -28,13 +25,17 @@ using namespace std::chrono_literals;
 constexpr auto source_patience = 10s;    // that a picture paced by its sources waits for one of them
 constexpr auto invisible_pause = 500ms;  // between two looks at a screen that is not there
 constexpr auto busy_pause = 2ms;         // between two looks at a screen whose flip is under way
+constexpr auto retry_pause = 1s;         // before another try to open a graphics card
 constexpr auto status_interval = 5s;
-constexpr int most_settling_steps = 100;  // each gives up on a file at least
 
 KmsOptions kms_options(const Settings& settings, const KmsChoice& choice) {
     return {.card = choice.card,
             .wish = parse_mode(settings.output.mode),
             .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best};
+}
+
+bool is_offscreen(const Settings& settings) {
+    return std::holds_alternative<OffscreenChoice>(parse_screen(settings.output.screen));
 }
 
 }  // namespace
@@ -44,11 +45,10 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       options_(options),
       interrupted_(loop_.signal(SIGINT, [this] { loop_.quit(); })),
       terminated_(loop_.signal(SIGTERM, [this] { loop_.quit(); })),
-      screen_(make_screen()),
-      view_(view_of(settings)),
-      canvas_(canvas_size(screen_->width(), screen_->height(), view_)),
-      renderer_(screen_->width(), screen_->height(), view_),
-      show_(make_show()),
+      left_(loop_.signal(Console::leave_signal, [this] { leave_terminal(); })),
+      entered_(loop_.signal(Console::enter_signal, [this] { come_to_terminal(); })),
+      is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
+      console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
       sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
                colour_named(settings.show.background).value_or(Colour{})),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
@@ -56,32 +56,66 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       clock_(settings.output.frame_rate),
       tick_(loop_.timer([this] { tick(); })),
       told_(loop_.timer([this] { tell(); })) {
-    if (screen_->event_fd() >= 0)
-        screen_events_ =
-            loop_.watch(screen_->event_fd(), EPOLLIN, [this](std::uint32_t) { screen_->dispatch(); });
-    log::info("screen: {}", screen_->description());
+    make_stages();
+    open_display();
 }
 
 Player::~Player() = default;
 
-std::unique_ptr<Screen> Player::make_screen() {
-    const ScreenChoice choice = parse_screen(settings_.output.screen);
-    if (const auto* memory = std::get_if<OffscreenChoice>(&choice)) {
-        auto screen = make_offscreen({.width = memory->width,
-                                      .height = memory->height,
-                                      .film = options_.film,
-                                      .film_rate = static_cast<double>(settings_.output.frame_rate)});
-        offscreen_ = screen.get();
-        is_paced_by_pictures_ = !options_.is_realtime;
-        return screen;
+void Player::make_stages() {
+    const auto folders = output_folders_named(settings_.output.folders).value();
+    std::map<std::string, std::size_t> stage_of_folder{{"", 0}};
+    for (const auto& [output, folder] : folders)
+        stage_of_[output] = stage_of_folder.emplace(folder, stage_of_folder.size()).first->second;
+    stages_.resize(stage_of_folder.size());
+    for (const auto& [folder, i] : stage_of_folder) {
+        StageOptions options{.number = i, .folder = folder, .await_sources = {}};
+        if (is_paced_by_pictures_)
+            options.await_sources = [this] { hand_out(sources_.wait_until_ready(source_patience)); };
+        stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
     }
-    return make_kms(kms_options(settings_, std::get<KmsChoice>(choice)));
+    give_catalogue();
 }
 
-std::unique_ptr<Show> Player::make_show() const {
-    if (settings_.layout.mode == "pan")
-        return std::make_unique<PanningWall>(canvas_, pan_settings(settings_));
-    return std::make_unique<Wall>(canvas_, wall_settings(settings_));
+std::unique_ptr<Display> Player::make_display() {
+    const ScreenChoice choice = parse_screen(settings_.output.screen);
+    if (const auto* kms = std::get_if<KmsChoice>(&choice))
+        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms));
+    auto display = std::make_unique<OffscreenDisplay>(std::get<OffscreenChoice>(choice), options_.film,
+                                                      static_cast<double>(settings_.output.frame_rate));
+    offscreen_ = display.get();
+    return display;
+}
+
+/// A card that is not there, or that another program has, is awaited; off screen there is nothing to wait
+/// for.
+void Player::open_display() {
+    next_try_ = EventLoop::Clock::now() + retry_pause;
+    if (console_ && !console_->is_in_front()) return;
+    try {
+        display_ = make_display();
+    } catch (const std::exception& error) {
+        if (!console_) throw;
+        if (complaint_ != error.what()) log::warning("screen: waiting: {}", error.what());
+        complaint_ = error.what();
+        return;
+    }
+    complaint_.clear();
+    renderer_.emplace(1, 1);
+    if (display_->event_fd() >= 0)
+        display_events_ =
+            loop_.watch(display_->event_fd(), EPOLLIN, [this](std::uint32_t) { display_->dispatch(); });
+    log::info("screen: {}", display_->description());
+}
+
+void Player::close_display() {
+    for (const auto& stage : stages_) {
+        stage->set_screens({}, now());
+        stage->forget_uploads();
+    }
+    display_events_ = {};
+    renderer_.reset();
+    display_.reset();
 }
 
 void Player::run() {
@@ -102,14 +136,19 @@ void Player::follow(const CatalogueChange& change) {
         log::info("replaced: '{}'", path);
     for (const std::string& path : change.gone)
         log::info("gone: '{}'", path);
-    if (!options_.rehearsal) return show_->set_catalogue(follower_.records());
-    show_->set_catalogue(options_.rehearsal->present(follower_.records()));
+    give_catalogue();
+}
+
+void Player::give_catalogue() {
+    const std::vector<MediaRecord> records =
+        options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
+    for (const auto& stage : stages_)
+        stage->set_catalogue(records);
 }
 
 void Player::rehearse(std::chrono::nanoseconds time) {
-    if (options_.rehearsal->advance(time))
-        show_->set_catalogue(options_.rehearsal->present(follower_.records()));
-    show_->touch(options_.rehearsal->finger());
+    if (options_.rehearsal->advance(time)) give_catalogue();
+    stages_.front()->touch(options_.rehearsal->finger());
 }
 
 std::chrono::nanoseconds Player::now() const {
@@ -120,118 +159,93 @@ std::chrono::nanoseconds Player::now() const {
 void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
-    tell_of_screen();
-    if (!screen_->is_visible()) {
+    service::alive();
+    follow_display(time);
+    if (!display_ || display_->screens().empty()) {
         clock_.skip_to(time);
         return tick_.arm(invisible_pause);
     }
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
-    if (!screen_->is_ready()) return tick_.arm(busy_pause);
-    follow_screen_size();
+    if (!is_time_to_draw(time)) return tick_.arm(busy_pause);
     if (options_.rehearsal) rehearse(time);
-    WallStep step = next_step(time);
-    draw(step.frame);
+    hand_out(sources_.update());
+    for (const auto& stage : stages_)
+        if (!stage->screens().empty()) stage->show(time, *renderer_);
+    tell_items();
     if (is_paced_by_pictures_)
         clock_.shown_exactly();
     else
         clock_.shown(time);
-    service::alive();
     tick_.arm(std::max(0ns, clock_.due() - now()));
 }
 
-void Player::tell_of_screen() {
-    for (const ScreenEvent& event : screen_->take_events())
-        log::write(event.is_trouble ? log::Level::warning : log::Level::info, "screen: " + event.text);
+/// All screens can take a picture; or one can, and the others have been waited for.
+bool Player::is_time_to_draw(std::chrono::nanoseconds time) {
+    const auto patience = 500'000'000ns / settings_.output.frame_rate;
+    const std::span<Screen* const> screens = display_->screens();
+    const auto ready = std::ranges::count_if(screens, &Screen::is_ready);
+    return ready == std::ssize(screens) || (ready > 0 && time > clock_.due() + patience);
 }
 
-void Player::follow_screen_size() {
-    const Vec2 canvas = canvas_size(screen_->width(), screen_->height(), view_);
-    if (canvas == canvas_) return;
-    canvas_ = canvas;
-    renderer_.resize(screen_->width(), screen_->height());
-    show_->set_canvas(canvas);
-}
-
-WallStep Player::next_step(std::chrono::nanoseconds time) {
-    take_layout();
-    take_source_events(sources_.update(), time);
-    WallStep step = show_->step(time);
-    carry_out(step);
-    for (int i = 0; is_paced_by_pictures_ && i < most_settling_steps && (step.plan || !step.requests.empty());
-         ++i) {
-        // The clock stands still until the layout and the sources are there.
-        take_source_events(sources_.wait_until_ready(source_patience), time);
-        step = show_->step(time);
-        carry_out(step);
+void Player::follow_display(std::chrono::nanoseconds time) {
+    if (display_) {
+        give_screens(time);
+        for (const DisplayEvent& event : display_->take_events())
+            log::write(event.is_trouble ? log::Level::warning : log::Level::info, "screen: " + event.text);
+        if (display_->is_gone()) close_display();
     }
-    return step;
+    if (display_ || EventLoop::Clock::now() < next_try_) return;
+    open_display();
+    if (display_) give_screens(time);
 }
 
-void Player::take_layout() {
-    std::optional<Layout> layout = planner_.take();
-    if (!layout || !layout->is_final || layout->generation != asked_) return;
-    take_layout(std::move(*layout));
-}
-
-void Player::take_layout(Layout layout) {
-    layout.generation = planned_.generation;
-    show_->set_layout(layout);
-}
-
-void Player::take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time) {
-    for (const SourceEvent& event : events) {
-        if (!event.failure) {
-            if (!event.unstored.empty())
-                log::info("not in the store, played from the media folder: '{}'", event.unstored);
-            show_->source_ready(event.source);
-            continue;
-        }
-        log::warning("not shown for now: {}", *event.failure);
-        show_->source_failed(event.source, time);
+void Player::give_screens(std::chrono::nanoseconds time) {
+    std::vector<std::vector<Screen*>> screens(stages_.size());
+    for (Screen* screen : display_->screens()) {
+        const auto found = stage_of_.find(screen->name());
+        screens[found == stage_of_.end() ? 0 : found->second].push_back(screen);
     }
+    for (std::size_t i = 0; i < stages_.size(); ++i)
+        stages_[i]->set_screens(std::move(screens[i]), time);
 }
 
-void Player::carry_out(const WallStep& step) {
-    if (step.plan) ask(*step.plan);
-    for (const ShotRequest& request : step.requests)
-        sources_.request(request);
-    for (const SourceId source : step.retired) {
-        sources_.retire(source);
-        renderer_.forget(source);
-        uploaded_.erase(source);
+void Player::leave_terminal() {
+    if (display_) display_->leave();
+    log::info("screen: left to another terminal");
+    if (console_) console_->leave();
+}
+
+void Player::come_to_terminal() {
+    if (console_) console_->enter();
+    log::info("screen: back from another terminal");
+    if (display_) display_->take_back();
+}
+
+void Player::hand_out(const std::vector<SourceEvent>& events) {
+    for (const SourceEvent& event : events)
+        for (const auto& stage : stages_)
+            if (stage->owns(event.source)) stage->tell(event);
+}
+
+std::string Player::description() const {
+    return display_ ? display_->description() : "no graphics card for now";
+}
+
+void Player::tell_items() {
+    for (const auto& stage : stages_) {
+        const auto [told, is_new] = items_.try_emplace(stage->folder(), 0);
+        if (told->second == stage->count()) continue;
+        told->second = stage->count();
+        log::info("wall of {} {}{}", told->second, told->second == 1 ? "item" : "items",
+                  stage->folder().empty() ? "" : fmt::format(" of '{}'", stage->folder()));
     }
-}
-
-/// Has a wall laid out: at once where the clock waits anyway, else by the planner's thread.
-void Player::ask(const WallPlan& wall) {
-    PlanRequest request = plan_request(settings_, wall.canvas);
-    request.items = wall.items;
-    planned_ = wall;
-    if (is_paced_by_pictures_)
-        take_layout(planned(request));
-    else
-        asked_ = planner_.request(std::move(request));
-}
-
-void Player::draw(Frame& frame) {
-    if (is_paced_by_pictures_) sources_.wait_for(frame, source_patience);
-    sources_.advance(frame);
-    for (const DrawItem& item : frame.items) {
-        const std::optional<Sample> sample = sources_.sample(item.source);
-        if (!sample || uploaded_[item.source] == sample->owner) continue;
-        renderer_.upload(item.source, *sample);
-        uploaded_[item.source] = sample->owner;
-    }
-    screen_->begin_frame();
-    renderer_.draw(frame);
-    screen_->present(frame.time);
-    if (show_->count() == items_) return;
-    items_ = show_->count();
-    log::info("wall of {} {}", items_, items_ == 1 ? "item" : "items");
 }
 
 void Player::tell() {
-    service::status(fmt::format("{}, {} items, {} pictures shown, {} late", screen_->description(), items_,
+    std::size_t items = 0;
+    for (const auto& [folder, count] : items_)
+        items += count;
+    service::status(fmt::format("{}, {} items, {} pictures shown, {} late", description(), items,
                                 clock_.pictures(), clock_.late()));
     told_.arm(status_interval);
 }
@@ -241,10 +255,10 @@ void Player::finish() {
     log::info("{} pictures shown, {} late; {} pictures of films were late", clock_.pictures(), clock_.late(),
               sources_.late());
     if (offscreen_ == nullptr) return;
-    offscreen_->finish_film();
+    offscreen_->finish_films();
     if (options_.film) log::info("film: '{}'", options_.film->string());
     if (!options_.snapshot) return;
-    save_png(offscreen_->picture(), *options_.snapshot);
+    offscreen_->save(*options_.snapshot);
     log::info("snapshot: '{}'", options_.snapshot->string());
 }
 

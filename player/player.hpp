@@ -1,26 +1,27 @@
 #pragma once
 
 #include "base/settings/settings.hpp"
+#include "base/system/event_loop.hpp"
 #include "player/catalogue_follower.hpp"
+#include "player/display/console.hpp"
 #include "player/display/screen.hpp"
 #include "player/frame_clock.hpp"
-#include "player/layout/planner.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
-#include "player/render/view.hpp"
-#include "player/scene/show.hpp"
+#include "player/stage.hpp"
 
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vitrine {
 
-class OffscreenScreen;
+class OffscreenDisplay;
 
 /// What only a command line says of a run.
 struct PlayOptions {
@@ -31,11 +32,12 @@ struct PlayOptions {
     bool is_realtime = false;  // off screen: pictures at their time, late or not, instead of each exact
 };
 
-/// The player put together: the catalogue makes the wall, the wall asks for layouts and sources, and what the
-/// wall looks like at each tick of the frame clock is drawn on the screen.
+/// The player put together: the catalogue makes the walls, the walls ask for layouts and sources, and what a
+/// wall looks like at each tick of the frame clock is drawn on its screens. Panels and whole graphics cards
+/// come and go meanwhile; without them it waits.
 class Player {
   public:
-    /// @throws std::runtime_error naming what cannot be opened
+    /// @throws std::runtime_error naming what cannot be opened; that there is no graphics card is awaited
     Player(const Settings& settings, const PlayOptions& options);
     ~Player();
     Player(const Player&) = delete;
@@ -45,21 +47,23 @@ class Player {
     void run();
 
   private:
-    std::unique_ptr<Screen> make_screen();
-    std::unique_ptr<Show> make_show() const;
+    std::unique_ptr<Display> make_display();
+    void open_display();
+    void make_stages();
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
-    void tick();
-    void tell_of_screen();
+    void give_catalogue();
     void rehearse(std::chrono::nanoseconds time);
-    void follow_screen_size();
-    WallStep next_step(std::chrono::nanoseconds time);
-    void take_layout();
-    void take_layout(Layout layout);
-    void ask(const WallPlan& wall);
-    void take_source_events(const std::vector<SourceEvent>& events, std::chrono::nanoseconds time);
-    void carry_out(const WallStep& step);
-    void draw(Frame& frame);
+    void tick();
+    bool is_time_to_draw(std::chrono::nanoseconds time);
+    void follow_display(std::chrono::nanoseconds time);
+    void close_display();
+    void give_screens(std::chrono::nanoseconds time);
+    void leave_terminal();
+    void come_to_terminal();
+    void hand_out(const std::vector<SourceEvent>& events);
+    std::string description() const;
+    void tell_items();
     void tell();
     void finish();
 
@@ -68,25 +72,24 @@ class Player {
     EventLoop loop_;
     EventLoop::Source interrupted_;  // blocked before any thread starts, which else would be killed by them
     EventLoop::Source terminated_;
-    OffscreenScreen* offscreen_ = nullptr;  // screen_ where it is one
-    bool is_paced_by_pictures_ = false;     // the clock waits for the sources, not they for the clock
-    std::unique_ptr<Screen> screen_;
-    View view_;
-    Vec2 canvas_;  // px
-    Renderer renderer_;
-    std::unique_ptr<Show> show_;
-    WallPlan planned_;         // the plan last asked for
-    std::uint64_t asked_ = 0;  // what the planner calls it
+    EventLoop::Source left_;                 // the terminal: another one is to be in front
+    EventLoop::Source entered_;              // ours is in front again
+    bool is_paced_by_pictures_ = false;      // the clock waits for the sources, not they for the clock
+    std::unique_ptr<Console> console_;       // none: off screen
+    std::unique_ptr<Display> display_;       // none: no graphics card for now
+    OffscreenDisplay* offscreen_ = nullptr;  // display_ where it is one
+    std::string complaint_;                  // why there is none, as last told
+    std::optional<Renderer> renderer_;       // where there is a display
     SourcePool sources_;
-    std::map<SourceId, std::shared_ptr<const void>>
-        uploaded_;  // the sample that the renderer has; shared with it
-    Planner planner_;
+    std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first
+    std::vector<std::unique_ptr<Stage>> stages_;
     CatalogueFollower follower_;
     FrameClock clock_;
     EventLoop::Clock::time_point start_;
-    std::size_t items_ = 0;  // on the wall, as last told
+    EventLoop::Clock::time_point next_try_;     // to open a display
+    std::map<std::string, std::size_t> items_;  // on the wall of each folder, as last told
     EventLoop::Source tick_;
-    EventLoop::Source screen_events_;
+    EventLoop::Source display_events_;
     EventLoop::Source told_;  // systemd, every few seconds
 };
 

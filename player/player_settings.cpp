@@ -1,5 +1,10 @@
 #include "player/player_settings.hpp"
 
+#include "base/settings/output_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine {
 
 namespace {
@@ -45,8 +50,17 @@ PanSettings pan_settings(const Settings& settings) {
             .cells = cell_style(settings)};
 }
 
-View view_of(const Settings& settings) {
-    return {.rotation = rotation_of(settings.output.rotation)};
+View view_of(const Settings& settings, int width, int height) {
+    const Margins margins = margins_named(settings.output.margins).value_or(Margins{});
+    const auto pixels = [](const ScreenLength& length, int side) {
+        const double most = side * 0.4;  // of what is meant for a larger screen
+        return static_cast<int>(std::lround(std::min(length.pixels + length.share * side, most)));
+    };
+    return {.rotation = rotation_of(settings.output.rotation),
+            .left = pixels(margins.left, width),
+            .top = pixels(margins.top, height),
+            .right = pixels(margins.right, width),
+            .bottom = pixels(margins.bottom, height)};
 }
 
 PlanRequest plan_request(const Settings& settings, Vec2 canvas) {

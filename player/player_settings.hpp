@@ -14,7 +14,9 @@ AssemblageSettings assemblage_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 WallSettings wall_settings(const Settings& settings);
 PanSettings pan_settings(const Settings& settings);
-View view_of(const Settings& settings);
+
+/// How a canvas lies on a screen of this size, px.
+View view_of(const Settings& settings, int width, int height);
 
 /// All of a request but its items.
 PlanRequest plan_request(const Settings& settings, Vec2 canvas);

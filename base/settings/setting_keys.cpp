@@ -1,6 +1,7 @@
 #include "base/settings/setting_keys.hpp"
 
 #include "base/media/colour.hpp"
+#include "base/settings/output_words.hpp"
 
 #include <fmt/format.h>
 
@@ -135,7 +136,12 @@ bool is_size(std::string_view value) {
 bool is_screen(const std::string& value) {
     if (value == "kms") return true;
     if (value.starts_with("kms:/")) return true;
-    return value.starts_with("offscreen:") && is_size(std::string_view(value).substr(10));
+    if (!value.starts_with("offscreen:")) return false;
+    std::string_view rest = std::string_view(value).substr(10);
+    for (std::size_t plus = 0; (plus = rest.find('+')) != std::string_view::npos;
+         rest.remove_prefix(plus + 1))
+        if (!is_size(rest.substr(0, plus))) return false;
+    return is_size(rest);
 }
 
 bool is_mode(const std::string& value) {
@@ -234,11 +240,21 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 "a colour like \"#101014\"", is_colour),
             text(
                 "output.screen", [](S & s) -> auto& { return s.output.screen; },
-                "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\"", is_screen),
+                "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for "
+                "more",
+                is_screen),
             text(
                 "output.mode", [](S & s) -> auto& { return s.output.mode; },
                 "\"WIDTHxHEIGHT\", \"WIDTHxHEIGHT@HZ\" or nothing", is_mode),
             rotation("output.rotation", [](S& s) -> int& { return s.output.rotation; }),
+            text(
+                "output.margins", [](S & s) -> auto& { return s.output.margins; },
+                "one or four of pixels or per cent, like \"2.5%\" or \"24,0,24,0\"",
+                [](const std::string& value) { return margins_named(value).has_value(); }),
+            text(
+                "output.folders", [](S & s) -> auto& { return s.output.folders; },
+                "outputs with folders below the media folder, like \"HDMI-A-1=lobby, HDMI-A-2=hall\"",
+                [](const std::string& value) { return output_folders_named(value).has_value(); }),
             whole(
                 "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
             choice("output.api", [](S & s) -> auto& { return s.output.api; }, {"best", "legacy"}),

@@ -72,9 +72,11 @@ struct Settings {
     } show;
 
     struct Output {
-        std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT
+        std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT+WIDTHxHEIGHT...
         std::string mode;            // WIDTHxHEIGHT or WIDTHxHEIGHT@HZ, empty: the panel's own
         int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
+        std::string margins;         // margins_named()
+        std::string folders;         // output_folders_named()
         int frame_rate = 30;
         std::string api = "best";  // best or legacy
     } output;

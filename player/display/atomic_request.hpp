@@ -12,7 +12,7 @@ namespace vitrine {
 /// The numbers that a card gives to the properties of one object, by name.
 using PropertyIds = std::map<std::string, std::uint32_t, std::less<>>;
 
-/// The properties on the way of one output.
+/// The properties on the way of one output. Those that requests name have one number for the whole card.
 struct OutputProperties {
     PropertyIds connector;
     PropertyIds crtc;
@@ -30,11 +30,12 @@ struct PropertyValue {
 
 using AtomicRequest = std::vector<PropertyValue>;
 
-/// Lights the panel with a frame buffer of the mode's size.
+/// Lights the panel with a frame buffer of the mode's size, and takes away what lies on its way.
 /// @param mode_blob  the card's number for the output's mode
 /// @throws std::runtime_error naming a property that the card lacks
 AtomicRequest modeset_request(const Output& output, const OutputProperties& properties,
-                              std::uint32_t mode_blob, std::uint32_t frame_buffer);
+                              std::uint32_t mode_blob, std::uint32_t frame_buffer,
+                              const Obstacles& in_the_way = {});
 
 /// Shows another frame buffer of the same size on the lit panel.
 AtomicRequest flip_request(const Output& output, const OutputProperties& properties,

@@ -8,15 +8,19 @@
 #include <xf86drm.h>
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <cstring>
+#include <functional>
 #include <span>
 #include <stdexcept>
-#include <system_error>
+#include <string_view>
+#include <utility>
 
 namespace vitrine {
 
 namespace {
 
+using BlobHandle = Handle<drmModePropertyBlobRes, &drmModeFreePropertyBlob>;
 using ConnectorHandle = Handle<drmModeConnector, &drmModeFreeConnector>;
 using EncoderHandle = Handle<drmModeEncoder, &drmModeFreeEncoder>;
 using PlaneHandle = Handle<drmModePlane, &drmModeFreePlane>;
@@ -25,6 +29,11 @@ using PropertiesHandle = Handle<drmModeObjectProperties, &drmModeFreeObjectPrope
 using PropertyHandle = Handle<drmModePropertyRes, &drmModeFreeProperty>;
 using RequestHandle = Handle<drmModeAtomicReq, &drmModeAtomicFree>;
 using ResourcesHandle = Handle<drmModeRes, &drmModeFreeResources>;
+
+// libdrm takes a pointer and hands it to the card, which only gives it back.
+void* user_data(std::uint64_t number) {
+    return reinterpret_cast<void*>(static_cast<std::uintptr_t>(number));  // NOLINT(performance-no-int-to-ptr)
+}
 
 template <typename T, typename N> std::span<T> list(T* first, N count) {
     return {first, static_cast<std::size_t>(count)};
@@ -53,6 +62,14 @@ std::string name_of(const drmModeConnector& connector) {
     return fmt::format("{}-{}", type ? type : "unknown", connector.connector_type_id);
 }
 
+// Tells one blob's content from another's; 0: there is none.
+std::uint64_t content_number(int fd, std::uint64_t blob) {
+    const BlobHandle content(blob == 0 ? nullptr
+                                       : drmModeGetPropertyBlob(fd, static_cast<std::uint32_t>(blob)));
+    if (!content) return 0;
+    return std::hash<std::string_view>()({static_cast<const char*>(content->data), content->length}) | 1U;
+}
+
 CardState::Connector described(int fd, const drmModeConnector& connector) {
     CardState::Connector made{.id = connector.connector_id,
                               .name = name_of(connector),
@@ -62,6 +79,11 @@ CardState::Connector described(int fd, const drmModeConnector& connector) {
     if (encoder) made.crtc_id = encoder->crtc_id;
     const auto modes = list(connector.modes, connector.count_modes);
     made.modes.assign(modes.begin(), modes.end());
+    for_each_property(fd, made.id, DRM_MODE_OBJECT_CONNECTOR,
+                      [&](const std::string& name, std::uint32_t, std::uint64_t value) {
+                          if (name == "link-status") made.is_link_bad = value == DRM_MODE_LINK_STATUS_BAD;
+                          if (name == "EDID") made.panel = content_number(fd, value);
+                      });
     return made;
 }
 
@@ -72,7 +94,7 @@ std::vector<CardState::Plane> planes(int fd) {
     for (const std::uint32_t id : list(resources->planes, resources->count_planes)) {
         const PlaneHandle plane(drmModeGetPlane(fd, id));
         if (!plane) continue;
-        CardState::Plane made{.id = id, .crtcs = plane->possible_crtcs};
+        CardState::Plane made{.id = id, .crtcs = plane->possible_crtcs, .crtc_id = plane->crtc_id};
         for_each_property(fd, id, DRM_MODE_OBJECT_PLANE,
                           [&](const std::string& name, std::uint32_t, std::uint64_t value) {
                               if (name == "type") made.is_primary = value == DRM_PLANE_TYPE_PRIMARY;
@@ -88,16 +110,28 @@ bool has_connectors(int fd) {
 }
 
 bool has_panel(const Card& card) {
-    const CardState state = card.state(true);
-    return std::ranges::any_of(state.connectors, &CardState::Connector::is_connected);
+    const std::optional<CardState> state = card.state([](std::uint32_t) { return true; });
+    return state && std::ranges::any_of(state->connectors, &CardState::Connector::is_connected);
 }
 
-// Why nothing can be shown on a card; nothing when it can.
-std::optional<std::string> fault(const std::filesystem::path& path) {
-    const UniqueFd fd(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    if (!fd.is_open()) return std::generic_category().message(errno);
-    if (!has_connectors(fd.get())) return "has no connector";  // it only computes
-    return std::nullopt;
+// The cards' files, in the order of their numbers.
+std::vector<std::filesystem::path> card_files() {
+    constexpr int most_cards = 64;
+    std::vector<std::filesystem::path> files;
+    for (int i = 0; i < most_cards; ++i)
+        if (std::filesystem::path file = fmt::format("/dev/dri/card{}", i); std::filesystem::exists(file))
+            files.push_back(std::move(file));
+    return files;
+}
+
+// Cards that only compute have none; those that another program has are none for us.
+std::optional<Card> try_card(const std::filesystem::path& file, KmsApi api, std::string& reason) {
+    try {
+        return Card(file, api);
+    } catch (const std::runtime_error& error) {
+        reason += fmt::format("{}{}", reason.empty() ? "" : "; ", error.what());
+        return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -108,6 +142,8 @@ Card::Card(const std::filesystem::path& path, KmsApi api)
     if (!has_connectors(fd()))
         throw std::runtime_error(
             fmt::format("graphics card '{}' has no connector to show on", path.string()));
+    if (!is_ours() && !take_over())
+        throw std::runtime_error(fmt::format("another program shows on graphics card '{}'", path.string()));
 
     if (api == KmsApi::best) {
         is_atomic_ = drmSetClientCap(fd(), DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1) == 0 &&
@@ -117,13 +153,13 @@ Card::Card(const std::filesystem::path& path, KmsApi api)
     has_modifiers_ = drmGetCap(fd(), DRM_CAP_ADDFB2_MODIFIERS, &modifiers) == 0 && modifiers == 1;
 }
 
-CardState Card::state(bool asks_panels) const {
-    CardState state;
+std::optional<CardState> Card::state(const std::function<bool(std::uint32_t)>& is_asked) const {
     const ResourcesHandle resources(drmModeGetResources(fd()));
-    if (!resources) return state;  // the card is gone: nothing is connected
+    if (!resources) return std::nullopt;
+    CardState state;
     for (const std::uint32_t id : list(resources->connectors, resources->count_connectors)) {
-        const ConnectorHandle connector(asks_panels ? drmModeGetConnector(fd(), id)
-                                                    : drmModeGetConnectorCurrent(fd(), id));
+        const ConnectorHandle connector(is_asked(id) ? drmModeGetConnector(fd(), id)
+                                                     : drmModeGetConnectorCurrent(fd(), id));
         if (connector) state.connectors.push_back(described(fd(), *connector));
     }
     const auto crtcs = list(resources->crtcs, resources->count_crtcs);
@@ -138,35 +174,67 @@ OutputProperties Card::properties(const Output& output) const {
             .plane = property_ids(fd(), output.plane, DRM_MODE_OBJECT_PLANE)};
 }
 
-int Card::commit(const AtomicRequest& request, std::uint32_t flags, void* user) const {
+int Card::commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_t user) const {
     const RequestHandle list(drmModeAtomicAlloc());
     if (!list) return ENOMEM;
     for (const auto& [object, property, value] : request)
         if (drmModeAtomicAddProperty(list.get(), object, property, value) < 0) return ENOMEM;
-    return -drmModeAtomicCommit(fd(), list.get(), flags, user);
+    return -drmModeAtomicCommit(fd(), list.get(), flags, user_data(user));
+}
+
+// Not drmHandleEvent(), which calls back with a pointer that was given to the card: of a panel that has gone
+// since it would point to nothing.
+std::vector<std::uint64_t> Card::take_flips() const {
+    alignas(drm_event_vblank) std::array<char, 1024> events{};
+    const ssize_t size = ::read(fd(), events.data(), events.size());
+    std::vector<std::uint64_t> flips;
+    drm_event head{};
+    for (std::size_t i = 0; size > 0 && i + sizeof head <= static_cast<std::size_t>(size); i += head.length) {
+        std::memcpy(&head, events.data() + i, sizeof head);
+        drm_event_vblank event{};
+        if (head.length < sizeof head || i + head.length > static_cast<std::size_t>(size)) break;
+        if (head.type != DRM_EVENT_FLIP_COMPLETE || head.length < sizeof event) continue;
+        std::memcpy(&event, events.data() + i, sizeof event);
+        flips.push_back(event.user_data);
+    }
+    return flips;
+}
+
+int Card::flip(std::uint32_t crtc, std::uint32_t frame_buffer, std::uint64_t user) const {
+    return -drmModePageFlip(fd(), crtc, frame_buffer, DRM_MODE_PAGE_FLIP_EVENT, user_data(user));
+}
+
+bool Card::is_ours() const {
+    return drmIsMaster(fd()) != 0;
+}
+
+bool Card::take_over() const {
+    return drmSetMaster(fd()) == 0;
 }
 
 Card open_card(const std::filesystem::path& path, KmsApi api) {
     if (!path.empty()) return {path, api};
 
-    constexpr int most_cards = 64;
     std::optional<Card> unlit;
     std::string reason;
-    for (int i = 0; i < most_cards; ++i) {
-        const std::filesystem::path file = fmt::format("/dev/dri/card{}", i);
-        if (!std::filesystem::exists(file)) continue;
-        if (const std::optional<std::string> why = fault(file)) {
-            reason += fmt::format("{}'{}' {}", reason.empty() ? "" : ", ", file.string(), *why);
-            continue;
-        }
-        std::optional<Card> card(std::in_place, file,
-                                 api);  // opened once only: the first opener is the master
+    for (const std::filesystem::path& file : card_files()) {
+        std::optional<Card> card = try_card(file, api, reason);
+        if (!card) continue;
         if (has_panel(*card)) return std::move(*card);
         if (!unlit) unlit = std::move(card);
     }
     if (unlit) return std::move(*unlit);
     throw std::runtime_error(fmt::format("no graphics card to show on: {}",
                                          reason.empty() ? "there is no /dev/dri/card*" : reason));
+}
+
+bool is_panel_elsewhere(const std::filesystem::path& path) {
+    std::string ignored;
+    return std::ranges::any_of(card_files(), [&](const std::filesystem::path& file) {
+        if (file == path) return false;
+        const std::optional<Card> card = try_card(file, KmsApi::legacy, ignored);
+        return card && has_panel(*card);
+    });
 }
 
 }  // namespace vitrine

@@ -6,6 +6,9 @@
 #include "base/system/unique_fd.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace vitrine {
 
@@ -15,10 +18,12 @@ enum class KmsApi {
     legacy,  // the calls of before, also where there is better
 };
 
-/// A graphics card, opened for showing. Who opens it first is its master and may set modes.
+/// A graphics card, opened for showing. Who opens it first is its master and may set modes; root is not
+/// needed for that, but the right to open the file.
 class Card {
   public:
-    /// @throws std::system_error naming the file; it cannot be opened, or shows nothing
+    /// @throws std::system_error, std::runtime_error naming the file: it cannot be opened, shows nothing, or
+    /// another program has it
     Card(const std::filesystem::path& path, KmsApi api);
 
     int fd() const { return fd_.get(); }
@@ -29,15 +34,31 @@ class Card {
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// @param asks_panels  true: has each panel asked afresh, which takes a while; false: as last known
-    CardState state(bool asks_panels) const;
+    /// @param is_asked  whether a connector's panel is to be asked afresh, which takes a while, instead of
+    /// what
+    ///                  the kernel last heard from it
+    /// @return nothing: the card was pulled out
+    std::optional<CardState> state(const std::function<bool(std::uint32_t connector)>& is_asked) const;
 
     OutputProperties properties(const Output& output) const;
 
     /// @param flags  DRM_MODE_ATOMIC_*, DRM_MODE_PAGE_FLIP_EVENT
-    /// @param user   handed to the flip event
+    /// @param user   comes back with the event
     /// @return 0, or the errno why nothing has changed
-    int commit(const AtomicRequest& request, std::uint32_t flags, void* user) const;
+    int commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_t user) const;
+
+    /// The same in the old way: shows another frame buffer of the same size.
+    int flip(std::uint32_t crtc, std::uint32_t frame_buffer, std::uint64_t user) const;
+
+    /// The pictures that the card has told of since the last call, by the number that their flips had.
+    /// @pre there is something to read
+    std::vector<std::uint64_t> take_flips() const;
+
+    /// Whether it may be told what to show, and not another program.
+    bool is_ours() const;
+
+    /// Takes it back after another program has left it. False: that program still has it.
+    bool take_over() const;
 
   private:
     std::filesystem::path path_;
@@ -49,5 +70,8 @@ class Card {
 /// The card at `path`; where that is empty, the first one with a panel, else the first with a connector.
 /// @throws std::runtime_error saying what was found instead
 Card open_card(const std::filesystem::path& path, KmsApi api);
+
+/// Whether a card other than this one has a panel.
+bool is_panel_elsewhere(const std::filesystem::path& path);
 
 }  // namespace vitrine

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace vitrine {
 
@@ -14,8 +15,23 @@ namespace {
 
 constexpr double same_rate = 0.6;  // Hz: 59.94 is what is meant by 60
 
+using Connector = CardState::Connector;
+
 bool has_bit(std::uint32_t bits, std::size_t i) {
     return i < 32 && (bits >> i & 1U) != 0;
+}
+
+auto timing(const drmModeModeInfo& m) {
+    return std::tuple(m.clock, m.hdisplay, m.hsync_start, m.hsync_end, m.htotal, m.hskew, m.vdisplay,
+                      m.vsync_start, m.vsync_end, m.vtotal, m.vscan, m.flags);
+}
+
+bool is_interlaced(const drmModeModeInfo& mode) {
+    return (mode.flags & DRM_MODE_FLAG_INTERLACE) != 0;
+}
+
+int area(const drmModeModeInfo& mode) {
+    return mode.hdisplay * mode.vdisplay;
 }
 
 const drmModeModeInfo& preferred(const std::vector<drmModeModeInfo>& modes) {
@@ -24,44 +40,76 @@ const drmModeModeInfo& preferred(const std::vector<drmModeModeInfo>& modes) {
     return found == modes.end() ? modes.front() : *found;
 }
 
-drmModeModeInfo choose_mode(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish) {
+const drmModeModeInfo* wished(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish) {
     const drmModeModeInfo* best = nullptr;
     for (const drmModeModeInfo& mode : modes) {
-        if (mode.hdisplay != wish.width || mode.vdisplay != wish.height) continue;
-        if ((mode.flags & DRM_MODE_FLAG_INTERLACE) != 0) continue;
+        if (mode.hdisplay != wish.width || mode.vdisplay != wish.height || is_interlaced(mode)) continue;
         const double rate = refresh_rate(mode);
         if (wish.refresh_rate > 0 && std::abs(rate - wish.refresh_rate) > same_rate) continue;
         if (!best || rate > refresh_rate(*best)) best = &mode;
     }
-    return best ? *best : preferred(modes);
+    return best;
 }
 
-std::optional<std::size_t> choose_crtc(const CardState& card, const CardState::Connector& connector) {
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < card.crtcs.size(); ++i) {
-        if (!has_bit(connector.crtcs, i)) continue;
-        if (card.crtcs[i] == connector.crtc_id) return i;
-        if (!first) first = i;
+// A primary plane for a CRTC, that which lies there already before others; 0: none.
+std::uint32_t free_plane(const CardState& card, std::size_t crtc, std::span<const Output> taken) {
+    std::uint32_t found = 0;
+    for (const CardState::Plane& plane : card.planes) {
+        if (!plane.is_primary || !has_bit(plane.crtcs, crtc)) continue;
+        if (std::ranges::find(taken, plane.id, &Output::plane) != taken.end()) continue;
+        if (found == 0 || plane.crtc_id == card.crtcs[crtc]) found = plane.id;
     }
-    return first;
+    return found;
 }
 
-std::uint32_t choose_plane(const CardState& card, std::size_t crtc) {
-    const auto found = std::ranges::find_if(card.planes, [&](const CardState::Plane& plane) {
-        return plane.is_primary && has_bit(plane.crtcs, crtc);
-    });
-    return found == card.planes.end() ? 0 : found->id;
-}
+// Which CRTC feeds which connector: as many connectors as can be, each by one of its own.
+class Feeding {
+  public:
+    Feeding(const CardState& card, bool needs_plane)
+        : card_(card), needs_plane_(needs_plane), fed_(card.crtcs.size()) {}
+
+    // True: the connector is fed, if need be by what fed another one, which then gets something else.
+    bool feed(const Connector& connector) {
+        std::vector<bool> tried(card_.crtcs.size(), false);
+        return feed(connector, tried);
+    }
+
+    std::optional<std::size_t> crtc_of(const Connector& connector) const {
+        const auto found = std::ranges::find(fed_, &connector);
+        if (found == fed_.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - fed_.begin());
+    }
+
+  private:
+    bool feed(const Connector& connector, std::vector<bool>& tried) {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < card_.crtcs.size(); ++i)
+            if (has_bit(connector.crtcs, i) && (!needs_plane_ || free_plane(card_, i, {}) != 0))
+                order.push_back(i);
+        std::ranges::stable_partition(order,
+                                      [&](std::size_t i) { return card_.crtcs[i] == connector.crtc_id; });
+        std::ranges::stable_partition(
+            order, [&](std::size_t i) { return card_.crtcs[i] == connector.crtc_id || fed_[i] == nullptr; });
+        for (const std::size_t i : order) {
+            if (tried[i]) continue;
+            tried[i] = true;
+            if (fed_[i] != nullptr && !feed(*fed_[i], tried)) continue;
+            fed_[i] = &connector;
+            return true;
+        }
+        return false;
+    }
+
+    const CardState& card_;  // outlives this
+    bool needs_plane_;
+    std::vector<const Connector*> fed_;  // by crtcs[i]
+};
 
 }  // namespace
 
 bool Output::is_same(const Output& other) const {
-    const auto timing = [](const drmModeModeInfo& m) {
-        return std::tuple(m.clock, m.hdisplay, m.hsync_start, m.hsync_end, m.htotal, m.hskew, m.vdisplay,
-                          m.vsync_start, m.vsync_end, m.vtotal, m.vscan, m.flags);
-    };
     return connector == other.connector && crtc == other.crtc && plane == other.plane &&
-           timing(mode) == timing(other.mode);
+           panel == other.panel && timing(mode) == timing(other.mode);
 }
 
 OutputWish parse_mode(const std::string& text) {
@@ -82,21 +130,74 @@ double refresh_rate(const drmModeModeInfo& mode) {
     return mode.clock * 1000.0 / (static_cast<double>(mode.htotal) * mode.vtotal);
 }
 
-std::optional<Output> choose_output(const CardState& card, const OutputWish& wish, bool needs_plane) {
-    for (const CardState::Connector& connector : card.connectors) {
-        if (!connector.is_connected || connector.modes.empty()) continue;
-        if (!wish.connector.empty() && connector.name != wish.connector) continue;
-        const std::optional<std::size_t> crtc = choose_crtc(card, connector);
-        if (!crtc) continue;
-        const std::uint32_t plane = needs_plane ? choose_plane(card, *crtc) : 0;
-        if (needs_plane && plane == 0) continue;
-        return Output{.connector = connector.id,
-                      .crtc = card.crtcs[*crtc],
-                      .plane = plane,
-                      .mode = choose_mode(connector.modes, wish),
-                      .name = connector.name};
+std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish) {
+    if (modes.empty()) return {};
+    std::vector<drmModeModeInfo> order;
+    if (const drmModeModeInfo* mode = wished(modes, wish)) order.push_back(*mode);
+    order.push_back(preferred(modes));
+    std::vector<drmModeModeInfo> others;
+    for (const drmModeModeInfo& mode : modes)
+        if (!is_interlaced(mode) && area(mode) <= area(preferred(modes))) others.push_back(mode);
+    std::ranges::stable_sort(others, std::ranges::greater{}, area);
+    order.insert(order.end(), others.begin(), others.end());
+    std::vector<drmModeModeInfo> once;
+    for (const drmModeModeInfo& mode : order)
+        if (std::ranges::find(once, timing(mode), timing) == once.end()) once.push_back(mode);
+    return once;
+}
+
+std::vector<Output> choose_outputs(const CardState& card, const OutputWish& wish, bool needs_plane,
+                                   const Refusals& refusals) {
+    std::vector<std::pair<const Connector*, drmModeModeInfo>> wanted;
+    for (const Connector& connector : card.connectors) {
+        if (!connector.is_connected) continue;
+        const std::vector<drmModeModeInfo> modes = modes_to_try(connector.modes, wish);
+        const auto refused = refusals.find(connector.id);
+        const std::size_t next = refused == refusals.end() ? 0 : refused->second;
+        if (next < modes.size()) wanted.emplace_back(&connector, modes[next]);
     }
-    return std::nullopt;
+
+    Feeding feeding(card, needs_plane);
+    for (const bool is_lit : {true, false})  // what is lit chooses first
+        for (const auto& [connector, mode] : wanted)
+            if ((connector->crtc_id != 0) == is_lit) feeding.feed(*connector);
+
+    std::vector<Output> outputs;
+    for (const auto& [connector, mode] : wanted) {
+        const std::optional<std::size_t> crtc = feeding.crtc_of(*connector);
+        if (!crtc) continue;
+        const std::uint32_t plane = needs_plane ? free_plane(card, *crtc, outputs) : 0;
+        if (needs_plane && plane == 0) continue;
+        outputs.push_back({.connector = connector->id,
+                           .crtc = card.crtcs[*crtc],
+                           .plane = plane,
+                           .mode = mode,
+                           .name = connector->name,
+                           .panel = connector->panel});
+    }
+    return outputs;
+}
+
+Obstacles obstacles(const CardState& card, const Output& output, std::span<const Output> all) {
+    Obstacles found;
+    std::uint32_t left = 0;
+    for (const Connector& connector : card.connectors) {
+        const bool is_ours = connector.id == output.connector;
+        if (!is_ours && connector.crtc_id == output.crtc) found.connectors.push_back(connector.id);
+        if (is_ours && connector.crtc_id != output.crtc) left = connector.crtc_id;
+    }
+    const auto feeds_another = [&](const Connector& connector) {
+        return connector.id != output.connector && connector.crtc_id == left;
+    };
+    const bool is_needed = std::ranges::find(all, left, &Output::crtc) != all.end() ||
+                           std::ranges::any_of(card.connectors, feeds_another);
+    if (is_needed) left = 0;
+    if (left != 0) found.crtcs.push_back(left);
+    for (const CardState::Plane& plane : card.planes) {
+        const bool is_in_the_way = plane.crtc_id == output.crtc || (left != 0 && plane.crtc_id == left);
+        if (plane.id != output.plane && plane.crtc_id != 0 && is_in_the_way) found.planes.push_back(plane.id);
+    }
+    return found;
 }
 
 }  // namespace vitrine

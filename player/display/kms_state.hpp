@@ -3,7 +3,9 @@
 #include <xf86drmMode.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,15 @@ struct CardState {
         std::uint32_t crtcs = 0;    // bit i: it can be fed by crtcs[i]
         std::uint32_t crtc_id = 0;  // feeds it now; 0: none
         std::vector<drmModeModeInfo> modes;
+        std::uint64_t panel = 0;   // tells panels from each other (of the EDID); 0: it says nothing of itself
+        bool is_link_bad = false;  // its mode has to be set again
     };
 
     struct Plane {
         std::uint32_t id = 0;
         std::uint32_t crtcs = 0;  // bit i: it can lie on crtcs[i]
         bool is_primary = false;
+        std::uint32_t crtc_id = 0;  // lies on it now; 0: on none
     };
 
     std::vector<Connector> connectors;
@@ -38,17 +43,17 @@ struct Output {
     std::uint32_t crtc = 0;
     std::uint32_t plane = 0;  // 0: none needed
     drmModeModeInfo mode{};
-    std::string name;  // of the connector
+    std::string name;         // of the connector
+    std::uint64_t panel = 0;  // CardState::Connector::panel
 
     /// Whether what the one shows the other shows as well. Names and marks of modes, which a card changes
     /// from one answer to the next, do not count.
     bool is_same(const Output& other) const;
 };
 
-/// What the operator wants of a panel; whatever is left out, or not there, is chosen.
+/// What the operator wants of the panels; whatever is left out, or not there, is chosen.
 struct OutputWish {
-    std::string connector;  // empty: the first that has a panel
-    int width = 0;          // px; 0: as the panel prefers
+    int width = 0;  // px; 0: as the panel prefers
     int height = 0;
     double refresh_rate = 0;  // Hz; 0: the fastest of that size
 };
@@ -60,10 +65,29 @@ OutputWish parse_mode(const std::string& text);
 /// Hz, exactly: from the pixel clock where there is one.
 double refresh_rate(const drmModeModeInfo& mode);
 
-/// A panel that is connected, and how to reach it; nothing where there is none. The wish is followed where
-/// the panel can, else the panel's own preference is. What feeds it already is kept: a change of CRTC would
-/// need the other one turned off in the same commit.
+/// The modes to be tried one after the other until the card takes one: the wished for, the one that the panel
+/// prefers, then the others of its list from the largest down, none of them larger than the preferred.
+std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish);
+
+/// How many modes of each connector, by id, the card has refused already.
+using Refusals = std::map<std::uint32_t, std::size_t>;
+
+/// Every panel that can be lit at the same time, in the order of the card's connectors, each with the first
+/// mode that was not refused; a panel with an empty list of modes is none yet. What feeds a panel already is
+/// kept where that does not keep another panel dark.
 /// @param needs_plane  the card takes atomic requests, which name planes
-std::optional<Output> choose_output(const CardState& card, const OutputWish& wish, bool needs_plane);
+std::vector<Output> choose_outputs(const CardState& card, const OutputWish& wish, bool needs_plane,
+                                   const Refusals& refusals = {});
+
+/// What lies on the way of an output and has to go in the same request, or it is refused: connectors that its
+/// CRTC feeds by now, a CRTC that its connector leaves and that nothing else needs, planes of others on both.
+struct Obstacles {
+    std::vector<std::uint32_t> connectors;
+    std::vector<std::uint32_t> crtcs;
+    std::vector<std::uint32_t> planes;
+};
+
+/// @param all  every output that is to be lit, with `output`
+Obstacles obstacles(const CardState& card, const Output& output, std::span<const Output> all);
 
 }  // namespace vitrine

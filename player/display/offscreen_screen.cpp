@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine {
 
-OffscreenScreen::OffscreenScreen(const OffscreenOptions& options)
-    : width_(options.width), height_(options.height), egl_(Egl::surfaceless()) {
+OffscreenScreen::OffscreenScreen(const OffscreenOptions& options, std::shared_ptr<Egl> egl)
+    : name_(options.name),
+      width_(options.width),
+      height_(options.height),
+      egl_(egl ? std::move(egl) : std::make_shared<Egl>(Egl::surfaceless())) {
     glGenFramebuffers(1, &frame_buffer_);
     glGenRenderbuffers(1, &colour_);
     glBindRenderbuffer(GL_RENDERBUFFER, colour_);
@@ -38,10 +42,6 @@ void OffscreenScreen::present(std::chrono::nanoseconds time) {
         glFinish();
 }
 
-std::string OffscreenScreen::description() const {
-    return fmt::format("off screen, {}x{} px, {}", width_, height_, egl_.renderer());
-}
-
 Picture OffscreenScreen::picture() {
     const auto row = static_cast<std::size_t>(width_) * 4;
     rows_.resize(row * static_cast<std::size_t>(height_));
@@ -63,10 +63,6 @@ void OffscreenScreen::finish_film() {
     if (!film_) return;
     const std::unique_ptr<FilmWriter> ending = std::move(film_);
     ending->finish();
-}
-
-std::unique_ptr<OffscreenScreen> make_offscreen(const OffscreenOptions& options) {
-    return std::make_unique<OffscreenScreen>(options);
 }
 
 }  // namespace vitrine

@@ -17,37 +17,31 @@ struct OffscreenOptions {
     int height = 720;
     std::optional<std::filesystem::path> film;  // every picture presented goes into this file
     double film_rate = 30;                      // pictures a second that the film is told to hold
+    std::string name = "offscreen-1";
 };
 
-/// A screen in memory, always ready and visible. What is presented can be read back, and filmed.
+/// A screen in memory, always ready. What is presented can be read back, and filmed.
 class OffscreenScreen final : public Screen {
   public:
+    /// @param egl  shared: of screens side by side one context is current; none: a context of its own
     /// @throws std::runtime_error where EGL cannot draw without a device, or the film cannot be written
-    explicit OffscreenScreen(const OffscreenOptions& options);
+    explicit OffscreenScreen(const OffscreenOptions& options, std::shared_ptr<Egl> egl = {});
     OffscreenScreen(const OffscreenScreen&) = delete;
     OffscreenScreen& operator=(const OffscreenScreen&) = delete;
     OffscreenScreen(OffscreenScreen&&) = delete;
     OffscreenScreen& operator=(OffscreenScreen&&) = delete;
     ~OffscreenScreen() override;
 
+    const std::string& name() const override { return name_; }
+
     int width() const override { return width_; }
 
     int height() const override { return height_; }
 
-    void begin_frame() override;
-    void present(std::chrono::nanoseconds time) override;
-
-    int event_fd() const override { return -1; }
-
-    void dispatch() override {}
-
     bool is_ready() const override { return true; }
 
-    bool is_visible() const override { return true; }
-
-    std::vector<ScreenEvent> take_events() override { return {}; }
-
-    std::string description() const override;
+    void begin_frame() override;
+    void present(std::chrono::nanoseconds time) override;
 
     /// What has been drawn last.
     Picture picture();
@@ -57,15 +51,14 @@ class OffscreenScreen final : public Screen {
     void finish_film();
 
   private:
+    std::string name_;
     int width_;
     int height_;
-    Egl egl_;
+    std::shared_ptr<Egl> egl_;  // shared: see the constructor
     unsigned frame_buffer_ = 0;
     unsigned colour_ = 0;
     std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
     std::unique_ptr<FilmWriter> film_;
 };
-
-std::unique_ptr<OffscreenScreen> make_offscreen(const OffscreenOptions& options);
 
 }  // namespace vitrine

@@ -14,7 +14,8 @@ namespace vitrine {
 
 namespace {
 
-constexpr time_t tick_seconds = 2;
+constexpr timespec tick{.tv_sec = 2, .tv_nsec = 0};
+constexpr timespec settle_time{.tv_sec = 0, .tv_nsec = 300'000'000};
 constexpr int most_messages = 256;  // read in one go; more of them wake us again
 
 UniqueFd kernel_events() {
@@ -26,6 +27,15 @@ UniqueFd kernel_events() {
         ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
         socket.reset();
     return socket;
+}
+
+UniqueFd timer() {
+    return UniqueFd(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+}
+
+bool has_run_out(int timer) {
+    std::uint64_t times = 0;
+    return ::read(timer, &times, sizeof times) == sizeof times;
 }
 
 // A message is a list of words, each ended by a 0.
@@ -50,13 +60,14 @@ bool take_messages(int socket) {
 PanelWatch::PanelWatch(int card)
     : card_(card),
       all_(::epoll_create1(EPOLL_CLOEXEC)),
-      timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)),
+      timer_(timer()),
+      settled_(timer()),
       kernel_(kernel_events()) {
     if (!all_.is_open()) throw_errno("make an epoll set for the graphics card");
-    if (!timer_.is_open()) throw_errno("make a timer for the graphics card");
-    const itimerspec period{.it_interval = {.tv_sec = tick_seconds}, .it_value = {.tv_sec = tick_seconds}};
+    if (!timer_.is_open() || !settled_.is_open()) throw_errno("make a timer for the graphics card");
+    const itimerspec period{.it_interval = tick, .it_value = tick};
     if (::timerfd_settime(timer_.get(), 0, &period, nullptr) != 0) throw_errno("start a timer");
-    for (const int fd : {card_, timer_.get(), kernel_.get()}) {
+    for (const int fd : {card_, timer_.get(), settled_.get(), kernel_.get()}) {
         epoll_event event{.events = EPOLLIN, .data = {.fd = fd}};
         if (fd >= 0 && ::epoll_ctl(all_.get(), EPOLL_CTL_ADD, fd, &event) != 0)
             throw_errno("wait for the graphics card");
@@ -65,16 +76,26 @@ PanelWatch::PanelWatch(int card)
 
 PanelWatch::Events PanelWatch::take() {
     Events events;
-    std::array<epoll_event, 3> ready{};
+    std::array<epoll_event, 4> ready{};
     const int count = ::epoll_wait(all_.get(), ready.data(), static_cast<int>(ready.size()), 0);
     for (int i = 0; i < count; ++i) {
         const int fd = ready[static_cast<std::size_t>(i)].data.fd;
-        std::uint64_t ticks = 0;
+        const bool is_broken = (ready[static_cast<std::size_t>(i)].events & (EPOLLHUP | EPOLLERR)) != 0;
         if (fd == card_) events.card = true;
-        if (fd == timer_.get()) events.tick = ::read(fd, &ticks, sizeof ticks) == sizeof ticks;
-        if (fd == kernel_.get()) events.panels = take_messages(fd);
+        if (fd == card_ && is_broken) events.panels = true;
+        if (fd == timer_.get()) events.tick = has_run_out(fd);
+        if (fd == settled_.get()) events.panels = has_run_out(fd);
+        if (fd == kernel_.get() && take_messages(fd)) await_rest();
     }
     return events;
+}
+
+// Counted from the first word, so that a panel that never stops talking is looked at all the same.
+void PanelWatch::await_rest() {
+    itimerspec left{};
+    if (::timerfd_gettime(settled_.get(), &left) == 0 && left.it_value.tv_nsec != 0) return;
+    const itimerspec once{.it_interval = {}, .it_value = settle_time};
+    if (::timerfd_settime(settled_.get(), 0, &once, nullptr) != 0) throw_errno("start a timer");
 }
 
 }  // namespace vitrine

@@ -4,14 +4,14 @@
 
 namespace vitrine {
 
-/// Tells when panels may have come, gone or changed: when the kernel says so, and every few seconds because
-/// it does not always. Also wakes for what the card itself reports.
+/// Tells when panels may have come, gone or changed: a moment after the kernel says so, as it says it several
+/// times, and every few seconds because it does not always. Also wakes for what the card itself reports.
 class PanelWatch {
   public:
     struct Events {
         bool card = false;    // the card has something to read
-        bool panels = false;  // the kernel says that panels changed
-        bool tick = false;    // some seconds have gone by
+        bool panels = false;  // the kernel has said that panels or cards changed
+        bool tick = false;    // two seconds have gone by
     };
 
     /// @param card  file descriptor, outlives this
@@ -25,10 +25,13 @@ class PanelWatch {
     Events take();
 
   private:
+    void await_rest();
+
     int card_;
     UniqueFd all_;
     UniqueFd timer_;
-    UniqueFd kernel_;  // -1: the kernel does not tell us
+    UniqueFd settled_;  // a moment after the kernel's first word
+    UniqueFd kernel_;   // -1: the kernel does not tell us
 };
 
 }  // namespace vitrine

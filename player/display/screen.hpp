@@ -1,19 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace vitrine {
 
-/// Something that became of a screen, for the log.
-struct ScreenEvent {
-    bool is_trouble = false;
-    std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
-};
-
-/// A place to show pictures: a KMS output, or memory when off screen. One of the two true seams of the
-/// player. Thread-bound to the thread that made it, which holds its EGL context current.
+/// A place to show pictures: a panel, or memory when off screen. Thread-bound to the thread that made it,
+/// which holds its EGL context current.
 class Screen {
   public:
     Screen() = default;
@@ -23,29 +18,59 @@ class Screen {
     Screen& operator=(Screen&&) = delete;
     virtual ~Screen() = default;
 
+    /// Of the connector: "HDMI-A-1".
+    virtual const std::string& name() const = 0;
+
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
+
+    /// False while the last present() is still under way and a new begin_frame() would have to wait.
+    virtual bool is_ready() const = 0;
 
     /// Makes the surface current that the next picture is drawn to.
     virtual void begin_frame() = 0;
 
     /// Shows what was drawn since begin_frame(), meant to appear at `time` since the player's start.
     virtual void present(std::chrono::nanoseconds time) = 0;
+};
+
+/// Something that became of a display, for the log.
+struct DisplayEvent {
+    bool is_trouble = false;
+    std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
+};
+
+/// All that there is to show on: a graphics card with its panels, or memory. Has one EGL context for all its
+/// screens, which is current for as long as it lives. One of the two true seams of the player.
+class Display {
+  public:
+    Display() = default;
+    Display(const Display&) = delete;
+    Display& operator=(const Display&) = delete;
+    Display(Display&&) = delete;
+    Display& operator=(Display&&) = delete;
+    virtual ~Display() = default;
+
+    /// Those to draw on now, always in the same order; none: no panel, or another program has the card.
+    /// Lent until the next call.
+    virtual std::span<Screen* const> screens() = 0;
 
     /// To be polled for POLLIN between frames, then dispatch() called; -1: none.
     virtual int event_fd() const = 0;
     virtual void dispatch() = 0;
 
-    /// False while the last present() is still under way and a new begin_frame() would have to wait.
-    virtual bool is_ready() const = 0;
+    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended, then
+    /// this; another may be made.
+    virtual bool is_gone() const = 0;
 
-    /// False while there is nothing to draw on (no panel): nothing is rendered then.
-    virtual bool is_visible() const = 0;
+    /// Leaves the card to other programs until take_back().
+    virtual void leave() = 0;
+    virtual void take_back() = 0;
 
     /// What has become of it since the last call.
-    virtual std::vector<ScreenEvent> take_events() = 0;
+    virtual std::vector<DisplayEvent> take_events() = 0;
 
-    /// For the log: what this is, its mode, its renderer.
+    /// For the log: what this is, its modes, its renderer.
     virtual std::string description() const = 0;
 };
 

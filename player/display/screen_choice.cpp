@@ -13,9 +13,9 @@ constexpr int smallest_side = 16;    // px
 constexpr int largest_side = 16384;  // px, what graphics cards take
 
 [[noreturn]] void refuse(std::string_view text) {
-    throw std::invalid_argument(fmt::format(
-        "screen '{}': expected kms, kms:/dev/dri/card0 or offscreen:WIDTHxHEIGHT with sides of {} to {} px",
-        text, smallest_side, largest_side));
+    throw std::invalid_argument(fmt::format("screen '{}': expected kms, kms:/dev/dri/card0 or "
+                                            "offscreen:WIDTHxHEIGHT+... with sides of {} to {} px",
+                                            text, smallest_side, largest_side));
 }
 
 int side(std::string_view digits, std::string_view whole) {
@@ -24,6 +24,12 @@ int side(std::string_view digits, std::string_view whole) {
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     if (error != std::errc{} || stop != end || value < smallest_side || value > largest_side) refuse(whole);
     return value;
+}
+
+OffscreenChoice::Size size(std::string_view text, std::string_view whole) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos) refuse(whole);
+    return {.width = side(text.substr(0, cross), whole), .height = side(text.substr(cross + 1), whole)};
 }
 
 }  // namespace
@@ -36,10 +42,14 @@ ScreenChoice parse_screen(std::string_view text) {
         if (colon != std::string_view::npos && !rest.starts_with('/')) refuse(text);
         return KmsChoice{.card = rest};
     }
-    const std::size_t cross = rest.find('x');
-    if (kind != "offscreen" || cross == std::string_view::npos) refuse(text);
-    return OffscreenChoice{.width = side(rest.substr(0, cross), text),
-                           .height = side(rest.substr(cross + 1), text)};
+    if (kind != "offscreen") refuse(text);
+    OffscreenChoice choice;
+    for (std::string_view sizes = rest;;) {
+        const std::size_t plus = sizes.find('+');
+        choice.screens.push_back(size(sizes.substr(0, plus), text));
+        if (plus == std::string_view::npos) return choice;
+        sizes.remove_prefix(plus + 1);
+    }
 }
 
 }  // namespace vitrine

@@ -71,10 +71,11 @@ Renderer::Renderer(int width, int height, const View& view) : width_(width), hei
     check_gl("make the renderer");
 }
 
-void Renderer::resize(int width, int height) {
+void Renderer::aim(int width, int height, const View& view) {
     assert(is_own_thread());
     width_ = width;
     height_ = height;
+    view_ = view;
 }
 
 void Renderer::upload(SourceId source, const Sample& sample) {

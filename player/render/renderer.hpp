@@ -26,8 +26,9 @@ class Renderer {
     /// @param width, height  of the screen, px
     Renderer(int width, int height, const View& view = {});
 
-    /// The screen has another size from now on. What was uploaded stays.
-    void resize(int width, int height);
+    /// What is drawn from now on is for a screen of this size and lies on it like this. What was uploaded
+    /// stays.
+    void aim(int width, int height, const View& view);
 
     /// The source's newest picture; the pixels are copied before this returns.
     /// @throws std::runtime_error when the graphics card has no room

@@ -25,12 +25,11 @@ struct View {
 
 /// The canvas that fills a screen of width x height px within the margins without a change of shape.
 /// @pre the margins leave at least one pixel
-inline Vec2 canvas_size(int width, int height, const View& view) {
-    const double across = width - view.left - view.right;
-    const double down = height - view.top - view.bottom;
-    const bool is_upright = view.rotation == Rotation::none || view.rotation == Rotation::half;
-    return is_upright ? Vec2{across, down} : Vec2{down, across};
-}
+Vec2 canvas_size(int width, int height, const View& view);
+
+/// The view with further margins, so that a canvas of another shape keeps it: as large as there is room, in
+/// the middle.
+View letterboxed(int width, int height, View view, Vec2 canvas);
 
 /// Canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.
 struct ToNdc {

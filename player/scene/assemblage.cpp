@@ -21,7 +21,8 @@ bool can_be_shown(const MediaRecord& record) {
 Assemblage::Assemblage(const AssemblageSettings& settings)
     : settings_(settings),
       round_(settings.order, settings.seed),
-      slots_(static_cast<std::size_t>(std::max(1, settings.slots))) {}
+      slots_(static_cast<std::size_t>(std::max(1, settings.slots))),
+      last_source_(settings.last_source) {}
 
 void Assemblage::set_catalogue(std::span<const MediaRecord> records) {
     std::map<std::string, MediaRecord> files;

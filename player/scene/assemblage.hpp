@@ -22,6 +22,7 @@ struct AssemblageSettings {
     std::chrono::nanoseconds longest = std::chrono::seconds(60);  // stay, where whole loops would take more
     std::chrono::nanoseconds spacing = std::chrono::seconds(3);   // between two changes of turn
     std::chrono::nanoseconds amends = std::chrono::seconds(60);   // before a file that failed is tried again
+    SourceId last_source = 0;  // its own are numbered from there on: apart from those of other walls
 };
 
 /// A shot that has a place on the wall, with all that showing it takes: it outlives its record.
@@ -84,7 +85,7 @@ class Assemblage {
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
     ShotRound round_;
     std::vector<Slot> slots_;
-    SourceId last_source_ = 0;
+    SourceId last_source_;
     std::chrono::nanoseconds next_turn_{0};  // not before
 };
 

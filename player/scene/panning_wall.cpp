@@ -32,7 +32,11 @@ Box bounds_of(const Cell& cell) {
 }  // namespace
 
 PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
-    : settings_(settings), canvas_(canvas), round_(settings.order, settings.seed), strip_{.screen = canvas} {}
+    : settings_(settings),
+      canvas_(canvas),
+      round_(settings.order, settings.seed),
+      strip_{.screen = canvas},
+      last_source_(settings.last_source) {}
 
 void PanningWall::set_canvas(Vec2 canvas) {
     if (canvas == canvas_) return;

@@ -17,6 +17,7 @@ struct PanSettings {
     int items_a_screen = 12;
     double speed = 30;  // canvas px a second
     CellStyle cells;
+    SourceId last_source = 0;  // its own are numbered from there on: apart from those of other walls
 };
 
 /// A wall that passes slowly by, for more shots than fit. What comes is laid out ahead of the view, its
@@ -69,7 +70,7 @@ class PanningWall final : public Show {
     double base_ = 0;                  // strip px that the cells' px count from
     std::optional<std::chrono::nanoseconds> last_;
     std::uint64_t generation_ = 0;
-    SourceId last_source_ = 0;
+    SourceId last_source_;
 };
 
 }  // namespace vitrine

@@ -2,7 +2,7 @@
 // appliance test runs in its virtual machine: kms_show atomic|legacy SECONDS
 
 #include "base/system/log.hpp"
-#include "player/display/kms_screen.hpp"
+#include "player/display/kms_display.hpp"
 #include "player/render/renderer.hpp"
 
 #include <fmt/format.h>
@@ -53,30 +53,41 @@ void say(std::string_view what) {
     std::fflush(stdout);
 }
 
-void show(KmsScreen& screen, Clock::duration length) {
-    Renderer renderer(screen.width(), screen.height());
+void tell(Display& display) {
+    for (const DisplayEvent& event : display.take_events())
+        say(event.text);
+}
+
+void draw(Screen& screen, Renderer& renderer, Clock::duration time) {
+    screen.begin_frame();
+    renderer.aim(screen.width(), screen.height(), {});
+    renderer.draw(quarters(screen.width(), screen.height()));
+    screen.present(time);
+}
+
+void show(Display& display, Clock::duration length) {
+    Renderer renderer(1, 1);
     upload_plain(renderer, 1, {200, 20, 20}, -1);
     upload_plain(renderer, 2, {20, 200, 20}, -1);
     upload_plain(renderer, 3, {20, 20, 200}, -1);
     const Clock::time_point begin = Clock::now();
-    bool was_visible = true;
     int frames = 0;
     for (Clock::time_point next = begin; next - begin < length;
          next = std::max(next + frame_time, Clock::now())) {
         while (Clock::now() < next) {
-            pollfd event{.fd = screen.event_fd(), .events = POLLIN, .revents = 0};
+            pollfd event{.fd = display.event_fd(), .events = POLLIN, .revents = 0};
             const auto wait = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()).count();
-            if (::poll(&event, 1, static_cast<int>(std::max<long>(wait, 0))) > 0) screen.dispatch();
+            if (::poll(&event, 1, static_cast<int>(std::max<long>(wait, 0))) > 0) display.dispatch();
         }
-        if (screen.is_visible() != was_visible) say(screen.is_visible() ? "visible" : "invisible");
-        was_visible = screen.is_visible();
-        if (!screen.is_visible() || !screen.is_ready()) continue;
-        renderer.resize(screen.width(), screen.height());
         upload_plain(renderer, 4, {60, 60, 60}, frames * 2 % (side * 3 / 4));
-        screen.begin_frame();
-        renderer.draw(quarters(screen.width(), screen.height()));
-        screen.present(next - begin);
-        if (++frames % 10 == 0) say(fmt::format("{} frames", frames));
+        bool has_drawn = false;
+        for (Screen* screen : display.screens()) {
+            if (!screen->is_ready()) continue;
+            draw(*screen, renderer, next - begin);
+            has_drawn = true;
+        }
+        tell(display);
+        if (has_drawn && ++frames % 10 == 0) say(fmt::format("{} frames", frames));
     }
 }
 
@@ -87,10 +98,9 @@ int main(int count, char** words) {
         if (count != 3) throw std::runtime_error("usage: kms_show atomic|legacy SECONDS");
         log::set_level(log::Level::debug);
         const bool is_legacy = std::string_view(words[1]) == "legacy";
-        const std::unique_ptr<KmsScreen> screen =
-            make_kms({.api = is_legacy ? KmsApi::legacy : KmsApi::best});
-        say(screen->description());
-        show(*screen, std::chrono::seconds(std::atoi(words[2])));
+        KmsDisplay display({.card = {}, .wish = {}, .api = is_legacy ? KmsApi::legacy : KmsApi::best});
+        say(display.description());
+        show(display, std::chrono::seconds(std::atoi(words[2])));
         say("end");
     } catch (const std::exception& error) {
         say(error.what());

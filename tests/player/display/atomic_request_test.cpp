@@ -63,6 +63,26 @@ TEST_CASE("a request names each property of an object once") {
     CHECK(named.size() == request.size());
 }
 
+TEST_CASE("what is in the way of a panel goes in the same request") {
+    const Obstacles in_the_way{.connectors = {51}, .crtcs = {41}, .planes = {31}};
+
+    const AtomicRequest request = modeset_request(output(), properties(), 77, 88, in_the_way);
+
+    CHECK(has(request, {51, 1, 0}));
+    CHECK(has(request, {41, 2, 0}));
+    CHECK(has(request, {41, 3, 0}));
+    CHECK(has(request, {31, 4, 0}));
+    CHECK(has(request, {31, 5, 0}));
+    CHECK(has(request, {40, 3, 1}));
+}
+
+TEST_CASE("a link that may have gone bad is told to be good, where the card knows of links") {
+    OutputProperties with_link = properties();
+    with_link.connector["link-status"] = 14;
+
+    CHECK(has(modeset_request(output(), with_link, 77, 88), {50, 14, 0}));
+}
+
 TEST_CASE("showing another picture changes nothing but the picture") {
     CHECK(flip_request(output(), properties(), 88) == AtomicRequest{{30, 5, 88}});
 }

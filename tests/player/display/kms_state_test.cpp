@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 using namespace vitrine;
 
@@ -13,6 +15,7 @@ drmModeModeInfo mode(int width, int height, int rate, bool is_preferred = false)
     made.hdisplay = static_cast<std::uint16_t>(width);
     made.vdisplay = static_cast<std::uint16_t>(height);
     made.vrefresh = static_cast<std::uint32_t>(rate);
+    made.clock = static_cast<std::uint32_t>(width * height * rate / 1000);  // kHz, without blanking
     made.type = is_preferred ? DRM_MODE_TYPE_PREFERRED : 0;
     return made;
 }
@@ -31,9 +34,30 @@ CardState card() {
     return made;
 }
 
+// Of a card with one panel: how it is lit.
+std::optional<Output> choose_output(const CardState& state, const OutputWish& wish, bool needs_plane) {
+    const std::vector<Output> outputs = choose_outputs(state, wish, needs_plane);
+    REQUIRE(outputs.size() <= 1);
+    return outputs.empty() ? std::nullopt : std::optional(outputs.front());
+}
+
+// The card with panels at both connectors.
+CardState two_panels() {
+    CardState made = card();
+    made.connectors[0].is_connected = true;
+    made.connectors[0].modes = {mode(1280, 1024, 60, true)};
+    return made;
+}
+
+std::uint32_t crtc_of(const std::vector<Output>& outputs, std::uint32_t connector) {
+    const auto found = std::ranges::find(outputs, connector, &Output::connector);
+    REQUIRE(found != outputs.end());
+    return found->crtc;
+}
+
 }  // namespace
 
-TEST_CASE("the first panel is shown on in the mode it prefers") {
+TEST_CASE("a panel is shown on in the mode it prefers") {
     const auto output = choose_output(card(), {}, true);
 
     REQUIRE(output);
@@ -111,7 +135,9 @@ TEST_CASE("without a panel, a way to it or its plane there is no output") {
     CHECK_FALSE(choose_output(planeless, {}, true));
     CHECK(choose_output(planeless, {}, false));
 
-    CHECK_FALSE(choose_output(card(), {.connector = "DP-1"}, true));
+    CardState mute = card();
+    mute.connectors[1].modes.clear();
+    CHECK_FALSE(choose_output(mute, {}, true));
     CHECK_FALSE(choose_output(CardState{}, {}, true));
 }
 
@@ -124,6 +150,129 @@ TEST_CASE("an output is another one when its timing changes, not when its marks 
     CHECK(one.is_same(other));
     other.mode.clock = 74250;
     CHECK_FALSE(one.is_same(other));
+
+    Output another_panel = one;
+    another_panel.panel = 5;
+    CHECK_FALSE(one.is_same(another_panel));
+}
+
+TEST_CASE("every panel is lit, each in its own mode and by a CRTC and a plane of its own") {
+    const std::vector<Output> outputs = choose_outputs(two_panels(), {}, true);
+
+    REQUIRE(outputs.size() == 2);
+    CHECK(outputs[0].name == "HDMI-A-1");
+    CHECK(outputs[0].mode.hdisplay == 1280);
+    CHECK(outputs[1].mode.hdisplay == 1920);
+    CHECK(outputs[0].crtc != outputs[1].crtc);
+    CHECK(outputs[0].plane != outputs[1].plane);
+}
+
+TEST_CASE("a panel that is lit keeps its CRTC when another one comes before it") {
+    CardState state = two_panels();
+    state.connectors[1].crtc_id = 40;
+
+    const std::vector<Output> outputs = choose_outputs(state, {}, true);
+
+    CHECK(crtc_of(outputs, 51) == 40);
+    CHECK(crtc_of(outputs, 50) == 41);
+}
+
+TEST_CASE("a panel gives its CRTC away where another one can be lit by no other") {
+    CardState state = two_panels();
+    state.connectors[1].crtc_id = 40;
+    state.connectors[0].crtcs = 0b01;
+
+    const std::vector<Output> outputs = choose_outputs(state, {}, true);
+
+    CHECK(crtc_of(outputs, 50) == 40);
+    CHECK(crtc_of(outputs, 51) == 41);
+}
+
+TEST_CASE("of more panels than CRTCs as many are lit as can be") {
+    CardState state = two_panels();
+    state.crtcs = {40};
+    state.connectors[1].crtc_id = 40;
+
+    const std::vector<Output> outputs = choose_outputs(state, {}, true);
+
+    REQUIRE(outputs.size() == 1);
+    CHECK(outputs[0].connector == 51);
+}
+
+TEST_CASE("planes that can lie on any CRTC are given out once each") {
+    CardState state = two_panels();
+    state.planes = {{.id = 30, .crtcs = 0b11, .is_primary = true},
+                    {.id = 31, .crtcs = 0b11, .is_primary = true}};
+
+    const std::vector<Output> outputs = choose_outputs(state, {}, true);
+
+    REQUIRE(outputs.size() == 2);
+    CHECK(outputs[0].plane != outputs[1].plane);
+}
+
+TEST_CASE("a mode that the card has refused gives way to the preferred, then to smaller ones, then to none") {
+    const auto width = [](std::size_t refused) {
+        const auto outputs = choose_outputs(card(), parse_mode("1280x720"), true, {{51, refused}});
+        return outputs.empty() ? 0 : static_cast<int>(outputs[0].mode.hdisplay);
+    };
+
+    CHECK(width(0) == 1280);
+    CHECK(width(1) == 1920);
+    CHECK(width(2) == 1920);  // at 50 Hz
+    CHECK(width(3) == 0);     // 3840 is larger than what the panel prefers
+}
+
+TEST_CASE("nothing is in the way of a panel that keeps its CRTC, or that nothing else is lit on") {
+    CardState state = card();
+    CHECK(obstacles(state, *choose_output(state, {}, true), {}).planes.empty());
+    state.connectors[1].crtc_id = 41;
+    state.planes[2].crtc_id = 41;
+
+    const Output output = *choose_output(state, {}, true);
+    const Obstacles found = obstacles(state, output, std::vector{output});
+
+    CHECK(found.connectors.empty());
+    CHECK(found.crtcs.empty());
+    CHECK(found.planes.empty());
+}
+
+TEST_CASE("a connector that moves to another CRTC has the one it leaves turned off, with its planes") {
+    CardState state = card();
+    state.connectors[1].crtc_id = 41;
+    state.planes[2].crtc_id = 41;
+    Output output = *choose_output(state, {}, true);
+    output.crtc = 40;
+    output.plane = 30;
+
+    const Obstacles found = obstacles(state, output, std::vector{output});
+
+    CHECK(found.crtcs == std::vector<std::uint32_t>{41});
+    CHECK(found.planes == std::vector<std::uint32_t>{32});
+}
+
+TEST_CASE("a CRTC that something else needs stays on when a connector leaves it") {
+    CardState state = two_panels();
+    state.connectors[1].crtc_id = 40;
+    state.connectors[0].crtc_id = 40;  // both show the console
+    const std::vector<Output> outputs = choose_outputs(state, {}, true);
+
+    const auto mover = std::ranges::find(outputs, 41U, &Output::crtc);
+    REQUIRE(mover != outputs.end());
+
+    CHECK(obstacles(state, *mover, outputs).crtcs.empty());
+}
+
+TEST_CASE("what others have put on a CRTC goes: its connectors and their planes") {
+    CardState state = card();
+    state.connectors[0].crtc_id = 40;  // no panel there any more
+    state.planes[1].crtc_id = 40;      // a mouse pointer
+
+    const Output output = *choose_output(state, {}, true);
+    REQUIRE(output.crtc == 40);
+    const Obstacles found = obstacles(state, output, std::vector{output});
+
+    CHECK(found.connectors == std::vector<std::uint32_t>{50});
+    CHECK(found.planes == std::vector<std::uint32_t>{31});
 }
 
 TEST_CASE("a mode that is not understood is refused") {

@@ -6,8 +6,10 @@
 
 using namespace vitrine;
 
-TEST_CASE("a screen is memory of a size, or a panel, at a card where one is named") {
-    CHECK(parse_screen("offscreen:1280x720") == ScreenChoice{OffscreenChoice{.width = 1280, .height = 720}});
+TEST_CASE("screens are memory of some sizes, or panels, at a card where one is named") {
+    CHECK(parse_screen("offscreen:1280x720") == ScreenChoice{OffscreenChoice{.screens = {{1280, 720}}}});
+    CHECK(parse_screen("offscreen:1280x720+640x360") ==
+          ScreenChoice{OffscreenChoice{.screens = {{1280, 720}, {640, 360}}}});
     CHECK(parse_screen("kms") == ScreenChoice{KmsChoice{}});
     CHECK(parse_screen("kms:/dev/dri/card1") == ScreenChoice{KmsChoice{.card = "/dev/dri/card1"}});
 }
@@ -15,7 +17,8 @@ TEST_CASE("a screen is memory of a size, or a panel, at a card where one is name
 TEST_CASE("a screen that is not understood is refused with what is allowed") {
     for (const char* text :
          {"", "x11", "offscreen", "offscreen:", "offscreen:1280", "offscreen:1280x", "offscreen:0x720",
-          "offscreen:-1x720", "offscreen:1280x720x2", "offscreen:99999x720", "kms:", "kms:card1"}) {
+          "offscreen:-1x720", "offscreen:1280x720x2", "offscreen:99999x720", "offscreen:64x32+",
+          "offscreen:+64x32", "offscreen:64x32+kms", "kms:", "kms:card1"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_screen(text), std::invalid_argument);
     }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+/// A length on a screen: so many pixels and so much of its width or height.
+struct ScreenLength {
+    double pixels = 0;
+    double share = 0;
+
+    friend bool operator==(const ScreenLength&, const ScreenLength&) = default;
+};
+
+/// What stays black at each side of a screen that hides its edges, as the screen lies before it is turned.
+struct Margins {
+    ScreenLength left;
+    ScreenLength top;
+    ScreenLength right;
+    ScreenLength bottom;
+
+    friend bool operator==(const Margins&, const Margins&) = default;
+};
+
+/// "24" or "2.5%" for all four sides, "24,0,24,0" for left, top, right and bottom; empty: none.
+/// Nothing where it is not understood, or a side is negative, above 2000 px or above 40 %.
+std::optional<Margins> margins_named(std::string_view text);
+
+/// "HDMI-A-1=lobby, HDMI-A-2=hall/left": output -> folder below the media folder; empty: none.
+/// Nothing where it is not understood, names an output twice, or a folder elsewhere.
+std::optional<std::map<std::string, std::string>> output_folders_named(std::string_view text);
+
+}  // namespace vitrine

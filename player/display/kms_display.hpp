@@ -1,0 +1,80 @@
+#pragma once
+
+#include "player/display/card.hpp"
+#include "player/display/egl.hpp"
+#include "player/display/kms_screen.hpp"
+#include "player/display/panel_watch.hpp"
+#include "player/display/screen.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine {
+
+struct KmsOptions {
+    std::filesystem::path card;  // empty: the first with a panel
+    OutputWish wish;
+    KmsApi api = KmsApi::best;
+};
+
+/// The panels of a graphics card, shown on without a desktop. No panel, panels that come, go or change, and
+/// another program that takes the card over, are states and not errors.
+class KmsDisplay final : public Display {
+  public:
+    /// @throws std::runtime_error, std::system_error: no card to show on, or it cannot be drawn on
+    explicit KmsDisplay(const KmsOptions& options);
+
+    std::span<Screen* const> screens() override;
+
+    int event_fd() const override { return watch_.fd(); }
+
+    void dispatch() override;
+
+    bool is_gone() const override { return is_gone_; }
+
+    void leave() override;
+    void take_back() override;
+
+    std::vector<DisplayEvent> take_events() override { return std::exchange(events_, {}); }
+
+    std::string description() const override;
+
+  private:
+    using Time = OutputState::Time;
+
+    enum class Ask { none, unlit, all };  // panels that are asked afresh
+
+    void on_tick();
+    void look_for_panels(Ask ask);
+    void follow(const std::vector<Output>& outputs, const CardState& state);
+    void light(const Output& output, const CardState& state, const std::vector<Output>& all);
+    void take_outcomes();
+    void refuse(const KmsScreen& screen);
+    void tell_shown(const KmsScreen& screen);
+    void set_master(bool is_master);
+    void be_gone(std::string why);
+    void tell(std::string text, bool is_trouble = false);
+
+    bool is_any_card_;  // none was named
+    Card card_;
+    OutputWish wish_;
+    Handle<gbm_device, &gbm_device_destroy> device_;
+    Egl egl_;
+    KmsSurface surface_;
+    PanelWatch watch_;
+    bool is_master_ = true;
+    bool is_left_ = false;
+    bool is_gone_ = false;
+    bool is_told_dark_ = false;
+    bool looks_again_ = false;  // for panels, before the next picture
+    int ticks_ = 0;
+    Refusals refusals_;
+    std::vector<DisplayEvent> events_;
+    std::vector<std::unique_ptr<KmsScreen>> lit_;
+    std::vector<Screen*> lent_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,39 @@
+#include "player/render/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+
+namespace {
+
+bool is_upright(Rotation rotation) {
+    return rotation == Rotation::none || rotation == Rotation::half;
+}
+
+Vec2 turned(Vec2 size, Rotation rotation) {
+    return is_upright(rotation) ? size : Vec2{size.y, size.x};
+}
+
+}  // namespace
+
+Vec2 canvas_size(int width, int height, const View& view) {
+    return turned({static_cast<double>(width - view.left - view.right),
+                   static_cast<double>(height - view.top - view.bottom)},
+                  view.rotation);
+}
+
+View letterboxed(int width, int height, View view, Vec2 canvas) {
+    const Vec2 room = turned(canvas_size(width, height, view), view.rotation);
+    const Vec2 wanted = turned(canvas, view.rotation);
+    const double scale = std::min(room.x / wanted.x, room.y / wanted.y);
+    const int across = static_cast<int>(room.x - std::round(wanted.x * scale));
+    const int down = static_cast<int>(room.y - std::round(wanted.y * scale));
+    view.left += across / 2;
+    view.right += across - across / 2;
+    view.top += down / 2;
+    view.bottom += down - down / 2;
+    return view;
+}
+
+}  // namespace vitrine

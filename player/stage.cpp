@@ -1,0 +1,158 @@
+#include "player/stage.hpp"
+
+#include "base/system/log.hpp"
+#include "player/layout/nesting.hpp"
+#include "player/player_settings.hpp"
+#include "player/scene/panning_wall.hpp"
+#include "player/scene/wall.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto source_patience = 10s;     // that a picture paced by its sources waits for one of them
+constexpr int most_settling_steps = 100;  // each gives up on a file at least
+constexpr int number_bits = 48;           // of a source's number within its stage
+
+std::unique_ptr<Show> make_show(const Settings& settings, Vec2 canvas, SourceId last_source) {
+    if (settings.layout.mode == "pan") {
+        PanSettings pan = pan_settings(settings);
+        pan.last_source = last_source;
+        return std::make_unique<PanningWall>(canvas, pan);
+    }
+    WallSettings wall = wall_settings(settings);
+    wall.assemblage.last_source = last_source;
+    return std::make_unique<Wall>(canvas, wall);
+}
+
+View view_on(const Settings& settings, const Screen& screen) {
+    return view_of(settings, screen.width(), screen.height());
+}
+
+Vec2 canvas_of(const Settings& settings, const Screen& screen) {
+    return canvas_size(screen.width(), screen.height(), view_on(settings, screen));
+}
+
+}  // namespace
+
+Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources)
+    : settings_(settings),
+      options_(std::move(options)),
+      sources_(sources),
+      show_(make_show(settings, canvas_, options_.number << number_bits)) {}
+
+void Stage::set_catalogue(std::span<const MediaRecord> records) {
+    if (options_.folder.empty()) return show_->set_catalogue(records);
+    std::vector<MediaRecord> own;
+    for (const MediaRecord& record : records)
+        if (record.path.starts_with(options_.folder + "/")) own.push_back(record);
+    show_->set_catalogue(own);
+}
+
+void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
+    screens_ = std::move(screens);
+    if (screens_.empty()) {
+        if (!hidden_since_) hidden_since_ = now;
+        return;
+    }
+    if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
+    const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
+    const Vec2 canvas = canvas_of(settings_, **std::ranges::max_element(screens_, {}, area));
+    if (canvas == canvas_) return;
+    canvas_ = canvas;
+    show_->set_canvas(canvas);
+}
+
+bool Stage::owns(SourceId source) const {
+    return source >> number_bits == options_.number;
+}
+
+void Stage::tell(const SourceEvent& event) {
+    if (!event.failure) {
+        if (!event.unstored.empty())
+            log::info("not in the store, played from the media folder: '{}'", event.unstored);
+        return show_->source_ready(event.source);
+    }
+    log::warning("not shown for now: {}", *event.failure);
+    show_->source_failed(event.source, time_);
+}
+
+void Stage::show(std::chrono::nanoseconds now, Renderer& renderer) {
+    time_ = now - hidden_;
+    WallStep step = next_step(renderer);
+    draw(step.frame, now, renderer);
+}
+
+WallStep Stage::next_step(Renderer& renderer) {
+    take_layout();
+    WallStep step = show_->step(time_);
+    carry_out(step, renderer);
+    for (int i = 0;
+         options_.await_sources && i < most_settling_steps && (step.plan || !step.requests.empty()); ++i) {
+        // The clock stands still until the layout and the sources are there.
+        options_.await_sources();
+        step = show_->step(time_);
+        carry_out(step, renderer);
+    }
+    return step;
+}
+
+void Stage::carry_out(const WallStep& step, Renderer& renderer) {
+    if (step.plan) ask(*step.plan);
+    for (const ShotRequest& request : step.requests)
+        sources_.request(request);
+    for (const SourceId source : step.retired) {
+        sources_.retire(source);
+        renderer.forget(source);
+        uploaded_.erase(source);
+    }
+}
+
+void Stage::take_layout() {
+    std::optional<Layout> layout = planner_.take();
+    if (!layout || !layout->is_final || layout->generation != asked_) return;
+    take_layout(std::move(*layout));
+}
+
+void Stage::take_layout(Layout layout) {
+    layout.generation = planned_.generation;
+    show_->set_layout(layout);
+}
+
+/// Has a wall laid out: at once where the clock waits anyway, else by the planner's thread.
+void Stage::ask(const WallPlan& wall) {
+    PlanRequest request = plan_request(settings_, wall.canvas);
+    request.items = wall.items;
+    planned_ = wall;
+    if (options_.await_sources)
+        take_layout(planned(request));
+    else
+        asked_ = planner_.request(std::move(request));
+}
+
+void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer) {
+    if (options_.await_sources) sources_.wait_for(frame, source_patience);
+    sources_.advance(frame);
+    for (const DrawItem& item : frame.items) {
+        const std::optional<Sample> sample = sources_.sample(item.source);
+        if (!sample || uploaded_[item.source] == sample->owner) continue;
+        renderer.upload(item.source, *sample);
+        uploaded_[item.source] = sample->owner;
+    }
+    for (Screen* screen : screens_) {
+        if (!screen->is_ready()) continue;
+        screen->begin_frame();
+        renderer.aim(
+            screen->width(), screen->height(),
+            letterboxed(screen->width(), screen->height(), view_on(settings_, *screen), frame.canvas));
+        renderer.draw(frame);
+        screen->present(now);
+    }
+}
+
+}  // namespace vitrine

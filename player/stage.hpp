@@ -1,0 +1,92 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/display/screen.hpp"
+#include "player/layout/planner.hpp"
+#include "player/playback/source_pool.hpp"
+#include "player/render/renderer.hpp"
+#include "player/scene/show.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct StageOptions {
+    std::uint64_t number = 0;  // tells its sources from those of other stages
+    std::string folder;        // below the media folder; empty: all of it
+
+    /// Where the clock waits for the sources: has the stages told of those that are ready or failed.
+    std::function<void()> await_sources;  // empty: it does not wait
+};
+
+/// One wall and the screens that show it. Its canvas is that of the largest screen; each other one shows the
+/// same in its own resolution, between black bars where its shape is another. While no screen shows it, its
+/// time stands still.
+///
+/// Each screen is drawn by itself, not copied from one picture: that is sharp at every size, and with
+/// llvmpipe no slower than drawing once to a texture and that to two screens (tests/bench/render).
+class Stage {
+  public:
+    /// @param settings, sources  outlive this
+    Stage(const Settings& settings, StageOptions options, SourcePool& sources);
+
+    const std::string& folder() const { return options_.folder; }
+
+    /// All there is; the stage takes what is in its folder.
+    void set_catalogue(std::span<const MediaRecord> records);
+
+    /// @param screens  lent until the next call
+    /// @param now      since the player's start
+    void set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now);
+
+    std::span<Screen* const> screens() const { return screens_; }
+
+    bool owns(SourceId source) const;
+
+    /// Where a finger is on the canvas, px; none: there is none.
+    void touch(std::optional<Vec2> finger) { show_->touch(finger); }
+
+    /// @pre owns(event.source)
+    void tell(const SourceEvent& event);
+
+    /// One picture on every screen that can take one.
+    void show(std::chrono::nanoseconds now, Renderer& renderer);
+
+    /// Another renderer is used from now on: it has none of the pictures.
+    void forget_uploads() { uploaded_.clear(); }
+
+    /// How many shots are on the wall.
+    std::size_t count() const { return show_->count(); }
+
+  private:
+    WallStep next_step(Renderer& renderer);
+    void carry_out(const WallStep& step, Renderer& renderer);
+    void take_layout();
+    void take_layout(Layout layout);
+    void ask(const WallPlan& wall);
+    void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer);
+
+    const Settings& settings_;  // outlives this
+    StageOptions options_;
+    SourcePool& sources_;  // outlives this
+    Vec2 canvas_{1920, 1080};
+    std::unique_ptr<Show> show_;
+    WallPlan planned_;         // the plan last asked for
+    std::uint64_t asked_ = 0;  // what the planner calls it
+    Planner planner_;
+    std::vector<Screen*> screens_;
+    std::chrono::nanoseconds hidden_{0};                        // that no screen showed it, in all
+    std::optional<std::chrono::nanoseconds> hidden_since_{0};   // none: a screen shows it
+    std::chrono::nanoseconds time_{0};                          // of the wall
+    std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // what the renderer has; shared with it
+};
+
+}  // namespace vitrine

@@ -1,0 +1,34 @@
+#include "player/render/view.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+
+TEST_CASE("a canvas is what the margins leave, turned with the panel") {
+    const View margins{.left = 10, .top = 20, .right = 30, .bottom = 40};
+    View turned = margins;
+    turned.rotation = Rotation::right;
+
+    CHECK(canvas_size(1920, 1080, margins) == Vec2{1880, 1020});
+    CHECK(canvas_size(1920, 1080, turned) == Vec2{1020, 1880});
+}
+
+TEST_CASE("a canvas of the screen's own shape needs no bars, whatever its size") {
+    const View view{};
+    CHECK(letterboxed(1920, 1080, view, {1920, 1080}) == view);
+    CHECK(letterboxed(640, 360, view, {1920, 1080}) == view);
+    CHECK(letterboxed(1280, 720, view, {640, 360}) == view);
+}
+
+TEST_CASE("a canvas of another shape lies between two bars") {
+    CHECK(letterboxed(1280, 1024, {}, {1920, 1080}) == View{.top = 152, .bottom = 152});
+    CHECK(letterboxed(1920, 1080, {}, {1280, 1024}) == View{.left = 285, .right = 285});
+}
+
+TEST_CASE("bars come on top of the margins, and lie where the turned panel has them") {
+    const View view{.rotation = Rotation::left, .left = 10, .right = 10};
+
+    const View bars = letterboxed(120, 100, view, {100, 50});  // a panel of 100 x 100, turned
+
+    CHECK(bars == View{.rotation = Rotation::left, .left = 35, .right = 35});
+}
