@@ -32,7 +32,8 @@ struct StageOptions {
 /// time stands still.
 ///
 /// Each screen is drawn by itself, not copied from one picture: that is sharp at every size, and with
-/// llvmpipe no slower than drawing once to a texture and that to two screens (tests/bench/render).
+/// llvmpipe costs half of it for one screen, the same for two and an eighth more for three
+/// (tests/bench/render).
 class Stage {
   public:
     /// @param settings, sources  outlive this

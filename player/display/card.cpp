@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -185,19 +184,10 @@ int Card::commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_
 // Not drmHandleEvent(), which calls back with a pointer that was given to the card: of a panel that has gone
 // since it would point to nothing.
 std::vector<std::uint64_t> Card::take_flips() const {
-    alignas(drm_event_vblank) std::array<char, 1024> events{};
+    std::array<std::byte, 1024> events{};
     const ssize_t size = ::read(fd(), events.data(), events.size());
-    std::vector<std::uint64_t> flips;
-    drm_event head{};
-    for (std::size_t i = 0; size > 0 && i + sizeof head <= static_cast<std::size_t>(size); i += head.length) {
-        std::memcpy(&head, events.data() + i, sizeof head);
-        drm_event_vblank event{};
-        if (head.length < sizeof head || i + head.length > static_cast<std::size_t>(size)) break;
-        if (head.type != DRM_EVENT_FLIP_COMPLETE || head.length < sizeof event) continue;
-        std::memcpy(&event, events.data() + i, sizeof event);
-        flips.push_back(event.user_data);
-    }
-    return flips;
+    if (size <= 0) return {};
+    return flips_in(std::span(events).first(static_cast<std::size_t>(size)));
 }
 
 int Card::flip(std::uint32_t crtc, std::uint32_t frame_buffer, std::uint64_t user) const {

@@ -1,10 +1,12 @@
 #include "player/display/kms_state.hpp"
 
 #include <fmt/format.h>
+#include <xf86drm.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -198,6 +200,22 @@ Obstacles obstacles(const CardState& card, const Output& output, std::span<const
         if (plane.id != output.plane && plane.crtc_id != 0 && is_in_the_way) found.planes.push_back(plane.id);
     }
     return found;
+}
+
+std::vector<std::uint64_t> flips_in(std::span<const std::byte> events) {
+    std::vector<std::uint64_t> flips;
+    drm_event head{};
+    while (events.size() >= sizeof head) {
+        std::memcpy(&head, events.data(), sizeof head);
+        if (head.length < sizeof head || head.length > events.size()) break;
+        drm_event_vblank event{};
+        if (head.type == DRM_EVENT_FLIP_COMPLETE && head.length >= sizeof event) {
+            std::memcpy(&event, events.data(), sizeof event);
+            flips.push_back(event.user_data);
+        }
+        events = events.subspan(head.length);
+    }
+    return flips;
 }
 
 }  // namespace vitrine

@@ -2,6 +2,7 @@
 
 #include <xf86drmMode.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -89,5 +90,8 @@ struct Obstacles {
 
 /// @param all  every output that is to be lit, with `output`
 Obstacles obstacles(const CardState& card, const Output& output, std::span<const Output> all);
+
+/// The numbers of the flips that a card's events, as it hands them out, tell of.
+std::vector<std::uint64_t> flips_in(std::span<const std::byte> events);
 
 }  // namespace vitrine

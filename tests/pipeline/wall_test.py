@@ -61,12 +61,12 @@ def disc_film(path, seconds=2):
                    input=bytes(frames), check=True)
 
 
-def pictures_of(path):
-    """The frames of a film or picture as lists of rgb24 bytes, WIDTH x HEIGHT."""
+def pictures_of(path, width=WIDTH, height=HEIGHT):
+    """The frames of a film or picture as lists of rgb24 bytes, width x height."""
     raw = subprocess.run(["ffmpeg", "-v", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
                          capture_output=True, check=True).stdout
-    size = WIDTH * HEIGHT * 3
-    assert len(raw) % size == 0, f"{path} is not {WIDTH}x{HEIGHT}"
+    size = width * height * 3
+    assert len(raw) % size == 0, f"{path} is not {width}x{height}"
     return [raw[i:i + size] for i in range(0, len(raw), size)]
 
 
@@ -119,9 +119,9 @@ class Wall(unittest.TestCase):
     def analyse(self):
         subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
 
-    def play(self, *options):
+    def play(self, *options, screen=f"{WIDTH}x{HEIGHT}"):
         film, snapshot = self.state / "wall.mp4", self.state / "wall.png"
-        done = subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{WIDTH}x{HEIGHT}",
+        done = subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{screen}",
                                "--output.frame_rate", str(RATE), "--film", film, "--snapshot", snapshot, *options],
                               timeout=PATIENCE, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -149,6 +149,29 @@ class Wall(unittest.TestCase):
         self.assertTrue(any(a != b for a, b in zip(late, late[1:])), "the film moves")
         for picture in pictures:
             self.assertLess(share_near(picture, (0, 0, 0), 12), 0.02, "no frame has a black hole")
+
+    def test_several_screens_show_the_wall_or_their_own_folder(self):
+        (self.root / "lobby").mkdir()
+        disc_photo(self.root / "lobby" / "red.png", COLOURS["red"])
+        disc_photo(self.root / "green.png", COLOURS["green"])
+        self.analyse()
+
+        pictures, first = self.play("--duration", "2s", "--output.folders", "offscreen-3=lobby", "--output.margins", "0,0,10%,0",
+                                    screen=f"{WIDTH}x{HEIGHT}+320x320+320x180")
+
+        self.assertEqual(len(pictures), 2 * RATE)
+        second = pictures_of(self.state / "wall-2.png", 320, 320)[0]
+        own = pictures_of(self.state / "wall-3.png", 320, 180)[0]
+        self.assertEqual(len(pictures_of(self.state / "wall-3.mp4", 320, 180)), 2 * RATE)
+        for picture in (first, second):
+            for name in ("red", "green"):
+                self.assertGreater(share_near(picture, COLOURS[name]), 0.005, f"the {name} disc is on the wall")
+        self.assertGreater(share_near(own, COLOURS["red"]), 0.02, "what is in the folder is on its screen")
+        self.assertLess(share_near(own, COLOURS["green"]), 0.001, "and nothing else")
+        for picture, width, height in ((first, WIDTH, HEIGHT), (own, 320, 180)):
+            edge = b"".join(picture[(y * width + width * 9 // 10) * 3:(y + 1) * width * 3] for y in range(height))
+            self.assertEqual(set(edge), {0}, "the margin is black")
+        self.assertEqual(set(second[:320 * 3 * 60]), {0}, "a black bar above what is as wide as the screen")
 
     def test_a_plan_covers_the_canvas_and_cuts_no_region(self):
         for i, (name, colour) in enumerate(COLOURS.items()):

@@ -4,6 +4,7 @@
 #include "player/display/offscreen_screen.hpp"
 #include "player/render/renderer.hpp"
 
+#include <GLES3/gl3.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -118,9 +119,56 @@ void measure(int width, int height) {
     print("read back", cost([&] { screen.picture(); }));
 }
 
+// A wall on several screens: drawn for each, as Stage does, or once to a texture that each gets a copy of.
+void measure_mirroring(int width, int height, int count) {
+    const auto egl = std::make_shared<Egl>(Egl::surfaceless());
+    std::vector<std::unique_ptr<OffscreenScreen>> screens;
+    for (int i = 0; i < count; ++i)
+        screens.push_back(std::make_unique<OffscreenScreen>(
+            OffscreenOptions{.width = width, .height = height, .film = {}}, egl));
+    Renderer renderer(width, height);
+    const Still film = still(640, 360);
+    for (SourceId source = 1; source <= 8; ++source)
+        for (int i = 0; i < 2; ++i)
+            renderer.upload(source, film.sample);
+    const Frame frame = wall(width, height, 4, 2);
+
+    const Cost each = cost([&] {
+        for (const auto& screen : screens) {
+            screen->begin_frame();
+            renderer.draw(frame);
+            screen->present({});
+        }
+    });
+    GLuint texture = 0;
+    GLuint canvas = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, width, height);
+    glGenFramebuffers(1, &canvas);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    const Cost copied = cost([&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, canvas);
+        renderer.draw(frame);
+        glDisable(GL_SCISSOR_TEST);
+        for (const auto& screen : screens) {
+            screen->begin_frame();
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas);
+            glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+            screen->present({});
+        }
+    });
+    fmt::print(
+        "{:>4}p  8 cells on {} screens: drawn for each CPU {:.2f} ms, drawn once and copied {:.2f} ms\n",
+        height, count, each.cpu, copied.cpu);
+}
+
 }  // namespace
 
 int main() {
     measure(1280, 720);
     measure(1920, 1080);
+    for (const int count : {1, 2, 3})
+        measure_mirroring(1920, 1080, count);
 }

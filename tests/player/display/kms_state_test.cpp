@@ -1,8 +1,10 @@
 #include "player/display/kms_state.hpp"
 
 #include <doctest/doctest.h>
+#include <xf86drm.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -284,4 +286,29 @@ TEST_CASE("a mode that is not understood is refused") {
     CHECK(parse_mode("").width == 0);
     CHECK(parse_mode("preferred").width == 0);
     CHECK(parse_mode("1920x1080@59.94").refresh_rate == doctest::Approx(59.94));
+}
+
+namespace {
+
+void append_event(std::vector<std::byte>& bytes, std::uint32_t type, std::uint64_t number) {
+    drm_event_vblank event{};
+    event.base = {.type = type, .length = sizeof event};
+    event.user_data = number;
+    const auto raw = std::as_bytes(std::span(&event, 1));
+    bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+}  // namespace
+
+TEST_CASE("of a card's events the flips are told, by their numbers, and half an event is none") {
+    std::vector<std::byte> events;
+    append_event(events, DRM_EVENT_FLIP_COMPLETE, 7);
+    append_event(events, DRM_EVENT_VBLANK, 8);
+    append_event(events, DRM_EVENT_FLIP_COMPLETE, 1ULL << 40);
+    CHECK(flips_in(events) == std::vector<std::uint64_t>{7, 1ULL << 40});
+
+    events.pop_back();
+    CHECK(flips_in(events) == std::vector<std::uint64_t>{7});
+    CHECK(flips_in({}).empty());
+    CHECK(flips_in(std::vector<std::byte>(32)).empty());  // events without a length
 }
