@@ -4,9 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <linux/openat2.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/vfs.h>
 
 #include <algorithm>
@@ -59,6 +57,15 @@ MediaFolder::File to_file(const std::string& path, const struct stat& status, in
 
 bool is_absence(int error) {
     return error == ENOENT || error == ENOTDIR || error == ELOOP || error == EXDEV || error == ENAMETOOLONG;
+}
+
+/// An entry of a folder, unless it is a link or leads out of it.
+UniqueFd open_below(const UniqueFd& folder, const std::string& name, int flags) {
+    if (name == "..") {
+        errno = EXDEV;
+        return {};
+    }
+    return UniqueFd(::openat(folder.get(), name.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
 }
 
 struct CloseDirectory {
@@ -126,15 +133,16 @@ bool is_junk_name(std::string_view name) {
                        [&](const char* ending) { return lower.ends_with(ending); });
 }
 
-/// Never through a link below the root.
+/// Never through a link below the root: folder by folder, for openat2(), which does that at once, is not
+/// there for a service that systemd keeps from making setuid files.
 UniqueFd MediaFolder::open(const std::string& path, int flags) const {
-    const UniqueFd root(::open(root_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-    if (!root.is_open()) return {};
-    open_how how{};
-    how.flags = static_cast<std::uint64_t>(flags | O_CLOEXEC | O_NOFOLLOW);
-    how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS;
-    return UniqueFd(static_cast<int>(
-        ::syscall(SYS_openat2, root.get(), path.empty() ? "." : path.c_str(), &how, sizeof how)));
+    UniqueFd folder(::open(root_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    std::size_t begin = 0;
+    for (std::size_t end; folder.is_open() && (end = path.find('/', begin)) != std::string::npos;
+         begin = end + 1)
+        folder = open_below(folder, path.substr(begin, end - begin), O_PATH | O_DIRECTORY);
+    if (!folder.is_open()) return {};
+    return open_below(folder, path.empty() ? "." : path.substr(begin), flags);
 }
 
 MediaFolder::Look MediaFolder::look(const std::string& path) const {
