@@ -1,0 +1,103 @@
+"""The rig's guest: a Debian with its own kernel, and what the programs need, as a disk.
+
+Made by mmdebstrap from the host's Debian mirror and kept outside the source tree, under a name that says what it
+was made of, so that it is made once a machine and not once a clone.
+"""
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SUITE = "bookworm"
+PACKAGES = """systemd systemd-sysv udev dbus kmod procps zstd linux-image-amd64 initramfs-tools qemu-guest-agent
+libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri libgbm1 opencv-data
+gstreamer1.0-plugins-base gstreamer1.0-plugins-good gstreamer1.0-plugins-bad gstreamer1.0-libav""".split()
+DRIVERS_LEFT_OUT = "net media infiniband scsi staging iio hwmon isdn mtd nvme md ata firewire platform bluetooth crypto".split()
+HOST_PROGRAMS = "qemu-system-x86_64 qemu-img mmdebstrap mke2fs zstd dbus-daemon gdbus ffmpeg".split()
+
+
+class NotHere(Exception):
+    """The rig cannot be had on this machine; says why."""
+
+
+def run(*command, **more):
+    return subprocess.run([str(word) for word in command], check=True, text=True, capture_output=True, **more).stdout
+
+
+def cache_directory():
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vitrine" / "rig"
+
+
+def check_host():
+    path = os.environ["PATH"] + ":/usr/sbin:/sbin"
+    missing = [name for name in HOST_PROGRAMS if not shutil.which(name, path=path)]
+    if os.uname().machine != "x86_64":
+        raise NotHere(f"it emulates an x86_64 machine and this is {os.uname().machine}")
+    if missing:
+        raise NotHere(f"not installed: {', '.join(missing)} (see packaging/dependencies)")
+
+
+def packages_of(programs):
+    """The packages of the libraries that programs are linked to."""
+    libraries = set()
+    for program in programs:
+        needed = set(re.findall(r"\(NEEDED\).*\[(.+)\]", run("readelf", "-d", program)))
+        found = dict(re.findall(r"(\S+) => (/\S+)", run("ldd", program)))
+        libraries |= {os.path.realpath(found[name]) for name in needed if name in found}
+    owners = run("dpkg-query", "-S", *("*" + str(path).removeprefix("/usr") for path in sorted(libraries)))
+    return sorted({line.split(":")[0] for line in owners.splitlines()})
+
+
+def sources():
+    """The mirror that this host installs from, as lines of a sources.list."""
+    listed = run("apt-get", "indextargets", "--format", "$(SITE) $(CODENAME)", "Created-By: Packages", "Origin: Debian")
+    lines = {f"deb {line} main" for line in listed.splitlines() if line.split()[1].startswith(SUITE)}
+    return "\n".join(sorted(lines)) or f"deb http://deb.debian.org/debian {SUITE} main"
+
+
+def key(*parts):
+    return hashlib.sha256(repr(parts).encode()).hexdigest()[:16]
+
+
+def recipe(packages):
+    """What mmdebstrap is told of the guest."""
+    leaves = [f"path-exclude=/lib/modules/*/kernel/drivers/{name}/*" for name in DRIVERS_LEFT_OUT]
+    leaves += [f"path-exclude=/usr/share/{name}/*" for name in ("man", "doc", "locale", "info")]
+    leaves += ["path-exclude=/lib/modules/*/kernel/sound/*", "force-unsafe-io"]
+    return ["--variant=minbase", '--aptopt=APT::Install-Recommends "false"', *(f"--dpkgopt={one}" for one in leaves),
+            f"--include={','.join(packages)}", SUITE]
+
+
+def build(packages, out):
+    hook = HERE / "guest.sh"
+    run("mmdebstrap", "--format=null", f'--essential-hook={hook} early "$1"', f'--customize-hook={hook} late "$1" {out}',
+        *recipe(packages), "-", "-", input=sources())
+
+
+def ensure(programs):
+    """The directory with vmlinuz, initrd, kernel-release and base.raw for these programs.
+
+    Raises NotHere where neither a kept one nor the mirror is there.
+    """
+    check_host()
+    packages = PACKAGES + packages_of(programs)
+    kept = cache_directory() / key(recipe(packages), (HERE / "guest.sh").read_text())
+    if (kept / "base.raw").exists():
+        return kept
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    made = Path(tempfile.mkdtemp(dir=kept.parent, prefix="making-"))
+    made.chmod(0o777)
+    print(f"making {kept} of Debian's mirror: some minutes, once", flush=True)
+    try:
+        build(packages, made)
+        made.chmod(0o755)
+        made.rename(kept)
+    except subprocess.CalledProcessError as error:
+        raise NotHere(f"no image from the mirror: {error.stderr[-1500:]}") from error
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+    return kept
