@@ -47,6 +47,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
       options_(options),
       folder_(options.root),
       catalogue_(options.catalogue),
+      store_(options.store, options.bounds),
       lock_(lock_of(options.catalogue)),
       schedule_(options.pace),
       follower_(folder_, schedule_) {
@@ -86,7 +87,8 @@ void Daemon::load_catalogue() {
     for (const MediaRecord& record : records) {
         const bool is_waiting = record.state == MediaState::waiting;
         schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
-                        !is_waiting && record.is_complete, is_waiting);
+                        !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
+        store_.hold(record);
         if (!record.is_complete) growing_.known(record);
     }
 }
@@ -99,6 +101,7 @@ void Daemon::rescan() {
     remarks_ = remarks;
     for (const auto& [path, record] : std::exchange(unsaved_, {}))
         store(record);
+    store_.sweep();
     std::chrono::milliseconds interval = options_.rescan;
     if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
     if (!is_online()) interval = std::min<std::chrono::milliseconds>(interval, offline_rescan);
@@ -112,9 +115,12 @@ void Daemon::advance() {
          actions = schedule_.step(now()))
         for (const Action& action : actions)
             perform(action);
+    if (store_.is_over()) make_room();
     if (const auto time = schedule_.wake()) wake_.arm(*time - now());
     service::status(status());
-    if (options_.is_once && schedule_.is_idle()) loop_.quit();
+    if (!options_.is_once || !schedule_.is_idle()) return;
+    store_.sweep();
+    loop_.quit();
 }
 
 void Daemon::perform(const Action& action) {
@@ -131,6 +137,7 @@ void Daemon::perform(const Action& action) {
         log::info("gone: '{}'", action.path);
         unsaved_.erase(action.path);
         growing_.end(action.path);
+        store_.release(action.path);
         told_waiting_.erase(action.path);
         return catalogue_.remove(action.path);
     }
@@ -149,6 +156,7 @@ void Daemon::start(const Action& action) {
     const ChildLimits limits = limits_for(action.facts);
     log::debug("analysing '{}'", action.path);
     growing_.begin(record_of(action.path, action.facts, MediaState::waiting, ""));
+    store_.begin(store_id(action.path, action.facts.bytes, action.facts.mtime_ns));
     children_[action.path] = std::make_unique<ChildProcess>(
         loop_, command, limits,
         [this, path = action.path, facts = action.facts, limits](const ChildResult& result) {
@@ -182,6 +190,7 @@ void Daemon::store_growth() {
 void Daemon::finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
                     const ChildLimits& limits) {
     children_.erase(path);
+    store_.end(store_id(path, facts.bytes, facts.mtime_ns));
     follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
     store_growth();
     answer(outcome_of(result, limits, path, facts));
@@ -236,6 +245,7 @@ void Daemon::move(const Action& action) {
     record->path = action.path;
     store(*record);
     catalogue_.remove(action.from);
+    store_.release(action.from);
     log::info("renamed: '{}' to '{}'", action.from, action.path);
 }
 
@@ -248,8 +258,19 @@ std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
     }
 }
 
+/// What lost its place in the store is played from the media folder.
+void Daemon::make_room() {
+    const std::set<std::string> paths = store_.make_room();
+    for (const std::string& path : paths)
+        if (const std::optional<MediaRecord> record = stored(path)) store(*record);
+    if (!paths.empty())
+        log::info("the store is full: {} files lose their place or a part of it", paths.size());
+}
+
 /// A full disk is no reason to stop: the record waits here.
-void Daemon::store(const MediaRecord& record) {
+void Daemon::store(MediaRecord record) {
+    store_.mark_dropped(record);
+    store_.hold(record);
     try {
         catalogue_.store(record);
         unsaved_.erase(record.path);

@@ -6,6 +6,8 @@
 #include "analyzer/media_folder.hpp"
 #include "analyzer/outcome.hpp"
 #include "analyzer/schedule.hpp"
+#include "analyzer/store/store.hpp"
+#include "analyzer/store/store_place.hpp"
 #include "base/catalogue/catalogue.hpp"
 #include "base/system/event_loop.hpp"
 #include "base/system/unique_fd.hpp"
@@ -25,6 +27,8 @@ namespace vitrine {
 struct WatchOptions {
     std::filesystem::path root;
     std::filesystem::path catalogue;
+    std::filesystem::path store;
+    StoreBounds bounds{.max_bytes = 0, .least_free = least_free_bytes};
     std::vector<std::string> child;    // the command that writes one record; the file's path is appended
     ChildLimits limits;                // the deadline is that of an empty file
     double deadline_per_mebibyte = 0;  // seconds
@@ -66,7 +70,8 @@ class Daemon {
     void answer(Outcome outcome);
     void move(const Action& action);
     std::optional<MediaRecord> stored(const std::string& path) const;
-    void store(const MediaRecord& record);
+    void store(MediaRecord record);
+    void make_room();
     void tell(const MediaRecord& record);
     ChildLimits limits_for(const FileFacts& facts) const;
 
@@ -74,6 +79,7 @@ class Daemon {
     WatchOptions options_;
     MediaFolder folder_;
     Catalogue catalogue_;
+    Store store_;
     UniqueFd lock_;
     Schedule schedule_;
     FolderFollower follower_;

@@ -2,6 +2,7 @@
 
 #include "analyzer/analyze.hpp"
 #include "analyzer/explain_file.hpp"
+#include "analyzer/store/keeper.hpp"
 #include "analyzer/video/frame_reader.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/media/colour.hpp"
@@ -56,6 +57,44 @@ std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& sta
                       colour_named(settings.show.background).value_or(Colour{}));
 }
 
+/// Path, bytes and mtime are the same in all that is said of a file.
+MediaRecord name(MediaRecord record, const fs::path& file, const struct stat& status,
+                 const Settings& settings) {
+    record.path = path_in_record(file, settings.media.root);
+    record.bytes = static_cast<std::uint64_t>(status.st_size);
+    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+    return record;
+}
+
+/// A source that lets something be done before each of its frames.
+class AttendedSource : public FrameSource {
+  public:
+    AttendedSource(FrameSource& source, std::function<void()> attend)
+        : source_(source), attend_(std::move(attend)) {}
+
+    const MediaInfo& info() const override { return source_.info(); }
+
+    std::optional<VideoFrame> next() override {
+        attend_();
+        return source_.next();
+    }
+
+  private:
+    FrameSource& source_;  // outlives this
+    std::function<void()> attend_;
+};
+
+StorePlace store_place(const fs::path& file, const struct stat& status, const Settings& settings) {
+    const MediaRecord named = name({}, file, status, settings);
+    constexpr int most_parts = 4;  // of the store that one clip or copy may take
+    return {.store = fs::path(settings.state.directory) / "store",
+            .id = store_id(named.path, named.bytes, named.mtime_ns),
+            .clip_side = settings.store.clip_size > 0 ? settings.store.clip_size
+                                                      : clip_side_for(settings.layout.slots),
+            .most_bytes = static_cast<std::uint64_t>(settings.store.max_bytes) / most_parts,
+            .least_free = least_free_bytes};
+}
+
 /// What a film that broke off keeps; the last shot ends where the damage begins, or earlier.
 MediaRecord known_part(MediaRecord known, const MediaError& error) {
     using std::chrono::seconds;
@@ -67,54 +106,86 @@ MediaRecord known_part(MediaRecord known, const MediaError& error) {
     return known;
 }
 
-/// Path, bytes and mtime are the same in all that is said of a file.
-void name(MediaRecord& record, const fs::path& file, const struct stat& status, const Settings& settings) {
-    record.path = path_in_record(file, settings.media.root);
-    record.bytes = static_cast<std::uint64_t>(status.st_size);
-    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
-}
+/// The analysis of one file, and what is said of it meanwhile.
+class Analysis {
+  public:
+    Analysis(const fs::path& file, const struct stat& status, const Settings& settings, bool keeps,
+             const GrowthObserver& grown)
+        : file_(file), status_(status), settings_(settings), keeps_(keeps), grown_(grown) {}
 
-/// Whatever the file is, there is something to say of it.
-MediaRecord analysed(const fs::path& file, const struct stat& status, const Settings& settings,
-                     const GrowthObserver& grown) {
-    const auto without_shots = [](MediaState state, const std::string& reason) {
+    /// Whatever the file is, there is something to say of it.
+    MediaRecord record() {
+        try {
+            return analysed();
+        } catch (const MediaError& error) {
+            const bool is_kept = error.state() == MediaState::failed && !known_.shots.empty();
+            if (!is_kept) return without_shots(error.state(), error.what());
+            known_ = known_part(std::move(known_), error);
+            if (keeper_) keeper_->complete(known_);
+            return known_;
+        } catch (const std::bad_alloc&) {
+            return without_shots(MediaState::failed,
+                                 fmt::format("it needs more memory than {} MiB", settings_.analyzer.memory));
+        }
+    }
+
+  private:
+    static MediaRecord without_shots(MediaState state, const std::string& reason) {
         MediaRecord record;
         record.state = state;
         record.reason = reason;
         return record;
-    };
-    MediaRecord known;
-    const auto keep = [&](const MediaRecord& part) {
-        if (known.shots.empty())
-            known = part;
-        else
-            known.shots.insert(known.shots.end(), part.shots.begin(), part.shots.end());
-        grown(part);
-    };
-    try {
-        return analyze(*opened(file, status, settings), analysis_settings(settings.analyzer), {}, keep);
-    } catch (const MediaError& error) {
-        const bool is_kept = error.state() == MediaState::failed && !known.shots.empty();
-        return is_kept ? known_part(known, error) : without_shots(error.state(), error.what());
-    } catch (const std::bad_alloc&) {
-        return without_shots(MediaState::failed,
-                             fmt::format("it needs more memory than {} MiB", settings.analyzer.memory));
     }
-}
+
+    MediaRecord analysed() {
+        const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
+        if (keeps_)
+            keeper_ = std::make_unique<Keeper>(file_.string(), source->info(),
+                                               store_place(file_, status_, settings_));
+        AttendedSource attended(*source, [this] { tell_kept(); });
+        MediaRecord record = analyze(attended, analysis_settings(settings_.analyzer), {},
+                                     [this](const MediaRecord& part) { grow(part); });
+        if (keeper_) keeper_->complete(record);
+        return record;
+    }
+
+    void grow(const MediaRecord& part) {
+        std::vector<Shot> shots = std::move(known_.shots);
+        shots.insert(shots.end(), part.shots.begin(), part.shots.end());
+        known_ = part;
+        known_.shots = std::move(shots);
+        grown_(part);
+        for (const Shot& shot : part.shots)
+            if (keeper_) keeper_->found(shot);
+    }
+
+    void tell_kept() {
+        if (!keeper_) return;
+        for (const Shot& shot : keeper_->news()) {
+            MediaRecord part = known_;
+            part.shots = {shot};
+            grown_(part);
+        }
+    }
+
+    const fs::path& file_;  // all but keeps outlive the analysis
+    const struct stat& status_;
+    const Settings& settings_;
+    bool keeps_;
+    const GrowthObserver& grown_;
+    MediaRecord known_;  // of a film, with the shots so far
+    std::unique_ptr<Keeper> keeper_;
+};
 
 }  // namespace
 
-MediaRecord record_of_file(const fs::path& file, const Settings& settings,
+MediaRecord record_of_file(const fs::path& file, const Settings& settings, bool keeps,
                            const std::function<void(const MediaRecord&)>& grown) {
     const struct stat status = status_of(file);
-    const auto tell = [&](MediaRecord part) {
-        if (!grown) return;
-        name(part, file, status, settings);
-        grown(part);
+    const auto tell = [&](const MediaRecord& part) {
+        if (grown) grown(name(part, file, status, settings));
     };
-    MediaRecord record = analysed(file, status, settings, tell);
-    name(record, file, status, settings);
-    return record;
+    return name(Analysis(file, status, settings, keeps, tell).record(), file, status, settings);
 }
 
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {

@@ -13,9 +13,11 @@ namespace vitrine {
 /// turns out to be damaged behind its first shots keeps them, and has the reason too.
 ///
 /// @param file  anywhere; its path in the record is relative to settings.media.root where it lies in there
-/// @param grown  sees what is new of a film whenever a shot is over, a record of the new shots alone
+/// @param keeps  puts the file into the store too (settings.store), for the player to play from
+/// @param grown  sees what is new of a film whenever a shot is over, a record of the new shots alone, and
+/// again of a shot alone when its place in the store becomes known
 /// @throws std::system_error where there is no such file
-MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings,
+MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings, bool keeps = false,
                            const std::function<void(const MediaRecord&)>& grown = {});
 
 /// Writes the sheet that shows how the file's regions came about, as PNG.

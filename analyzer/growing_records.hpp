@@ -21,7 +21,8 @@ class GrowingRecords {
     /// An analysis begins, of the content that `file` names.
     void begin(const MediaRecord& file);
 
-    /// What a child says of its newest shots; its path, bytes and mtime are those that were begun.
+    /// What a child says of its newest shots, or of earlier ones anew; its path, bytes and mtime are those
+    /// that were begun.
     void add(const MediaRecord& part);
 
     /// The records that say more than the catalogue has, each once.
@@ -36,7 +37,10 @@ class GrowingRecords {
     struct Growth {
         MediaRecord record;
         std::size_t published = 0;  // shots that the catalogue has of this content
+        bool is_changed = false;    // shots of before say more
     };
+
+    static bool says_more(const Growth& growth);
 
     std::map<std::string, Growth> growths_;
 };

@@ -35,6 +35,7 @@ struct CommandLine {
     std::string sheet = "sheet.png";
     bool is_once = false;
     bool is_growing = false;
+    bool keeps = false;
 };
 
 /// Decoded frames come and go by the megabyte: their memory is kept, for each return to the kernel costs it
@@ -61,9 +62,9 @@ int analyze_command(const CommandLine& line, const Settings& settings) {
         }
     };
     if (line.is_growing)
-        say(record_of_file(line.file, settings, say));
+        say(record_of_file(line.file, settings, line.keeps, say));
     else
-        say(record_of_file(line.file, settings));
+        say(record_of_file(line.file, settings, line.keeps));
     return EXIT_SUCCESS;
 }
 
@@ -87,6 +88,9 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
         options.child.push_back(word);
     options.child.emplace_back("analyze");
     options.child.emplace_back("--grow");
+    if (settings.store.max_bytes > 0) options.child.emplace_back("--keep");
+    options.store = std::filesystem::path(settings.state.directory) / "store";
+    options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
     options.limits.deadline = analyzer.deadline;
     if (memory_can_be_limited)
         options.limits.memory_bytes = static_cast<std::uint64_t>(analyzer.memory) << mebibyte_bits;
@@ -125,6 +129,7 @@ int run(int argc, char** argv) {
     CLI::App* analyze = app.add_subcommand("analyze", "Print the record of one file as JSON");
     analyze->add_option("FILE", line.file)->required();
     analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
+    analyze->add_flag("--keep", line.keeps, "Put it into the store, for the player to play from");
     CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
     explain->add_option("FILE", line.file)->required();
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();

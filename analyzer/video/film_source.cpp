@@ -145,6 +145,8 @@ void FilmSource::read_geometry(int analysis_size) {
                          fmt::format("the film is too large: {} x {} px", video.width, video.height));
     turn_ = orientation_at(sink_.get());
     tones_ = ToneMap::of(video.colorimetry);
+    info_.colours = video.colorimetry;
+    info_.turn = turn_;
     const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
     const double width = video.width * aspect;  // square pixels
     const double scale = std::min(1.0, analysis_size / std::max<double>(width, video.height));
@@ -159,7 +161,7 @@ std::optional<VideoFrame> FilmSource::next() {
     while (!ended_) {
         const GstPtr<GstSample> sample = next_sample();
         if (!sample) break;
-        const nanoseconds time = time_of(sample.get());
+        const nanoseconds time = times_.of(sample.get());
         if (time <= last_) continue;  // each moment once: broken files repeat time stamps
         last_ = time;
         return frame_of(sample.get(), time);
@@ -179,18 +181,6 @@ GstPtr<GstSample> FilmSource::next_sample() {
     return nullptr;
 }
 
-nanoseconds FilmSource::time_of(GstSample* sample) {
-    const GstBuffer* buffer = gst_sample_get_buffer(sample);
-    const GstClockTime time =
-        gst_segment_to_stream_time(gst_sample_get_segment(sample), GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
-    const nanoseconds at = GST_CLOCK_TIME_IS_VALID(time) ? nanoseconds(time) : end_;
-    constexpr nanoseconds usual{40'000'000};
-    const nanoseconds length =
-        GST_BUFFER_DURATION_IS_VALID(buffer) ? nanoseconds(GST_BUFFER_DURATION(buffer)) : usual;
-    end_ = std::max(end_, at + length);
-    return at;
-}
-
 VideoFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {
     const MappedFrame frame(sample);
     cv::Mat picture = reduce_frame(frame.get(), coded_size_, background_);  // rows without gaps
@@ -202,15 +192,16 @@ void FilmSource::finish() {
     ended_ = true;
     if (last_ < nanoseconds{0})
         throw MediaError(MediaState::failed, "the film cannot be read: it holds no picture");
+    const nanoseconds end = times_.end();
     constexpr double complete = 0.9;  // sound may go on for a while
     const double share = info_.duration.count() > 0
-                             ? static_cast<double>(end_.count()) / static_cast<double>(info_.duration.count())
+                             ? static_cast<double>(end.count()) / static_cast<double>(info_.duration.count())
                              : 1;
-    if (!extent_known_ && share < complete && info_.duration - end_ > std::chrono::seconds(2))
+    if (!extent_known_ && share < complete && info_.duration - end > std::chrono::seconds(2))
         throw MediaError(
             MediaState::waiting,
             fmt::format("the copy is not complete: the film ends at {:.0f} % of its length", 100 * share));
-    info_.duration = end_;
+    info_.duration = end;
     gst_element_set_state(chain_.pipeline(), GST_STATE_READY);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/video/frame_source.hpp"
+#include "analyzer/video/frame_times.hpp"
 #include "base/media/colour.hpp"
 #include "base/media/decode_chain.hpp"
 #include "base/media/tone_map.hpp"
@@ -32,7 +33,6 @@ class FilmSource : public FrameSource {
   private:
     void read_geometry(int analysis_size);
     GstPtr<GstSample> next_sample();
-    std::chrono::nanoseconds time_of(GstSample* sample);
     VideoFrame frame_of(GstSample* sample, std::chrono::nanoseconds time) const;
     void finish();
 
@@ -46,7 +46,7 @@ class FilmSource : public FrameSource {
     bool extent_known_ = false;     // the container said how long it is in bytes
     bool ended_ = false;
     std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet
-    std::chrono::nanoseconds end_{0};    // when it is over
+    FrameTimes times_;
 };
 
 }  // namespace vitrine

@@ -3,6 +3,8 @@
 #include "analyzer/video/video_frame.hpp"
 #include "base/catalogue/record.hpp"
 
+#include <gst/video/video.h>
+
 #include <optional>
 
 namespace vitrine {
@@ -13,6 +15,8 @@ struct MediaInfo {
     int width = 0;  // px of the upright picture at full size, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo; a film's may turn out shorter
+    GstVideoColorimetry colours{};         // of a film's frames
+    GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // that makes a film's frames upright
 };
 
 /// Gives the pictures of a medium one after another, each once: a photo, a film, or a test's drawing.

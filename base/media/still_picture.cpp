@@ -31,6 +31,8 @@ struct VipsUnref {
     void operator()(VipsImage* image) const { g_object_unref(image); }
 
     void operator()(VipsSource* source) const { g_object_unref(source); }
+
+    void operator()(VipsTarget* target) const { g_object_unref(target); }
 };
 
 template <typename T> using VipsPtr = std::unique_ptr<T, VipsUnref>;
@@ -189,15 +191,33 @@ VipsPtr<VipsImage> lent_image(const HeifPicture& picture) {
     return image;
 }
 
-}  // namespace
+/// Into a file, in colours that any reader takes for sRGB, with its transparency; without what its author's
+/// camera said. WebP where there is transparency, JPEG where not.
+void save(VipsImage* any, const std::string& to) {
+    constexpr int quality = 90;
+    VipsPtr<VipsImage> image =
+        step([&](auto** out) { return vips_colourspace(any, out, VIPS_INTERPRETATION_sRGB, nullptr); });
+    image = step([&](auto** out) { return vips_cast_uchar(image.get(), out, nullptr); });
+    const VipsPtr<VipsTarget> target(vips_target_new_to_file(to.c_str()));
+    if (!target) throw vips_failure();
+    constexpr int least_effort = 1;
+    const int failed =
+        vips_image_hasalpha(image.get())
+            ? vips_webpsave_target(image.get(), target.get(), "Q", quality, "effort", least_effort, "strip",
+                                   TRUE, nullptr)
+            : vips_jpegsave_target(image.get(), target.get(), "Q", quality, "strip", TRUE, nullptr);
+    if (failed != 0) throw vips_failure();
+}
 
-StillPicture load_still(const std::string& path, int max_width, int max_height, Colour background) {
+/// Hands the upright photo, no larger than asked, with its full size to `use`, and gives what that gives.
+template <typename Use>
+auto with_still(const std::string& path, int max_width, int max_height, const Use& use) {
     const MediaFormat format = media_format(path);
     require_complete(path, format);
     start_vips();
     vips_error_clear();  // what others left
     const auto finished = [&](VipsImage* image, StillInfo full) {
-        return in_memory(shrunk(image, max_width, max_height).get(), full, background);
+        return use(shrunk(image, max_width, max_height).get(), full);
     };
     if (format == MediaFormat::bmp) {
         const StillPicture all = read_bitmap(path);
@@ -209,6 +229,17 @@ StillPicture load_still(const std::string& path, int max_width, int max_height, 
     }
     const StillInfo full = header_size(path, format);  // the limits, before anything is decoded
     return finished(open_picture(path, format, decoder_shrink(full, max_width, max_height)).get(), full);
+}
+
+}  // namespace
+
+StillPicture load_still(const std::string& path, int max_width, int max_height, Colour background) {
+    return with_still(path, max_width, max_height,
+                      [&](VipsImage* image, StillInfo full) { return in_memory(image, full, background); });
+}
+
+void save_smaller(const std::string& path, int longest_side, const std::string& to) {
+    with_still(path, longest_side, longest_side, [&](VipsImage* image, StillInfo) { save(image, to); });
 }
 
 }  // namespace vitrine

@@ -14,4 +14,9 @@ namespace vitrine {
 /// @throws MediaError where the file is no photo, is cut short or damaged, or is beyond the limits
 StillPicture load_still(const std::string& path, int max_width, int max_height, Colour background = {});
 
+/// Writes a photo anew, upright and sRGB, its longest side at most so long: a JPEG, or a WebP where it is
+/// transparent.
+/// @throws MediaError as load_still(), and where the file cannot be written
+void save_smaller(const std::string& path, int longest_side, const std::string& to);
+
 }  // namespace vitrine

@@ -34,19 +34,35 @@ void sync_directory(const std::string& name) {
     if (::fsync(fd.get()) < 0) throw_errno("fsync '{}'", name);
 }
 
+void rename_and_sync(const std::string& written, const std::filesystem::path& path) {
+    if (::rename(written.c_str(), path.c_str()) < 0) throw_errno("rename '{}'", written);
+    const std::filesystem::path parent = path.parent_path();
+    sync_directory(parent.empty() ? "." : parent.string());
+}
+
 }  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
     const std::string sibling = path.string() + ".new";
     try {
         write_and_sync(sibling, content);
-        if (::rename(sibling.c_str(), path.c_str()) < 0) throw_errno("rename '{}'", sibling);
+        rename_and_sync(sibling, path);
     } catch (const std::system_error&) {
         ::unlink(sibling.c_str());
         throw;
     }
-    const std::filesystem::path parent = path.parent_path();
-    sync_directory(parent.empty() ? "." : parent.string());
+}
+
+void publish_file(const std::filesystem::path& written, const std::filesystem::path& path) {
+    try {
+        const UniqueFd fd(::open(written.c_str(), O_RDONLY | O_CLOEXEC));
+        if (!fd.is_open()) throw_errno("open '{}'", written.string());
+        if (::fsync(fd.get()) < 0) throw_errno("fsync '{}'", written.string());
+        rename_and_sync(written.string(), path);
+    } catch (const std::system_error&) {
+        ::unlink(written.c_str());
+        throw;
+    }
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {

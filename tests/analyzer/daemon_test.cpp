@@ -2,9 +2,11 @@
 
 #include "tests/temporary_directory.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -20,7 +22,7 @@ constexpr auto patience = 60s;  // until something that must come is given up
 
 /// Says that a file is ready, unless its first line is a command that misbehaves.
 constexpr const char* reader = R"(
-    read -r word < "$1" || true
+    read -r word name < "$1" || true
     echo "$1" >> "$0.log"
     case "$word" in
     crash) kill -SEGV $$ ;;
@@ -28,11 +30,18 @@ constexpr const char* reader = R"(
     half) state=waiting ;;
     *) state=ready ;;
     esac
+    stored=
+    if [ "$word" = keep ]; then
+        file="$name/photo"
+        mkdir -p "${0%/*}/store/${file%/*}"
+        printf 1234567890 > "${0%/*}/store/$file"
+        stored=',"stored":{"file":"'$file'","begin_ns":0,"width":4,"height":3,"dropped":false}'
+    fi
     say() {
         echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
              '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']}'
     }
-    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
+    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
     second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
     case "$word" in
     film) say false "$first"; read -r _ < "$0.gate"; say true "$first,$second" ;;
@@ -50,6 +59,8 @@ struct House {
     WatchOptions options() const {
         return {.root = root,
                 .catalogue = home.path / "catalogue",
+                .store = home.path / "store",
+                .bounds = {.max_bytes = most_stored},
                 .child = {"/bin/sh", script.string()},
                 .limits = {.deadline = deadline},
                 .pace = {.quiet = 1ms, .rename_grace = 100ms, .first_retry = 1ms, .retries = 2},
@@ -103,6 +114,21 @@ struct House {
         return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(log), {}, '\n'));
     }
 
+    /// Drops a photo of which the reader puts something into the store. @return the folder there
+    std::string keep(const std::string& name) const {
+        constexpr std::int64_t mtime = 1'700'000'000;
+        const std::string id = store_id(name, 21, mtime * 1'000'000'000);
+        const fs::path made = home.write("made", "keep " + id);
+        const std::array<timespec, 2> times{timespec{.tv_sec = mtime, .tv_nsec = 0},
+                                            timespec{.tv_sec = mtime, .tv_nsec = 0}};
+        REQUIRE(::utimensat(AT_FDCWD, made.c_str(), times.data(), 0) == 0);
+        fs::rename(made, root / name);
+        return id;
+    }
+
+    bool has_stored(const std::string& id) const { return fs::exists(home.path / "store" / id / "photo"); }
+
+    std::uint64_t most_stored = 0;  // bytes
     std::chrono::milliseconds deadline = 20s;
     std::chrono::milliseconds rescan = 1h;
     TemporaryDirectory home;
@@ -317,7 +343,7 @@ TEST_CASE("a file whose space is only reserved waits, and is analysed once it is
     house.daemon = std::make_unique<Daemon>(house.loop, options);
     CHECK(house.becomes("film.mp4", MediaState::waiting));
     CHECK(house.analyses() == 0);
-    house.drop("film.mp4", std::string(1'000'000, 'x'));
+    house.drop("film.mp4", "picture\n" + std::string(1'000'000, 'x'));
     CHECK(house.becomes("film.mp4", MediaState::ready));
 }
 
@@ -334,4 +360,58 @@ TEST_CASE("a damaged record is dropped and its file analysed again") {
     house.home.write("catalogue/" + record_id("a.jpg") + ".json", "{ not json");
     house.start();
     CHECK(house.becomes("a.jpg", MediaState::ready));
+}
+
+TEST_CASE("what is stored of a file goes with it") {
+    House house;
+    house.most_stored = 1000;
+    house.rescan = 20ms;
+    const std::string a = house.keep("a.jpg");
+    house.start();
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+    CHECK(house.record("a.jpg")->shots[0].stored->file == a + "/photo");
+    fs::rename(house.root / "a.jpg", house.root / "b.jpg");
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    const std::string c = house.keep("c.jpg");
+    CHECK(house.becomes("c.jpg", MediaState::ready));
+    CHECK(house.has_stored(a));
+    fs::remove(house.root / "b.jpg");
+    CHECK(house.comes_true([&] { return !house.has_stored(a); }));
+    CHECK(house.has_stored(c));
+}
+
+TEST_CASE("a full store gives up its oldest, whose record says so") {
+    House house;
+    house.most_stored = 15;
+    const std::string a = house.keep("a.jpg");
+    house.start();
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+    const std::string b = house.keep("b.jpg");
+    CHECK(house.comes_true([&] {
+        const auto record = house.record("a.jpg");
+        return record && record->shots[0].stored->is_dropped;
+    }));
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    CHECK_FALSE(house.record("b.jpg")->shots[0].stored->is_dropped);
+    CHECK_FALSE(house.has_stored(a));
+    CHECK(house.has_stored(b));
+}
+
+TEST_CASE("what the store has lost is made again at the next start, what it gave up is not") {
+    House house;
+    house.most_stored = 1000;
+    const std::string a = house.keep("a.jpg");
+    const std::string b = house.keep("b.jpg");
+    house.start();
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    house.daemon.reset();
+    fs::remove_all(house.home.path / "store" / a);
+    MediaRecord dropped = *house.record("b.jpg");
+    dropped.shots[0].stored->is_dropped = true;
+    fs::remove_all(house.home.path / "store" / b);
+    Catalogue(house.home.path / "catalogue").store(dropped);
+    house.start();
+    CHECK(house.comes_true([&] { return house.analyses() == 3 && house.has_stored(a); }));
+    CHECK_FALSE(house.has_stored(b));
 }

@@ -47,3 +47,17 @@ TEST_CASE("of another content the first shot is news") {
     growing.add(part(0, 1, 9));
     CHECK(growing.take_news() == std::vector{part(0, 1, 9)});
 }
+
+TEST_CASE("a shot whose place in the store becomes known is news, and stands where it stood") {
+    GrowingRecords growing;
+    growing.begin(part(0, 0));
+    growing.add(part(0, 2));
+    growing.take_news();
+    MediaRecord stored = part(0, 1);
+    stored.shots[0].stored = {.file = "0123456789abcdef/a.mp4", .width = 8, .height = 8};
+    growing.add(stored);
+    MediaRecord expected = part(0, 2);
+    expected.shots[0].stored = stored.shots[0].stored;
+    CHECK(growing.take_news() == std::vector{expected});
+    CHECK(growing.take_news().empty());
+}

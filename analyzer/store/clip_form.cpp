@@ -1,0 +1,38 @@
+#include "analyzer/store/clip_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int least_side = 16;  // px, of x264enc
+
+int even(double length) {
+    return 2 * std::max(1, static_cast<int>(std::lround(length / 2)));
+}
+
+}  // namespace
+
+std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side) {
+    const int longest = std::max(film.width, film.height);
+    if (longest <= 0) return std::nullopt;
+    const double scale = std::min(1.0, static_cast<double>(longest_side) / longest);
+    const ClipForm form{.width = even(film.width * scale),
+                        .height = even(film.height * scale),
+                        .turn = film.turn,
+                        .colours = film.colours};
+    if (std::min(form.width, form.height) < least_side) return std::nullopt;
+    return form;
+}
+
+int clip_side_for(int slots) {
+    constexpr double screen = 1920;
+    constexpr double beyond = 4.0 / 3;
+    constexpr int step = 16;  // px: a macroblock
+    const double side = screen * beyond / std::sqrt(std::max(1, slots));
+    return std::clamp(step * static_cast<int>(std::lround(side / step)), 320, static_cast<int>(screen));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "analyzer/store/clip_form.hpp"
+#include "analyzer/video/frame_times.hpp"
+#include "base/media/decode_chain.hpp"
+#include "base/media/tone_map.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace vitrine {
+
+/// A frame of a film in the form of a clip.
+struct ClipFrame {
+    GstPtr<GstSample> sample;
+    std::chrono::nanoseconds time{0};  // in the film
+};
+
+/// The frames of a film one after another, in the form of its clips. Not FilmSource: the analysis is ahead of
+/// the clips by seconds, which would have to be kept in memory, uncoded.
+class ClipReader {
+  public:
+    /// @throws MediaError where the film cannot be decoded
+    ClipReader(const std::string& film, const ClipForm& form);
+
+    /// Nothing at the end. @throws MediaError where the film breaks off
+    std::optional<ClipFrame> next();
+
+  private:
+    GstPtr<GstSample> toned(GstPtr<GstSample> sample) const;
+
+    std::optional<ToneMap> tones_;  // of an HDR film
+    DecodeChain chain_;
+    GstPtr<GstElement> sink_;
+    FrameTimes times_;
+    std::chrono::nanoseconds last_{-1};  // the last frame's time, -1: none yet
+};
+
+}  // namespace vitrine

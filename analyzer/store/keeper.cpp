@@ -1,0 +1,53 @@
+#include "analyzer/store/keeper.hpp"
+
+#include "analyzer/store/clip_writer.hpp"
+#include "analyzer/store/stored_copy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine {
+
+Keeper::Keeper(std::string file, const MediaInfo& media, StorePlace place)
+    : file_(std::move(file)), media_(media), place_(std::move(place)) {
+    if (media.kind == MediaKind::photo || !ClipWriter::has_encoder()) return;
+    if (const auto form = clip_form(media, place_.clip_side))
+        clips_ = std::make_unique<FilmClips>(file_, *form, place_);
+}
+
+Keeper::~Keeper() = default;
+
+void Keeper::found(const Shot& shot) {
+    if (clips_) clips_->want(shot);
+}
+
+std::vector<Shot> Keeper::news() {
+    std::vector<Shot> made = clips_ ? clips_->take_made() : std::vector<Shot>{};
+    known_.insert(known_.end(), made.begin(), made.end());
+    return made;
+}
+
+void Keeper::complete(MediaRecord& record) {
+    if (clips_) clips_->finish();
+    news();
+    fill_in(record);
+    const auto is_placed = [](const Shot& shot) { return shot.stored.has_value(); };
+    if (std::all_of(record.shots.begin(), record.shots.end(), is_placed)) return;
+    const bool is_photo = record.kind == MediaKind::photo;
+    const auto copy = is_photo ? store_photo(file_, media_, place_) : store_film(file_, media_, place_);
+    for (Shot& shot : record.shots) {
+        if (shot.stored) continue;
+        shot.stored = copy;
+        if (copy) shot.stored->begin = shot.begin;
+    }
+}
+
+void Keeper::fill_in(MediaRecord& record) {
+    for (Shot& shot : record.shots) {
+        const auto found = std::find_if(known_.begin(), known_.end(),
+                                        [&](const Shot& known) { return known.begin == shot.begin; });
+        if (found != known_.end()) shot.stored = found->stored;
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,136 @@
+#include "analyzer/store/store.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace vitrine {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::int64_t nanoseconds_of(const timespec& time) {
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
+Store::Store(fs::path directory, const StoreBounds& bounds)
+    : directory_(std::move(directory)), bounds_(bounds) {}
+
+bool Store::lacks(const MediaRecord& record) const {
+    if (!is_on() || record.state != MediaState::ready) return false;
+    return std::any_of(record.shots.begin(), record.shots.end(), [&](const Shot& shot) {
+        return !shot.stored || (!shot.stored->is_dropped && !fs::exists(directory_ / shot.stored->file));
+    });
+}
+
+void Store::mark_dropped(MediaRecord& record) const {
+    for (Shot& shot : record.shots)
+        if (shot.stored && dropped_.contains(shot.stored->file)) shot.stored->is_dropped = true;
+}
+
+void Store::hold(const MediaRecord& record) {
+    std::set<std::string>& names = named_[record.path];
+    names.clear();
+    for (const Shot& shot : record.shots) {
+        if (!shot.stored || shot.stored->is_dropped || !names.insert(shot.stored->file).second) continue;
+        if (!files_.contains(shot.stored->file)) look_at(shot.stored->file);
+    }
+    if (names.empty()) named_.erase(record.path);
+}
+
+void Store::release(const std::string& path) {
+    named_.erase(path);
+}
+
+void Store::look_at(const std::string& name) {
+    struct stat status {};
+
+    if (::stat((directory_ / name).c_str(), &status) < 0 || !S_ISREG(status.st_mode)) return;
+    files_[name] = {.bytes = static_cast<std::uint64_t>(status.st_size),
+                    .used_ns = std::max(nanoseconds_of(status.st_atim), nanoseconds_of(status.st_mtim))};
+}
+
+void Store::list() {
+    files_.clear();
+    std::error_code missing;
+    for (const fs::directory_entry& folder : fs::directory_iterator(directory_, missing)) {
+        std::error_code error;
+        const std::string id = folder.path().filename().string();
+        for (const fs::directory_entry& file : fs::directory_iterator(folder.path(), error))
+            look_at(id + "/" + file.path().filename().string());
+        if (!busy_.contains(id)) fs::remove(folder.path(), error);  // only where it is empty
+    }
+}
+
+void Store::sweep() {
+    list();
+    const std::set<std::string> named = names();
+    std::set<std::string> unnamed;
+    for (const auto& [name, file] : files_)
+        if (!named.contains(name) && !is_busy(name)) unnamed.insert(name);
+    for (const std::string& name : std::exchange(unnamed_, unnamed))
+        if (unnamed.contains(name)) take_out(name);
+}
+
+std::set<std::string> Store::make_room() {
+    const std::uint64_t bytes = excess();
+    if (bytes == 0) return {};
+    const std::set<std::string> named = names();
+    std::vector<StoredFile> files;
+    for (const auto& [name, file] : files_) {
+        const bool is_named = named.contains(name);
+        if (is_named || !is_busy(name))
+            files.push_back(
+                {.name = name, .bytes = file.bytes, .used_ns = file.used_ns, .is_named = is_named});
+    }
+    std::set<std::string> lost;
+    for (const StoredFile& file : surplus(std::move(files), bytes)) {
+        take_out(file.name);
+        if (file.is_named && is_on()) lost.insert(file.name);
+    }
+    dropped_.insert(lost.begin(), lost.end());
+    std::set<std::string> paths;
+    for (const auto& [path, its] : named_)
+        if (std::any_of(its.begin(), its.end(), [&](const auto& name) { return lost.contains(name); }))
+            paths.insert(path);
+    return paths;
+}
+
+void Store::take_out(const std::string& name) {
+    std::error_code ignored;  // it is tried again at the next sweep
+    fs::remove(directory_ / name, ignored);
+    fs::remove((directory_ / name).parent_path(), ignored);  // only where it is empty
+    files_.erase(name);
+}
+
+std::uint64_t Store::excess() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [name, file] : files_)
+        bytes += file.bytes;
+    return std::max(bytes > bounds_.max_bytes ? bytes - bounds_.max_bytes : 0, std::min(bytes, lack()));
+}
+
+/// Bytes that the disk has too few of.
+std::uint64_t Store::lack() const {
+    std::error_code error;
+    const fs::space_info space = fs::space(directory_, error);
+    return error || space.available >= bounds_.least_free ? 0 : bounds_.least_free - space.available;
+}
+
+std::set<std::string> Store::names() const {
+    std::set<std::string> all;
+    for (const auto& [path, its] : named_)
+        all.insert(its.begin(), its.end());
+    return all;
+}
+
+bool Store::is_busy(const std::string& name) const {
+    return busy_.contains(name.substr(0, name.find('/')));
+}
+
+}  // namespace vitrine
