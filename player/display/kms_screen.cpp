@@ -66,12 +66,13 @@ void KmsScreen::show(ScanoutBuffer buffer) {
     outcome_ = comes_with_mode ? state_.mode_answered(error)
                                : state_.flip_answered(error, std::chrono::steady_clock::now());
     reason_ = error == 0 ? "" : std::generic_category().message(error);
-    if (outcome_ == Outcome::shown) {
+    if (outcome_ == Outcome::under_way) {
+        in_flight_ = std::move(buffer);
+    } else if (outcome_ == Outcome::shown) {
         in_flight_.reset();
         on_screen_ = std::move(buffer);
         in_the_way_ = {};
     }
-    if (outcome_ == Outcome::under_way) in_flight_ = std::move(buffer);
 }
 
 int KmsScreen::set_mode(const ScanoutBuffer& buffer) {

@@ -88,10 +88,12 @@ class Feeding {
         for (std::size_t i = 0; i < card_.crtcs.size(); ++i)
             if (has_bit(connector.crtcs, i) && (!needs_plane_ || free_plane(card_, i, {}) != 0))
                 order.push_back(i);
-        std::ranges::stable_partition(order,
-                                      [&](std::size_t i) { return card_.crtcs[i] == connector.crtc_id; });
-        std::ranges::stable_partition(
-            order, [&](std::size_t i) { return card_.crtcs[i] == connector.crtc_id || fed_[i] == nullptr; });
+        const auto rank = [&](std::size_t i) {  // what feeds it already, what is free, what others have
+            if (card_.crtcs[i] == connector.crtc_id) return 0;
+            return fed_[i] == nullptr ? 1 : 2;
+        };
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
         for (const std::size_t i : order) {
             if (tried[i]) continue;
             tried[i] = true;

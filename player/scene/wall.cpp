@@ -57,7 +57,7 @@ void Wall::set_layout(const Layout& layout) {
     assert(layout.placements.size() == wall.size());
     for (std::size_t i = 0; i < wall.size(); ++i)
         wall[i].placement = layout.placements[i];
-    give_cells(wall, canvas_, settings_.transition.cells);
+    give_cells(wall, incoming_->canvas, settings_.transition.cells);
     incoming_->has_layout = true;
     incoming_->wants_sources = true;
 }
@@ -165,14 +165,15 @@ void Wall::give_up_waiting(std::chrono::nanoseconds now) {
 
 void Wall::begin_fade(std::chrono::nanoseconds now) {
     TransitionStyle style = settings_.transition;
-    if (canvas_ != shown_canvas_ || settings_.nests)
-        style.motion = {};  // hulls of groups might meet on the way
+    const bool is_other_canvas = !shown_.empty() && incoming_->canvas != shown_canvas_;
+    if (is_other_canvas || settings_.nests) style.motion = {};  // hulls of groups might meet on the way
+    if (is_other_canvas) style.crossfade = {};                  // the old wall fits no more
     if (incoming_->is_by_hand) {
         style.motion = style.crossfade = hand_step;
         style.is_even = true;
     }
     std::vector<Act>& acts = incoming_->acts;
-    acts = transition(canvas_, shown_, incoming_->wall, style);
+    acts = transition(incoming_->canvas, shown_, incoming_->wall, style);
     const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;
     incoming_->fade_began = now;
     for (PlacedShot& placed : incoming_->wall) {
@@ -195,9 +196,9 @@ std::vector<SourceId> Wall::retire() {
 }
 
 Frame Wall::picture(std::chrono::nanoseconds now) const {
-    if (!is_fading()) return compose(canvas_, shown_, {}, 0, now);
-    return picture_of(incoming_->acts, now - *incoming_->fade_began, canvas_, settings_.transition.cells,
-                      now);
+    if (!is_fading()) return compose(shown_.empty() ? canvas_ : shown_canvas_, shown_, {}, 0, now);
+    return picture_of(incoming_->acts, now - *incoming_->fade_began, incoming_->canvas,
+                      settings_.transition.cells, now);
 }
 
 }  // namespace vitrine

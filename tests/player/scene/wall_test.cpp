@@ -256,6 +256,25 @@ TEST_CASE("another canvas lays the same shots out anew without restarting them")
     CHECK(house.planned.size() == 2);
 }
 
+TEST_CASE(
+    "until a wall is laid out for another canvas it is shown whole on its own, then the new one at once") {
+    House house = ::house({photo("a"), photo("b")});
+    house.run(2s);
+    house.plans = false;
+    house.wall.set_canvas({720, 1280});
+
+    WallStep step = house.run(1s);
+    CHECK(step.frame.canvas == Vec2{1280, 720});
+    CHECK(step.frame.items.size() == 2);
+
+    house.plan(house.planned.back());
+    step = house.step();
+    CHECK(step.frame.canvas == Vec2{720, 1280});
+    CHECK(step.frame.items.size() == 2);
+    CHECK(step.frame.items[0].alpha == 1);
+    CHECK(house.run(1s).frame.canvas == Vec2{720, 1280});
+}
+
 TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn meanwhile") {
     House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
     house.run(2s);
