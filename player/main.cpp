@@ -1,6 +1,7 @@
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/system/log.hpp"
+#include "base/system/memory.hpp"
 #include "player/plan_command.hpp"
 #include "player/player.hpp"
 
@@ -131,6 +132,7 @@ void run(const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    bound_memory();
     CommandLine line;
     add_play_options(line);
     add_plan_options(line);

@@ -1,13 +1,14 @@
 #include "player/player.hpp"
 
 #include "base/catalogue/catalogue.hpp"
-#include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "player/display/kms_display.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/display/screen_choice.hpp"
+#include "player/player_settings.hpp"
+#include "player/render/upload_choice.hpp"
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
@@ -50,7 +51,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
       console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
       sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
-               colour_named(settings.show.background).value_or(Colour{})),
+               source_options(settings, !is_paced_by_pictures_)),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
@@ -102,10 +103,15 @@ void Player::open_display() {
     }
     complaint_.clear();
     renderer_.emplace(1, 1);
+    const PictureForm form = picture_form(renderer_->device());
+    sources_.set_form(form);
     if (display_->event_fd() >= 0)
         display_events_ =
             loop_.watch(display_->event_fd(), EPOLLIN, [this](std::uint32_t) { display_->dispatch(); });
     log::info("screen: {}", display_->description());
+    log::info("films: {}", form == PictureForm::rgba
+                               ? "scaled by the processor, which draws too"
+                               : "uploaded as they are decoded, scaled by the graphics card");
 }
 
 void Player::close_display() {
@@ -245,8 +251,10 @@ void Player::tell() {
     std::size_t items = 0;
     for (const auto& [folder, count] : items_)
         items += count;
-    service::status(fmt::format("{}, {} items, {} pictures shown, {} late", description(), items,
-                                clock_.pictures(), clock_.late()));
+    const FilmsByDetail films = sources_.films();
+    service::status(fmt::format(
+        "{}, {} items, {} pictures shown, {} late; {} films play, {} with fewer pictures, {} stand",
+        description(), items, clock_.pictures(), clock_.late(), films.all, films.fewer, films.still));
     told_.arm(status_interval);
 }
 

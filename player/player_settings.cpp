@@ -1,5 +1,6 @@
 #include "player/player_settings.hpp"
 
+#include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
 
 #include <algorithm>
@@ -48,6 +49,11 @@ PanSettings pan_settings(const Settings& settings) {
             .items_a_screen = assemblage.slots,
             .speed = settings.show.pan_speed,
             .cells = cell_style(settings)};
+}
+
+SourceOptions source_options(const Settings& settings, bool keeps_time) {
+    return {.background = colour_named(settings.show.background).value_or(Colour{}),
+            .keeps_time = keeps_time};
 }
 
 View view_of(const Settings& settings, int width, int height) {

@@ -2,6 +2,7 @@
 
 #include "base/settings/settings.hpp"
 #include "player/layout/plan.hpp"
+#include "player/playback/shot_source.hpp"
 #include "player/render/view.hpp"
 #include "player/scene/panning_wall.hpp"
 #include "player/scene/wall.hpp"
@@ -14,6 +15,9 @@ AssemblageSettings assemblage_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 WallSettings wall_settings(const Settings& settings);
 PanSettings pan_settings(const Settings& settings);
+
+/// @param keeps_time  pictures are shown at their time, late or not, instead of each exactly
+SourceOptions source_options(const Settings& settings, bool keeps_time);
 
 /// How a canvas lies on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);

@@ -1,6 +1,9 @@
 #include "player/playback/film_loop.hpp"
 
+#include "player/playback/container_ways.hpp"
+
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <exception>
@@ -20,6 +23,7 @@ constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // 
 constexpr GstClockTime state_patience = 5 * GST_SECOND;
 constexpr int most_barren_loops = 4;
 constexpr const char* stop_name = "vitrine-stop";
+constexpr const char* jump_name = "vitrine-jump";
 
 GstPtr<GstElement> named(GstElement* bin, const char* name) {
     return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(bin), name));
@@ -39,30 +43,33 @@ std::chrono::nanoseconds period(GstElement* tail) {
     return std::chrono::nanoseconds(1'000'000'000LL * denominator / numerator);
 }
 
-/// Containers whose time stamps stay true over a seek while the demuxer's stream time does not: it is then
-/// counted from the first clock reference instead of the first picture, 0.2 s off and more. In a pass from
-/// the begin the two are the same.
-bool has_true_time_stamps(MediaFormat format) {
-    return format == MediaFormat::mpeg_ts;
+int seek_flags(Detail detail) {
+    switch (detail) {
+    case Detail::references:
+        return GST_SEEK_FLAG_TRICKMODE;
+    case Detail::keys:
+        return GST_SEEK_FLAG_TRICKMODE | GST_SEEK_FLAG_TRICKMODE_KEY_UNITS;
+    case Detail::all:
+    case Detail::still:
+        break;
+    }
+    return 0;
 }
 
-/// Containers whose times may begin anywhere, so that their duration does not tell where they end.
-bool starts_at_zero(MediaFormat format) {
-    return format != MediaFormat::mpeg_ts && format != MediaFormat::mpeg_ps;
-}
-
-/// Containers whose demuxers keep their promise in segment seeks; MPEG-TS stands still for ever.
-bool has_segment_seeks(MediaFormat format) {
-    return format == MediaFormat::mp4 || format == MediaFormat::matroska || format == MediaFormat::avi;
+/// Processor time of the thread that asks.
+std::chrono::nanoseconds thread_time() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 }  // namespace
 
-FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue, PictureForm form)
+FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue, const FilmOptions& options)
     : part_(std::move(part)),
       queue_(queue),
       size_(Size{part_.width, part_.height}),
-      scaler_(form),
+      scaler_(options.form),
       thread_([this] { run(); }) {}
 
 FilmLoop::~FilmLoop() {
@@ -74,12 +81,23 @@ void FilmLoop::resize(int width, int height) {
     size_ = Size{width, height};
 }
 
+void FilmLoop::go_on(Detail detail, std::chrono::nanoseconds at) {
+    const std::lock_guard lock(mutex_);
+    wanted_ = Jump{detail, at};
+    if (!is_stopped_) post(jump_name);
+}
+
 void FilmLoop::stop() {
     queue_.close();
     const std::lock_guard lock(mutex_);
-    if (std::exchange(is_stopped_, true) || !chain_) return;
-    gst_bus_post(chain_->bus(),
-                 gst_message_new_application(nullptr, gst_structure_new_empty(stop_name)));  // takes both
+    if (!std::exchange(is_stopped_, true)) post(stop_name);
+}
+
+/// To who waits for messages. @pre the lock is held
+void FilmLoop::post(const char* name) {
+    if (!chain_) return;
+    GstStructure* word = gst_structure_new_empty(name);
+    gst_bus_post(chain_->bus(), gst_message_new_application(nullptr, word));  // takes both
 }
 
 std::optional<std::string> FilmLoop::failure() const {
@@ -107,10 +125,25 @@ void FilmLoop::run() {
 void FilmLoop::play() {
     if (!open() || !preroll()) return;
     enter();
+    follow_wish();
     while (const GstPtr<GstMessage> message = next_message()) {
-        const GstMessageType type = GST_MESSAGE_TYPE(message.get());
-        if (type == GST_MESSAGE_SEGMENT_DONE || type == GST_MESSAGE_EOS) rewind();
+        if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_APPLICATION) follow_wish();
+        if (ends_a_loop(message.get())) rewind();
     }
+}
+
+/// A demuxer may have come to the end just before it was sent elsewhere.
+bool FilmLoop::ends_a_loop(GstMessage* message) const {
+    const GstMessageType type = GST_MESSAGE_TYPE(message);
+    return type == GST_MESSAGE_EOS ||
+           (type == GST_MESSAGE_SEGMENT_DONE && gst_message_get_seqnum(message) == sought_);
+}
+
+void FilmLoop::follow_wish() {
+    std::unique_lock lock(mutex_);
+    const std::optional<Jump> wanted = std::exchange(wanted_, std::nullopt);
+    lock.unlock();
+    if (wanted) jump(*wanted);
 }
 
 /// False: told to stop meanwhile.
@@ -121,6 +154,8 @@ bool FilmLoop::open() {
     GstAppSinkCallbacks callbacks{};
     callbacks.new_sample = &FilmLoop::on_sample;
     gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
+    const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
+    gst_pad_add_probe(pad.get(), GST_PAD_PROBE_TYPE_EVENT_FLUSH, &FilmLoop::on_flush, this, nullptr);
     auto chain = std::make_unique<DecodeChain>(part_.file, std::move(tail));
     is_named_by_stamp_ = has_true_time_stamps(chain->format());
     way_ = has_segment_seeks(chain->format()) ? Rewind::segment : Rewind::flush;
@@ -151,11 +186,44 @@ void FilmLoop::enter() {
     const std::chrono::nanoseconds whole = chain_->duration();
     if (!starts_at_zero(chain_->format()) || whole.count() <= 0 || part_.end + rounding < whole)
         to_ = std::max(from_ + rounding, part_.end - period_ / 2);
-    if (way_ == Rewind::segment && !seek(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT)) way_ = Rewind::flush;
-    if (way_ == Rewind::flush && !seek(GST_SEEK_FLAG_FLUSH)) {
+    const Jump first{.at = part_.at};
+    landing_ = first;
+    land(first);
+    gst_element_set_state(chain_->pipeline(), GST_STATE_PLAYING);  // a failure comes as a message
+}
+
+/// Goes on elsewhere, with another detail. A still film is one whose pictures nobody takes.
+void FilmLoop::jump(const Jump& jump) {
+    detail_ = jump.detail;
+    barren_loops_ = 0;
+    if (detail_ == Detail::still || !is_playing()) return;
+    landing_ = jump;
+    queue_.refuse(true);  // a streaming thread that waits to put would keep the seek waiting
+    land(jump);
+    queue_.refuse(false);
+}
+
+void FilmLoop::land(const Jump& jump) {
+    const std::chrono::nanoseconds from =
+        jump.at.count() > 0 ? std::max(from_, part_.begin + jump.at % part_.duration() + period_ / 3) : from_;
+    if (way_ == Rewind::segment && !seek(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT, from))
+        way_ = Rewind::flush;
+    if (way_ == Rewind::flush && !seek(GST_SEEK_FLAG_FLUSH, from)) {
         throw MediaError(MediaState::failed, "the film cannot be searched");
     }
-    gst_element_set_state(chain_->pipeline(), GST_STATE_PLAYING);  // a failure comes as a message
+}
+
+/// The streaming thread stands still and what it had is gone: what comes now is of the place jumped to.
+GstPadProbeReturn FilmLoop::on_flush(GstPad*, GstPadProbeInfo* info, gpointer self) {
+    if (GST_EVENT_TYPE(gst_pad_probe_info_get_event(info)) != GST_EVENT_FLUSH_STOP) return GST_PAD_PROBE_OK;
+    auto* const loop = static_cast<FilmLoop*>(self);
+    const std::optional<Jump> landing = std::exchange(loop->landing_, std::nullopt);
+    if (!landing) return GST_PAD_PROBE_OK;
+    const std::chrono::nanoseconds duration = loop->part_.duration();
+    loop->loop_ = static_cast<std::uint64_t>(landing->at / duration);
+    loop->last_ = loop->part_.begin + landing->at % duration - loop->period_;
+    loop->queue_.refuse(false);
+    return GST_PAD_PROBE_OK;
 }
 
 void FilmLoop::rewind() {
@@ -163,12 +231,13 @@ void FilmLoop::rewind() {
     barren_loops_ = is_barren ? barren_loops_ + 1 : 0;
     pictures_at_rewind_ = pictures_;
     if (barren_loops_ >= most_barren_loops) {
+        if (detail_ != Detail::all) return;  // there is none of those wanted: it stands still
         throw MediaError(MediaState::failed, "the film gives no picture of this part");
     }
     if (barren_loops_ > 1) way_ = Rewind::flush;
-    if (way_ == Rewind::segment && is_playing() && seek(GST_SEEK_FLAG_SEGMENT)) return;
+    if (way_ == Rewind::segment && is_playing() && seek(GST_SEEK_FLAG_SEGMENT, from_)) return;
     way_ = Rewind::flush;
-    if (!seek(GST_SEEK_FLAG_FLUSH)) throw MediaError(MediaState::failed, "the film cannot be rewound");
+    if (!seek(GST_SEEK_FLAG_FLUSH, from_)) throw MediaError(MediaState::failed, "the film cannot be rewound");
 }
 
 /// Waits for what was asked for: a seek that does not flush would stop for ever in the midst of it, as in a
@@ -180,11 +249,14 @@ bool FilmLoop::is_playing() const {
            state == GST_STATE_PLAYING;
 }
 
-bool FilmLoop::seek(int flags) {
+bool FilmLoop::seek(int flags, std::chrono::nanoseconds from) {
+    flags |= GST_SEEK_FLAG_ACCURATE | seek_flags(detail_);
     const auto to = to_.value_or(std::chrono::nanoseconds(-1));
-    return gst_element_seek(chain_->pipeline(), 1.0, GST_FORMAT_TIME,
-                            static_cast<GstSeekFlags>(flags | GST_SEEK_FLAG_ACCURATE), GST_SEEK_TYPE_SET,
-                            from_.count(), to_ ? GST_SEEK_TYPE_SET : GST_SEEK_TYPE_NONE, to.count()) != FALSE;
+    GstEvent* event =
+        gst_event_new_seek(1.0, GST_FORMAT_TIME, static_cast<GstSeekFlags>(flags), GST_SEEK_TYPE_SET,
+                           from.count(), to_ ? GST_SEEK_TYPE_SET : GST_SEEK_TYPE_NONE, to.count());
+    sought_ = gst_event_get_seqnum(event);
+    return gst_element_send_event(chain_->pipeline(), event) != FALSE;  // which takes it
 }
 
 /// The next of the pipeline; none: told to stop. @throws MediaError where it is a failure
@@ -195,7 +267,7 @@ GstPtr<GstMessage> FilmLoop::next_message() {
     GstPtr<GstMessage> message(gst_bus_timed_pop_filtered(chain_->bus(), GST_CLOCK_TIME_NONE, types));
     if (!message) return nullptr;
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
-    if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_APPLICATION) return nullptr;
+    if (gst_message_has_name(message.get(), stop_name)) return nullptr;
     return message;
 }
 
@@ -214,6 +286,14 @@ std::optional<std::chrono::nanoseconds> FilmLoop::time_in_film(GstSample* sample
     return std::chrono::nanoseconds(stream_time);
 }
 
+/// Another thread may stream after a seek.
+void FilmLoop::note_cost() {
+    const std::chrono::nanoseconds now = thread_time();
+    if (noted_thread_ == std::this_thread::get_id()) spent_ = spent_.load() + now - noted_;
+    noted_thread_ = std::this_thread::get_id();
+    noted_ = now;
+}
+
 GstFlowReturn FilmLoop::put(GstSample* sample) noexcept {
     const std::optional<std::chrono::nanoseconds> time = time_in_film(sample);
     if (!time) return GST_FLOW_OK;  // outside the segment
@@ -225,6 +305,7 @@ GstFlowReturn FilmLoop::put(GstSample* sample) noexcept {
     if (!picture) return GST_FLOW_OK;
     if (last_ && stream_time <= *last_) ++loop_;
     last_ = stream_time;
+    note_cost();
     const bool is_open = queue_.put({.sample = std::move(*picture), .loop = loop_, .duration = period_});
     ++pictures_;
     return is_open ? GST_FLOW_OK : GST_FLOW_EOS;

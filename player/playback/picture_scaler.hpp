@@ -14,10 +14,6 @@ struct SwsContext;
 
 namespace vitrine {
 
-/// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
-/// colours, RGBA at the very size where the processor does all of it.
-enum class PictureForm { rgba, planes };
-
 /// Makes pictures for the renderer of decoded frames. FFmpeg's scaler, as it costs a fifth of
 /// videoconvertscale: measured 0.6 against 3.0 ms from 720p to 360p, 0.07 against 0.25 ms at the same size.
 class PictureScaler {

@@ -15,6 +15,10 @@ enum class PixelLayout {
     nv12,  // brightness, then one such plane with both differences side by side
 };
 
+/// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
+/// colours, RGBA at the very size where the processor does all of it.
+enum class PictureForm { rgba, planes };
+
 /// What the brightness and the colour differences of a picture mean.
 struct ColourCode {
     enum class Matrix { bt601, bt709, bt2020 };

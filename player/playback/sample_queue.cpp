@@ -6,8 +6,9 @@ namespace vitrine {
 
 bool SampleQueue::put(LoopedSample sample) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return is_closed_ || samples_.size() < capacity_; });
+    changed_.wait(lock, [&] { return is_closed_ || is_refusing_ || samples_.size() < capacity_; });
     if (is_closed_) return false;
+    if (is_refusing_) return true;
     samples_.push_back(std::move(sample));
     changed_.notify_all();
     return true;
@@ -20,6 +21,12 @@ std::optional<LoopedSample> SampleQueue::take_if(const std::function<bool(const 
     samples_.pop_front();
     changed_.notify_all();
     return sample;
+}
+
+void SampleQueue::refuse(bool refuses) {
+    const std::lock_guard lock(mutex_);
+    is_refusing_ = refuses;
+    changed_.notify_all();
 }
 
 bool SampleQueue::is_empty() const {

@@ -25,11 +25,14 @@ class SampleQueue {
   public:
     explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits while the queue is full. False: closed, the picture is dropped.
+    /// Waits while the queue is full. False: closed; the picture is dropped.
     bool put(LoopedSample sample);
 
     /// The oldest picture where it fits, else nothing, without waiting.
     std::optional<LoopedSample> take_if(const std::function<bool(const LoopedSample&)>& fits);
+
+    /// Whether pictures are dropped instead of put, without waiting; true wakes who waits to put.
+    void refuse(bool refuses);
 
     bool is_empty() const;
 
@@ -46,6 +49,7 @@ class SampleQueue {
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     std::deque<LoopedSample> samples_;  // guarded by mutex_
+    bool is_refusing_ = false;          // guarded by mutex_
     bool is_closed_ = false;            // guarded by mutex_
 };
 

@@ -1,5 +1,7 @@
 #include "player/playback/shot_source.hpp"
 
+#include "player/playback/film_loop.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -12,6 +14,10 @@ constexpr std::size_t least_pictures = 4;
 constexpr std::size_t most_bytes = 24U << 20;  // of pictures decoded ahead
 constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);
 constexpr std::chrono::nanoseconds most_behind = std::chrono::milliseconds(250);  // before time gives way
+constexpr std::chrono::nanoseconds hopeless = std::chrono::seconds(1);            // behind: it is sent ahead
+constexpr std::chrono::nanoseconds jump_time =
+    std::chrono::milliseconds(300);  // until a film plays elsewhere
+constexpr std::chrono::nanoseconds between_jumps = std::chrono::seconds(3);
 
 std::size_t capacity(const ShotRequest& request) {
     const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(std::max(1, request.width)) *
@@ -21,18 +27,22 @@ std::size_t capacity(const ShotRequest& request) {
 
 }  // namespace
 
-ShotSource::ShotSource(std::string file, const ShotRequest& request, Colour background)
-    : file_(std::move(file)), request_(request), background_(background), queue_(capacity(request)) {
+ShotSource::ShotSource(std::string file, const ShotRequest& request, const SourceOptions& options,
+                       std::chrono::nanoseconds at)
+    : file_(std::move(file)), request_(request), options_(options), queue_(capacity(request)), jumped_(at) {
     if (request.kind == MediaKind::photo) {
-        photo_ = std::make_unique<PhotoLoad>(file_, request.width, request.height, background_, queue_);
+        photo_ =
+            std::make_unique<PhotoLoad>(file_, request.width, request.height, options.background, queue_);
         return;
     }
     const FilmPart part{.file = file_,
                         .begin = request.shot.begin,
                         .end = request.shot.end,
                         .width = request.width,
-                        .height = request.height};
-    film_ = std::make_unique<FilmLoop>(part, queue_);
+                        .height = request.height,
+                        .at = at};
+    film_ = options.make_film ? options.make_film(part, queue_, options.film)
+                              : std::make_unique<FilmLoop>(part, queue_, options.film);
 }
 
 std::optional<std::string> ShotSource::failure() const {
@@ -41,9 +51,9 @@ std::optional<std::string> ShotSource::failure() const {
 }
 
 std::optional<Sample> ShotSource::frame_at(std::chrono::nanoseconds local) {
-    take_due(local - behind_);
+    if (detail_ != Detail::still) take_due(local - behind_);
     if (!current_) return std::nullopt;
-    if (film_ && local != judged_) judge_lateness(local);
+    if (film_ && detail_ != Detail::still && local != judged_) judge_lateness(local);
     return current_->sample;
 }
 
@@ -72,7 +82,14 @@ void ShotSource::resize(int width, int height) {
     if (film_)
         film_->resize(width, height);
     else
-        photo_ = std::make_unique<PhotoLoad>(file_, width, height, background_, queue_);
+        photo_ = std::make_unique<PhotoLoad>(file_, width, height, options_.background, queue_);
+}
+
+void ShotSource::set_detail(Detail detail) {
+    if (!film_ || detail == detail_) return;
+    detail_ = detail;
+    jumped_ = judged_;
+    film_->go_on(detail, judged_ + jump_time);
 }
 
 void ShotSource::stop() {
@@ -100,11 +117,17 @@ void ShotSource::take_due(std::chrono::nanoseconds target) {
 
 void ShotSource::judge_lateness(std::chrono::nanoseconds local) {
     judged_ = local;
+    ++due_;
     if (!queue_.is_empty() || queue_.is_closed()) return;
     const std::chrono::nanoseconds missing = local - behind_ - position(*current_) - current_->duration;
     if (missing <= rounding) return;
     ++late_;
-    if (missing > most_behind) behind_ += missing;
+    if (!options_.keeps_time) {
+        if (missing > most_behind) behind_ += missing;
+    } else if (missing > hopeless && local - jumped_ > between_jumps) {
+        jumped_ = local;
+        film_->go_on(detail_, local + jump_time);
+    }
 }
 
 }  // namespace vitrine

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/playback/film_loop.hpp"
+#include "player/playback/film_feed.hpp"
 #include "player/playback/photo_load.hpp"
 #include "player/playback/sample_queue.hpp"
 #include "player/scene/shot_request.hpp"
@@ -13,14 +13,23 @@
 
 namespace vitrine {
 
+/// How sources play.
+struct SourceOptions {
+    Colour background;  // what shows through where a photo is transparent
+    FilmOptions film;
+    FilmFactory make_film;    // empty: FilmLoop
+    bool keeps_time = false;  // a film too slow for the machine skips pictures; else it falls behind
+};
+
 /// Plays one shot of a film in a loop, or holds a photo. Decodes in threads of its own, ahead of what is
 /// asked for by a few pictures; a file deleted meanwhile plays on. Never throws for a bad file: failure()
 /// tells.
 class ShotSource {
   public:
     /// Begins at once to read.
-    /// @param background  what shows through where a photo is transparent
-    ShotSource(std::string file, const ShotRequest& request, Colour background = {});
+    /// @param at  how long the shot has been shown already, by a source before this
+    ShotSource(std::string file, const ShotRequest& request, const SourceOptions& options = {},
+               std::chrono::nanoseconds at = {});
 
     /// Whether there is a first picture.
     bool is_ready() const { return current_ || !queue_.is_empty(); }
@@ -31,7 +40,8 @@ class ShotSource {
     /// The newest picture due, without waiting; nothing before the first is ready.
     ///
     /// @param local  since the shot began to be shown, never going back; it plays in loops of its duration.
-    /// Where decoding cannot keep up the shot falls behind `local` rather than skip pictures.
+    /// Where decoding cannot keep up pictures are skipped, or the shot falls behind `local`, as the options
+    /// say.
     std::optional<Sample> frame_at(std::chrono::nanoseconds local);
 
     /// Waits until frame_at(local) is exact: for rendering at its own pace. False: not within `patience`.
@@ -46,8 +56,23 @@ class ShotSource {
     /// Pictures to come get another size; a photo that is still being read keeps the one it has.
     void resize(int width, int height);
 
-    /// How often a picture was due and not there.
+    /// How often a picture was asked for that was not the last one, and how often it was due and not there.
+    std::uint64_t due() const { return due_; }
+
     std::uint64_t late() const { return late_; }
+
+    /// Whether the film has given nothing though it could: what is to be shown next is not there.
+    bool is_starved() const {
+        return film_ && detail_ != Detail::still && queue_.is_empty() && !queue_.is_closed();
+    }
+
+    /// Processor time that the film has cost so far.
+    std::chrono::nanoseconds spent() const { return film_ ? film_->spent() : std::chrono::nanoseconds(0); }
+
+    /// Which of a film's pictures are shown from now on; a photo has but one.
+    void set_detail(Detail detail);
+
+    Detail detail() const { return detail_; }
 
     /// Begins to end; the destructor does not wait for long once has_ended().
     void stop();
@@ -60,13 +85,16 @@ class ShotSource {
 
     std::string file_;
     ShotRequest request_;
-    Colour background_;
+    SourceOptions options_;
     SampleQueue queue_;
-    std::unique_ptr<FilmLoop> film_;    // of a video
+    std::unique_ptr<FilmFeed> film_;    // of a video
     std::unique_ptr<PhotoLoad> photo_;  // of a photo
     std::optional<LoopedSample> current_;
     std::chrono::nanoseconds behind_{0};  // `local`, by decoding too slowly
     std::chrono::nanoseconds judged_{-1};
+    std::chrono::nanoseconds jumped_{0};  // `local` when the film was last sent elsewhere
+    Detail detail_ = Detail::all;
+    std::uint64_t due_ = 0;
     std::uint64_t late_ = 0;
 };
 

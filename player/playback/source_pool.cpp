@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -12,7 +13,21 @@ namespace vitrine {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr long most_at_once = 3;  // sources that are read to their first picture
+constexpr std::chrono::nanoseconds judging_period = 1s;
+constexpr double least_cost = 0.01;                       // cores, of a film that works
+constexpr std::chrono::nanoseconds rebuild_time = 300ms;  // until a film built anew plays
+
+/// The part of the screen that an item covers, in [0, 1].
+double share_of_screen(const DrawItem& item, Vec2 canvas) {
+    if (!item.cell) return 0;
+    double area = 0;
+    for (const auto& [a, b, c] : item.cell->triangles)
+        area += std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    return std::min(1.0, item.alpha * area / (canvas.x * canvas.y));
+}
 
 }  // namespace
 
@@ -58,9 +73,18 @@ void SourcePool::advance(Frame& frame) {
     for (DrawItem& item : frame.items) {
         const auto found = playing_.find(item.source);
         if (found == playing_.end()) continue;
-        found->second.sample = found->second.source->frame_at(item.local);
-        item.slide = found->second.source->slide();
+        Playing& playing = found->second;
+        if (std::optional<Sample> sample = playing.source->frame_at(item.local)) {
+            playing.sample = std::move(sample);
+            playing.slide = playing.source->slide();
+        }
+        item.slide = playing.slide;
+        if (playing.seen != frame.time) playing.salience = 0;
+        playing.salience += share_of_screen(item, frame.canvas);  // of one that is drawn twice the sum
+        playing.seen = frame.time;
+        if (options_.keeps_time) watch(playing, item, frame.time);
     }
+    if (options_.keeps_time && frame.time - judged_ >= judging_period) govern(frame.time);
 }
 
 std::optional<Sample> SourcePool::sample(SourceId source) const {
@@ -122,14 +146,81 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
 }
 
 /// What the store has is preferred; it may have lost it since.
-void SourcePool::start(Playing& playing, bool may_be_stored) {
+void SourcePool::start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at) {
     const std::optional<ShotRequest> stored = stored_request(playing.request);
     const std::string copy = stored ? places_.store + "/" + stored->path : "";
     playing.is_stored = may_be_stored && stored && ::access(copy.c_str(), R_OK) == 0;
+    SourceOptions options = options_;
+    options.film.is_software = playing.is_software;
     playing.source = playing.is_stored
-                         ? std::make_unique<ShotSource>(copy, *stored, background_)
+                         ? std::make_unique<ShotSource>(copy, *stored, options, at)
                          : std::make_unique<ShotSource>(places_.media + "/" + playing.request.path,
-                                                        playing.request, background_);
+                                                        playing.request, options, at);
+    playing.due = playing.late = 0;
+    playing.spent = {};
+}
+
+void SourcePool::watch(Playing& playing, const DrawItem& item, std::chrono::nanoseconds now) {
+    if (!playing.is_told_ready || playing.given_up) return;
+    switch (playing.watchdog.judge(playing.source->is_starved(), now)) {
+    case Watchdog::Verdict::fine:
+        return;
+    case Watchdog::Verdict::rebuild_in_software:
+        playing.is_software = true;
+        return rebuild(playing, item.local);
+    case Watchdog::Verdict::rebuild:
+        return rebuild(playing, item.local);
+    case Watchdog::Verdict::give_up:
+        playing.source->stop();
+        playing.given_up = "the film stopped in its midst, again and again";
+        return;
+    }
+}
+
+/// The picture shown last stays until there is another.
+void SourcePool::rebuild(Playing& playing, std::chrono::nanoseconds local) {
+    late_of_retired_ += playing.source->late();
+    ++rebuilds_;
+    const Detail detail = playing.source->detail();
+    playing.source->stop();
+    ending_.push_back(std::move(playing.source));
+    start(playing, playing.is_stored, local + rebuild_time);
+    playing.source->set_detail(detail);
+}
+
+void SourcePool::govern(std::chrono::nanoseconds now) {
+    std::vector<FilmLoad> loads;
+    for (auto& [id, playing] : playing_) {
+        const bool plays = playing.is_told_ready && !playing.given_up && playing.seen > judged_;
+        if (playing.request.kind == MediaKind::photo || !plays) continue;
+        const FilmLoad film = load(id, playing, now - judged_);
+        const bool stands = playing.source->is_starved() && film.cost < least_cost;  // the watchdog's matter
+        if (!stands) loads.push_back(film);
+    }
+    judged_ = now;
+    const std::optional<Governor::Change> change = governor_.judge(loads);
+    if (change) playing_.at(change->source).source->set_detail(change->detail);
+}
+
+/// What a film cost and gave since this was asked last.
+FilmLoad SourcePool::load(SourceId id, Playing& playing, std::chrono::nanoseconds passed) {
+    const ShotSource& source = *playing.source;
+    const auto spent = source.spent() - std::exchange(playing.spent, source.spent());
+    return {.source = id,
+            .cost = std::chrono::duration<double>(spent) / passed,
+            .salience = playing.salience,
+            .due = static_cast<int>(source.due() - std::exchange(playing.due, source.due())),
+            .late = static_cast<int>(source.late() - std::exchange(playing.late, source.late()))};
+}
+
+FilmsByDetail SourcePool::films() const {
+    FilmsByDetail films;
+    for (const auto& [id, playing] : playing_) {
+        if (playing.request.kind == MediaKind::photo) continue;
+        const Detail detail = playing.source->detail();
+        ++(detail == Detail::all ? films.all : detail == Detail::still ? films.still : films.fewer);
+    }
+    return films;
 }
 
 void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events) {
@@ -138,7 +229,7 @@ void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& e
         events.push_back({.source = id, .unstored = playing.is_stored ? "" : playing.request.path});
     }
     if (playing.is_told_failed) return;
-    if (auto failure = playing.source->failure()) {
+    if (auto failure = playing.given_up ? playing.given_up : playing.source->failure()) {
         if (playing.is_stored && !playing.is_told_ready) {  // damaged: the file itself may be sound
             ending_.push_back(std::move(playing.source));
             return start(playing, false);

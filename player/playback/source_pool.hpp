@@ -1,6 +1,8 @@
 #pragma once
 
+#include "player/playback/governor.hpp"
 #include "player/playback/shot_source.hpp"
+#include "player/playback/watchdog.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
 
@@ -28,13 +30,22 @@ struct MediaPlaces {
     std::string store;  // of the analyzer; a shot that it has is played from there
 };
 
+/// How many films show less than all of their pictures.
+struct FilmsByDetail {
+    int all = 0;
+    int fewer = 0;
+    int still = 0;
+};
+
 /// The sources of what is on the wall and of what comes next. Reading and ending happen in the background, a
 /// few at a time.
 class SourcePool {
   public:
-    /// @param background  what shows through where a photo is transparent
-    explicit SourcePool(MediaPlaces places, Colour background = {})
-        : places_(std::move(places)), background_(background) {}
+    explicit SourcePool(MediaPlaces places, SourceOptions options = {})
+        : places_(std::move(places)), options_(std::move(options)) {}
+
+    /// What the pictures of sources to come shall be: known once there is a renderer.
+    void set_form(PictureForm form) { options_.film.form = form; }
 
     /// A new source, or another size for one there is.
     void request(const ShotRequest& request);
@@ -45,7 +56,9 @@ class SourcePool {
     /// To be called once a frame: starts what waits, buries what has ended.
     std::vector<SourceEvent> update();
 
-    /// Takes every source of the frame to its item's time, and each item's slide to the very picture.
+    /// Takes every source of the frame to its item's time, and each item's slide to the very picture. Where
+    /// the sources keep time, once a second the films are judged that cost more than the machine has
+    /// (governor.hpp), and a film without a picture for two seconds is built anew (watchdog.hpp).
     void advance(Frame& frame);
 
     /// The picture of a source as of the last advance(); nothing before its first.
@@ -61,26 +74,47 @@ class SourcePool {
     /// Pictures that were due and not there, of all sources so far.
     std::uint64_t late() const;
 
+    FilmsByDetail films() const;
+
+    /// Films that stood still and were built anew, so far.
+    std::uint64_t rebuilds() const { return rebuilds_; }
+
   private:
     struct Playing {
         std::unique_ptr<ShotSource> source;
         ShotRequest request;     // as it was made last
         bool is_stored = false;  // read from the store
         std::optional<Sample> sample;
+        std::chrono::nanoseconds seen{-1};  // time of the last frame that it was in
+        double salience = 0;                // its share of the screen then
+        Vec2 slide;                         // source px
+        Watchdog watchdog;
+        bool is_software = false;             // without a hardware decoder
+        std::optional<std::string> given_up;  // why
+        std::uint64_t due = 0;                // as of the governor's last judgement
+        std::uint64_t late = 0;               // likewise
+        std::chrono::nanoseconds spent{0};    // likewise
         bool is_told_ready = false;
         bool is_told_failed = false;
     };
 
     void start_waiting(std::vector<SourceEvent>& events);
-    void start(Playing& playing, bool may_be_stored);
+    void start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at = {});
+    void watch(Playing& playing, const DrawItem& item, std::chrono::nanoseconds now);
+    void rebuild(Playing& playing, std::chrono::nanoseconds local);
+    void govern(std::chrono::nanoseconds now);
+    FilmLoad load(SourceId id, Playing& playing, std::chrono::nanoseconds passed);
     void tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events);
 
     MediaPlaces places_;
-    Colour background_;
+    SourceOptions options_;
+    Governor governor_;
+    std::chrono::nanoseconds judged_{0};  // when the governor was asked last
     std::deque<ShotRequest> waiting_;
     std::map<SourceId, Playing> playing_;
     std::vector<std::unique_ptr<ShotSource>> ending_;
     std::uint64_t late_of_retired_ = 0;
+    std::uint64_t rebuilds_ = 0;
 };
 
 }  // namespace vitrine

@@ -141,7 +141,7 @@ TEST_CASE("the background shows half through a half-transparent photo") {
     const Folder folder;
     write_see_through(folder.path / "photo.png", {.red = 200, .green = 100, .blue = 0}, 128);
     ShotSource source(folder.path / "photo.png", {.source = 1, .width = 20, .height = 10},
-                      {.red = 0, .green = 200, .blue = 100});
+                      {.background = {.red = 0, .green = 200, .blue = 100}});
     REQUIRE(source.wait_for(0s, patience));
     const Sample sample = source.frame_at(0s).value();
     const std::size_t middle = 5 * sample.stride + std::size_t{4} * 10;

@@ -1,3 +1,4 @@
+#include "player/render/upload_choice.hpp"
 #include "tests/player/render/drawn_wall.hpp"
 
 #include <doctest/doctest.h>
@@ -125,4 +126,14 @@ TEST_CASE("a photo shown small is averaged and not picked from") {
 
     for (const int x : {20, 41, 63, 80})
         CHECK(is_near(at(picture, x, 50), {100, 100, 100}, 5));
+}
+
+TEST_CASE(
+    "pictures are scaled beforehand where the processor draws, and handed to a graphics card as decoded") {
+    for (const char* device : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Google SwiftShader"})
+        CHECK(picture_form(device) == PictureForm::rgba);
+    for (const char* device :
+         {"V3D 4.2", "Mesa Intel(R) UHD Graphics (ADL-N)", "AMD Radeon (radeonsi)", "Mali-G610 (Panfrost)"})
+        CHECK(picture_form(device) == PictureForm::planes);
+    CHECK_FALSE(DrawnWall().renderer.device().empty());
 }

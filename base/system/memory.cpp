@@ -1,0 +1,20 @@
+#include "base/system/memory.hpp"
+
+#include <malloc.h>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int arenas = 2;
+constexpr int returned_from = 256 << 10;  // bytes; else the limit grows to the largest block ever freed
+
+}  // namespace
+
+void bound_memory() {
+    ::mallopt(M_ARENA_MAX, arenas);
+    ::mallopt(M_MMAP_THRESHOLD, returned_from);
+    ::mallopt(M_TRIM_THRESHOLD, 4 * returned_from);
+}
+
+}  // namespace vitrine

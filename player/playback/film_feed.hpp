@@ -1,0 +1,73 @@
+#pragma once
+
+#include "player/playback/picture_scaler.hpp"
+#include "player/playback/sample_queue.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vitrine {
+
+/// How much of a film is decoded, most first.
+enum class Detail {
+    all,
+    references,  // pictures that no other one needs are left out
+    keys,        // pictures that need no other one
+    still,       // none
+};
+
+/// A part of a film to be decoded over and over.
+struct FilmPart {
+    std::string file;
+    std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time
+    std::chrono::nanoseconds end{0};
+    int width = 0;  // px of the pictures wanted, upright
+    int height = 0;
+    std::chrono::nanoseconds at{0};  // played already, in loops: where to begin
+
+    std::chrono::nanoseconds duration() const { return std::max(end - begin, std::chrono::nanoseconds(1)); }
+};
+
+struct FilmOptions {
+    PictureForm form = PictureForm::rgba;
+    bool is_software = false;  // no hardware decoder
+};
+
+/// What fills a queue with the pictures of a part of a film, in threads of its own; failures are told, not
+/// thrown. A seam, so that what keeps films going can be seen with one that stalls.
+class FilmFeed {
+  public:
+    FilmFeed() = default;
+    FilmFeed(const FilmFeed&) = delete;
+    FilmFeed& operator=(const FilmFeed&) = delete;
+    FilmFeed(FilmFeed&&) = delete;
+    FilmFeed& operator=(FilmFeed&&) = delete;
+    virtual ~FilmFeed() = default;
+
+    /// Pictures decoded from now on have another size.
+    virtual void resize(int width, int height) = 0;
+
+    /// Goes on at `at`, in loops since the begin of the first, with another share of the pictures.
+    virtual void go_on(Detail detail, std::chrono::nanoseconds at) = 0;
+
+    /// Processor time that the pictures so far have cost.
+    virtual std::chrono::nanoseconds spent() const = 0;
+
+    /// Begins to end it; the destructor does not wait for long once has_ended().
+    virtual void stop() = 0;
+
+    virtual bool has_ended() const = 0;
+
+    /// Why it ended by itself, in plain words.
+    virtual std::optional<std::string> failure() const = 0;
+};
+
+/// @param queue  outlives the feed; closed when nothing more will come
+using FilmFactory =
+    std::function<std::unique_ptr<FilmFeed>(const FilmPart&, SampleQueue& queue, const FilmOptions&)>;
+
+}  // namespace vitrine

@@ -1,0 +1,107 @@
+#include "player/playback/governor.hpp"
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+constexpr double overload = 0.05;  // share of the pictures due that come late
+constexpr double calm = 0.005;
+constexpr int settling_time = 2;    // periods that a change takes until it shows
+constexpr int probation = 6;        // periods without lateness after a step up, which was right then
+constexpr int most_patience = 512;  // periods
+constexpr double least_salience = 1e-3;
+
+Detail below(Detail detail) {
+    return static_cast<Detail>(static_cast<int>(detail) + 1);
+}
+
+Detail above(Detail detail) {
+    return static_cast<Detail>(static_cast<int>(detail) - 1);
+}
+
+double lateness(std::span<const FilmLoad> films) {
+    int due = 0;
+    int late = 0;
+    for (const FilmLoad& film : films) {
+        due += film.due;
+        late += film.late;
+    }
+    return due > 0 ? static_cast<double>(late) / due : 0;
+}
+
+/// Cost for what is seen.
+double burden(const FilmLoad& film) {
+    return film.cost / std::max(film.salience, least_salience);
+}
+
+}  // namespace
+
+Detail Governor::detail(SourceId source) const {
+    const auto found = details_.find(source);
+    return found == details_.end() ? Detail::all : found->second;
+}
+
+std::optional<Governor::Change> Governor::judge(std::span<const FilmLoad> films) {
+    forget_all_but(films);
+    if (settling_ > 0) {
+        --settling_;
+        return std::nullopt;
+    }
+    const double late = lateness(films);
+    if (late > overload) {
+        calm_ = 0;
+        return step_down(films);
+    }
+    calm_ = late <= calm ? calm_ + 1 : 0;
+    if (tried_ && calm_ >= probation) tried_.reset();
+    return calm_ >= patience_ ? step_up() : std::nullopt;
+}
+
+void Governor::forget_all_but(std::span<const FilmLoad> films) {
+    const auto is_gone = [&](SourceId source) {
+        return std::ranges::none_of(films, [&](const FilmLoad& film) { return film.source == source; });
+    };
+    std::erase_if(details_, [&](const auto& entry) { return is_gone(entry.first); });
+    std::erase_if(steps_, is_gone);
+    if (tried_ && is_gone(*tried_)) tried_.reset();
+    if (steps_.empty() && calm_ >= most_patience) patience_ = least_patience;  // another load than then
+}
+
+std::optional<Governor::Change> Governor::step_down(std::span<const FilmLoad> films) {
+    SourceId source = 0;
+    if (tried_) {  // too early: back, and longer until the next try
+        source = *tried_;
+        patience_ = std::min(2 * patience_, most_patience);
+        tried_.reset();
+    } else {
+        const FilmLoad* most = nullptr;
+        for (const FilmLoad& film : films) {
+            if (detail(film.source) == Detail::still) continue;
+            if (most == nullptr || burden(film) > burden(*most)) most = &film;
+        }
+        if (most == nullptr) return std::nullopt;
+        source = most->source;
+    }
+    const Detail lower = below(detail(source));
+    details_[source] = lower;
+    steps_.push_back(source);
+    settling_ = settling_time;
+    return Change{source, lower};
+}
+
+std::optional<Governor::Change> Governor::step_up() {
+    if (steps_.empty()) return std::nullopt;
+    const SourceId source = steps_.back();
+    steps_.pop_back();
+    const Detail higher = above(detail(source));
+    details_[source] = higher;
+    if (higher == Detail::all) details_.erase(source);
+    tried_ = source;
+    calm_ = 0;
+    settling_ = settling_time;
+    return Change{source, higher};
+}
+
+}  // namespace vitrine
