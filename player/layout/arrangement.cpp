@@ -85,19 +85,6 @@ bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement
     return true;
 }
 
-namespace {
-
-/// The most growth at which the region of an item fits into the field where it stands.
-double growth_in_field(const Ground& ground, std::size_t item, Vec2 place) {
-    const Box& extent = ground.shapes[item].extent;
-    const Growing scale = ground.growing(item);
-    const double most = std::min(std::min((place.x - ground.field.min.x) / -extent.min.x,
-                                          (ground.field.max.x - place.x) / extent.max.x),
-                                 std::min((place.y - ground.field.min.y) / -extent.min.y,
-                                          (ground.field.max.y - place.y) / extent.max.y));
-    return most >= scale.limit ? std::numeric_limits<double>::infinity() : std::max(0.0, most / scale.rate);
-}
-
 bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double growth) {
     const ReadingOrder order = reading_order(ground, growth);
     for (std::size_t j = 0; j < places.size(); ++j)
@@ -106,6 +93,24 @@ bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double g
                 order.violation(places[i], places[j]) > Contacts::precision)
                 return false;
     return true;
+}
+
+namespace {
+
+/// The most scale at which the region of an item fits into the field where it stands.
+double scale_in_field(const Ground& ground, std::size_t item, Vec2 place) {
+    const Box& extent = ground.shapes[item].extent;
+    const double most = std::min(std::min((place.x - ground.field.min.x) / -extent.min.x,
+                                          (ground.field.max.x - place.x) / extent.max.x),
+                                 std::min((place.y - ground.field.min.y) / -extent.min.y,
+                                          (ground.field.max.y - place.y) / extent.max.y));
+    return std::max(0.0, most);
+}
+
+double growth_in_field(const Ground& ground, std::size_t item, Vec2 place) {
+    const Growing scale = ground.growing(item);
+    const double most = scale_in_field(ground, item, place);
+    return most >= scale.limit ? std::numeric_limits<double>::infinity() : most / scale.rate;
 }
 
 /// A growth, near the most where it can be, at which the order holds; 0: it does not at the least.
@@ -121,6 +126,20 @@ double growth_in_order(const Ground& ground, const std::vector<Vec2>& places, do
 }
 
 }  // namespace
+
+double greatest_scale(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
+                      std::size_t item, double most) {
+    const Vec2 place = arrangement.places[item];
+    const Growing growing{1, most};
+    double scale = std::min(most, scale_in_field(ground, item, place));
+    for (std::size_t j = 0; j < ground.size(); ++j) {
+        if (j == item) continue;
+        const Growing stays{std::numeric_limits<double>::infinity(), ground.scale(j, arrangement.growth)};
+        const Vec2 apart = arrangement.places[j] - place;
+        scale = std::min(scale, contacts.greatest_growth(item, j, apart, growing, stays, scale));
+    }
+    return scale;
+}
 
 double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
                        double least, double most) {

@@ -56,9 +56,17 @@ bool is_exactly_free(const Ground& ground, const Arrangement& arrangement);
 bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
                std::size_t item, Vec2 place);
 
+/// Whether the order holds wherever it counts.
+bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double growth);
+
 /// The most growth, within bounds, at which all items are free where they stand; 0 where none is.
 double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
                        double least, double most);
+
+/// The most scale, up to `most`, at which an item is free where it stands if the others stay; 0 where none
+/// is. The order is not looked at.
+double greatest_scale(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
+                      std::size_t item, double most);
 
 /// The growth at which every item is at its limit.
 double final_growth(const Ground& ground);

@@ -127,13 +127,22 @@ void Contacts::set_scales(std::span<const double> scales) {
     assert(scales.size() == size_);
     for (std::size_t i = 0; i < size_; ++i)
         scales_[i] = static_cast<float>(scales[i]);
-    const float beyond = static_cast<float>(clearance_) * corner_clearance;
     for (std::size_t a = 0; a < size_; ++a)
-        for (std::size_t b = a + 1; b < size_; ++b) {
-            const float reach = scales_[a] * radii_[a] + scales_[b] * radii_[b] + beyond;
-            reach_squared_[a * stride_ + b] = reach_squared_[b * stride_ + a] = reach * reach;
-            set_offsets(a, b, pairs_[a * size_ + b]);
-        }
+        for (std::size_t b = a + 1; b < size_; ++b)
+            set_reach(a, b);
+}
+
+void Contacts::set_scale(std::size_t item, double scale) {
+    scales_[item] = static_cast<float>(scale);
+    for (std::size_t other = 0; other < size_; ++other)
+        if (other != item) set_reach(std::min(item, other), std::max(item, other));
+}
+
+void Contacts::set_reach(std::size_t a, std::size_t b) {
+    const float beyond = static_cast<float>(clearance_) * corner_clearance;
+    const float reach = scales_[a] * radii_[a] + scales_[b] * radii_[b] + beyond;
+    reach_squared_[a * stride_ + b] = reach_squared_[b * stride_ + a] = reach * reach;
+    set_offsets(a, b, pairs_[a * size_ + b]);
 }
 
 float Contacts::inside(const Pair& p, float x, float y) const {

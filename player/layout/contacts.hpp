@@ -77,6 +77,9 @@ class Contacts {
     /// @param scales  one a shape, canvas px per source px, > 0
     void set_scales(std::span<const double> scales);
 
+    /// The same for one shape.
+    void set_scale(std::size_t item, double scale);
+
     /// How far shape `b` must move to be clear of shape `a`, canvas px; 0: they are clear.
     /// @param apart  place of b minus place of a
     double depth(std::size_t a, std::size_t b, Vec2 apart) const;
@@ -142,6 +145,7 @@ class Contacts {
     /// The depth by the sides alone: negative where the shapes are clear. @pre x, y are b's less a's, a < b
     float inside(const Pair& p, float x, float y) const;
     void add_pair(std::size_t a, std::size_t b) const;
+    void set_reach(std::size_t a, std::size_t b);
     void set_offsets(std::size_t a, std::size_t b, const Pair& pair) const;
 
     std::size_t size_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "player/layout/effort.hpp"
-#include "player/layout/plan_request.hpp"
 #include "player/layout/shape.hpp"
 
 #include <span>
@@ -9,8 +8,7 @@
 
 namespace vitrine {
 
-/// What a descent came to. Energies are those of the mode: ln E of the paper, or the empty share of the
-/// screen.
+/// What a descent came to. Energies are ln E of eq. 3.4.
 struct Descended {
     std::vector<Vec2> places;  // centroids, canvas px
     std::int64_t steps = 0;    // accepted: the paper's iterations
@@ -26,7 +24,6 @@ struct Descended {
 /// @return        a layout whose energy is not above that of `places`
 /// Source: Dynamic Media Assemblage 3.4.2.
 Descended descended(std::span<const Shape> shapes, std::span<const double> scales,
-                    std::span<const Vec2> places, double ratio, EnergyMode mode, Random& random,
-                    Effort& effort);
+                    std::span<const Vec2> places, double ratio, Random& random, Effort& effort);
 
 }  // namespace vitrine

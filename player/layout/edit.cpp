@@ -107,6 +107,7 @@ std::optional<Standing> put_down(const Standing& wall, std::size_t item, const P
                                  const Box& window, const EditRules& rules) {
     if (meets_pinned(wall, item, at, rules.clearance)) return std::nullopt;
     PlanRequest request = request_of(wall, rules);
+    request.fills = false;  // what moves with every step of a finger would tremble
     request.items[item].previous = request.items[item].home = at;
     request.items[item].is_pinned = true;
     auto next = carried_out(wall, request, window, rules);

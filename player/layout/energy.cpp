@@ -46,12 +46,4 @@ double screen_area(const Box& bounds, double ratio) {
     return width * width / ratio;
 }
 
-bool operator<(const ScreenEnergy& a, const ScreenEnergy& b) {
-    const auto differs = [](double x, double y) { return std::abs(x - y) > ScreenEnergy::tolerance; };
-    if (differs(a.hidden, b.hidden)) return a.hidden < b.hidden;
-    if (differs(a.empty, b.empty)) return a.empty < b.empty;
-    if (differs(a.spread, b.spread)) return a.spread < b.spread;
-    return a.moved < b.moved - ScreenEnergy::tolerance;
-}
-
 }  // namespace vitrine

@@ -26,17 +26,4 @@ double paper_energy(const Measure& measure, double ratio);
 /// The smallest rectangle of a ratio that holds the box: what a screen of that ratio shows. px^2
 double screen_area(const Box& bounds, double ratio);
 
-/// The energy that is minimised: compared part by part, the first that differs by more than `tolerance`
-/// decides. No part is ever bought by a later one.
-struct ScreenEnergy {
-    double hidden = 0;  // E_occ / sum of areas
-    double empty = 1;   // E*: 1 - union / screen_area
-    double spread = 0;  // sum A_i (dx^2 / q + q dy^2) about the centre, over the sum of areas squared
-    double moved = 0;   // sum A_i |p_i - p_i before|^2, over the same
-
-    static constexpr double tolerance = 1e-9;
-
-    friend bool operator<(const ScreenEnergy& a, const ScreenEnergy& b);
-};
-
 }  // namespace vitrine

@@ -19,8 +19,8 @@ namespace vitrine {
 namespace {
 
 constexpr double least_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr std::int64_t filling_moves = 30'000;
-constexpr double usual_share = 0.5;  // of the canvas covered after initial packing
+constexpr double filling_share = 0.3;         // of the budget, and on top of it
+constexpr double usual_share = 0.5;           // of the canvas covered after initial packing
 
 /// The largest scale at which an item's region lies inside the field.
 double fitting_scale(const Shape& shape, const Box& field) {
@@ -135,8 +135,7 @@ Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effor
     contacts.set_scales(ground.scales);
     const std::vector<Vec2> packing =
         initial_packing(ground.shapes, contacts, ground.scales, ratio, PackingOrder::as_given);
-    const Descended end =
-        descended(ground.shapes, ground.scales, packing, ratio, EnergyMode::paper, random, effort);
+    const Descended end = descended(ground.shapes, ground.scales, packing, ratio, random, effort);
     Contacts apart(ground.shapes, ground.clearance);
     return fitted(ground, end.places, apart);
 }
@@ -150,6 +149,32 @@ std::vector<Box> frames_of(const PlanRequest& request, const Ground& ground) {
     return frames;
 }
 
+/// The finish of every layout: what is left over is used up.
+Arrangement finished(const PlanRequest& request, Ground& ground, const Arrangement& arrangement,
+                     std::vector<Vec2> homes, Random& random, const PlanWatch& watch) {
+    if (!request.fills) return arrangement;
+    std::vector<LayoutItem> items;
+    for (const PlanItem& entry : request.items)
+        items.push_back(entry.item);
+    const FillingWishes wishes{.frames = frames_of(request, ground),
+                               .natural = natural_scales(items, ground.shapes),
+                               .homes = std::move(homes)};
+    Effort effort(static_cast<std::int64_t>(static_cast<double>(request.budget) * filling_share),
+                  watch.should_stop);
+    return filled(ground, wishes, arrangement, random, effort);
+}
+
+/// Where the items of a change stood, or stand now that are new.
+std::vector<Vec2> homes_of(const PlanRequest& request, const Ground& ground, const Arrangement& changed) {
+    std::vector<Vec2> homes = changed.places;
+    for (std::size_t i = 0; i < homes.size(); ++i)
+        if (const PlanItem& item = request.items[i]; item.previous) {
+            const Placement at = item.home.value_or(*item.previous);
+            homes[i] = ground.shapes[i].centroid * at.scale + at.offset;
+        }
+    return homes;
+}
+
 bool is_warm(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value(); });
@@ -161,12 +186,14 @@ bool can_be_disturbed(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
 }
 
-std::optional<Layout> changed_layout(const PlanRequest& request, Ground standing, Random& random,
-                                     Effort& effort) {
+std::optional<Layout> changed_layout(const PlanRequest& request, Ground standing, const PlanWatch& watch,
+                                     Random& random, Effort& effort) {
     if (!is_warm(request)) return std::nullopt;
     const auto settled = warm_start(request, standing, random, effort);
     if (!settled) return std::nullopt;
-    return layout_of(request, standing, *settled);
+    std::vector<Vec2> homes = homes_of(request, standing, *settled);
+    const Arrangement end = finished(request, standing, *settled, std::move(homes), random, watch);
+    return layout_of(request, standing, end);
 }
 
 }  // namespace
@@ -177,7 +204,7 @@ std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& w
     Effort effort(request.budget, watch.should_stop);
     Ground ground = ground_of(request);
     bring_to_canvas(request, ground);
-    return changed_layout(request, ground, random, effort);
+    return changed_layout(request, ground, watch, random, effort);
 }
 
 Layout plan(const PlanRequest& request, const PlanWatch& watch) {
@@ -194,18 +221,14 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
         return layout_of(request, ground,
                          papers_way(ground, request.canvas.x / request.canvas.y, random, effort));
     if (can_be_disturbed(request))
-        if (const auto changed = changed_layout(request, ground, random, effort)) return *changed;
+        if (const auto changed = changed_layout(request, ground, watch, random, effort)) return *changed;
     const bool any_pinned =
         std::find(ground.pinned.begin(), ground.pinned.end(), true) != ground.pinned.end();
     const Arrangement start =
         any_pinned ? scattered(ground, random, effort) : packed(ground, request.canvas.x / request.canvas.y);
     tell(start);
-    Arrangement best = densest(ground, start, random, effort, tell);
-    if (request.fills) {
-        Effort filling_effort(filling_moves, watch.should_stop);
-        best = filled(ground, frames_of(request, ground), best, random, filling_effort);
-    }
-    return layout_of(request, ground, best);
+    const Arrangement best = densest(ground, start, random, effort, tell);
+    return layout_of(request, ground, finished(request, ground, best, {}, random, watch));
 }
 
 }  // namespace vitrine

@@ -17,7 +17,10 @@ struct PlanWatch {
 ///
 /// With no previous placement: initial packing, then growing and separating. Otherwise kept items move as
 /// little as possible: newcomers enter at their seat or where most room is, and only what is in their way
-/// makes room. Source: Dynamic Media Assemblage 3.4; ALGORITHMS (d) "Slots rotating".
+/// makes room. At last, unless the request says otherwise, what is left over is used up (filling.hpp).
+/// Source: Dynamic Media Assemblage 3.4; ALGORITHMS (d) "Slots rotating". Differs from eq. 3.4: overlap has
+/// no price, it does not occur; what is minimised is the share of the screen without I-Regions, and then
+/// what filling.hpp adds to it.
 Layout plan(const PlanRequest& request, const PlanWatch& watch = {});
 
 /// The same for a wall some of whose items stand, without ever packing it anew.

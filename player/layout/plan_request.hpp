@@ -50,7 +50,7 @@ struct PlanRequest {
     double clearance = 1.5;         // canvas px between I-Regions
     double margin = 1;              // canvas px between I-Regions and the canvas' edge
     double most_scale = 1.5;        // canvas px per source px: beyond it pictures look soft
-    bool fills = true;              // in a new layout, I-Regions give way a little where filler would show
+    bool fills = true;              // at last pictures fill the canvas, items move and are resized for it
     EnergyMode energy = EnergyMode::screen;
     LayoutOrder order = LayoutOrder::free;  // the paper's energy knows none
 };

@@ -39,6 +39,9 @@ class Separation {
     /// @return whether it is free
     bool run(Arrangement& arrangement, const SeparationStyle& style, Effort& effort, int patience);
 
+    /// The items that the last run left in each other's way, pinned ones excepted.
+    const std::vector<std::size_t>& colliding() const { return colliding_; }
+
   private:
     struct Candidate {
         Vec2 place;

@@ -19,7 +19,10 @@ constexpr double first_common_shrink = 0.02;  // of the scale; each further one 
 constexpr double common_shrink_rise = 1.35;
 constexpr double most_common_shrink = 0.2;
 constexpr int shrinks_of_newcomers = 6;
+constexpr double colliding_shrink = 0.95;
+constexpr int shrinks_of_colliding = 12;
 constexpr int shrinks_of_all = 16;
+constexpr int rounds_back = 3;  // home and to the old size
 
 enum class Role { kept, seated, inserted };
 
@@ -121,25 +124,38 @@ bool any_newcomer(const PlanRequest& request) {
                        [](const PlanItem& item) { return !item.previous; });
 }
 
-void shrink(const PlanRequest& request, Ground& ground, double factor, bool newcomers_only) {
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        if (!ground.pinned[i] && (!newcomers_only || !request.items[i].previous)) ground.scales[i] *= factor;
+/// Who gives way where items cannot be separated.
+enum class Giver { newcomers, colliding, all };
+
+void shrink(const PlanRequest& request, Ground& ground, double factor, Giver giver,
+            const Separation& separation) {
+    std::vector<bool> gives(ground.size(), giver == Giver::all);
+    if (giver == Giver::colliding)
+        for (const std::size_t i : separation.colliding())
+            gives[i] = true;
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        if (giver == Giver::newcomers) gives[i] = !request.items[i].previous;
+        if (gives[i] && !ground.pinned[i]) ground.scales[i] *= factor;
+    }
 }
 
-/// Newcomers make themselves small, then all.
+/// Newcomers make themselves small, then those that are in each other's way, then all.
 bool separated(const PlanRequest& request, Ground& ground, Arrangement& arrangement, Contacts& contacts,
                const SeparationStyle& style, Random& random, Effort& effort) {
     Separation separation(ground, contacts, random);
     const std::vector<Vec2> starts = arrangement.places;
+    constexpr int from_all = shrinks_of_newcomers + shrinks_of_colliding;
     const int first = any_newcomer(request) ? 0 : shrinks_of_newcomers;
-    for (int k = first; k < shrinks_of_newcomers + shrinks_of_all && !effort.is_spent(); ++k) {
+    for (int k = first; k < from_all + shrinks_of_all && !effort.is_spent(); ++k) {
         arrangement.places = starts;
         if (separation.run(arrangement, style, effort, patience)) return true;
-        const bool newcomers_only = k < shrinks_of_newcomers;
-        const double common =
-            first_common_shrink * std::pow(common_shrink_rise, std::max(0, k - shrinks_of_newcomers));
-        const double factor = newcomers_only ? newcomer_shrink : 1 - std::min(common, most_common_shrink);
-        shrink(request, ground, factor, newcomers_only);
+        const double common = first_common_shrink * std::pow(common_shrink_rise, std::max(0, k - from_all));
+        if (k < shrinks_of_newcomers)
+            shrink(request, ground, newcomer_shrink, Giver::newcomers, separation);
+        else if (k < from_all)
+            shrink(request, ground, colliding_shrink, Giver::colliding, separation);
+        else
+            shrink(request, ground, 1 - std::min(common, most_common_shrink), Giver::all, separation);
     }
     return false;
 }
@@ -170,11 +186,27 @@ bool squeezed_in(const PlanRequest& request, Ground& ground, Arrangement& arrang
     return is_free(ground, arrangement, contacts);
 }
 
+/// What gave way as a whole becomes as large again as it wishes, each for itself where it stands.
+void grow_back(Ground& ground, Arrangement& arrangement, const std::vector<double>& wishes,
+               Contacts& contacts) {
+    ground.scales = scales_at(ground, arrangement.growth);
+    arrangement.growth = 1;
+    contacts.set_scales(ground.scales);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        const double before = ground.scales[i];
+        if (ground.pinned[i] || wishes[i] <= before) continue;
+        ground.scales[i] = std::max(before, greatest_scale(ground, arrangement, contacts, i, wishes[i]));
+        if (ground.reads && !is_in_order(ground, arrangement.places, 1)) ground.scales[i] = before;
+        contacts.set_scale(i, ground.scales[i]);
+    }
+}
+
 }  // namespace
 
 std::optional<Arrangement> warm_start(const PlanRequest& request, Ground& ground, Random& random,
                                       Effort& effort) {
     set_scales(request, ground);
+    const std::vector<double> wishes = ground.scales;
     Contacts contacts(ground.shapes, ground.clearance);
     const std::vector<Vec2> starts = starts_of(request, ground, contacts, random, effort);
     const std::vector<Vec2> homes = homes_of(request, ground, starts);
@@ -189,7 +221,10 @@ std::optional<Arrangement> warm_start(const PlanRequest& request, Ground& ground
     pull_home(ground, arrangement, homes, contacts);
     arrangement = calmly_grown(ground, arrangement, homes, random, effort);
     arrangement = compacted(ground, arrangement, contacts, effort);
-    pull_home(ground, arrangement, homes, contacts);
+    for (int round = 0; round < rounds_back; ++round) {
+        pull_home(ground, arrangement, homes, contacts);
+        grow_back(ground, arrangement, wishes, contacts);
+    }
     return arrangement;
 }
 

@@ -28,7 +28,10 @@ BenchOptions options_of(int argc, char** argv) {
 
 void print_real(const BenchOptions& options) {
     const Items all = regions_of(options.catalogue);
-    if (all.empty()) return;
+    if (all.empty()) {
+        fmt::print("\nno regions in '{}'\n", options.catalogue);
+        return;
+    }
     const auto drawn = [&](std::size_t count, Random& random) {
         Items items;
         for (std::size_t i = 0; i < count; ++i)

@@ -44,8 +44,7 @@ void print_paper(int instances) {
             initial_ms += cpu_ms() - start;
             start = cpu_ms();
             Effort effort(100'000'000);
-            const Descended end =
-                descended(all.shapes, all.scales, packing, bench_ratio, EnergyMode::paper, random, effort);
+            const Descended end = descended(all.shapes, all.scales, packing, bench_ratio, random, effort);
             stable_ms += cpu_ms() - start;
             steps += static_cast<double>(end.steps);
             before += end.first_energy;

@@ -62,8 +62,7 @@ void measure_paper(Row& row, const Items& items, std::uint64_t seed) {
     start = cpu_ms();
     Random random(seed);
     Effort effort(10'000'000);
-    const Descended end =
-        descended(all.shapes, all.scales, packing, bench_ratio, EnergyMode::paper, random, effort);
+    const Descended end = descended(all.shapes, all.scales, packing, bench_ratio, random, effort);
     row.descent_ms.add(cpu_ms() - start);
     row.descent.add(share(end.places));
 }

@@ -47,15 +47,6 @@ TEST_CASE("the paper's energy of two squares that overlap, worked by hand") {
     CHECK(std::exp(paper_energy(measure, 2)) == doctest::Approx(100000.2222225));
 }
 
-TEST_CASE("no part of the screen's energy is bought by a later one") {
-    const ScreenEnergy one{.hidden = 0, .empty = 0.4, .spread = 1, .moved = 1};
-    CHECK(one < ScreenEnergy{.hidden = 1e-6, .empty = 0.1});
-    CHECK(one < ScreenEnergy{.hidden = 0, .empty = 0.41});
-    CHECK(one < ScreenEnergy{.hidden = 1e-12, .empty = 0.4, .spread = 2});
-    CHECK(one < ScreenEnergy{.hidden = 0, .empty = 0.4, .spread = 1, .moved = 2});
-    CHECK_FALSE(one < one);
-}
-
 TEST_CASE("initial packing touches without overlap and descent never raises the energy") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         std::vector<Shape> shapes;
@@ -75,17 +66,13 @@ TEST_CASE("initial packing touches without overlap and descent never raises the 
         };
         const Measure before = measure(packing);
         CHECK(before.hidden < 1e-3 * before.united);  // corners are rounded to 1/512 px
-        for (const EnergyMode mode : {EnergyMode::screen, EnergyMode::paper}) {
-            Random random(seed);
-            Effort effort(1'000'000);
-            const Descended end = descended(shapes, scales, packing, 1.5, mode, random, effort);
-            const Measure after = measure(end.places);
-            CHECK(end.last_energy <= end.first_energy);
-            CHECK(after.hidden <= before.hidden + 1e-9);
-            if (mode == EnergyMode::paper)
-                CHECK(paper_energy(after, 1.5) <= paper_energy(before, 1.5));
-            else
-                CHECK(screen_area(after.bounds, 1.5) <= screen_area(before.bounds, 1.5) * (1 + 1e-6));
-        }
+        Random random(seed);
+        Effort effort(1'000'000);
+        const Descended end = descended(shapes, scales, packing, 1.5, random, effort);
+        const Measure after = measure(end.places);
+        CHECK(end.steps > 0);
+        CHECK(end.last_energy <= end.first_energy);
+        CHECK(after.hidden <= before.hidden + 1e-9);
+        CHECK(paper_energy(after, 1.5) < paper_energy(before, 1.5));
     }
 }
