@@ -21,7 +21,9 @@ AssemblageSettings assemblage_settings(const Settings& settings) {
     return {.slots = settings.layout.slots,
             .order = order_of(settings),
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
-            .dwell = settings.show.dwell};
+            .film = settings.show.film == "sequence" ? FilmShow::sequence : FilmShow::side_by_side,
+            .dwell = settings.show.dwell,
+            .longest = settings.show.longest};
 }
 
 CellStyle cell_style(const Settings& settings) {

@@ -227,8 +227,11 @@ void append_player_keys(std::vector<SettingKey>& keys) {
             choice("layout.mode", [](S & s) -> auto& { return s.layout.mode; }, {"fit", "pan"}),
             choice("layout.folders", [](S & s) -> auto& { return s.layout.folders; }, {"flat", "nested"}),
             choice("show.order", [](S & s) -> auto& { return s.show.order; }, {"shuffle", "name", "newest"}),
+            choice("show.film", [](S & s) -> auto& { return s.show.film; }, {"side_by_side", "sequence"}),
             duration<std::chrono::seconds>(
                 "show.dwell_seconds", [](S & s) -> auto& { return s.show.dwell; }, 1, 86400),
+            duration<std::chrono::seconds>(
+                "show.longest_seconds", [](S & s) -> auto& { return s.show.longest; }, 1, 86400),
             duration<std::chrono::milliseconds>(
                 "show.crossfade_milliseconds", [](S & s) -> auto& { return s.show.crossfade; }, 0, 10000),
             duration<std::chrono::milliseconds>(

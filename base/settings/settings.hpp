@@ -63,8 +63,10 @@ struct Settings {
     } layout;
 
     struct Show {
-        std::string order = "shuffle";  // shuffle, name or newest
+        std::string order = "shuffle";      // shuffle, name or newest
+        std::string film = "side_by_side";  // side_by_side or sequence
         std::chrono::seconds dwell{20};
+        std::chrono::seconds longest{60};
         std::chrono::milliseconds crossfade{700};
         std::chrono::milliseconds motion{400};
         double pan_speed = 30;  // canvas px a second

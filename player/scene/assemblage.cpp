@@ -53,6 +53,7 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
             slot = {};
         } else if (!is_grown_from(found->second, before.at(key.path))) {
             put(slot, key);
+            due_.reset();
         }
     }
 }
@@ -60,15 +61,17 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
 void Assemblage::advance(std::chrono::nanoseconds now) {
     if (std::erase_if(avoided_, [&](const auto& avoided) { return avoided.second <= now; }) > 0) fill();
     if (now < next_turn_) return;
-    const std::vector<Slot*> overdue = overdue_slots(now);
-    for (Slot* slot : overdue) {
-        const auto key = next_for(*slot);
+    const std::vector<Turn> next = turns(now + settings_.lead);
+    for (const Turn& turn : next) {
+        const auto key = next_for(*turn.slot);
         if (!key) continue;
-        put(*slot, *key);
-        next_turn_ = now + settings_.spacing;
+        put(*turn.slot, *key);
+        due_ = std::max({turn.due, now, last_due_ + settings_.spacing});
+        last_due_ = *due_;
+        next_turn_ = *due_ + settings_.spacing - settings_.lead;
         return;
     }
-    if (!overdue.empty()) next_turn_ = now + std::chrono::seconds(1);  // all that there is is on the wall
+    if (!next.empty()) next_turn_ = now + std::chrono::seconds(1);  // all that there is is on the wall
 }
 
 void Assemblage::shown(SourceId source, std::chrono::nanoseconds now) {
@@ -98,35 +101,53 @@ std::vector<WallShot> Assemblage::wall() const {
 }
 
 void Assemblage::fill() {
+    std::vector<Slot*> filled;
     for (Slot& slot : slots_) {
         if (slot.shot) continue;
+        due_.reset();
         const auto key = next_for(slot);
-        if (!key) return;
+        if (!key) break;
         put(slot, *key);
+        filled.push_back(&slot);
+    }
+    spread(filled);
+}
+
+/// Shots of one film in sequence that come at once leave one after the other, evenly spread over their time.
+/// Source: Dynamic Media Assemblage, chapter 4, "sequentially with time overlaps"; ALGORITHMS (d).
+void Assemblage::spread(const std::vector<Slot*>& filled) {
+    if (settings_.film != FilmShow::sequence) return;
+    std::map<std::string, std::vector<Slot*>> films;
+    for (Slot* slot : filled)
+        if (slot->shot->kind == MediaKind::video) films[slot->shot->key.path].push_back(slot);
+    for (const auto& [path, slots] : films) {
+        const auto count = static_cast<std::int64_t>(slots.size());
+        for (std::int64_t k = 0; k < count; ++k) {
+            Slot& slot = *slots[static_cast<std::size_t>(k)];
+            slot.ahead = stay(*slot.shot) * (count - 1 - k) / count;
+        }
     }
 }
 
-/// The slots whose shots have had their time, the longest overdue first.
-std::vector<Assemblage::Slot*> Assemblage::overdue_slots(std::chrono::nanoseconds now) {
-    std::vector<std::pair<std::chrono::nanoseconds, Slot*>> overdue;
+/// The slots whose shots will have had their time until then, the longest overdue first.
+std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) {
+    std::vector<Turn> turns;
     for (Slot& slot : slots_) {
         if (!slot.shot || !slot.shown) continue;
-        const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot);
-        if (due <= now) overdue.emplace_back(due, &slot);
+        const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot) - slot.ahead;
+        if (due <= until) turns.push_back({&slot, due});
     }
-    std::stable_sort(overdue.begin(), overdue.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Slot*> slots;
-    slots.reserve(overdue.size());
-    for (const auto& [due, slot] : overdue)
-        slots.push_back(slot);
-    return slots;
+    std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.due < b.due; });
+    return turns;
 }
 
-/// Films leave at the end of a loop, unless that is too long.
+/// Films leave at the end of a loop, unless that is too long; those in sequence beside other shots of their
+/// own after one.
 std::chrono::nanoseconds Assemblage::stay(const WallShot& shot) const {
     if (shot.kind == MediaKind::photo) return settings_.dwell;
     const std::chrono::nanoseconds loop = shot.shot.duration();
+    if (settings_.film == FilmShow::sequence && count_on_wall(shot.key.path) > 1)
+        return std::min(loop, settings_.longest);
     const auto loops = (settings_.dwell + loop - std::chrono::nanoseconds(1)) / loop;
     const std::chrono::nanoseconds longest = std::max(settings_.dwell, settings_.longest);
     return std::min(loop * std::max<std::int64_t>(1, loops), longest);
@@ -138,10 +159,19 @@ std::optional<ShotKey> Assemblage::next_for(const Slot& slot) {
     const auto stands_alone = [&](const ShotKey& key) {
         return is_free(key) && count_on_wall(key.path) == (key.path == present ? 1 : 0);
     };
-    // Rather side by side with its own film than a free place, but never instead of another file's only shot.
+    // Rather side by side with its own film than a free place, but not instead of another file's only shot,
+    // unless the files take turns anyway and no shot may come again yet.
     const bool can_double = present.empty() || count_on_wall(present) > 1;
+    const bool is_strict = settings_.film == FilmShow::side_by_side;
+    const bool takes_turns = files_.size() > slots_.size();
+    const auto stands = [&](const ShotKey& key) { return is_on_wall(key); };
     if (auto key = round_.take(stands_alone)) return key;
-    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); });
+    if (is_strict && (can_double || takes_turns))
+        if (auto key = round_.take(is_free)) return key;
+    if (is_strict && !round_.has(is_free))
+        round_.begin_all_again(stands);
+    else
+        round_.begin_again(stands, is_strict ? present : "");
     if (auto key = round_.take(stands_alone)) return key;
     return can_double ? round_.take(is_free) : std::nullopt;
 }
@@ -150,6 +180,7 @@ void Assemblage::put(Slot& slot, const ShotKey& key) {
     const MediaRecord& record = files_.at(key.path);
     const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
     slot.shown.reset();
+    slot.ahead = {};
     slot.shot = WallShot{.source = ++last_source_,
                          .slot = static_cast<int>(&slot - slots_.data()),
                          .key = key,

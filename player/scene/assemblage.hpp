@@ -14,13 +14,22 @@
 
 namespace vitrine {
 
+/// How a film with several shots shares the wall.
+enum class FilmShow {
+    side_by_side,  // its shots may stand beside each other, so that each shot of the catalogue comes once
+                   // before any comes again
+    sequence,      // it has one place, its shots one after the other, while other files begin again
+};
+
 struct AssemblageSettings {
     int slots = 12;
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
+    FilmShow film = FilmShow::side_by_side;
     std::chrono::nanoseconds dwell = std::chrono::seconds(20);    // that a shot stays at least
     std::chrono::nanoseconds longest = std::chrono::seconds(60);  // stay, where whole loops would take more
     std::chrono::nanoseconds spacing = std::chrono::seconds(3);   // between two changes of turn
+    std::chrono::nanoseconds lead = std::chrono::seconds(4);      // that the next shot is chosen early
     std::chrono::nanoseconds amends = std::chrono::seconds(60);   // before a file that failed is tried again
     SourceId last_source = 0;  // its own are numbered from there on: apart from those of other walls
 };
@@ -43,8 +52,10 @@ struct WallShot {
 /// Source: Dynamic Media Assemblage, chapter 4 ("we simply substitute the old shot with the new shot in the
 /// same position"). Beyond: whose turn it is, one slot at a time, following a catalogue that changes.
 ///
-/// One file stands on the wall once while other files wait; a single film fills all slots with its shots in
-/// time order. A change of turn never takes the last shot of a file off the wall for a file that has one.
+/// Each shot comes once before any comes again but in its own file's only place, new files first; no shot
+/// stands twice. As long as shots of
+/// other files wait a file stands once; a film alone fills all slots with its shots in time order, which then
+/// leave one after the other. Where all files fit on the wall, none ever leaves it altogether.
 class Assemblage {
   public:
     explicit Assemblage(const AssemblageSettings& settings);
@@ -53,10 +64,14 @@ class Assemblage {
     /// anew in its slots, free slots are filled.
     void set_catalogue(std::span<const MediaRecord> records);
 
-    /// At most one shot that has been shown for its time makes room; free slots are filled.
+    /// At most one shot whose time is nearly over makes room, so that the next can be got ready; free slots
+    /// are filled.
     void advance(std::chrono::nanoseconds now);
 
-    /// From now on the time of this shot counts.
+    /// When the last shot that made room shall be gone; none: as soon as may be.
+    std::optional<std::chrono::nanoseconds> due() const { return due_; }
+
+    /// From then on the time of this shot counts.
     void shown(SourceId source, std::chrono::nanoseconds now);
 
     /// The file is avoided until it changes or some time has passed; its slots go to others.
@@ -69,11 +84,18 @@ class Assemblage {
     struct Slot {
         std::optional<WallShot> shot;
         std::optional<std::chrono::nanoseconds> shown;
+        std::chrono::nanoseconds ahead{0};  // of its time: leaves so much earlier
+    };
+
+    struct Turn {
+        Slot* slot = nullptr;
+        std::chrono::nanoseconds due{0};
     };
 
     void follow_changes(const std::map<std::string, MediaRecord>& before);
     void fill();
-    std::vector<Slot*> overdue_slots(std::chrono::nanoseconds now);
+    void spread(const std::vector<Slot*>& filled);
+    std::vector<Turn> turns(std::chrono::nanoseconds until);
     std::chrono::nanoseconds stay(const WallShot& shot) const;
     std::optional<ShotKey> next_for(const Slot& slot);
     void put(Slot& slot, const ShotKey& key);
@@ -87,6 +109,8 @@ class Assemblage {
     std::vector<Slot> slots_;
     SourceId last_source_;
     std::chrono::nanoseconds next_turn_{0};  // not before
+    std::optional<std::chrono::nanoseconds> due_;
+    std::chrono::nanoseconds last_due_ = std::chrono::nanoseconds::min() / 2;
 };
 
 }  // namespace vitrine

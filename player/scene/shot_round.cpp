@@ -38,16 +38,29 @@ std::optional<ShotKey> ShotRound::take(const Fits& fits) {
     return key;
 }
 
-void ShotRound::begin_again(const Fits& is_on_wall) {
+void ShotRound::begin_again(const Fits& is_on_wall, const std::string& only) {
     std::set<std::string> unfinished;
     for (const ShotKey& key : waiting_)
         unfinished.insert(key.path);
     std::vector<ShotKey> again;
     for (const auto& [path, file] : files_) {
-        if (unfinished.contains(path)) continue;
+        if (unfinished.contains(path) || (!only.empty() && path != only)) continue;
         for (int shot = 0; shot < file.shots; ++shot)
             again.push_back({path, shot});
     }
+    append(std::move(again), is_on_wall);
+}
+
+void ShotRound::begin_all_again(const Fits& is_on_wall) {
+    const std::set<ShotKey> left(waiting_.begin(), waiting_.end());
+    std::vector<ShotKey> again;
+    for (const auto& [path, file] : files_)
+        for (int shot = 0; shot < file.shots; ++shot)
+            if (!left.contains({path, shot})) again.push_back({path, shot});
+    append(std::move(again), is_on_wall);
+}
+
+void ShotRound::append(std::vector<ShotKey> again, const Fits& is_on_wall) {
     again = ordered(std::move(again));
     std::stable_partition(again.begin(), again.end(), [&](const ShotKey& key) { return !is_on_wall(key); });
     waiting_.insert(waiting_.end(), again.begin(), again.end());

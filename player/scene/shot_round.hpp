@@ -2,6 +2,7 @@
 
 #include "base/catalogue/record.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <map>
@@ -47,8 +48,15 @@ class ShotRound {
     /// Takes the first shot that fits off the round.
     std::optional<ShotKey> take(const Fits& fits);
 
+    /// Whether anything left fits.
+    bool has(const Fits& fits) const { return std::any_of(waiting_.begin(), waiting_.end(), fits); }
+
     /// The files of which nothing is left begin anew, their shots on the wall last.
-    void begin_again(const Fits& is_on_wall);
+    /// @param only  the one file that may; empty: all
+    void begin_again(const Fits& is_on_wall, const std::string& only = "");
+
+    /// Everything but what waits still begins anew, what is on the wall last.
+    void begin_all_again(const Fits& is_on_wall);
 
   private:
     struct File {
@@ -56,6 +64,7 @@ class ShotRound {
         int shots = 0;
     };
 
+    void append(std::vector<ShotKey> again, const Fits& is_on_wall);
     std::vector<ShotKey> ordered(std::vector<ShotKey> keys);
     void keep_time_order(std::vector<ShotKey>& keys) const;
 

@@ -8,6 +8,7 @@ namespace vitrine {
 
 namespace {
 
+constexpr double worth_all_anew = 0.2;                      // of the canvas, that is wasted less
 constexpr auto hand_step = std::chrono::milliseconds(120);  // from one step after a finger to the next
 
 const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
@@ -25,6 +26,18 @@ const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot) {
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
     return std::equal(wall.begin(), wall.end(), wanted.begin(), wanted.end(),
                       [](const PlacedShot& a, const WallShot& b) { return a.shot.source == b.source; });
+}
+
+/// Share of the canvas where nothing that matters is seen, and once more where nobody has pixels.
+double wasted(std::span<const PlacedShot> wall, Vec2 canvas) {
+    double regions = 0;
+    double filler = 0;
+    for (const PlacedShot& placed : wall) {
+        regions += seat_of(placed.shot.item, placed.placement).area;
+        for (const Polygon& polygon : placed.cell->filler)
+            filler += signed_area(polygon);
+    }
+    return 1 + (filler - regions) / (canvas.x * canvas.y);
 }
 
 }  // namespace
@@ -58,8 +71,36 @@ void Wall::set_layout(const Layout& layout) {
     for (std::size_t i = 0; i < wall.size(); ++i)
         wall[i].placement = layout.placements[i];
     give_cells(wall, incoming_->canvas, settings_.transition.cells);
+    incoming_->acts.clear();
     incoming_->has_layout = true;
-    incoming_->wants_sources = true;
+    choose_layout();
+    incoming_->wants_sources = incoming_->has_layout;
+}
+
+/// Takes the layout that has come, or has the change laid out anew too and then takes the better of both.
+void Wall::choose_layout() {
+    Incoming& change = *incoming_;
+    const bool is_fresh = change.is_anew || shown_.empty() || change.canvas != shown_canvas_;
+    const double waste = wasted(change.wall, change.canvas);
+    if (is_fresh) {
+        usual_waste_ = waste;
+        if (!change.calm.empty() && wasted(change.calm, change.canvas) < waste + worth_all_anew)
+            change.wall = std::exchange(change.calm, {});
+    } else if (!settings_.nests && waste > usual_waste_ + worth_all_anew) {
+        change.calm = change.wall;
+        change.has_layout = false;
+    }
+}
+
+/// A plan of the change under way without regard to where things stand.
+std::optional<WallPlan> Wall::ask_anew() {
+    if (!incoming_ || incoming_->calm.empty() || incoming_->is_anew) return std::nullopt;
+    incoming_->is_anew = true;
+    incoming_->generation = ++generation_;
+    WallPlan plan{.generation = generation_, .canvas = incoming_->canvas};
+    for (const PlacedShot& placed : incoming_->calm)
+        plan.items.push_back({.item = placed.shot.item});
+    return plan;
 }
 
 void Wall::source_ready(SourceId source) {
@@ -78,6 +119,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     const bool is_left_alone = !hand_.is_holding() && !(incoming_ && incoming_->is_by_hand);
     if (!incoming_ && is_left_alone) assemblage_.advance(now);
     if (!is_fading() && is_left_alone) step.plan = follow_assemblage();
+    if (!step.plan) step.plan = ask_anew();
     if (incoming_ && incoming_->has_layout && !is_fading()) prepare(step, now);
     step.frame = picture(now);
     step.retired = retire();
@@ -146,7 +188,10 @@ void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
         }
     }
     if (is_ready()) {
-        begin_fade(now);
+        if (incoming_->acts.empty()) incoming_->acts = acts();
+        const bool is_turn = !incoming_->is_by_hand && incoming_->canvas == shown_canvas_;
+        const auto due = is_turn ? assemblage_.due() : std::nullopt;
+        if (!due || now >= *due - duration_of(incoming_->acts)) begin_fade(now);
     } else if (now - *incoming_->waiting >= settings_.patience) {
         give_up_waiting(now);
     }
@@ -163,7 +208,7 @@ void Wall::give_up_waiting(std::chrono::nanoseconds now) {
     }
 }
 
-void Wall::begin_fade(std::chrono::nanoseconds now) {
+std::vector<Act> Wall::acts() const {
     TransitionStyle style = settings_.transition;
     const bool is_other_canvas = !shown_.empty() && incoming_->canvas != shown_canvas_;
     if (is_other_canvas || settings_.nests) style.motion = {};  // hulls of groups might meet on the way
@@ -172,14 +217,17 @@ void Wall::begin_fade(std::chrono::nanoseconds now) {
         style.motion = style.crossfade = hand_step;
         style.is_even = true;
     }
+    return transition(incoming_->canvas, shown_, incoming_->wall, style);
+}
+
+void Wall::begin_fade(std::chrono::nanoseconds now) {
     std::vector<Act>& acts = incoming_->acts;
-    acts = transition(incoming_->canvas, shown_, incoming_->wall, style);
     const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;
     incoming_->fade_began = now;
     for (PlacedShot& placed : incoming_->wall) {
         const PlacedShot* same = find_source(shown_, placed.shot.source);
         placed.began = same != nullptr ? same->began : appears;
-        assemblage_.shown(placed.shot.source, now);
+        assemblage_.shown(placed.shot.source, placed.began);
     }
     if (!acts.back().motion) acts.back().to = incoming_->wall;
 }

@@ -27,9 +27,12 @@ struct WallSettings {
 int folder_number(const std::string& path, std::map<std::string, int>& folders);
 
 /// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
-/// sources are asked for; once they are ready the old wall, which plays on, moves and fades into the new one;
-/// then the sources that are not on it any more retire. One such change at a time; a wish that changes before
-/// its fade has begun is replaced.
+/// sources are asked for; once they are ready and the shot that goes has had its time, the old wall, which
+/// plays on, moves and fades into the new one; then the sources that are not on it any more retire. One such
+/// change at a time; a wish that changes before its fade has begun is replaced.
+///
+/// A change moves what stays as little as can be. Where that leaves much more of the canvas to waste than
+/// walls that are laid out anew do, the change is laid out anew.
 class Wall final : public Show {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);
@@ -69,7 +72,9 @@ class Wall final : public Show {
         Vec2 canvas;  // px
         std::vector<PlacedShot> wall;
         bool has_layout = false;
-        bool wants_sources = false;  // of another size than asked for, or not asked for yet
+        bool is_anew = false;          // laid out without regard to where things stand
+        std::vector<PlacedShot> calm;  // the same shots where they moved little, if that left much empty
+        bool wants_sources = false;    // of another size than asked for, or not asked for yet
         bool is_by_hand = false;
         std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
         std::optional<std::chrono::nanoseconds> fade_began;
@@ -79,11 +84,14 @@ class Wall final : public Show {
     void end_fade(std::chrono::nanoseconds now);
     void follow_hand();
     std::optional<WallPlan> follow_assemblage();
+    std::optional<WallPlan> ask_anew();
+    void choose_layout();
     WallPlan begin_change(const std::vector<WallShot>& wanted);
     PlanItem plan_item(const WallShot& shot) const;
     void prepare(WallStep& step, std::chrono::nanoseconds now);
     bool is_ready() const;
     void give_up_waiting(std::chrono::nanoseconds now);
+    std::vector<Act> acts() const;
     void begin_fade(std::chrono::nanoseconds now);
     std::vector<SourceId> retire();
     Frame picture(std::chrono::nanoseconds now) const;
@@ -96,6 +104,7 @@ class Wall final : public Show {
     std::optional<Incoming> incoming_;
     Vec2 shown_canvas_;  // that shown_ was laid out for
     bool is_canvas_new_ = false;
+    double usual_waste_ = 1;  // of walls laid out anew
     std::uint64_t generation_ = 0;
     std::map<SourceId, bool> sources_;  // asked for and not retired; whether ready
 };

@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <random>
 #include <set>
 
 using namespace vitrine;
@@ -15,7 +17,7 @@ namespace {
 
 /// Shows at once whatever the assemblage wants, and counts how often each shot came.
 struct Player {
-    Assemblage assemblage;
+    Assemblage assemblage;  // that does not look ahead, so that turns come at their time
     std::chrono::nanoseconds now = 0s;
     std::map<SourceId, ShotKey> seen{};
     std::map<ShotKey, int> times{};
@@ -46,6 +48,7 @@ struct Player {
 };
 
 Player player(AssemblageSettings settings, const std::vector<MediaRecord>& records) {
+    settings.lead = 0s;
     Player player{.assemblage = Assemblage(settings)};
     player.assemblage.set_catalogue(records);
     player.look();
@@ -96,7 +99,7 @@ TEST_CASE("a shot stays for its time, then one slot at a time changes") {
 }
 
 TEST_CASE("time counts only once a shot is shown") {
-    Assemblage assemblage({.slots = 1, .dwell = 20s});
+    Assemblage assemblage({.slots = 1, .dwell = 20s, .lead = 0s});
     assemblage.set_catalogue(photos(2));
     const SourceId first = assemblage.wall()[0].source;
     assemblage.advance(100s);
@@ -143,11 +146,163 @@ TEST_CASE("a single film fills the slots with its shots side by side, each once 
     }
 }
 
-TEST_CASE("one file stands on the wall once while other files wait") {
+TEST_CASE("the next shot is chosen before the last has had its time, and says when it is due") {
+    Assemblage assemblage({.slots = 2, .dwell = 20s, .lead = 4s});
+    assemblage.set_catalogue(photos(4));
+    CHECK_FALSE(assemblage.due());
+    const std::vector<WallShot> first = assemblage.wall();
+    for (const WallShot& shot : first)
+        assemblage.shown(shot.source, 10s);
+    assemblage.advance(25900ms);
+    CHECK(assemblage.wall() == first);
+    assemblage.advance(26s);
+    CHECK(assemblage.wall() != first);
+    CHECK(assemblage.due() == 30s);
+    const std::vector<WallShot> second = assemblage.wall();
+    assemblage.advance(28900ms);
+    CHECK(assemblage.wall() == second);
+    assemblage.set_catalogue(photos(1));
+    CHECK_FALSE(assemblage.due());  // what is gone leaves at once
+}
+
+TEST_CASE("every shot of every file is shown once before any is shown again, where files take turns") {
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));
     records.push_back(film("g", 50));
     Player wall = player({.slots = 4}, records);
+    while (wall.order.size() < 88 && wall.now < 3600s)
+        wall.run(1s);
+    CHECK(wall.times.size() == 88);
+}
+
+namespace {
+
+struct Files {
+    std::vector<MediaRecord> records;
+    int shots = 0;
+};
+
+Files random_files(std::mt19937_64& engine) {
+    Files files;
+    const auto count = 1 + engine() % 9;
+    for (std::size_t i = 0; i < count; ++i) {
+        const int shots = engine() % 2 == 0 ? 0 : 1 + static_cast<int>(engine() % 7);
+        const std::string name = "f" + std::to_string(engine() % 1000) + "-" + std::to_string(i);
+        files.records.push_back(shots == 0 ? photo(name, static_cast<std::int64_t>(engine() % 5))
+                                           : film(name, shots, std::chrono::seconds(1 + engine() % 30)));
+        files.shots += std::max(1, shots);
+    }
+    return files;
+}
+
+/// How often each shot has come to the wall.
+class Rounds {
+  public:
+    explicit Rounds(const std::vector<MediaRecord>& records) {
+        for (const MediaRecord& record : records)
+            for (int shot = 0; shot < static_cast<int>(record.shots.size()); ++shot)
+                times_[{record.path, shot}] = 0;
+    }
+
+    void change(const std::set<ShotKey>& now) {
+        std::vector<ShotKey> left;
+        std::set_difference(stood_.begin(), stood_.end(), now.begin(), now.end(), std::back_inserter(left));
+        for (const ShotKey& key : left)
+            times_[key] = std::max(times_[key], round_);  // it stood while the others came
+        for (const ShotKey& key : now) {
+            if (stood_.contains(key)) continue;
+            const bool is_own_place = std::any_of(
+                left.begin(), left.end(), [&](const ShotKey& other) { return other.path == key.path; });
+            if (!is_own_place) check(key);
+            ++times_[key];
+            if (!is_own_place) round_ = std::max(round_, times_[key]);
+        }
+        stood_ = now;
+    }
+
+  private:
+    /// Nothing comes again while something waits that has not come at all, or is a whole round behind.
+    void check(const ShotKey& key) const {
+        const int before = times_.at(key);
+        for (const auto& [other, times] : times_)
+            REQUIRE((stood_.contains(other) || before == 0 ||
+                     times >= std::max(1, std::min(round_, before) - 1)));
+    }
+
+    std::map<ShotKey, int> times_;
+    std::set<ShotKey> stood_;
+    int round_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "over thousands of random catalogues no shot comes again while another waits, and none stands twice") {
+    std::mt19937_64 engine(11);
+    for (int k = 0; k < 1500; ++k) {
+        const Files files = random_files(engine);
+        const int slots = 1 + static_cast<int>(engine() % 6);
+        Player wall = player(
+            {.slots = slots, .order = static_cast<ShotOrder>(engine() % 3), .seed = engine(), .dwell = 5s},
+            files.records);
+        REQUIRE(static_cast<int>(wall.assemblage.wall().size()) == std::min(slots, files.shots));
+        Rounds rounds(files.records);
+        for (int i = 0; i < 60; ++i, wall.now += 1s) {
+            wall.assemblage.advance(wall.now);
+            wall.look();
+            std::set<ShotKey> stand;
+            for (const WallShot& shot : wall.assemblage.wall())
+                REQUIRE(stand.insert(shot.key).second);
+            rounds.change(stand);
+        }
+    }
+}
+
+TEST_CASE("over thousands of random changes new files come before all that was there") {
+    std::mt19937_64 engine(12);
+    for (int k = 0; k < 1000; ++k) {
+        Files files = random_files(engine);
+        Player wall = player({.slots = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s},
+                             files.records);
+        wall.run(std::chrono::seconds(engine() % 60));
+        const std::size_t shown = wall.order.size();
+        std::set<std::string> added;
+        for (std::size_t i = 0; i <= engine() % 3; ++i) {
+            files.records.push_back(photo("new" + std::to_string(i)));
+            added.insert(files.records.back().path);
+        }
+        wall.assemblage.set_catalogue(files.records);
+        wall.look();
+        wall.run(30s);
+        CHECK(wall.order.size() > shown);
+        for (std::size_t i = shown; i < std::min(shown + added.size(), wall.order.size()); ++i)
+            REQUIRE(added.contains(wall.order[i].path));
+    }
+}
+
+TEST_CASE("in sequence, a film alone shows each shot once through, evenly staggered and in time order") {
+    Player wall = player({.slots = 4, .film = FilmShow::sequence}, {film("f", 40, 16s)});
+    std::vector<std::chrono::nanoseconds> changes;
+    for (std::size_t count = wall.order.size(); wall.now < 120s;) {
+        wall.run(100ms);
+        if (wall.order.size() == count) continue;
+        count = wall.order.size();
+        changes.push_back(wall.now);
+    }
+    REQUIRE(changes.size() > 20);
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+        CHECK(changes[i] - changes[i - 1] >= 3900ms);
+        CHECK(changes[i] - changes[i - 1] <= 4300ms);
+    }
+    for (int shot = 0; shot < 24; ++shot)
+        CHECK(wall.order[static_cast<std::size_t>(shot)] == ShotKey{"f", shot});
+}
+
+TEST_CASE("in sequence, a film stands on the wall once while other files are there") {
+    std::vector<MediaRecord> records = photos(8);
+    records.push_back(film("f", 30));
+    records.push_back(film("g", 50));
+    Player wall = player({.slots = 4, .film = FilmShow::sequence}, records);
     for (int i = 0; i < 400; ++i) {
         wall.run(3s);
         const auto paths = wall.paths();
