@@ -17,10 +17,13 @@ constexpr int ticks_before_mercy = 15;  // modes that were refused are tried aga
 
 using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
 
+// Nothing where the card draws in software.
 DeviceHandle open_device(const Card& card) {
     DeviceHandle device(gbm_create_device(card.fd()));
     if (!device) throw_errno("make buffers on '{}'", card.path().string());
-    return device;
+    const std::string renderer = Egl::on(*device).renderer();
+    const bool is_software = renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
+    return is_software ? nullptr : std::move(device);
 }
 
 std::string mode_name(const Output& output) {
@@ -34,8 +37,8 @@ KmsDisplay::KmsDisplay(const KmsOptions& options)
       card_(open_card(options.card, options.api)),
       wish_(options.wish),
       device_(open_device(card_)),
-      egl_(Egl::on(*device_)),
-      surface_{.card = card_, .device = *device_, .egl = egl_},
+      egl_(device_ ? Egl::on(*device_) : Egl::surfaceless()),
+      surface_{.card = card_, .device = device_.get(), .egl = egl_},
       watch_(card_.fd()) {
     look_for_panels(Ask::all);
 }

@@ -6,6 +6,10 @@
 #include "player/display/panel_watch.hpp"
 #include "player/display/screen.hpp"
 
+#include "base/system/handle.hpp"
+
+#include <gbm.h>
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -61,7 +65,7 @@ class KmsDisplay final : public Display {
     bool is_any_card_;  // none was named
     Card card_;
     OutputWish wish_;
-    Handle<gbm_device, &gbm_device_destroy> device_;
+    Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
     Egl egl_;
     KmsSurface surface_;
     PanelWatch watch_;

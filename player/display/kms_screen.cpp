@@ -1,6 +1,8 @@
 #include "player/display/kms_screen.hpp"
 
 #include "base/system/error.hpp"
+#include "player/display/gbm_scanout.hpp"
+#include "player/display/memory_scanout.hpp"
 
 #include <fmt/format.h>
 
@@ -35,25 +37,30 @@ class ModeBlob {
     std::uint32_t id_ = 0;
 };
 
+std::unique_ptr<Scanout> make_scanout(const KmsSurface& surface, int width, int height) {
+    if (surface.device == nullptr) return std::make_unique<MemoryScanout>(surface.card, width, height);
+    return std::make_unique<GbmScanout>(surface.card, *surface.device, surface.egl, width, height);
+}
+
 }  // namespace
 
 KmsScreen::KmsScreen(KmsSurface& surface, const Output& output, const Obstacles& in_the_way)
     : surface_(surface),
       output_(output),
       in_the_way_(in_the_way),
-      scanout_(surface.card, surface.device, surface.egl, output.mode.hdisplay, output.mode.vdisplay) {
+      scanout_(make_scanout(surface, output.mode.hdisplay, output.mode.vdisplay)) {
     if (surface.card.is_atomic()) properties_ = surface.card.properties(output);
 }
 
 void KmsScreen::begin_frame() {
-    scanout_.make_current();
+    scanout_->make_current();
 }
 
 // Cards that have no room for a further picture, or that were pulled out, fail as early as at its end.
 void KmsScreen::present(std::chrono::nanoseconds) {
     assert(!state_.is_waiting());
     try {
-        show(scanout_.take());
+        show(scanout_->take());
     } catch (const std::runtime_error& error) {
         outcome_ = Outcome::refused;
         reason_ = error.what();
@@ -78,18 +85,18 @@ void KmsScreen::show(ScanoutBuffer buffer) {
 int KmsScreen::set_mode(const ScanoutBuffer& buffer) {
     const Card& card = surface_.card;
     if (!card.is_atomic())
-        return -drmModeSetCrtc(card.fd(), output_.crtc, buffer.frame_buffer(), 0, 0, &output_.connector, 1,
+        return -drmModeSetCrtc(card.fd(), output_.crtc, buffer.frame_buffer, 0, 0, &output_.connector, 1,
                                &output_.mode);
     const ModeBlob mode(card.fd(), output_.mode);
-    return card.commit(modeset_request(output_, properties_, mode.id(), buffer.frame_buffer(), in_the_way_),
+    return card.commit(modeset_request(output_, properties_, mode.id(), buffer.frame_buffer, in_the_way_),
                        DRM_MODE_ATOMIC_ALLOW_MODESET, 0);
 }
 
 int KmsScreen::flip(const ScanoutBuffer& buffer) {
     const Card& card = surface_.card;
     flip_ = ++surface_.flips;
-    if (!card.is_atomic()) return card.flip(output_.crtc, buffer.frame_buffer(), flip_);
-    return card.commit(flip_request(output_, properties_, buffer.frame_buffer()),
+    if (!card.is_atomic()) return card.flip(output_.crtc, buffer.frame_buffer, flip_);
+    return card.commit(flip_request(output_, properties_, buffer.frame_buffer),
                        DRM_MODE_ATOMIC_NONBLOCK | DRM_MODE_PAGE_FLIP_EVENT, flip_);
 }
 

@@ -6,8 +6,11 @@
 #include "player/display/scanout.hpp"
 #include "player/display/screen.hpp"
 
+#include <gbm.h>
+
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,7 +19,7 @@ namespace vitrine {
 /// What all screens of a card draw with.
 struct KmsSurface {
     const Card& card;
-    gbm_device& device;
+    gbm_device* device = nullptr;  // egl is on it; nullptr: egl draws to memory
     Egl& egl;
     std::uint64_t flips = 0;  // asked for so far; each has its number
 };
@@ -37,7 +40,7 @@ class KmsScreen final : public Screen {
 
     int height() const override { return output_.mode.vdisplay; }
 
-    bool is_ready() const override { return !state_.is_waiting() && scanout_.has_free_buffer(); }
+    bool is_ready() const override { return !state_.is_waiting() && scanout_->has_free_buffer(); }
 
     void begin_frame() override;
     void present(std::chrono::nanoseconds time) override;
@@ -76,7 +79,7 @@ class KmsScreen final : public Screen {
     std::string reason_;
     Time awaited_since_ = std::chrono::steady_clock::now();
     std::uint64_t flip_ = 0;  // the last one asked for
-    Scanout scanout_;
+    std::unique_ptr<Scanout> scanout_;
     std::optional<ScanoutBuffer> on_screen_;
     std::optional<ScanoutBuffer> in_flight_;
 };

@@ -1,4 +1,4 @@
-#include "player/display/scanout.hpp"
+#include "player/display/gbm_scanout.hpp"
 
 #include "base/system/error.hpp"
 
@@ -7,8 +7,6 @@
 
 #include <array>
 #include <memory>
-#include <stdexcept>
-#include <utility>
 
 namespace vitrine {
 
@@ -63,26 +61,7 @@ std::unique_ptr<FrameBuffer> announce(const Card& card, gbm_bo& buffer) {
 
 }  // namespace
 
-ScanoutBuffer::ScanoutBuffer(gbm_surface& surface, gbm_bo& buffer, std::uint32_t frame_buffer)
-    : surface_(&surface), buffer_(&buffer), frame_buffer_(frame_buffer) {}
-
-ScanoutBuffer::ScanoutBuffer(ScanoutBuffer&& other) noexcept
-    : surface_(other.surface_),
-      buffer_(std::exchange(other.buffer_, nullptr)),
-      frame_buffer_(other.frame_buffer_) {}
-
-ScanoutBuffer& ScanoutBuffer::operator=(ScanoutBuffer&& other) noexcept {
-    std::swap(surface_, other.surface_);
-    std::swap(buffer_, other.buffer_);
-    std::swap(frame_buffer_, other.frame_buffer_);
-    return *this;
-}
-
-ScanoutBuffer::~ScanoutBuffer() {
-    if (buffer_) gbm_surface_release_buffer(surface_, buffer_);
-}
-
-Scanout::Scanout(const Card& card, gbm_device& device, Egl& egl, int width, int height)
+GbmScanout::GbmScanout(const Card& card, gbm_device& device, Egl& egl, int width, int height)
     : card_(card),
       egl_(egl),
       surface_(gbm_surface_create(&device, static_cast<std::uint32_t>(width),
@@ -93,25 +72,27 @@ Scanout::Scanout(const Card& card, gbm_device& device, Egl& egl, int width, int 
     if (window_ == EGL_NO_SURFACE) throw_egl("make an EGL surface of the card's buffers");
 }
 
-Scanout::~Scanout() {
+GbmScanout::~GbmScanout() {
     eglMakeCurrent(egl_.display(), EGL_NO_SURFACE, EGL_NO_SURFACE, eglGetCurrentContext());
     eglDestroySurface(egl_.display(), window_);
 }
 
-void Scanout::make_current() {
+void GbmScanout::make_current() {
     egl_.make_current(window_);
 }
 
-ScanoutBuffer Scanout::take() {
+ScanoutBuffer GbmScanout::take() {
     if (!eglSwapBuffers(egl_.display(), window_)) throw_egl("end a frame");
     gbm_bo* const buffer = gbm_surface_lock_front_buffer(surface_.get());
     if (!buffer) throw_errno("lock a buffer of '{}'", card_.path().string());
+    const std::shared_ptr<gbm_bo> lease(
+        buffer, [surface = surface_.get()](gbm_bo* lent) { gbm_surface_release_buffer(surface, lent); });
     auto* known = static_cast<FrameBuffer*>(gbm_bo_get_user_data(buffer));
     if (!known) {
         known = announce(card_, *buffer).release();
         gbm_bo_set_user_data(buffer, known, &end_frame_buffer);  // owns it from here on
     }
-    return {*surface_, *buffer, known->id};
+    return {.frame_buffer = known->id, .lease = lease};
 }
 
 }  // namespace vitrine

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "player/display/card.hpp"
+#include "player/display/scanout.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace vitrine {
+
+/// Buffers in plain memory that a card shows, which what GL has drawn elsewhere is copied to.
+///
+/// For GL in software, which draws to memory anyway: a copy costs a twentieth of the drawing (render_bench),
+/// and GL then has nothing to do with the card. Mesa's software renderer, drawing to a card that is pulled
+/// out, ends the process: it maps the card's memory anew for each picture, and does not look whether it
+/// could.
+class MemoryScanout final : public Scanout {
+  public:
+    /// @param card  outlives this
+    /// @throws std::runtime_error where the card has no room or no such format
+    MemoryScanout(const Card& card, int width, int height);
+    MemoryScanout(const MemoryScanout&) = delete;
+    MemoryScanout& operator=(const MemoryScanout&) = delete;
+    MemoryScanout(MemoryScanout&&) = delete;
+    MemoryScanout& operator=(MemoryScanout&&) = delete;
+    ~MemoryScanout() override;
+
+    void make_current() override;
+    bool has_free_buffer() const override;
+    ScanoutBuffer take() override;
+
+  private:
+    class Buffer;
+
+    int width_;
+    int height_;
+    std::array<std::shared_ptr<Buffer>, 3>
+        buffers_;                // shared with what is lent: one on screen, one on its way
+    unsigned frame_buffer_ = 0;  // of GL
+    unsigned colour_ = 0;
+    std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
+};
+
+}  // namespace vitrine
