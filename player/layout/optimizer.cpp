@@ -16,10 +16,12 @@ constexpr double least_promising = 0.7;    // of the best growth: what overlaps 
 constexpr double tolerated_loss = 0.002;   // of the growth, from which the search still goes on
 constexpr std::size_t trials_astray = 50;  // without a better one, then back to the best
 constexpr std::size_t vain_trials_an_item = 300;  // in a row: then the search has converged
-constexpr double relocations = 0.3;               // of the disturbances; the others are exchanges
-constexpr std::size_t most_compacted = 48;        // items; programs of more take too long
-constexpr double growing_step = 0.006;            // of the growth, where nothing is compacted
-constexpr int exploring_patience = 4;             // rounds without less overlap
+constexpr std::size_t least_vain_trials_an_item = 60;
+constexpr std::int64_t vain_effort = 2;     // times what led to the last gain: then it has converged too
+constexpr double relocations = 0.3;         // of the disturbances; the others are exchanges
+constexpr std::size_t most_compacted = 48;  // items; programs of more take too long
+constexpr double growing_step = 0.006;      // of the growth, where nothing is compacted
+constexpr int exploring_patience = 4;       // rounds without less overlap
 constexpr int growing_patience = 8;
 constexpr double calm_step = 0.008;  // of the growth, at first
 constexpr SeparationStyle roaming{.finest_step = 1};
@@ -89,7 +91,14 @@ void explore(const Ground& ground, Contacts& contacts, Best& best, Random& rando
     best.take(compacted(ground, best.arrangement(), contacts, effort));
     Arrangement current = best.arrangement();
     std::size_t vain = 0;  // trials in a row
-    while (vain < vain_trials_an_item * ground.size() && !effort.is_spent() && !best.is_final()) {
+    const std::int64_t begin = effort.left();
+    std::int64_t gained = begin;  // what was left at the last gain
+    const auto has_converged = [&] {
+        if (vain < least_vain_trials_an_item * ground.size()) return false;
+        return vain >= vain_trials_an_item * ground.size() ||
+               gained - effort.left() >= vain_effort * (begin - gained);
+    };
+    while (!has_converged() && !effort.is_spent() && !best.is_final()) {
         if (++vain % trials_astray == 0) current = best.arrangement();
         Arrangement trial = current;
         trial.growth *= 1 - loosening;
@@ -99,7 +108,10 @@ void explore(const Ground& ground, Contacts& contacts, Best& best, Random& rando
         trial.growth = greatest_growth(ground, trial, contacts, least, trial.growth);
         if (trial.growth == 0) continue;
         trial = compacted(ground, trial, contacts, effort);
-        if (best.take(trial)) vain = 0;
+        if (best.take(trial)) {
+            vain = 0;
+            gained = effort.left();
+        }
         if (trial.growth > current.growth * (1 - tolerated_loss)) current = trial;
     }
 }

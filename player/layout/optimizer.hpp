@@ -14,7 +14,8 @@ using OnBetter = std::function<void(const Arrangement&)>;
 /// Makes all I-Regions as large as possible on the field. Goes from one local maximum of the growth to
 /// another: exchanges two items or sends one elsewhere, separates what overlaps, compacts by linear programs.
 /// Goes on from what is hardly worse, and after a while from the best. Anytime: the best so far is always
-/// free. Has converged, and ends, when 300 trials an item in a row gave nothing better.
+/// free. Has converged, and ends, when 300 trials an item in a row gave nothing better, or 60 that took twice
+/// as long as all before.
 ///
 /// @param start   free of overlap
 /// @param effort  the most that is spent; few items converge long before

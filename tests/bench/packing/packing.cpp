@@ -38,7 +38,8 @@ void print_real(const BenchOptions& options) {
             items.push_back(all[uniform_index(random, all.size())]);
         return items;
     };
-    print_shares(fmt::format("{} regions of the catalogue", all.size()).c_str(), drawn, options.instances);
+    print_shares(fmt::format("{} regions of the catalogue", all.size()).c_str(), drawn, options.instances,
+                 true);
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
     if (wants("moves")) print_moves();
     if (wants("many")) print_many();
     if (wants("changes")) print_changes(options.instances);
-    if (wants("shares")) print_shares("random hulls", random_hulls, options.instances);
+    if (wants("shares")) print_shares("random hulls", random_hulls, options.instances, false);
     if (wants("real") && !options.catalogue.empty()) print_real(options);
     if (wants("edits")) print_edits(options.edits);
 }

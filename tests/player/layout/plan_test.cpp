@@ -53,6 +53,13 @@ TEST_CASE("a plan of few items ends when it has converged, long before its budge
         plan(request, {.should_stop = [&] { return ++questions < 0; }});
         CHECK(questions < 300);
     }
+    PlanRequest request = random_request(5, 4);  // would gain nothing for seconds
+    request.fills = false;
+    request.budget = 100'000'000;
+    request.most_scale = 100;
+    int questions = 0;
+    plan(request, {.should_stop = [&] { return ++questions > 20'000; }});
+    CHECK(questions < 3'000);
 }
 
 TEST_CASE("the same request gives the same layout and another seed another") {
