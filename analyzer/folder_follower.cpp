@@ -48,11 +48,15 @@ void FolderFollower::watch(const std::string& folder) {
 
 bool FolderFollower::read_events(Schedule::Time now) {
     using Kind = DirectoryEvent::Kind;
-    std::set<std::string> files, added, removed;
+    std::set<std::string> files, closed, added, removed;
     bool is_lost = false;
     for (const DirectoryEvent& event : watch_.read()) {
         const std::string path = relative(event.directory / event.name);
         switch (event.kind) {
+        case Kind::written:
+            closed.insert(path);
+            files.insert(path);
+            break;
         case Kind::changed:
         case Kind::removed:
             files.insert(path);
@@ -78,14 +82,20 @@ bool FolderFollower::read_events(Schedule::Time now) {
         if (folder_.device() && fs::exists(folder_.absolute(folder)))
             added.insert(folder);  // another took its place
     }
-    look_at(std::vector<std::string>(files.begin(), files.end()), now);
+    look_at(std::vector<std::string>(files.begin(), files.end()), closed, now);
     for (const std::string& folder : added)
         list_below(folder, now);
     return is_lost;
 }
 
-/// What is gone is told first: it may be there again under another name.
 void FolderFollower::look_at(std::span<const std::string> paths, Schedule::Time now) {
+    look_at(paths, {}, now);
+}
+
+/// What is gone is told first: it may be there again under another name.
+/// @param closed  files that nobody writes any more, as far as this kernel knows
+void FolderFollower::look_at(std::span<const std::string> paths, const std::set<std::string>& closed,
+                             Schedule::Time now) {
     std::vector<MediaFolder::File> there;
     for (const std::string& path : paths) {
         MediaFolder::Look look = folder_.look(path);
@@ -93,7 +103,7 @@ void FolderFollower::look_at(std::span<const std::string> paths, Schedule::Time 
         if (look.presence == MediaFolder::Presence::there) there.push_back(std::move(look.file));
     }
     for (const MediaFolder::File& file : there)
-        saw(file, now);
+        saw(file, now, closed.contains(file.path));
 }
 
 void FolderFollower::list_below(const std::string& folder, Schedule::Time now) {
@@ -113,11 +123,12 @@ void FolderFollower::compare(const MediaFolder::Listing& listing, const std::str
 }
 
 /// A server's clock is not ours: what it says of the past is no proof of quiet.
-void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now) {
+void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
     const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
     const auto still_for =
         std::max<std::chrono::nanoseconds>(since_1970 - file.ctime, std::chrono::nanoseconds(0));
-    schedule_.saw(file.path, file.facts, is_remote_ ? std::chrono::nanoseconds(0) : still_for, now);
+    schedule_.saw(file.path, file.facts, is_remote_ ? std::chrono::nanoseconds(0) : still_for, now,
+                  is_closed && !is_remote_);
 }
 
 std::string FolderFollower::relative(const fs::path& directory) const {

@@ -37,7 +37,8 @@ class FolderFollower {
     void watch(const std::string& folder);
     void list_below(const std::string& folder, Schedule::Time now);
     void compare(const MediaFolder::Listing& listing, const std::string& folder, Schedule::Time now);
-    void saw(const MediaFolder::File& file, Schedule::Time now);
+    void saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
+    void look_at(std::span<const std::string> paths, const std::set<std::string>& closed, Schedule::Time now);
     std::string relative(const std::filesystem::path& directory) const;
     bool is_unmounted(const MediaFolder::Listing& listing) const;
     bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;

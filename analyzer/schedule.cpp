@@ -15,30 +15,34 @@ void Schedule::known(const std::string& path, const FileFacts& facts, bool is_se
     entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = is_held};
 }
 
-void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds still_for, Time now) {
+void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds still_for, Time now,
+                   bool is_closed) {
+    const nanoseconds delay =
+        (is_closed ? std::min(pace_.quiet, pace_.closed_quiet) : pace_.quiet) - still_for;
     const auto found = entries_.find(path);
-    if (found == entries_.end()) return saw_new(path, facts, still_for, now);
+    if (found == entries_.end()) return saw_new(path, facts, delay, now);
     Entry& entry = found->second;
     const bool is_same = is_same_content(entry.facts, facts);
     switch (entry.phase) {
     case Phase::unseen:
-        if (!is_same || !entry.is_settled) return changed(path, entry, facts, still_for, now);
+        if (!is_same || !entry.is_settled) return changed(path, entry, facts, delay, now);
         return enter(path, entry, Phase::done);
     case Phase::settling:
-        if (!is_same || entry.facts.blocks != facts.blocks)
-            return changed(path, entry, facts, still_for, now);
-        if (now >= entry.look_at) enter(path, entry, Phase::due);
+        if (!is_same || entry.facts.blocks != facts.blocks) return changed(path, entry, facts, delay, now);
+        if (now >= entry.look_at) return enter(path, entry, Phase::due);
+        if (is_closed && entry.waits == 0 && now + delay < entry.look_at) settle(path, entry, delay, now);
         return;
     case Phase::due:
     case Phase::running:
     case Phase::done:
-        if (!is_same) return changed(path, entry, facts, still_for, now);
+        if (!is_same) return changed(path, entry, facts, delay, now);
         entry.facts = facts;
         return;
     }
 }
 
-void Schedule::saw_new(const std::string& path, const FileFacts& facts, nanoseconds still_for, Time now) {
+/// @param delay  until it is looked at again
+void Schedule::saw_new(const std::string& path, const FileFacts& facts, nanoseconds delay, Time now) {
     const auto left = leaving_.find(path);
     const bool is_back =
         left != leaving_.end() && left->second.is_done && is_same_content(left->second.facts, facts);
@@ -49,7 +53,7 @@ void Schedule::saw_new(const std::string& path, const FileFacts& facts, nanoseco
     } else {
         Entry& entry = entries_[path];
         entry = {.facts = facts, .is_recorded = left != leaving_.end()};
-        settle(path, entry, pace_.quiet - still_for, now);
+        settle(path, entry, delay, now);
     }
     leaving_.erase(path);
 }
@@ -66,7 +70,7 @@ bool Schedule::take_over_from_leaving(const std::string& path, const FileFacts& 
     return true;
 }
 
-void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds still_for,
+void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds delay,
                        Time now) {
     if (entry.phase == Phase::running) actions_.push_back({.kind = Action::Kind::stop, .path = path});
     const bool keeps_changing = entry.phase == Phase::settling;
@@ -77,7 +81,7 @@ void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& f
         entry.is_held = entry.is_recorded = true;
         actions_.push_back({.kind = Action::Kind::hold, .path = path, .facts = facts});
     }
-    settle(path, entry, pace_.quiet - still_for, now);
+    settle(path, entry, delay, now);
 }
 
 void Schedule::settle(const std::string& path, Entry& entry, nanoseconds delay, Time now) {

@@ -16,6 +16,7 @@ namespace vitrine {
 struct Pace {
     std::size_t children = 1;                     // files analysed at the same time, at least 1
     std::chrono::milliseconds quiet{2000};        // a file must not have changed for so long
+    std::chrono::milliseconds closed_quiet{150};  // where whoever wrote it has closed it, if that is shorter
     std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
     std::chrono::milliseconds first_retry{
         5000};        // after this a waiting file is tried again, then after twice
@@ -75,8 +76,11 @@ class Schedule {
     /// @param is_held     it is `waiting`
     void known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
 
-    /// The file is there. @param still_for  how long it is known to be unchanged already
-    void saw(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for, Time now);
+    /// The file is there.
+    /// @param still_for  how long it is known to be unchanged already
+    /// @param is_closed  whoever wrote it has just closed it; some do so more than once
+    void saw(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for, Time now,
+             bool is_closed = false);
 
     /// The file is not there. In a rename this comes before saw() of the new name.
     void gone(const std::string& path, Time now);
@@ -131,11 +135,10 @@ class Schedule {
     using Entries = std::map<std::string, Entry>;
 
     void enter(const std::string& path, Entry& entry, Phase phase);
-    void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for,
-                 Time now);
+    void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay, Time now);
     void settle(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
     void changed(const std::string& path, Entry& entry, const FileFacts& facts,
-                 std::chrono::nanoseconds still_for, Time now);
+                 std::chrono::nanoseconds delay, Time now);
     bool take_over_from_leaving(const std::string& path, const FileFacts& facts);
     void forget_leaving(Time now);
     void start_due();

@@ -25,7 +25,8 @@ std::optional<DirectoryEvent::Kind> kind_of(std::uint32_t mask) {
     if ((mask & (IN_DELETE | IN_MOVED_FROM)) != 0)
         return is_directory ? Kind::directory_removed : Kind::removed;
     if (is_directory) return (mask & IN_IGNORED) == 0 ? std::optional(Kind::directory_added) : std::nullopt;
-    if ((mask & (IN_CLOSE_WRITE | IN_MOVED_TO | IN_ATTRIB)) != 0) return Kind::changed;
+    if ((mask & (IN_CLOSE_WRITE | IN_MOVED_TO)) != 0) return Kind::written;
+    if ((mask & IN_ATTRIB) != 0) return Kind::changed;
     return std::nullopt;
 }
 

@@ -12,7 +12,8 @@ namespace vitrine {
 /// One thing that happened in a watched directory.
 struct DirectoryEvent {
     enum class Kind {
-        changed,            // a file was written and closed, moved in, or its attributes changed
+        written,            // a file was closed by who wrote it, or moved in
+        changed,            // a file's attributes changed
         removed,            // a file was deleted or moved away
         directory_added,    // made or moved in; it may already hold files: add() it, then read it
         directory_removed,  // deleted or moved away

@@ -250,3 +250,37 @@ TEST_CASE("the files below a folder are those, and not its neighbours of a longe
     CHECK(schedule.paths_below("a") == std::vector<std::string>{"a/1", "a/b/2"});
     CHECK(schedule.paths_below("").size() == 5);
 }
+
+TEST_CASE("a file that was closed is due sooner than one of which nothing is known") {
+    Bench bench;
+    bench.files["a"] = bench.files["b"] = small;
+    bench.schedule.saw("a", small, 0s, bench.now);
+    bench.schedule.saw("b", small, 0s, bench.now, true);
+    CHECK(bench.after(149ms).empty());
+    CHECK(bench.after(1ms) == Actions{Bench::start("b", small)});
+    CHECK(bench.finish("b") == Verdict::store);
+    CHECK(bench.after(1849ms).empty());
+    CHECK(bench.after(1ms) == Actions{Bench::start("a", small)});
+}
+
+TEST_CASE("closing is the end of waiting for quiet, and counts from the last time") {
+    Bench bench;
+    bench.see("a", small);
+    CHECK(bench.after(500ms).empty());
+    bench.schedule.saw("a", small, 0s, bench.now, true);
+    CHECK(bench.after(100ms).empty());
+    bench.files["a"] = grown;
+    bench.schedule.saw("a", grown, 0s, bench.now, true);  // written once more
+    const Actions held = bench.after(100ms);
+    REQUIRE(held.size() == 1);
+    CHECK(held[0].kind == Kind::hold);
+    CHECK(bench.after(50ms) == Actions{Bench::start("a", grown)});
+}
+
+TEST_CASE("a shorter quiet time than that after closing stays what it is") {
+    Bench bench;
+    bench.schedule = Schedule({.quiet = 10ms});
+    bench.files["a"] = small;
+    bench.schedule.saw("a", small, 0s, bench.now, true);
+    CHECK(bench.after(10ms) == Actions{Bench::start("a", small)});
+}

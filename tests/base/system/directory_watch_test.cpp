@@ -28,14 +28,14 @@ TEST_CASE("a file is news when it is closed, moved in, made readable or deleted,
         file << "half" << std::flush;
         CHECK(watch.read().empty());
     }
-    CHECK(watch.read() == std::vector<DirectoryEvent>{{Kind::changed, directory.path, "a.jpg"}});
+    CHECK(watch.read() == std::vector<DirectoryEvent>{{Kind::written, directory.path, "a.jpg"}});
 
     fs::permissions(directory.path / "a.jpg", fs::perms::owner_read);
     CHECK(watch.read() == std::vector<DirectoryEvent>{{Kind::changed, directory.path, "a.jpg"}});
 
     fs::rename(directory.path / "a.jpg", directory.path / "b\n\xff.jpg");
     CHECK(watch.read() == std::vector<DirectoryEvent>{{Kind::removed, directory.path, "a.jpg"},
-                                                      {Kind::changed, directory.path, "b\n\xff.jpg"}});
+                                                      {Kind::written, directory.path, "b\n\xff.jpg"}});
     fs::remove(directory.path / "b\n\xff.jpg");
     CHECK(watch.read() == std::vector<DirectoryEvent>{{Kind::removed, directory.path, "b\n\xff.jpg"}});
 }
@@ -52,7 +52,7 @@ TEST_CASE("a new directory is told, and read after it was added nothing in it is
     CHECK(fs::exists(directory.path / "r" / "b"));  // what only reading shows
     REQUIRE(watch.add(directory.path / "r" / "b"));
     directory.write("r/b/x.jpg", "x");
-    CHECK(has(watch.read(), {Kind::changed, directory.path / "r" / "b", "x.jpg"}));
+    CHECK(has(watch.read(), {Kind::written, directory.path / "r" / "b", "x.jpg"}));
 }
 
 TEST_CASE("a directory that was moved is heard under its new name once it was removed and added again") {
@@ -75,7 +75,7 @@ TEST_CASE("a directory that was moved is heard under its new name once it was re
 
     directory.write("new/inner/x.jpg", "x");
     const auto after = watch.read();
-    CHECK(after == std::vector<DirectoryEvent>{{Kind::changed, directory.path / "new" / "inner", "x.jpg"}});
+    CHECK(after == std::vector<DirectoryEvent>{{Kind::written, directory.path / "new" / "inner", "x.jpg"}});
 }
 
 TEST_CASE("removing a directory keeps its neighbour of a longer name") {
