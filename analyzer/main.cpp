@@ -95,7 +95,8 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
     if (memory_can_be_limited)
         options.limits.memory_bytes = static_cast<std::uint64_t>(analyzer.memory) << mebibyte_bits;
     options.deadline_per_mebibyte = analyzer.deadline_per_mebibyte;
-    options.pace = {.children = children, .quiet = analyzer.quiet};
+    constexpr std::uint64_t small_file = 16U << 20;  // most photos, and hardly a film that takes long
+    options.pace = {.children = children, .small_bytes = small_file, .quiet = analyzer.quiet};
     if (line.is_once) options.pace.first_retry = std::chrono::hours(24);  // what waits is left to the daemon
     options.rescan = analyzer.rescan;
     options.is_once = line.is_once;

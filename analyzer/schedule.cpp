@@ -168,13 +168,20 @@ void Schedule::forget_leaving(Time now) {
     }
 }
 
+/// A photo does not wait for a film that takes minutes.
+bool Schedule::has_room_for(const Entry& entry) const {
+    const bool is_small = entry.facts.bytes <= pace_.small_bytes;
+    return children_.size() < pace_.children + (is_small ? 1 : 0);
+}
+
 /// Newest first: what was just dropped is what its operator waits for.
 void Schedule::start_due() {
-    for (auto it = due_.rbegin(); it != due_.rend() && children_.size() < pace_.children;) {
+    for (auto it = due_.rbegin(); it != due_.rend() && children_.size() <= pace_.children;) {
         const std::string path = it->second;
         ++it;
         if (children_.contains(path)) continue;  // the stopped one is not gone yet
         Entry& entry = entries_.at(path);
+        if (!has_room_for(entry)) continue;
         it = std::make_reverse_iterator(due_.erase(it.base()));
         entry.phase = Phase::running;
         children_.insert(path);

@@ -15,6 +15,7 @@ namespace vitrine {
 /// How the schedule waits. Times are the caller's monotonic clock.
 struct Pace {
     std::size_t children = 1;                     // files analysed at the same time, at least 1
+    std::uint64_t small_bytes = 0;                // one file up to this size is analysed beside them: photos
     std::chrono::milliseconds quiet{2000};        // a file must not have changed for so long
     std::chrono::milliseconds closed_quiet{150};  // where whoever wrote it has closed it, if that is shorter
     std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
@@ -142,6 +143,7 @@ class Schedule {
     bool take_over_from_leaving(const std::string& path, const FileFacts& facts);
     void forget_leaving(Time now);
     void start_due();
+    bool has_room_for(const Entry& entry) const;
 
     Pace pace_;
     Entries entries_;

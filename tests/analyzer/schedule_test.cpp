@@ -284,3 +284,20 @@ TEST_CASE("a shorter quiet time than that after closing stays what it is") {
     bench.schedule.saw("a", small, 0s, bench.now, true);
     CHECK(bench.after(10ms) == Actions{Bench::start("a", small)});
 }
+
+TEST_CASE(
+    "a small file does not wait for a large one, a second small one does, and no large one takes its place") {
+    Bench bench;
+    bench.schedule = Schedule({.children = 1, .small_bytes = 10});
+    bench.see("film", grown);
+    CHECK(bench.after(2s) == Actions{Bench::start("film", grown)});
+    bench.see("photo", small);
+    bench.see("other", small);
+    bench.see("long", grown_more);
+    CHECK(bench.after(2s) == Actions{Bench::start("photo", small)});
+    CHECK(bench.finish("photo") == Verdict::store);
+    CHECK(bench.after(0s) == Actions{Bench::start("other", small)});
+    CHECK(bench.finish("film") == Verdict::store);
+    CHECK(bench.finish("other") == Verdict::store);
+    CHECK(bench.after(0s) == Actions{Bench::start("long", grown_more)});
+}
