@@ -104,8 +104,10 @@ WallStep Stage::next_step(Renderer& renderer) {
 
 void Stage::carry_out(const WallStep& step, Renderer& renderer) {
     if (step.plan) ask(*step.plan);
-    for (const ShotRequest& request : step.requests)
+    for (const ShotRequest& request : step.requests) {
+        log::debug("source {}: '{}'", request.source, request.path);
         sources_.request(request);
+    }
     for (const SourceId source : step.retired) {
         sources_.retire(source);
         renderer.forget(source);
@@ -141,6 +143,7 @@ void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer)
     for (const DrawItem& item : frame.items) {
         const std::optional<Sample> sample = sources_.sample(item.source);
         if (!sample || uploaded_[item.source] == sample->owner) continue;
+        if (!uploaded_[item.source]) log::debug("source {} appears", item.source);
         renderer.upload(item.source, *sample);
         uploaded_[item.source] = sample->owner;
     }
