@@ -121,8 +121,8 @@ class Appliance:
         return pid
 
     def journal(self, unit="vitrine-player", since=0.0):
-        """What a unit said from a moment of the guest's monotonic clock on: [(seconds, words)]."""
-        lines = self.sh(f"journalctl -b -q -u {unit} -o short-monotonic --no-hostname").splitlines()
+        """What a unit last said, from a moment of the guest's monotonic clock on: [(seconds, words)]."""
+        lines = self.sh(f"journalctl -b -q -u {unit} -o short-monotonic --no-hostname -n 200").splitlines()
         found = [re.match(r"\[\s*([\d.]+)\] [^:]+: (.*)", line) for line in lines]
         return [(float(line[1]), line[2]) for line in found if line and float(line[1]) >= since]
 
@@ -165,11 +165,16 @@ class Appliance:
         files = [name for name, colour in COLOURS.items() if picture.share_of(colour) < LEAST_SHARE]
         return files + ["a full panel"] * (picture.share_of((0, 0, 0), 8) > MOST_BLACK)
 
-    def wait_for_wall(self, what, head=0, size=None, keeps=True):
-        """Until the wall with every file fills a panel, of this size where one is given; the picture."""
+    def wait_for_wall(self, what, head=0, size=None, part=None, keeps=True):
+        """Until the wall with every file fills a panel, of this size where one is given, or a part of it; the picture.
+
+        part: left, top, right and bottom, in px
+        """
         def shown():
             self.last = self.machine.picture(head)
-            return not self.lacking(self.last) and (size is None or self.last.size == size)
+            if size is not None and self.last.size != size:
+                return False
+            return not self.lacking(self.last.part(*part) if part else self.last)
 
         try:
             wait_for(what, shown)

@@ -4,7 +4,6 @@ Emulated (TCG), so that it runs anywhere; slow, so that nobody may conclude from
 """
 import base64
 import json
-import os
 import shutil
 import socket
 import subprocess
@@ -90,7 +89,8 @@ class Machine:
         self.panel(WIDTH, HEIGHT)  # as it is; QEMU passes over what it was told last, and to begin with that is no panel
 
     def start(self, *command):
-        child = subprocess.Popen(["nice", "-n", "5", *map(str, command)], start_new_session=True, stdin=subprocess.DEVNULL,
+        # Who ends without stop() leaves none of them behind.
+        child = subprocess.Popen(["setpriv", "--pdeathsig", "KILL", "nice", "-n", "5", *map(str, command)], start_new_session=True, stdin=subprocess.DEVNULL,
                                  stdout=(self.folder / f"{command[0]}.log").open("w"), stderr=subprocess.STDOUT)
         self.children.append(child)
         return child
@@ -173,7 +173,7 @@ class Machine:
         """Puts a panel of this size on an output; 0 x 0 takes it off."""
         subprocess.run(["gdbus", "call", "--address", self.bus, "--dest", "org.qemu",
                         "--object-path", f"/org/qemu/Display1/Console_{head}", "--method", f"{CONSOLE}.SetUIInfo",
-                        *map(str, (width * 254 // 960, height * 254 // 960, 0, 0, width, height))],
+                        *map(str, (width * 254 // 1000, height * 254 // 1000, 0, 0, width, height))],
                        check=True, capture_output=True, timeout=PATIENCE)
 
     def picture(self, head=0):

@@ -20,6 +20,11 @@ class Picture:
     def size(self):
         return self.width, self.height
 
+    def part(self, left, top, right, bottom):
+        """From a corner to another, which is outside."""
+        rows = (self.pixels[(y * self.width + left) * 3:(y * self.width + right) * 3] for y in range(top, bottom))
+        return Picture(right - left, bottom - top, b"".join(rows))
+
     def at(self, x, y):
         begin = (y * self.width + x) * 3
         return tuple(self.pixels[begin:begin + 3])
