@@ -13,8 +13,10 @@ import sys
 import tempfile
 import time
 import unittest
-import zlib
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from drawn_media import png  # noqa: E402
 
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
@@ -22,18 +24,6 @@ PLAYER = BUILD / "player" / "vitrine-player"
 WIDTH, HEIGHT, RATE = 640, 360, 10
 PATIENCE = 120  # seconds until something that must come is given up
 COLOURS = {"red": (230, 30, 30), "green": (30, 200, 30), "blue": (40, 60, 240), "yellow": (240, 220, 30)}
-
-
-def png(path, width, height, pixel):
-    """Writes pixel(x, y) -> (r, g, b) as a PNG."""
-    rows = b"".join(b"\0" + bytes(v for x in range(width) for v in pixel(x, y)) for y in range(height))
-
-    def chunk(name, data):
-        body = name + data
-        return len(data).to_bytes(4, "big") + body + zlib.crc32(body).to_bytes(4, "big")
-
-    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + b"\x08\x02\0\0\0"
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 def disc_photo(path, colour, width=240, height=180):

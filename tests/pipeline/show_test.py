@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""What the whole player shows over time: walls that pan, folders that stand together, shots that change.
+
+    show_test.py BUILD_DIRECTORY [unittest arguments]
+
+Draws its own photos and films and writes their records itself, so that every pixel expected is known. Nothing depends on
+how fast the machine is: off screen the player's clock waits for every picture.
+"""
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from drawn_media import png  # noqa: E402
+
+BUILD = Path(sys.argv[1]).resolve()
+ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
+WIDTH, HEIGHT, RATE = 320, 180, 10
+PATIENCE = 300  # seconds until something that must end is given up
+COLOURS = [(230, 30, 30), (30, 200, 30), (40, 60, 240), (240, 220, 30), (30, 210, 210), (220, 40, 220), (240, 130, 20), (130, 70, 20)]
+
+
+def disc(path, colour, width=120, height=90):
+    cx, cy, r = width * 0.5, height * 0.5, height * 0.3
+    png(path, width, height, lambda x, y: colour if (x - cx) ** 2 + (y - cy) ** 2 < r * r else (128, 128, 128))
+
+
+def counting_film(path, channel, pictures):
+    """One colour a picture, whose level in one channel counts the pictures: 40, 45, 50, ..."""
+    frames = bytearray()
+    for f in range(pictures):
+        colour = [0, 0, 0]
+        colour[channel] = 40 + 5 * f
+        frames += bytes(colour) * (64 * 48)
+    subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", "64x48", "-r", str(RATE),
+                    "-i", "-", "-c:v", "ffv1", "-pix_fmt", "bgr0", str(path)], input=bytes(frames), check=True)
+
+
+def pictures_of(path):
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                         capture_output=True, check=True).stdout
+    size = WIDTH * HEIGHT * 3
+    return [raw[i:i + size] for i in range(0, len(raw), size)]
+
+
+def middle_of(picture, colour, tolerance=70):
+    """The mean place of the pixels about this colour and how many there are, every second one looked at."""
+    xs = ys = count = 0
+    for y in range(0, HEIGHT, 2):
+        for x in range(0, WIDTH, 2):
+            at = (y * WIDTH + x) * 3
+            if all(abs(picture[at + c] - colour[c]) < tolerance for c in range(3)):
+                xs, ys, count = xs + x, ys + y, count + 1
+    return (xs / count, ys / count, count) if count else (0, 0, 0)
+
+
+class Show(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="vitrine-show-")
+        self.addCleanup(self.folder.cleanup)
+        self.root, self.state = Path(self.folder.name) / "media", Path(self.folder.name) / "state"
+        self.root.mkdir()
+
+    def settings(self):
+        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "100"]
+
+    def analyse(self):
+        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
+
+    def play(self, *options):
+        film = Path(self.folder.name) / "wall.mp4"
+        done = subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{WIDTH}x{HEIGHT}", "--output.frame_rate", str(RATE),
+                               "--film", film, *options], timeout=PATIENCE, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return pictures_of(film)
+
+    def plan(self, *options):
+        out = Path(self.folder.name) / "plan.json"
+        subprocess.run([PLAYER, "plan", "--catalogue", self.state / "catalogue", "--size", "1280x720", "--json", out, *options],
+                       check=True, timeout=PATIENCE)
+        return json.loads(out.read_text())
+
+    def test_a_wall_that_pans_moves_left_at_its_speed_and_what_is_new_comes_in_from_the_right(self):
+        for i, colour in enumerate(COLOURS):
+            disc(self.root / f"{i}.png", colour)
+        self.analyse()
+
+        pictures = self.play("--duration", "12s", "--layout.mode", "pan", "--slots", "3", "--show.pan_pixels_per_second", "40",
+                             "--show.order", "name")
+
+        self.assertEqual(len(pictures), 12 * RATE)
+        steps, entries = [], []
+        for colour in COLOURS:
+            track = [middle_of(picture, colour) for picture in pictures]
+            whole = max(count for _, _, count in track)
+            for before, after in zip(track, track[1:]):
+                if min(before[2], after[2]) > 0.95 * whole and 40 < before[0] < WIDTH - 40:
+                    steps.append((before[0] - after[0], before[1] - after[1]))
+            seen = [k for k, (_, _, count) in enumerate(track) if count > 10]
+            if seen and seen[0] > RATE:
+                entries.append(track[seen[0]][0])
+        self.assertGreater(len(steps), 100)
+        along, across = ([step[axis] for step in steps] for axis in (0, 1))
+        self.assertAlmostEqual(sorted(along)[len(along) // 2], 40 / RATE, delta=0.2)
+        self.assertGreater(sum(abs(y) < 1 for y in across), 0.95 * len(across), "nothing moves up or down")
+        self.assertGreaterEqual(len(entries), 2, "shots that were not there come")
+        for x in entries:
+            self.assertGreater(x, WIDTH - 40, "what is new comes in at the right edge")
+
+    def test_files_of_a_folder_stand_together(self):
+        for i in range(8):
+            folder = self.root / ("left" if i % 2 else "right")
+            folder.mkdir(exist_ok=True)
+            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2])
+        self.analyse()
+
+        plan = self.plan("--layout.folders", "nested", "--slots", "8")
+        self.assertEqual(len(plan["items"]), 8)
+        boxes = {}
+        for item in plan["items"]:
+            boxes.setdefault(item["path"].split("/")[0], []).extend(item["region"])
+        red, blue = ([f(p[axis] for p in boxes[name]) for axis in (0, 1) for f in (min, max)] for name in ("left", "right"))
+        apart = red[1] <= blue[0] or blue[1] <= red[0] or red[3] <= blue[2] or blue[3] <= red[2]
+        self.assertTrue(apart, f"the two folders' regions lie in two boxes apart: {red} {blue}")
+
+        last = self.play("--duration", "3s", "--layout.folders", "nested", "--slots", "8")[-1]
+        red, blue = middle_of(last, COLOURS[0]), middle_of(last, COLOURS[2])
+        self.assertGreater(min(red[2], blue[2]), 100)
+        self.assertGreater(max(abs(red[0] - blue[0]) / WIDTH, abs(red[1] - blue[1]) / HEIGHT), 0.3, "they stand apart on the wall")
+
+    def test_a_plans_film_shows_how_the_packing_became_denser(self):
+        for i, colour in enumerate(COLOURS):
+            disc(self.root / f"{i}.png", colour, 120 + 15 * i, 150 - 8 * i)
+        self.analyse()
+        film = Path(self.folder.name) / "packing.mp4"
+        subprocess.run([PLAYER, "plan", "--catalogue", self.state / "catalogue", "--size", f"{WIDTH}x{HEIGHT}", "--slots", "8",
+                        "--film", film], check=True, timeout=PATIENCE)
+        pictures = pictures_of(film)
+        self.assertGreater(len(pictures), 25, "some steps and the end held for a while")
+        differing = [k for k, (a, b) in enumerate(zip(pictures, pictures[1:]))
+                     if sum(abs(x - y) for x, y in zip(a[::97], b[::97])) > 2 * len(a[::97])]
+        self.assertGreater(len(differing), 0, "the packing changes")
+        self.assertLess(differing[-1], len(pictures) - 20, "the end stands still")
+
+    def test_between_two_shots_lies_one_picture_and_none_is_lost_black_or_shown_twice(self):
+        counting_film(self.root / "a.mkv", 0, 40)
+        counting_film(self.root / "b.mkv", 1, 40)
+        self.write_records(["a.mkv", "b.mkv"], 40)
+
+        pictures = self.play("--duration", "18s", "--slots", "1", "--show.dwell_seconds", "4", "--show.crossfade_milliseconds", "0",
+                             "--show.motion_milliseconds", "0", "--show.order", "name")
+
+        at = (HEIGHT // 2 * WIDTH + WIDTH // 2) * 3
+        shown = []
+        for picture in pictures[2:]:
+            level, channel = max((picture[at + c], c) for c in range(2))
+            shown.append((channel, (level - 40) / 5))
+        changes = 0
+        for (channel, number), (next_channel, next_number) in zip(shown, shown[1:]):
+            if channel != next_channel:
+                changes += 1
+                self.assertGreater(number, 37.7, "a shot plays to its last picture")
+                self.assertLess(abs(next_number), 0.7, "the next one begins with its first")
+            else:
+                self.assertLess(abs((next_number - number - 1 + 20) % 40 - 20), 0.8, f"one picture on: {number} {next_number}")
+        self.assertGreaterEqual(changes, 3)
+
+    def test_a_file_that_cannot_be_opened_leaves_the_wall_whole(self):
+        for i, colour in enumerate(COLOURS[:5]):
+            disc(self.root / f"{i}.png", colour)
+        self.analyse()
+        (self.root / "3.png").write_bytes(b"not a picture any more")
+        shutil.rmtree(self.state / "store", ignore_errors=True)
+
+        pictures = self.play("--duration", "15s", "--slots", "3", "--show.dwell_seconds", "2", "--show.order", "name")
+
+        for picture in pictures[2 * RATE:]:
+            standing = [colour for colour in COLOURS[:5] if middle_of(picture, colour)[2] > 60]
+            self.assertGreaterEqual(len(standing), 2, "a change has at most one shot between two")
+        seen = {i for picture in pictures for i, colour in enumerate(COLOURS[:5]) if middle_of(picture, colour)[2] > 60}
+        self.assertEqual(seen, {0, 1, 2, 4})
+
+    def write_records(self, names, pictures):
+        """Films of one shot each, whose I-Region is their middle."""
+        length = pictures * 1_000_000_000 // RATE
+        catalogue = self.state / "catalogue"
+        self.analyse()
+        for file in catalogue.glob("*.json"):
+            record = json.loads(file.read_text())
+            if record.get("path") not in names:
+                continue
+            self.assertEqual(record["state"], "ready")
+            whole = dict(record["shots"][0], begin_ns=0, end_ns=length)
+            whole.pop("stored", None)
+            record["shots"] = [whole]
+            file.write_text(json.dumps(record))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[2:]])
