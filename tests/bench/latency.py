@@ -7,6 +7,7 @@ Runs both programs as a box does, off screen at their own pace, with the shipped
 ten-minute 720p film (default: drawn by ffmpeg). Also prints what playing a shot from its clip costs against playing it from the
 film, in processor time of the same run, and what the store takes. Nothing here passes or fails.
 """
+import atexit
 import json
 import os
 import re
@@ -67,6 +68,7 @@ class Said:
 
 def start(*command):
     process = subprocess.Popen(list(map(str, command)), stderr=subprocess.PIPE, text=True)
+    atexit.register(process.kill)  # whatever happens here
     return process, Said(process)
 
 
