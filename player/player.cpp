@@ -7,6 +7,7 @@
 #include "player/display/kms_display.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/display/screen_choice.hpp"
+#include "player/playback/hardware_decoders.hpp"
 #include "player/player_settings.hpp"
 #include "player/render/upload_choice.hpp"
 
@@ -57,6 +58,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       clock_(settings.output.frame_rate),
       tick_(loop_.timer([this] { tick(); })),
       told_(loop_.timer([this] { tell(); })) {
+    if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
+    log::info("films are decoded {}", in_words(sources_.decoders()));
     make_stages();
     open_display();
 }

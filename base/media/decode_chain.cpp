@@ -126,7 +126,8 @@ void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
     GstElement* last = deinterlace;
     for (const char* factory : {row.decoder, row.parser}) {  // from the back, so that data finds its way
         if (!factory) continue;
-        GstElement* element = add_to(bin, factory);
+        const auto other = options.instead.find(factory);
+        GstElement* element = add_to(bin, other == options.instead.end() ? factory : other->second.c_str());
         if (factory == row.decoder) limit_threads(element, options.max_threads);
         if (!gst_element_link(element, last) || !gst_element_sync_state_with_parent(element)) return;
         last = element;

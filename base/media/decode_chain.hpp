@@ -5,13 +5,18 @@
 #include "base/media/media_type.hpp"
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 
 namespace vitrine {
 
+/// Names of decoder elements to be used, by the names of those of the table (decoder_table.hpp).
+using DecoderMap = std::map<std::string, std::string>;
+
 struct DecodeOptions {
     int max_threads = 1;  // of the decoder; 1 decodes in the demuxer's own thread
+    DecoderMap instead;   // decoders other than the table's
 };
 
 /// A pipeline of our own that decodes the first usable video stream of one film and nothing else:

@@ -260,6 +260,8 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 [](const std::string& value) { return output_folders_named(value).has_value(); }),
             whole(
                 "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
+            choice("output.decoders", [](S & s) -> auto& { return s.output.decoders; },
+                   {"auto", "processor"}),
             choice("output.api", [](S & s) -> auto& { return s.output.api; }, {"best", "legacy"}),
         });
 }

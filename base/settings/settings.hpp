@@ -80,7 +80,8 @@ struct Settings {
         std::string margins;         // margins_named()
         std::string folders;         // output_folders_named()
         int frame_rate = 30;
-        std::string api = "best";  // best or legacy
+        std::string decoders = "auto";  // auto or processor
+        std::string api = "best";       // best or legacy
     } output;
 };
 

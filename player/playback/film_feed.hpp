@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/media/decode_chain.hpp"
 #include "player/playback/picture_scaler.hpp"
 #include "player/playback/sample_queue.hpp"
 
@@ -34,7 +35,7 @@ struct FilmPart {
 
 struct FilmOptions {
     PictureForm form = PictureForm::rgba;
-    bool is_software = false;  // no hardware decoder
+    DecoderMap decoders;  // in hardware, by those that they replace
 };
 
 /// What fills a queue with the pictures of a part of a film, in threads of its own; failures are told, not

@@ -68,6 +68,7 @@ std::chrono::nanoseconds thread_time() {
 FilmLoop::FilmLoop(FilmPart part, SampleQueue& queue, const FilmOptions& options)
     : part_(std::move(part)),
       queue_(queue),
+      decoders_(options.decoders),
       size_(Size{part_.width, part_.height}),
       scaler_(options.form),
       thread_([this] { run(); }) {}
@@ -156,7 +157,8 @@ bool FilmLoop::open() {
     gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
     const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
     gst_pad_add_probe(pad.get(), GST_PAD_PROBE_TYPE_EVENT_FLUSH, &FilmLoop::on_flush, this, nullptr);
-    auto chain = std::make_unique<DecodeChain>(part_.file, std::move(tail));
+    auto chain =
+        std::make_unique<DecodeChain>(part_.file, std::move(tail), DecodeOptions{.instead = decoders_});
     is_named_by_stamp_ = has_true_time_stamps(chain->format());
     way_ = has_segment_seeks(chain->format()) ? Rewind::segment : Rewind::flush;
     const std::lock_guard lock(mutex_);

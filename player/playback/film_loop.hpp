@@ -78,6 +78,7 @@ class FilmLoop final : public FilmFeed {
 
     FilmPart part_;
     SampleQueue& queue_;  // outlives this
+    DecoderMap decoders_;
     std::atomic<Size> size_;
     Rewind way_ = Rewind::segment;
     Detail detail_ = Detail::all;

@@ -151,7 +151,7 @@ void SourcePool::start(Playing& playing, bool may_be_stored, std::chrono::nanose
     const std::string copy = stored ? places_.store + "/" + stored->path : "";
     playing.is_stored = may_be_stored && stored && ::access(copy.c_str(), R_OK) == 0;
     SourceOptions options = options_;
-    options.film.is_software = playing.is_software;
+    if (playing.is_software) options.film.decoders.clear();
     playing.source = playing.is_stored
                          ? std::make_unique<ShotSource>(copy, *stored, options, at)
                          : std::make_unique<ShotSource>(places_.media + "/" + playing.request.path,
@@ -233,6 +233,12 @@ void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& e
         if (playing.is_stored && !playing.is_told_ready) {  // damaged: the file itself may be sound
             ending_.push_back(std::move(playing.source));
             return start(playing, false);
+        }
+        if (!playing.is_software && !options_.film.decoders.empty() &&
+            !playing.given_up) {  // the decoder's fault?
+            playing.is_software = true;
+            ending_.push_back(std::move(playing.source));
+            return start(playing, playing.is_stored);
         }
         playing.is_told_failed = true;
         events.push_back({.source = id, .failure = std::move(failure)});

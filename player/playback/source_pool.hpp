@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -46,6 +47,11 @@ class SourcePool {
 
     /// What the pictures of sources to come shall be: known once there is a renderer.
     void set_form(PictureForm form) { options_.film.form = form; }
+
+    /// Hardware decoders for sources to come.
+    void set_decoders(DecoderMap decoders) { options_.film.decoders = std::move(decoders); }
+
+    const DecoderMap& decoders() const { return options_.film.decoders; }
 
     /// A new source, or another size for one there is.
     void request(const ShotRequest& request);

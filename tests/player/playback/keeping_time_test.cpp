@@ -194,7 +194,8 @@ TEST_CASE(
     "a film that stops without a word is built anew, at last in software, then given up with a reason") {
     std::vector<FilmOptions> built;
     std::vector<std::chrono::nanoseconds> at;
-    const SourceOptions options{.make_film =
+    const SourceOptions options{.film = {.decoders = {{"avdec_h264", "vah264dec"}}},
+                                .make_film =
                                     [&](const FilmPart& part, SampleQueue& queue, const FilmOptions& film) {
                                         built.push_back(film);
                                         at.push_back(part.at);
@@ -217,8 +218,8 @@ TEST_CASE(
     }
     REQUIRE(built.size() == 5);
     for (const std::size_t i : {0U, 1U, 2U, 3U})
-        CHECK_FALSE(built[i].is_software);
-    CHECK(built[4].is_software);
+        CHECK_FALSE(built[i].decoders.empty());
+    CHECK(built[4].decoders.empty());
     CHECK(at[1] > 2s);
     CHECK(at[1] < 3s);
     CHECK(pool.rebuilds() == 4);
@@ -242,4 +243,15 @@ TEST_CASE("a film whose pictures come late gives way after a second") {
         pool.advance(frame);
     }
     CHECK(pool.films().fewer == 1);
+}
+
+TEST_CASE("a film that a hardware decoder fails on is decoded by the processor") {
+    const Folder folder;
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    SourcePool pool({.media = folder.path},
+                    {.film = {.decoders = {{"avdec_h264", "jpegdec"}}}});  // which cannot
+    pool.request(request(1));
+    const std::vector<SourceEvent> events = pool.wait_until_ready(patience);
+    REQUIRE(events.size() == 1);
+    CHECK_FALSE(events[0].failure);
 }
