@@ -297,6 +297,93 @@ TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn m
     CHECK(house.planned.size() > 1);
 }
 
+TEST_CASE("the next shot is asked for seconds before it is seen, and no other waits beside it") {
+    House house = ::house({film("a", 1, 5s), film("b", 1, 5s), film("c", 1, 5s), film("d", 1, 5s)}, 2);
+    house.run(5s);
+    std::map<SourceId, std::chrono::nanoseconds> asked;
+    std::map<SourceId, std::chrono::nanoseconds> seen;
+    while (house.now < 120s) {
+        const WallStep step = house.step();
+        for (const ShotRequest& request : step.requests)
+            if (!seen.contains(request.source)) asked.try_emplace(request.source, step.frame.time);
+        for (const DrawItem& item : step.frame.items)
+            seen.try_emplace(item.source, step.frame.time);
+        REQUIRE(house.playing.size() <= 3);
+    }
+    int changes = 0;
+    for (const auto& [source, time] : asked) {
+        if (!seen.contains(source)) continue;
+        CHECK(seen.at(source) - time >= 2s);
+        ++changes;
+    }
+    CHECK(changes > 6);
+}
+
+TEST_CASE("a film's shot is gone when its loop ends, not after it has begun again") {
+    House house = ::house({film("a", 1, 7s), film("b", 1, 7s)}, 1);
+    std::map<SourceId, std::chrono::nanoseconds> most;
+    while (house.now < 60s) {
+        const WallStep step = house.step();
+        for (const DrawItem& item : step.frame.items)
+            most[item.source] = std::max(most[item.source], item.local);
+    }
+    REQUIRE(most.size() == 3);
+    CHECK(most.begin()->second <= 21s + 50ms);
+    CHECK(most.begin()->second >= 21s - 100ms);
+}
+
+TEST_CASE("a change that would leave much of the canvas empty is laid out anew") {
+    House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
+    house.plans = false;
+    const auto give = [&](double scale) {
+        const WallPlan& plan = house.planned.back();
+        Layout layout = House::layout_of(plan);
+        for (std::size_t i = 0; i < plan.items.size(); ++i)
+            layout.placements[i] = {scale, {scale * 200.0 * static_cast<double>(i), 0}};
+        house.wall.set_layout(layout);
+    };
+    house.step();
+    give(2);
+    house.run(2s);
+    REQUIRE(house.wall.count() == 3);
+    while (house.planned.size() < 2)
+        house.step();
+    give(0.3);
+    house.step();
+    REQUIRE(house.planned.size() == 3);  // at once
+    for (const PlanItem& item : house.planned.back().items) {
+        CHECK_FALSE(item.previous);
+        CHECK_FALSE(item.seat);
+    }
+    give(1.9);
+    house.run(6s);
+    CHECK(house.wall.shown()[0].placement.scale == 1.9);
+    CHECK(house.wall.shown()[0].shot.key.path == "d");
+}
+
+TEST_CASE("a change laid out anew that is no better gives way to the calm one") {
+    House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
+    house.plans = false;
+    const auto give = [&](double scale) {
+        const WallPlan& plan = house.planned.back();
+        Layout layout = House::layout_of(plan);
+        for (std::size_t i = 0; i < plan.items.size(); ++i)
+            layout.placements[i] = {scale, {scale * 200.0 * static_cast<double>(i), 0}};
+        house.wall.set_layout(layout);
+    };
+    house.step();
+    give(2);
+    house.run(2s);
+    while (house.planned.size() < 2)
+        house.step();
+    give(0.5);
+    house.step();
+    REQUIRE(house.planned.size() == 3);
+    give(0.4);
+    house.run(6s);
+    CHECK(house.wall.shown()[0].placement.scale == 0.5);
+}
+
 TEST_CASE("hours of rotation with failures, additions and deletions leave no source behind") {
     House house = ::house({});
     std::mt19937_64 engine(5);
