@@ -121,6 +121,10 @@ class WideInt {
     std::uint64_t digits_[most_digits];
 };
 
+// Digits beyond count_ are never read, which gcc does not see where this is inlined.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 inline WideInt operator*(const WideInt& a, const WideInt& b) {
     __extension__ using Product = unsigned __int128;
     WideInt result;
@@ -140,6 +144,8 @@ inline WideInt operator*(const WideInt& a, const WideInt& b) {
     result.trim();
     return result;
 }
+
+#pragma GCC diagnostic pop
 
 struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }
