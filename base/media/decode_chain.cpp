@@ -87,8 +87,9 @@ std::string codec_name(const GstCaps* caps) {
 
 GstElement* add_to(GstBin* bin, const char* factory) {
     const GstPtr<GstElement> element = make_element(factory);
-    gst_bin_add(bin, element.get());
-    return element.get();  // the bin holds it
+    GstElement* const held = element.get();  // by the bin
+    gst_bin_add(bin, held);
+    return held;
 }
 
 }  // namespace
@@ -162,7 +163,7 @@ DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, Decod
             "the tail of a decode chain cannot be linked: it needs a pad 'sink' for raw video");
     links_->bin = bin;
     links_->deinterlace = deinterlace;
-    links_->options = options;
+    links_->options = std::move(options);
     g_signal_connect(demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
     g_signal_connect(demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
 }

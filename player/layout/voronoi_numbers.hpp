@@ -122,8 +122,10 @@ class WideInt {
 };
 
 // Digits beyond count_ are never read, which gcc does not see where this is inlined.
+#ifndef __clang__  // which does not know the warning
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 inline WideInt operator*(const WideInt& a, const WideInt& b) {
     __extension__ using Product = unsigned __int128;
@@ -145,7 +147,9 @@ inline WideInt operator*(const WideInt& a, const WideInt& b) {
     return result;
 }
 
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 
 struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }

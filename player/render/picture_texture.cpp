@@ -65,7 +65,8 @@ PictureTexture::PictureTexture(const Sample& sample)
         const PlaneForm plane = form(layout_, i);
         const int width = share(width_, plane);
         const int height = share(height_, plane);
-        const auto levels = std::bit_width(static_cast<unsigned>(std::max(width, height)));
+        const auto levels =
+            static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
         glBindTexture(GL_TEXTURE_2D, planes_[i].id());
         glTexStorage2D(GL_TEXTURE_2D, levels, plane.storage, width, height);
     }

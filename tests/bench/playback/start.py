@@ -22,11 +22,11 @@ def processor_seconds(pid):
 
 
 def start(settings):
-    command = [BUILD / "player" / "vitrine-player", *settings, "--screen", "offscreen:1280x720", "--pace", "realtime", "--duration", "20s"]
+    command = [BUILD / "player" / "vitrine-player", *settings, "--screen", "offscreen:1280x720", "--pace", "realtime", "--duration", "20s", "--log.level", "debug"]
     began = time.monotonic()
     process = subprocess.Popen(list(map(str, command)), stderr=subprocess.PIPE, text=True)
     for line in process.stderr:
-        if "wall of" in line:
+        if "appears" in line:
             took, cpu = time.monotonic() - began, processor_seconds(process.pid)
             process.kill()
             process.wait()
