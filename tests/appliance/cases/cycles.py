@@ -1,4 +1,4 @@
-"""A panel is pulled out and put back again and again: 10 times, or as often as VITRINE_RIG_CYCLES says.
+"""A panel is pulled out and put back again and again: 5 times, or as often as VITRINE_RIG_CYCLES says.
 
 From the panel to the first picture it may take 5 s. The machine's clock goes on while its processors wait for the host's, but
 its kernel counts by ticks what they did, and misses those that it was not there for. The share of time that is not counted
@@ -33,7 +33,7 @@ def cycle(box):
 
 def run(box):
     pid, delays, owns = box.pid(), [], []
-    for number in range(int(os.environ.get("VITRINE_RIG_CYCLES", 10))):
+    for number in range(int(os.environ.get("VITRINE_RIG_CYCLES", 5))):
         delay, own = cycle(box)
         delays.append(delay)
         owns.append(own)
