@@ -89,6 +89,7 @@ void Daemon::load_catalogue() {
         schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
                         !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
         store_.hold(record);
+        states_.hold(record);
         if (!record.is_complete) growing_.known(record);
     }
 }
@@ -138,6 +139,7 @@ void Daemon::perform(const Action& action) {
         unsaved_.erase(action.path);
         growing_.end(action.path);
         store_.release(action.path);
+        states_.release(action.path);
         told_waiting_.erase(action.path);
         return catalogue_.remove(action.path);
     }
@@ -246,6 +248,7 @@ void Daemon::move(const Action& action) {
     store(*record);
     catalogue_.remove(action.from);
     store_.release(action.from);
+    states_.release(action.from);
     log::info("renamed: '{}' to '{}'", action.from, action.path);
 }
 
@@ -271,6 +274,7 @@ void Daemon::make_room() {
 void Daemon::store(MediaRecord record) {
     store_.mark_dropped(record);
     store_.hold(record);
+    states_.hold(record);
     try {
         catalogue_.store(record);
         unsaved_.erase(record.path);
@@ -293,6 +297,10 @@ std::string Daemon::status() const {
     const Schedule::Counts counts = schedule_.counts();
     return fmt::format("{} files, {} of them being analysed, {} to come, {} waiting to be complete",
                        counts.files, counts.running, counts.due + counts.settling, counts.waiting);
+}
+
+std::vector<FileState> Daemon::files() const {
+    return states_.list(schedule_, now(), std::chrono::system_clock::now());
 }
 
 }  // namespace vitrine

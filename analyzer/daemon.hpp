@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/child_process.hpp"
+#include "analyzer/file_states.hpp"
 #include "analyzer/folder_follower.hpp"
 #include "analyzer/growing_records.hpp"
 #include "analyzer/media_folder.hpp"
@@ -57,6 +58,9 @@ class Daemon {
 
     std::string status() const;
 
+    /// Where each file of the folder stands now, ordered by path.
+    std::vector<FileState> files() const;
+
   private:
     void load_catalogue();
     void rescan();
@@ -85,6 +89,7 @@ class Daemon {
     FolderFollower follower_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
     GrowingRecords growing_;
+    FileStates states_;
     bool is_growth_resting_ = false;              // parts were written a moment ago
     std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
     std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough

@@ -26,6 +26,7 @@ void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds 
     switch (entry.phase) {
     case Phase::unseen:
         if (!is_same || !entry.is_settled) return changed(path, entry, facts, delay, now);
+        entry.since = now;
         return enter(path, entry, Phase::done);
     case Phase::settling:
         if (!is_same || entry.facts.blocks != facts.blocks) return changed(path, entry, facts, delay, now);
@@ -48,11 +49,11 @@ void Schedule::saw_new(const std::string& path, const FileFacts& facts, nanoseco
         left != leaving_.end() && left->second.is_done && is_same_content(left->second.facts, facts);
     if (is_back || take_over_from_leaving(path, facts)) {
         Entry& entry = entries_[path];
-        entry = {.facts = facts, .is_recorded = true};
+        entry = {.facts = facts, .since = now, .is_recorded = true};
         enter(path, entry, Phase::done);
     } else {
         Entry& entry = entries_[path];
-        entry = {.facts = facts, .is_recorded = left != leaving_.end()};
+        entry = {.facts = facts, .since = now, .is_recorded = left != leaving_.end()};
         settle(path, entry, delay, now);
     }
     leaving_.erase(path);
@@ -76,7 +77,9 @@ void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& f
     const bool keeps_changing = entry.phase == Phase::settling;
     enter(path, entry, Phase::settling);  // before the facts, by which it is ordered, change
     entry.facts = facts;
+    entry.since = now;
     entry.deaths = entry.waits = 0;
+    entry.has_grown = false;
     if (keeps_changing && !entry.is_held) {
         entry.is_held = entry.is_recorded = true;
         actions_.push_back({.kind = Action::Kind::hold, .path = path, .facts = facts});
@@ -116,6 +119,7 @@ bool Schedule::grew(const std::string& path) {
     if (found == entries_.end() || found->second.phase != Phase::running) return false;
     found->second.is_recorded = true;
     found->second.is_held = false;
+    found->second.has_grown = true;
     return true;
 }
 
@@ -128,6 +132,7 @@ Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {
     const auto found = entries_.find(path);
     if (found == entries_.end() || found->second.phase != Phase::running) return Verdict::discard;
     Entry& entry = found->second;
+    entry.has_grown = false;
     if (answer == Answer::died && ++entry.deaths < pace_.deaths) {
         settle(path, entry, nanoseconds(0), now);
         return Verdict::retry;
@@ -140,6 +145,7 @@ Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {
         return Verdict::store;
     }
     enter(path, entry, Phase::done);
+    entry.since = now;
     if (answer == Answer::died) return Verdict::quarantine;
     return answer == Answer::waiting ? Verdict::give_up : Verdict::store;
 }
@@ -206,6 +212,18 @@ std::vector<std::string> Schedule::paths_below(const std::string& folder) const 
     for (auto it = entries_.lower_bound(prefix); it != entries_.end() && it->first.starts_with(prefix); ++it)
         paths.push_back(it->first);
     return paths;
+}
+
+Schedule::Stage Schedule::stage_of(const Entry& entry) {
+    if (entry.phase == Phase::done) return Stage::done;
+    if (entry.waits > 0) return Stage::waiting;
+    if (entry.phase == Phase::running) return entry.has_grown ? Stage::growing : Stage::due;
+    return entry.phase == Phase::due ? Stage::due : Stage::settling;
+}
+
+void Schedule::visit(const Visit& call) const {
+    for (const auto& [path, entry] : entries_)
+        if (entry.phase != Phase::unseen) call(path, stage_of(entry), entry.since);
 }
 
 Schedule::Counts Schedule::counts() const {

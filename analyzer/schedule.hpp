@@ -3,6 +3,7 @@
 #include "analyzer/file_facts.hpp"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -104,6 +105,21 @@ class Schedule {
     /// All files known under this folder ("" for all, else without a '/' at the end).
     std::vector<std::string> paths_below(const std::string& folder) const;
 
+    /// How far a file has come.
+    enum class Stage {
+        settling,  // not quiet yet
+        waiting,   // incomplete when last tried
+        due,       // to be analysed, or being analysed without anything in the catalogue
+        growing,   // being analysed, with a part in the catalogue
+        done,      // its record stands
+    };
+
+    /// Calls with each file, in the order of their paths; `since`: when it was done, else when its content
+    /// was first seen.
+    using Visit = std::function<void(const std::string& path, Stage stage, Time since)>;
+
+    void visit(const Visit& call) const;
+
     struct Counts {
         std::size_t files = 0, settling = 0, waiting = 0, due = 0, running = 0, done = 0;
     };
@@ -120,11 +136,13 @@ class Schedule {
         FileFacts facts;
         Phase phase = Phase::unseen;
         Time look_at{};            // settling only
+        Time since{};              // it is done, else has this content
         int deaths = 0;            // of the content as it is
         int waits = 0;             // waiting answers for the content as it is
         bool is_settled = false;   // unseen only
         bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
         bool is_held = false;      // that record is waiting already
+        bool has_grown = false;    // that record is a part of the running analysis
     };
 
     struct Leaving {
@@ -135,6 +153,7 @@ class Schedule {
 
     using Entries = std::map<std::string, Entry>;
 
+    static Stage stage_of(const Entry& entry);
     void enter(const std::string& path, Entry& entry, Phase phase);
     void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay, Time now);
     void settle(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);

@@ -27,10 +27,6 @@ constexpr int look_interval = 32;                        // frames between two l
 constexpr int most_frames_a_key = 120;                   // rates beyond are a container's unit of time
 constexpr double bits_a_pixel = 0.4;                     // of a frame at most, at 30 a second
 
-fs::path unfinished(const fs::path& file) {
-    return file.string() + ".new";
-}
-
 /// Frames a second; 0 where the film does not say, or says nonsense.
 int rate_of(GstSample* like) {
     GstVideoInfo info;

@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 constexpr int photo_side = 2880;                  // px: one and a half of a screen 1920 px wide
 constexpr std::uintmax_t small_photo = 3U << 20;  // bytes
 
-fs::path unfinished(const fs::path& file) {
-    return file.string() + ".new";
-}
-
 /// Formats that are read as fast as what would be made of them.
 bool is_plain_format(MediaFormat format) {
     return format == MediaFormat::jpeg || format == MediaFormat::png || format == MediaFormat::webp;

@@ -43,7 +43,7 @@ void rename_and_sync(const std::string& written, const std::filesystem::path& pa
 }  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
-    const std::string sibling = path.string() + ".new";
+    const std::string sibling = unfinished(path).string();
     try {
         write_and_sync(sibling, content);
         rename_and_sync(sibling, path);

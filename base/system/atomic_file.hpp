@@ -6,6 +6,12 @@
 
 namespace vitrine {
 
+/// Where a file of that name is written before it is complete: what is found there after a crash is worth
+/// nothing.
+inline std::filesystem::path unfinished(const std::filesystem::path& path) {
+    return path.string() + ".new";
+}
+
 /// Replaces a file as a whole: a sibling is written and fsynced, renamed over it, the directory
 /// fsynced. Readers see the old content or the new, also after a power cut.
 /// @throws std::system_error; the old content then stands
