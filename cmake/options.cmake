@@ -25,7 +25,6 @@ function(vitrine_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
-  set_property(GLOBAL APPEND PROPERTY VITRINE_SOURCE_TARGETS ${name})
 endfunction()
 
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, long, pipeline,

@@ -61,8 +61,8 @@ class Columns {
     explicit Columns(int width) {
         for (int x = 0; x < detail_width; ++x) {
             const auto i = static_cast<std::size_t>(x);
-            begin_[i] = channels * begin_of(x, detail_width, width);
-            end_[i] = channels * end_of(x, detail_width, width);
+            begin_[i] = static_cast<int>(channels) * begin_of(x, detail_width, width);
+            end_[i] = static_cast<int>(channels) * end_of(x, detail_width, width);
         }
     }
 

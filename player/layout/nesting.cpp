@@ -64,8 +64,8 @@ std::vector<Placement> packed(const PlanRequest& request, const Group& group, co
                               const PlanWatch& watch) {
     PlanRequest inner = request;
     inner.canvas = part.max - part.min;
-    inner.budget = static_cast<std::int64_t>(static_cast<double>(request.budget * group.items.size()) /
-                                             static_cast<double>(request.items.size()));
+    inner.budget = request.budget * static_cast<std::int64_t>(group.items.size()) /
+                   static_cast<std::int64_t>(request.items.size());
     inner.items.clear();
     for (const std::size_t i : group.items) {
         PlanItem item = request.items[i];
