@@ -11,7 +11,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr const char* installed_file = "/etc/vitrine/vitrine.toml";
+constexpr const char* installed_file = VITRINE_SETTINGS_FILE;  // of the build
 
 }  // namespace
 

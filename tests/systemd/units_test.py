@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""The units are as systemd wants them, and leave strangers' files little to get at.
+
+    units_test.py DIRECTORY   the units as they are installed
+"""
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SKIPPED = 77
+UNITS = Path(sys.argv.pop(1))
+MOST = {"vitrine-analyzer.service": 1.0, "vitrine-player.service": 2.0}  # of 10, which is a service without a sandbox
+
+
+def run(*command):
+    return subprocess.run(command, text=True, capture_output=True)
+
+
+def assignments(unit):
+    """[(name, value)] of a unit's file."""
+    lines = (UNITS / unit).read_text().splitlines()
+    return [tuple(line.split("=", 1)) for line in lines if "=" in line and not line.startswith("#")]
+
+
+class Units(unittest.TestCase):
+    def test_a_service_is_exposed_no_more_than_is_needed(self):
+        for unit, most in MOST.items():
+            said = run("systemd-analyze", "security", "--offline=true", "--no-pager", str(UNITS / unit))
+            exposure = float(re.search(r"Overall exposure level for \S+: ([\d.]+)", said.stdout)[1])
+            print(f"{unit}: {exposure}")
+            self.assertLessEqual(exposure, most, unit)
+
+    def test_every_line_is_known_to_systemd(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for unit in (*MOST, "vitrine.target"):
+                text = re.sub(r"^(ExecStart)=.*", r"\1=/bin/true", (UNITS / unit).read_text(), flags=re.M)
+                text = re.sub(r"^Documentation=.*\n", "", text, flags=re.M)  # installed with the programs
+                (Path(folder) / unit).write_text(text)
+            for unit in (*MOST, "vitrine.target"):
+                said = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", str(Path(folder) / unit))
+                ours = [line for line in said.stderr.splitlines() if "vitrine" in line]
+                self.assertEqual(ours, [])
+
+    def test_the_screen_is_never_given_up(self):
+        player = dict(assignments("vitrine-player.service"))
+        self.assertEqual((player["Restart"], player["StartLimitIntervalSec"]), ("always", "0"))
+
+    def test_both_are_watched_and_told_when_settings_change(self):
+        for unit in MOST:
+            service = dict(assignments(unit))
+            self.assertEqual(service["Type"], "notify")
+            self.assertIn("WatchdogSec", service)
+            self.assertIn("-HUP", service["ExecReload"])
+            self.assertEqual(service["User"], "vitrine")
+
+
+if __name__ == "__main__":
+    if not shutil.which("systemd-analyze"):
+        print("systemd-analyze is not here: THE UNITS ARE NOT TESTED")
+        sys.exit(SKIPPED)
+    unittest.main()
