@@ -1,5 +1,7 @@
 #include "base/catalogue/record_json.hpp"
 
+#include "base/catalogue/path_text.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -39,31 +41,6 @@ template <typename Table> auto value_in(const Table& table, const Json& json, st
     for (const auto& [value, name] : table)
         if (name == text) return value;
     throw std::runtime_error(fmt::format("record: '{}' is not a {}", text, key));
-}
-
-std::string to_hex(std::string_view bytes) {
-    std::string hex;
-    for (const char c : bytes)
-        hex += fmt::format("{:02x}", static_cast<unsigned char>(c));
-    return hex;
-}
-
-std::string from_hex(std::string_view hex) {
-    if (hex.size() % 2 != 0 || hex.find_first_not_of("0123456789abcdef") != std::string_view::npos)
-        throw std::runtime_error("record: path_hex is no hex text");
-    std::string bytes;
-    for (std::size_t i = 0; i < hex.size(); i += 2)
-        bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
-    return bytes;
-}
-
-bool is_utf8(const std::string& text) {
-    try {
-        (void)Json(text).dump();
-        return true;
-    } catch (const Json::type_error&) {
-        return false;
-    }
 }
 
 double rounded(double pixels) {

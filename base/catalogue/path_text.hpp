@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Paths are any bytes, JSON is UTF-8: a path that is not stands there a second time, in hex digits.
+
+namespace vitrine {
+
+bool is_utf8(std::string_view text);
+
+std::string to_hex(std::string_view bytes);
+
+/// @throws std::runtime_error where these are no pairs of lower-case hex digits
+std::string from_hex(std::string_view hex);
+
+}  // namespace vitrine
