@@ -11,7 +11,8 @@ from pathlib import Path
 FILE_LINES = 320
 
 # Folders that know no clock, no files, no GL, no GStreamer and no log; and what stands outside that rule.
-PURE = ("base/geometry", "base/hints", "player/layout", "player/scene", "analyzer/saliency")
+PURE = ("base/geometry", "base/hints", "player/layout", "player/scene", "analyzer/saliency",
+        "analyzer/tapestry")
 IMPURE_ON_PURPOSE = {
     "player/layout/planner": "runs plan() in a thread of its own",
 }
