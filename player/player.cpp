@@ -32,7 +32,7 @@ constexpr auto status_interval = 5s;
 
 KmsOptions kms_options(const Settings& settings, const KmsChoice& choice) {
     return {.card = choice.card,
-            .wish = parse_mode(settings.output.mode),
+            .modes = modes_named(settings.output.mode).value_or(ModeWishes{}),
             .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best};
 }
 

@@ -1,6 +1,7 @@
 #include "base/settings/output_words.hpp"
 
 #include <charconv>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -9,6 +10,9 @@ namespace {
 
 constexpr double most_pixels = 2000;
 constexpr double most_share = 0.4;
+constexpr int smallest_side = 16;
+constexpr int largest_side = 16384;  // px, what graphics cards take
+constexpr double most_hertz = 1000;
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
@@ -26,15 +30,52 @@ std::vector<std::string_view> list(std::string_view text) {
     }
 }
 
+/// A number from `least` to `most`, without sign or exponent, that takes all of the text.
+template <typename Number>
+std::optional<Number> number_named(std::string_view text, Number least, Number most) {
+    if (text.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
+    Number value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || value < least || value > most) return std::nullopt;
+    return value;
+}
+
 std::optional<ScreenLength> length_named(std::string_view text) {
     const bool is_share = text.ends_with('%');
     if (is_share) text.remove_suffix(1);
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::fixed);
-    if (error != std::errc() || stop != end || !(value >= 0)) return std::nullopt;
-    if (value > (is_share ? most_share * 100 : most_pixels)) return std::nullopt;
-    return is_share ? ScreenLength{.share = value / 100} : ScreenLength{.pixels = value};
+    const auto value = number_named<double>(text, 0, is_share ? most_share * 100 : most_pixels);
+    if (!value) return std::nullopt;
+    return is_share ? ScreenLength{.share = *value / 100} : ScreenLength{.pixels = *value};
+}
+
+std::optional<ModeWish> mode_named(std::string_view text) {
+    if (text == "preferred") return ModeWish{};
+    const std::size_t at = text.find('@');
+    const std::string_view size = text.substr(0, at);
+    const std::size_t cross = size.find('x');
+    if (cross == std::string_view::npos) return std::nullopt;
+    const auto width = number_named<int>(size.substr(0, cross), smallest_side, largest_side);
+    const auto height = number_named<int>(size.substr(cross + 1), smallest_side, largest_side);
+    if (!width || !height) return std::nullopt;
+    ModeWish wish{.width = *width, .height = *height};
+    if (at == std::string_view::npos) return wish;
+    const auto rate = number_named<double>(text.substr(at + 1), 1, most_hertz);
+    if (!rate) return std::nullopt;
+    wish.refresh_rate = *rate;
+    return wish;
+}
+
+/// "HDMI-A-1 = this"; the name is empty where there is no "=".
+struct Assignment {
+    std::string_view output;
+    std::string_view value;
+};
+
+Assignment assignment(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) return {.output = {}, .value = text};
+    return {.output = trimmed(text.substr(0, equals)), .value = trimmed(text.substr(equals + 1))};
 }
 
 bool is_folder_below(std::string_view folder) {
@@ -63,14 +104,34 @@ std::optional<Margins> margins_named(std::string_view text) {
     return Margins{sides[0], sides[1], sides[2], sides[3]};
 }
 
+const ModeWish& ModeWishes::of(const std::string& output) const {
+    const auto found = named.find(output);
+    return found == named.end() ? others : found->second;
+}
+
+std::optional<ModeWishes> modes_named(std::string_view text) {
+    ModeWishes wishes;
+    if (trimmed(text).empty()) return wishes;
+    bool is_rest_named = false;
+    for (const std::string_view part : list(text)) {
+        const auto [output, value] = assignment(part);
+        const std::optional<ModeWish> mode = mode_named(value);
+        if (!mode) return std::nullopt;
+        const bool is_for_rest = output.empty() && !part.starts_with('=');
+        if (is_for_rest ? std::exchange(is_rest_named, true) : output.empty()) return std::nullopt;
+        if (is_for_rest)
+            wishes.others = *mode;
+        else if (!wishes.named.emplace(output, *mode).second)
+            return std::nullopt;
+    }
+    return wishes;
+}
+
 std::optional<std::map<std::string, std::string>> output_folders_named(std::string_view text) {
     std::map<std::string, std::string> folders;
     if (trimmed(text).empty()) return folders;
     for (const std::string_view part : list(text)) {
-        const std::size_t equals = part.find('=');
-        if (equals == std::string_view::npos) return std::nullopt;
-        const std::string_view output = trimmed(part.substr(0, equals));
-        const std::string_view folder = trimmed(part.substr(equals + 1));
+        const auto [output, folder] = assignment(part);
         if (output.empty() || !is_folder_below(folder)) return std::nullopt;
         if (!folders.emplace(output, folder).second) return std::nullopt;
     }

@@ -144,14 +144,6 @@ bool is_screen(const std::string& value) {
     return is_size(rest);
 }
 
-bool is_mode(const std::string& value) {
-    const std::size_t at = value.find('@');
-    if (at == std::string::npos) return value.empty() || is_size(value);
-    const std::string rate = value.substr(at + 1);
-    return is_size(std::string_view(value).substr(0, at)) && !rate.empty() && rate.size() <= 3 &&
-           rate.find_first_not_of("0123456789") == std::string::npos;
-}
-
 void append(std::vector<SettingKey>& keys, std::initializer_list<SettingKey> more) {
     keys.insert(keys.end(), more);
 }
@@ -248,7 +240,9 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 is_screen),
             text(
                 "output.mode", [](S & s) -> auto& { return s.output.mode; },
-                "\"WIDTHxHEIGHT\", \"WIDTHxHEIGHT@HZ\" or nothing", is_mode),
+                "a mode like \"1920x1080\" or \"1920x1080@60\", or outputs with modes like "
+                "\"HDMI-A-1=1920x1080, HDMI-A-2=1280x720@50\"",
+                [](const std::string& value) { return modes_named(value).has_value(); }),
             rotation("output.rotation", [](S& s) -> int& { return s.output.rotation; }),
             text(
                 "output.margins", [](S & s) -> auto& { return s.output.margins; },

@@ -75,7 +75,7 @@ struct Settings {
 
     struct Output {
         std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT+WIDTHxHEIGHT...
-        std::string mode;            // WIDTHxHEIGHT or WIDTHxHEIGHT@HZ, empty: the panel's own
+        std::string mode;            // modes_named()
         int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
         std::string margins;         // margins_named()
         std::string folders;         // output_folders_named()

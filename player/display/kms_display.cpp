@@ -35,7 +35,7 @@ std::string mode_name(const Output& output) {
 KmsDisplay::KmsDisplay(const KmsOptions& options)
     : is_any_card_(options.card.empty()),
       card_(open_card(options.card, options.api)),
-      wish_(options.wish),
+      modes_(options.modes),
       device_(open_device(card_)),
       egl_(device_ ? Egl::on(*device_) : Egl::surfaceless()),
       surface_{.card = card_, .device = device_.get(), .egl = egl_},
@@ -94,7 +94,7 @@ void KmsDisplay::look_for_panels(Ask ask) {
         for (const auto& screen : lit_)
             if (screen->output().connector == connector.id) screen->start_over();
     }
-    follow(choose_outputs(*state, wish_, card_.is_atomic(), refusals_), *state);
+    follow(choose_outputs(*state, modes_, card_.is_atomic(), refusals_), *state);
 }
 
 // What is lit and shall be stays as it is: its panel notices nothing of what becomes of others.

@@ -20,7 +20,7 @@ namespace vitrine {
 
 struct KmsOptions {
     std::filesystem::path card;  // empty: the first with a panel
-    OutputWish wish;
+    ModeWishes modes;
     KmsApi api = KmsApi::best;
 };
 
@@ -64,7 +64,7 @@ class KmsDisplay final : public Display {
 
     bool is_any_card_;  // none was named
     Card card_;
-    OutputWish wish_;
+    ModeWishes modes_;
     Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
     Egl egl_;
     KmsSurface surface_;

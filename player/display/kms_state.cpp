@@ -1,13 +1,10 @@
 #include "player/display/kms_state.hpp"
 
-#include <fmt/format.h>
 #include <xf86drm.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -42,7 +39,7 @@ const drmModeModeInfo& preferred(const std::vector<drmModeModeInfo>& modes) {
     return found == modes.end() ? modes.front() : *found;
 }
 
-const drmModeModeInfo* wished(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish) {
+const drmModeModeInfo* wished(const std::vector<drmModeModeInfo>& modes, const ModeWish& wish) {
     const drmModeModeInfo* best = nullptr;
     for (const drmModeModeInfo& mode : modes) {
         if (mode.hdisplay != wish.width || mode.vdisplay != wish.height || is_interlaced(mode)) continue;
@@ -116,25 +113,12 @@ bool Output::is_same(const Output& other) const {
            panel == other.panel && timing(mode) == timing(other.mode);
 }
 
-OutputWish parse_mode(const std::string& text) {
-    if (text.empty() || text == "preferred") return {};
-    OutputWish wish;
-    int used = 0;
-    const int fields = std::sscanf(text.c_str(), "%5dx%5d%n@%7lf%n", &wish.width, &wish.height, &used,
-                                   &wish.refresh_rate, &used);
-    if (fields < 2 || static_cast<std::size_t>(used) != text.size() || wish.width <= 0 || wish.height <= 0 ||
-        (fields == 3 && wish.refresh_rate <= 0))
-        throw std::invalid_argument(
-            fmt::format("mode '{}': expected preferred, 1920x1080 or 1920x1080@60", text));
-    return wish;
-}
-
 double refresh_rate(const drmModeModeInfo& mode) {
     if (mode.clock == 0 || mode.htotal == 0 || mode.vtotal == 0) return mode.vrefresh;
     return mode.clock * 1000.0 / (static_cast<double>(mode.htotal) * mode.vtotal);
 }
 
-std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish) {
+std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const ModeWish& wish) {
     if (modes.empty()) return {};
     std::vector<drmModeModeInfo> order;
     if (const drmModeModeInfo* mode = wished(modes, wish)) order.push_back(*mode);
@@ -150,12 +134,12 @@ std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& mo
     return once;
 }
 
-std::vector<Output> choose_outputs(const CardState& card, const OutputWish& wish, bool needs_plane,
+std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& wishes, bool needs_plane,
                                    const Refusals& refusals) {
     std::vector<std::pair<const Connector*, drmModeModeInfo>> wanted;
     for (const Connector& connector : card.connectors) {
         if (!connector.is_connected) continue;
-        const std::vector<drmModeModeInfo> modes = modes_to_try(connector.modes, wish);
+        const std::vector<drmModeModeInfo> modes = modes_to_try(connector.modes, wishes.of(connector.name));
         const auto refused = refusals.find(connector.id);
         const std::size_t next = refused == refusals.end() ? 0 : refused->second;
         if (next < modes.size()) wanted.emplace_back(&connector, modes[next]);

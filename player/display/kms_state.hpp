@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/settings/output_words.hpp"
+
 #include <xf86drmMode.h>
 
 #include <cstddef>
@@ -52,32 +54,21 @@ struct Output {
     bool is_same(const Output& other) const;
 };
 
-/// What the operator wants of the panels; whatever is left out, or not there, is chosen.
-struct OutputWish {
-    int width = 0;  // px; 0: as the panel prefers
-    int height = 0;
-    double refresh_rate = 0;  // Hz; 0: the fastest of that size
-};
-
-/// "", "preferred", "1920x1080" or "1920x1080@50".
-/// @throws std::invalid_argument saying what is allowed
-OutputWish parse_mode(const std::string& text);
-
 /// Hz, exactly: from the pixel clock where there is one.
 double refresh_rate(const drmModeModeInfo& mode);
 
 /// The modes to be tried one after the other until the card takes one: the wished for, the one that the panel
 /// prefers, then the others of its list from the largest down, none of them larger than the preferred.
-std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const OutputWish& wish);
+std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const ModeWish& wish);
 
 /// How many modes of each connector, by id, the card has refused already.
 using Refusals = std::map<std::uint32_t, std::size_t>;
 
 /// Every panel that can be lit at the same time, in the order of the card's connectors, each with the first
-/// mode that was not refused; a panel with an empty list of modes is none yet. What feeds a panel already is
-/// kept where that does not keep another panel dark.
+/// mode, of those that its own wish leads to, that was not refused; a panel with an empty list of modes is
+/// none yet. What feeds a panel already is kept where that does not keep another panel dark.
 /// @param needs_plane  the card takes atomic requests, which name planes
-std::vector<Output> choose_outputs(const CardState& card, const OutputWish& wish, bool needs_plane,
+std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& wishes, bool needs_plane,
                                    const Refusals& refusals = {});
 
 /// What lies on the way of an output and has to go in the same request, or it is refused: connectors that its

@@ -23,6 +23,49 @@ TEST_CASE("margins that are not understood, negative or leave hardly a picture a
     }
 }
 
+TEST_CASE("one mode is meant for all outputs that are not named") {
+    CHECK(modes_named("")->of("HDMI-A-1") == ModeWish{});
+    CHECK(modes_named("1920x1080")->of("HDMI-A-1") == ModeWish{1920, 1080});
+    CHECK(modes_named("1920x1080@59.94")->of("HDMI-A-1") == ModeWish{1920, 1080, 59.94});
+
+    const auto some = modes_named("HDMI-A-1 = 1920x1080@60,HDMI-A-2=1280x720");
+    REQUIRE(some);
+    CHECK(some->of("HDMI-A-1") == ModeWish{1920, 1080, 60});
+    CHECK(some->of("HDMI-A-2") == ModeWish{1280, 720});
+    CHECK(some->of("DP-1") == ModeWish{});
+
+    const auto rest = modes_named("HDMI-A-1=preferred, 800x600");
+    REQUIRE(rest);
+    CHECK(rest->of("HDMI-A-1") == ModeWish{});
+    CHECK(rest->of("DP-1") == ModeWish{800, 600});
+}
+
+TEST_CASE("modes that are not understood, or given twice to an output or to all, are refused") {
+    for (const char* text : {"1080p",
+                             "1920",
+                             "1920x",
+                             "x1080",
+                             "1920x1080@",
+                             "1920x1080@0",
+                             "1920x1080@60Hz",
+                             "1920x1080@1e9",
+                             "0x0",
+                             "-1x5",
+                             "1920.5x1080",
+                             "1920x1080x5",
+                             "99999x99999",
+                             "HDMI-A-1=",
+                             "=1920x1080",
+                             "HDMI-A-1=1920",
+                             "1920x1080,",
+                             "1920x1080, 800x600",
+                             "DP-1=1920x1080, DP-1=800x600",
+                             "DP-1=1920x1080 DP-2=800x600"}) {
+        CAPTURE(text);
+        CHECK_FALSE(modes_named(text));
+    }
+}
+
 TEST_CASE("outputs are given folders below the media folder") {
     using Folders = std::map<std::string, std::string>;
     CHECK(output_folders_named("") == Folders{});
