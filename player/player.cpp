@@ -4,6 +4,7 @@
 #include "base/settings/output_words.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
+#include "player/display/gl_device.hpp"
 #include "player/display/kms_display.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/display/screen_choice.hpp"
@@ -106,7 +107,7 @@ void Player::open_display() {
     }
     complaint_.clear();
     renderer_.emplace(1, 1);
-    const PictureForm form = picture_form(renderer_->device());
+    const PictureForm form = picture_form(gl_device());
     sources_.set_form(form);
     if (display_->event_fd() >= 0)
         display_events_ =

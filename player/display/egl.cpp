@@ -141,9 +141,4 @@ void Egl::make_current(EGLSurface surface) {
     if (!eglMakeCurrent(display_, surface, surface, context_)) throw_egl("make an EGL surface current");
 }
 
-std::string Egl::renderer() const {
-    const GLubyte* name = glGetString(GL_RENDERER);
-    return name ? reinterpret_cast<const char*>(name) : "unknown renderer";
-}
-
 }  // namespace vitrine

@@ -31,9 +31,6 @@ class Egl {
     /// Directs what is drawn to a surface; EGL_NO_SURFACE: nowhere but frame buffer objects.
     void make_current(EGLSurface surface);
 
-    /// GL's own name for what draws, for the log.
-    std::string renderer() const;
-
   private:
     enum class End { leave, terminate };
 

@@ -1,6 +1,7 @@
 #include "player/display/kms_display.hpp"
 
 #include "base/system/error.hpp"
+#include "player/display/gl_device.hpp"
 
 #include <fmt/format.h>
 #include <xf86drm.h>
@@ -21,9 +22,8 @@ using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
 DeviceHandle open_device(const Card& card) {
     DeviceHandle device(gbm_create_device(card.fd()));
     if (!device) throw_errno("make buffers on '{}'", card.path().string());
-    const std::string renderer = Egl::on(*device).renderer();
-    const bool is_software = renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
-    return is_software ? nullptr : std::move(device);
+    const Egl egl = Egl::on(*device);
+    return is_software(gl_device()) ? nullptr : std::move(device);
 }
 
 std::string mode_name(const Output& output) {
@@ -207,7 +207,7 @@ std::string KmsDisplay::description() const {
         panels += fmt::format(", {} {} at {:.2f} Hz", screen->name(), mode_name(screen->output()),
                               refresh_rate(screen->output().mode));
     return fmt::format("'{}' ({}){}, {}", card_.path().string(), card_.is_atomic() ? "atomic" : "legacy",
-                       panels.empty() ? ", no panel yet" : panels, egl_.renderer());
+                       panels.empty() ? ", no panel yet" : panels, gl_device());
 }
 
 }  // namespace vitrine

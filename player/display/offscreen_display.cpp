@@ -1,5 +1,7 @@
 #include "player/display/offscreen_display.hpp"
 
+#include "player/display/gl_device.hpp"
+
 #include <fmt/format.h>
 
 namespace vitrine {
@@ -29,7 +31,7 @@ std::string OffscreenDisplay::description() const {
     std::string sizes;
     for (const auto& screen : screens_)
         sizes += fmt::format("{}x{} px, ", screen->width(), screen->height());
-    return fmt::format("off screen, {}{}", sizes, egl_->renderer());
+    return fmt::format("off screen, {}{}", sizes, gl_device());
 }
 
 void OffscreenDisplay::finish_films() {

@@ -71,12 +71,6 @@ Renderer::Renderer(int width, int height, const View& view) : width_(width), hei
     check_gl("make the renderer");
 }
 
-std::string Renderer::device() const {
-    assert(is_own_thread());
-    const GLubyte* name = glGetString(GL_RENDERER);
-    return name ? reinterpret_cast<const char*>(name) : "";
-}
-
 void Renderer::aim(int width, int height, const View& view) {
     assert(is_own_thread());
     width_ = width;

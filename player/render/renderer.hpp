@@ -26,9 +26,6 @@ class Renderer {
     /// @param width, height  of the screen, px
     Renderer(int width, int height, const View& view = {});
 
-    /// GL's name of what draws.
-    std::string device() const;
-
     /// What is drawn from now on is for a screen of this size and lies on it like this. What was uploaded
     /// stays.
     void aim(int width, int height, const View& view);

@@ -100,7 +100,7 @@ void play(const Job& job) {
         renderer.draw(frame);
         screen.present(due);
     }
-    fmt::print("{}: {} pictures of films shown, {} late\n", renderer.device(), uploads, pool.late());
+    fmt::print("{}: {} pictures of films shown, {} late\n", gl_device(), uploads, pool.late());
 }
 
 }  // namespace
