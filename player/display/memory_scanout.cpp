@@ -2,9 +2,7 @@
 
 #include "base/system/error.hpp"
 
-#include <GLES3/gl3.h>
 #include <drm_fourcc.h>
-#include <fmt/format.h>
 #include <sys/mman.h>
 #include <xf86drmMode.h>
 
@@ -78,30 +76,15 @@ class MemoryScanout::Buffer {
     void* pixels_ = MAP_FAILED;
 };
 
-MemoryScanout::MemoryScanout(const Card& card, int width, int height) : width_(width), height_(height) {
+MemoryScanout::MemoryScanout(const Card& card, int width, int height) : drawn_(width, height) {
     for (auto& buffer : buffers_)
         buffer = std::make_shared<Buffer>(card, width, height);
-    rows_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    glGenFramebuffers(1, &frame_buffer_);
-    glGenRenderbuffers(1, &colour_);
-    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status == GL_FRAMEBUFFER_COMPLETE) return;
-    glDeleteFramebuffers(1, &frame_buffer_);
-    glDeleteRenderbuffers(1, &colour_);
-    throw std::runtime_error(fmt::format("no picture of {}x{} px in memory", width, height));
 }
 
-MemoryScanout::~MemoryScanout() {
-    glDeleteFramebuffers(1, &frame_buffer_);
-    glDeleteRenderbuffers(1, &colour_);
-}
+MemoryScanout::~MemoryScanout() = default;
 
 void MemoryScanout::make_current() {
-    glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer_);
+    drawn_.make_current();
 }
 
 bool MemoryScanout::has_free_buffer() const {
@@ -112,15 +95,8 @@ ScanoutBuffer MemoryScanout::take() {
     const auto free =
         std::ranges::find_if(buffers_, [](const auto& buffer) { return buffer.use_count() == 1; });
     assert(free != buffers_.end());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_buffer_);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-    glReadPixels(0, 0, width_, height_, bgra, GL_UNSIGNED_BYTE, rows_.data());
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        throw std::runtime_error(fmt::format("read what was drawn: GL error {:#x}", error));
-    const std::size_t row = static_cast<std::size_t>(width_) * 4;
-    for (int y = 0; y < height_; ++y)
-        std::memcpy((*free)->row(y), rows_.data() + static_cast<std::size_t>(height_ - 1 - y) * row, row);
+    int y = 0;
+    drawn_.read(bgra, [&](std::span<const std::byte> row) { std::ranges::copy(row, (*free)->row(y++)); });
     return {.frame_buffer = (*free)->frame_buffer(), .lease = *free};
 }
 

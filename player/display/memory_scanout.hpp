@@ -1,11 +1,11 @@
 #pragma once
 
 #include "player/display/card.hpp"
+#include "player/display/memory_target.hpp"
 #include "player/display/scanout.hpp"
 
 #include <array>
 #include <memory>
-#include <vector>
 
 namespace vitrine {
 
@@ -33,13 +33,9 @@ class MemoryScanout final : public Scanout {
   private:
     class Buffer;
 
-    int width_;
-    int height_;
     std::array<std::shared_ptr<Buffer>, 3>
-        buffers_;                // shared with what is lent: one on screen, one on its way
-    unsigned frame_buffer_ = 0;  // of GL
-    unsigned colour_ = 0;
-    std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
+        buffers_;  // shared with what is lent: one on screen, one on its way
+    MemoryTarget drawn_;
 };
 
 }  // namespace vitrine

@@ -2,13 +2,13 @@
 
 #include "player/display/egl.hpp"
 #include "player/display/film_writer.hpp"
+#include "player/display/memory_target.hpp"
 #include "player/display/picture.hpp"
 #include "player/display/screen.hpp"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace vitrine {
 
@@ -30,13 +30,13 @@ class OffscreenScreen final : public Screen {
     OffscreenScreen& operator=(const OffscreenScreen&) = delete;
     OffscreenScreen(OffscreenScreen&&) = delete;
     OffscreenScreen& operator=(OffscreenScreen&&) = delete;
-    ~OffscreenScreen() override;
+    ~OffscreenScreen() override = default;
 
     const std::string& name() const override { return name_; }
 
-    int width() const override { return width_; }
+    int width() const override { return drawn_.width(); }
 
-    int height() const override { return height_; }
+    int height() const override { return drawn_.height(); }
 
     bool is_ready() const override { return true; }
 
@@ -52,12 +52,8 @@ class OffscreenScreen final : public Screen {
 
   private:
     std::string name_;
-    int width_;
-    int height_;
     std::shared_ptr<Egl> egl_;  // shared: see the constructor
-    unsigned frame_buffer_ = 0;
-    unsigned colour_ = 0;
-    std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
+    MemoryTarget drawn_;
     std::unique_ptr<FilmWriter> film_;
 };
 

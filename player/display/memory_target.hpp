@@ -1,0 +1,51 @@
+#pragma once
+
+#include <GLES3/gl3.h>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+/// A picture in memory that GL draws to, 8 bits a channel. Made, used and ended while one context is current.
+class MemoryTarget {
+  public:
+    /// The pixels are not defined yet.
+    /// @throws std::runtime_error where GL has no room
+    MemoryTarget(int width, int height);
+
+    int width() const { return width_; }
+
+    int height() const { return height_; }
+
+    /// Directs what is drawn to it.
+    void make_current() const;
+
+    /// Hands out what was drawn, row after row from the top, each 4 * width() bytes and lent for the call.
+    /// @param format  GL_RGBA, or another order that the context can read
+    /// @throws std::runtime_error where GL cannot
+    void read(GLenum format, const std::function<void(std::span<const std::byte> row)>& take);
+
+  private:
+    /// What GL calls the frame buffer and its colours.
+    struct Names {
+        Names();
+        Names(const Names&) = delete;
+        Names& operator=(const Names&) = delete;
+        Names(Names&&) = delete;
+        Names& operator=(Names&&) = delete;
+        ~Names();
+
+        GLuint frame_buffer = 0;
+        GLuint colour = 0;
+    };
+
+    int width_;  // px
+    int height_;
+    Names names_;
+    std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
+};
+
+}  // namespace vitrine
