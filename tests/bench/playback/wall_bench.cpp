@@ -6,6 +6,7 @@
 // The cells take the files in turn. `upload` leaves out the drawing: with a graphics card that is not the
 // processor's work.
 
+#include "player/display/gl_device.hpp"
 #include "player/display/offscreen_screen.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
