@@ -1,5 +1,6 @@
 #include "analyzer/daemon.hpp"
 #include "analyzer/file_analysis.hpp"
+#include "analyzer/weave_file.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/catalogue/record_json.hpp"
 #include "base/settings/setting_options.hpp"
@@ -36,6 +37,7 @@ struct CommandLine {
     bool is_once = false;
     bool is_growing = false;
     bool keeps = false;
+    WeaveRequest weave;
 };
 
 /// Decoded frames come and go by the megabyte: their memory is kept, for each return to the kernel costs it
@@ -71,6 +73,17 @@ int analyze_command(const CommandLine& line, const Settings& settings) {
 int explain_command(const CommandLine& line, const Settings& settings) {
     const MediaRecord record = explain_file(line.file, line.sheet, settings);
     log::info("'{}': {} shots, explained in '{}'", line.file, record.shots.size(), line.sheet);
+    return EXIT_SUCCESS;
+}
+
+int weave_command(const CommandLine& line, const Settings& settings) {
+    keep_freed_memory();
+    WeaveRequest request = line.weave;
+    if (request.directory.empty() && request.sheet.empty())
+        request.directory = request.file.filename().string() + ".tapestry";
+    const std::string made = weave_file(request, settings);
+    log::info("'{}': {}, woven into '{}'", request.file.string(), made,
+              (request.directory.empty() ? request.sheet : request.directory).string());
     return EXIT_SUCCESS;
 }
 
@@ -134,9 +147,20 @@ int run(int argc, char** argv) {
     CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
     explain->add_option("FILE", line.file)->required();
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();
+    CLI::App* weave = app.add_subcommand("weave", "Weave the tapestry of one film");
+    weave->add_option("FILE", line.weave.file)->required();
+    weave->add_option("-o,--output", line.weave.directory, "A folder for tiles and index [FILE.tapestry]");
+    weave->add_option("--sheet", line.weave.sheet, "A PNG of all levels below each other");
+    weave->add_option("--levels", line.weave.levels, "How many levels at most, the coarsest first")
+        ->check(CLI::Range(1, 32))
+        ->capture_default_str();
+    weave->add_option("--times", line.weave.times,
+                      "A file with the coarsest level's times, seconds, one a line");
+    weave->add_flag("--uniform", line.weave.is_uniform,
+                    "Keyframes at equal distances, not by what they show");
     CLI::App* watch = app.add_subcommand("watch", "Keep the catalogue equal to the media folder");
     watch->add_flag("--once", line.is_once, "End as soon as the catalogue is up to date");
-    for (CLI::App* command : {analyze, explain, watch})
+    for (CLI::App* command : {analyze, explain, weave, watch})
         command->fallthrough();
     CLI11_PARSE(app, argc, argv);
 
@@ -144,6 +168,7 @@ int run(int argc, char** argv) {
     log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
     if (*analyze) return analyze_command(line, settings);
     if (*explain) return explain_command(line, settings);
+    if (*weave) return weave_command(line, settings);
     return watch_command(line, settings);
 }
 

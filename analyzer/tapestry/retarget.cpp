@@ -1,0 +1,208 @@
+// Coarse to fine: at the smallest size the height is taken away in many small steps, each followed by some
+// rounds, so that what repeats can merge; then the matches are carried from size to size.
+
+#include "analyzer/tapestry/retarget.hpp"
+
+#include "analyzer/tapestry/synthesis.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
+constexpr int least_brick_side = 14;  // px at the smallest size: two patches
+constexpr double settled = 0.002;     // of the energy: what falls less in a round is done
+
+/// How much is done at which size.
+struct Plan {
+    double step;         // from size to size
+    int squeezes;        // at the smallest size, from full height to kept_height
+    int squeeze_rounds;  // a squeeze
+    int most_rounds;     // at the smallest size
+    int least_rounds;    // at full size
+    int radius;          // px, of the search at the smallest size; elsewhere a quarter
+};
+
+Plan plan_of(TileQuality quality) {
+    if (quality == TileQuality::high)
+        return {.step = 0.7,
+                .squeezes = 16,
+                .squeeze_rounds = 3,
+                .most_rounds = 24,
+                .least_rounds = 5,
+                .radius = 32};
+    return {
+        .step = 0.5, .squeezes = 6, .squeeze_rounds = 2, .most_rounds = 8, .least_rounds = 1, .radius = 16};
+}
+
+/// From the smallest to 1.
+std::vector<double> scales_of(cv::Size brick, double step) {
+    std::vector<double> scales{1};
+    const double side = std::min(brick.width, brick.height);
+    while (side * scales.back() * step >= least_brick_side)
+        scales.push_back(scales.back() * step);
+    std::ranges::reverse(scales);
+    return scales;
+}
+
+/// How much of a known column counts: whole in its outer half, then less and less.
+float share_at(int column, int columns) {
+    const float place = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns);
+    return std::clamp(2 - 2 * place, 0.F, 1.F);
+}
+
+KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size size) {
+    KnownPart known;
+    if (neighbours.left.empty() && neighbours.right.empty()) return known;
+    known.picture = cv::Mat(size, CV_8UC3, cv::Scalar::all(0));
+    known.share = cv::Mat(size, CV_32FC1, cv::Scalar::all(0));
+    const auto put = [&](const cv::Mat& picture, bool is_left) {
+        if (picture.empty()) return;
+        const int columns = std::clamp(
+            static_cast<int>(std::lround(static_cast<double>(picture.cols) * size.width / tile_px)), 1,
+            size.width);
+        cv::Mat small;
+        cv::resize(picture, small, {columns, size.height}, 0, 0, cv::INTER_AREA);
+        small.copyTo(
+            known.picture.colRange(is_left ? 0 : size.width - columns, is_left ? columns : size.width));
+        for (int i = 0; i < columns; ++i)
+            known.share.col(is_left ? i : size.width - 1 - i).setTo(share_at(i, columns));
+    };
+    put(neighbours.left, true);
+    put(neighbours.right, false);
+    return known;
+}
+
+/// The tile through all its sizes.
+class Tile {
+  public:
+    Tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
+         const TileNeighbours& neighbours, const RetargetSettings& settings, const RunTasks& run)
+        : brickwork_(brickwork),
+          bricks_(bricks),
+          span_(span),
+          neighbours_(neighbours),
+          settings_(settings),
+          run_(run),
+          plan_(plan_of(settings.quality)),
+          scales_(scales_of(brickwork.brick, plan_.step)) {}
+
+    cv::Mat made() {
+        squeeze();
+        for (std::size_t i = 1; i < scales_.size(); ++i)
+            refine(i);
+        return synthesis_->picture();
+    }
+
+  private:
+    BrickWindow window(double scale) const {
+        const int first = brickwork_.first_at(window_of(brickwork_, span_.from, span_.to).start);
+        return brick_window(brickwork_, bricks_, first, span_.from, span_.to, scale, settings_.window);
+    }
+
+    cv::Size target_size(double scale, double height) const {
+        return {static_cast<int>(std::lround((span_.to - span_.from) * scale)),
+                std::max(patch_side, static_cast<int>(std::lround(height * scale)))};
+    }
+
+    std::unique_ptr<Synthesis> synthesis(const BrickWindow& window, const cv::Mat& guess) const {
+        return std::make_unique<Synthesis>(
+            window, guess, known_part(neighbours_, span_.to - span_.from, guess.size()), run_);
+    }
+
+    /// At the smallest size: the height goes, step by step.
+    void squeeze() {
+        window_ = std::make_unique<BrickWindow>(window(scales_[0]));
+        const double from = brickwork_.height();
+        const double to = tapestry_height(brickwork_);
+        const cv::Size full = target_size(scales_[0], from);
+        const cv::Rect tile = cv::Rect(window_->rules.target_x, 0, full.width, full.height) &
+                              cv::Rect(0, 0, window_->picture.width(), window_->picture.height());
+        cv::Mat picture = window_->picture.bgr()(tile);
+        for (int i = 1; i <= plan_.squeezes; ++i) {
+            const double height = from + (to - from) * i / plan_.squeezes;
+            cv::Mat guess;
+            cv::resize(picture, guess, target_size(scales_[0], height), 0, 0, cv::INTER_AREA);
+            std::unique_ptr<Synthesis> next = synthesis(*window_, guess);
+            if (synthesis_)
+                next->match_like(*synthesis_);
+            else
+                next->match_by_place();
+            synthesis_ = std::move(next);
+            improve(i < plan_.squeezes ? plan_.squeeze_rounds : plan_.most_rounds, plan_.radius);
+            picture = synthesis_->picture();
+        }
+    }
+
+    void refine(std::size_t size) {
+        auto finer_window = std::make_unique<BrickWindow>(window(scales_[size]));
+        cv::Mat guess;
+        cv::resize(synthesis_->picture(), guess, target_size(scales_[size], tapestry_height(brickwork_)), 0,
+                   0, cv::INTER_CUBIC);
+        std::unique_ptr<Synthesis> finer = synthesis(*finer_window, guess);
+        finer->match_like(*synthesis_);
+        synthesis_ = std::move(finer);
+        window_ = std::move(finer_window);
+        synthesis_->take_votes();
+        const auto last = static_cast<double>(scales_.size() - 1);
+        const double share = static_cast<double>(size) / last;
+        improve(static_cast<int>(
+                    std::lround(plan_.most_rounds + (plan_.least_rounds - plan_.most_rounds) * share)),
+                plan_.radius / 4);
+    }
+
+    void improve(int rounds, int radius) {
+        double before = 0;
+        for (int round = 0; round < rounds; ++round) {
+            const double energy = synthesis_->step(radius, ++seed_);
+            if (round > 0 && energy > before * (1 - settled)) return;
+            before = energy;
+        }
+    }
+
+    const Brickwork& brickwork_;  // all outlive the tile
+    const std::vector<Keyframe>& bricks_;
+    const TileSpan& span_;
+    const TileNeighbours& neighbours_;
+    const RetargetSettings& settings_;
+    const RunTasks& run_;
+    Plan plan_;
+    std::vector<double> scales_;
+    std::unique_ptr<BrickWindow> window_;
+    std::unique_ptr<Synthesis> synthesis_;
+    std::uint32_t seed_ = 0;
+};
+
+}  // namespace
+
+std::vector<TileSpan> tile_spans(int strip_width) {
+    const int step = tile_width - tile_overlap;
+    const int tiles =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(strip_width - tile_overlap) / step)));
+    std::vector<TileSpan> spans;
+    for (std::int64_t i = 0; i < tiles; ++i) {
+        const auto border = [&](std::int64_t number) {
+            return static_cast<int>(number * (strip_width - tile_overlap) / tiles);
+        };
+        spans.push_back({.from = border(i), .to = border(i + 1) + tile_overlap});
+    }
+    return spans;
+}
+
+int tapestry_height(const Brickwork& brickwork) {
+    return static_cast<int>(std::lround(brickwork.height() * kept_height));
+}
+
+cv::Mat retarget_tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
+                      const TileNeighbours& neighbours, const RetargetSettings& settings,
+                      const RunTasks& run) {
+    return Tile(brickwork, bricks, span, neighbours, settings, run).made();
+}
+
+}  // namespace vitrine

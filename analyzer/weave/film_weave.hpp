@@ -1,0 +1,51 @@
+#pragma once
+
+#include "analyzer/tapestry/keyframes.hpp"
+#include "analyzer/tapestry/weave.hpp"
+#include "analyzer/video/frame_source.hpp"
+#include "analyzer/weave/candidates.hpp"
+#include "base/catalogue/tapestry.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace vitrine {
+
+/// How a film's keyframes are chosen.
+struct WeaveChoice {
+    int most_levels = 32;
+    bool is_uniform = false;  // at equal distances, which needs no comparing
+    std::vector<std::chrono::nanoseconds>
+        times;  // of the coarsest level, chosen by hand; empty: by clustering
+};
+
+/// What is kept of a film to weave it.
+struct Film {
+    std::unique_ptr<Candidates> candidates;
+    std::chrono::nanoseconds duration{0};
+};
+
+/// Reads a film to its end.
+/// @param directory  takes a nameless file of the frames while they are needed
+/// @throws MediaError where it is broken or holds no picture
+Film gathered(FrameSource& source, const std::filesystem::path& directory, FaceDetector* faces);
+
+std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
+                                        const RunTasks& run);
+
+/// Weaves all levels into a folder: tiles, and the index anew after each level, so that the coarsest can be
+/// shown while the finest is made. The tiles of an earlier weaving go last, when nothing names them any more.
+/// @param tapestry  path, bytes and mtime_ns of the film
+/// @return          the index
+/// @throws std::system_error, std::runtime_error; they name the file
+Tapestry write_pyramid(const std::filesystem::path& directory, Tapestry tapestry, const Film& film,
+                       const std::vector<Keyframes>& levels, const RetargetSettings& settings,
+                       const RunTasks& run);
+
+/// Draws the levels below each other, each around the middle of the one above, with lines from where a
+/// level's part begins and ends to the same times in the level above. Source: Video Tapestries, figure 6.
+cv::Mat drawn_weave(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
+                    const RunTasks& run);
+
+}  // namespace vitrine
