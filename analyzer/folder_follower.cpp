@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace vitrine {
 
@@ -122,13 +121,10 @@ void FolderFollower::compare(const MediaFolder::Listing& listing, const std::str
         saw(file, now);
 }
 
-/// A server's clock is not ours: what it says of the past is no proof of quiet.
+/// A close that this kernel saw of a file on a share says nothing of those who write it elsewhere.
 void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
-    const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
-    const auto still_for =
-        std::max<std::chrono::nanoseconds>(since_1970 - file.ctime, std::chrono::nanoseconds(0));
-    schedule_.saw(file.path, file.facts, is_remote_ ? std::chrono::nanoseconds(0) : still_for, now,
-                  is_closed && !is_remote_);
+    const Sight local = is_closed ? Sight::closed : Sight::seen;
+    schedule_.saw(file.path, file.facts, now, is_remote_ ? Sight::remote : local);
 }
 
 std::string FolderFollower::relative(const fs::path& directory) const {

@@ -51,8 +51,7 @@ MediaFolder::File to_file(const std::string& path, const struct stat& status, in
                       .mtime_ns = to_nanoseconds(status.st_mtim).count(),
                       .blocks = static_cast<std::uint64_t>(status.st_blocks),
                       .inode = status.st_ino,
-                      .is_readable = ::faccessat(parent, name, R_OK, AT_EACCESS) == 0},
-            .ctime = to_nanoseconds(status.st_ctim)};
+                      .is_readable = ::faccessat(parent, name, R_OK, AT_EACCESS) == 0}};
 }
 
 bool is_absence(int error) {

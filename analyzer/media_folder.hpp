@@ -3,7 +3,6 @@
 #include "analyzer/file_facts.hpp"
 #include "base/system/unique_fd.hpp"
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -33,7 +32,6 @@ class MediaFolder {
     struct File {
         std::string path;
         FileFacts facts;
-        std::chrono::nanoseconds ctime{0};  // since 1970, by the file system's clock; nobody can set it
     };
 
     enum class Presence {

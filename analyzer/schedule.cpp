@@ -15,10 +15,13 @@ void Schedule::known(const std::string& path, const FileFacts& facts, bool is_se
     entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = is_held};
 }
 
-void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds still_for, Time now,
-                   bool is_closed) {
-    const nanoseconds delay =
-        (is_closed ? std::min(pace_.quiet, pace_.closed_quiet) : pace_.quiet) - still_for;
+std::chrono::milliseconds Schedule::quiet(Sight sight) const {
+    if (sight == Sight::closed) return std::min(pace_.quiet, pace_.closed_quiet);
+    return sight == Sight::remote ? pace_.quiet * pace_.remote_quiets : pace_.quiet;
+}
+
+void Schedule::saw(const std::string& path, const FileFacts& facts, Time now, Sight sight) {
+    const nanoseconds delay = quiet(sight);
     const auto found = entries_.find(path);
     if (found == entries_.end()) return saw_new(path, facts, delay, now);
     Entry& entry = found->second;
@@ -31,7 +34,8 @@ void Schedule::saw(const std::string& path, const FileFacts& facts, nanoseconds 
     case Phase::settling:
         if (!is_same || entry.facts.blocks != facts.blocks) return changed(path, entry, facts, delay, now);
         if (now >= entry.look_at) return enter(path, entry, Phase::due);
-        if (is_closed && entry.waits == 0 && now + delay < entry.look_at) settle(path, entry, delay, now);
+        if (sight == Sight::closed && entry.waits == 0 && now + delay < entry.look_at)
+            settle(path, entry, delay, now);
         return;
     case Phase::due:
     case Phase::running:
@@ -89,7 +93,7 @@ void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& f
 
 void Schedule::settle(const std::string& path, Entry& entry, nanoseconds delay, Time now) {
     enter(path, entry, Phase::settling);
-    entry.look_at = now + std::clamp<nanoseconds>(delay, nanoseconds(0), std::chrono::hours(24));
+    entry.look_at = now + delay;
     looks_.emplace(entry.look_at, path);
 }
 

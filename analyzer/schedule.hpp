@@ -19,6 +19,7 @@ struct Pace {
     std::uint64_t small_bytes = 0;                // one file up to this size is analysed beside them: photos
     std::chrono::milliseconds quiet{2000};        // a file must not have changed for so long
     std::chrono::milliseconds closed_quiet{150};  // where whoever wrote it has closed it, if that is shorter
+    int remote_quiets = 3;  // as long on a network share, whose servers answer out of memory for a while
     std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
     std::chrono::milliseconds first_retry{
         5000};        // after this a waiting file is tried again, then after twice
@@ -43,6 +44,13 @@ struct Action {
     bool is_last_try = false;  // start only: no retry follows a waiting answer
 
     friend bool operator==(const Action&, const Action&) = default;
+};
+
+/// How it is known what a file is like.
+enum class Sight {
+    seen,    // looked at: somebody may be writing it
+    closed,  // whoever wrote it has just closed it, or renamed it; some do so more than once
+    remote,  // looked at over a network
 };
 
 /// How a child ended.
@@ -78,11 +86,9 @@ class Schedule {
     /// @param is_held     it is `waiting`
     void known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
 
-    /// The file is there.
-    /// @param still_for  how long it is known to be unchanged already
-    /// @param is_closed  whoever wrote it has just closed it; some do so more than once
-    void saw(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds still_for, Time now,
-             bool is_closed = false);
+    /// The file is there. Only what is seen here counts as quiet: the times that a file carries are those of
+    /// clocks that are set, or of other machines.
+    void saw(const std::string& path, const FileFacts& facts, Time now, Sight sight = Sight::seen);
 
     /// The file is not there. In a rename this comes before saw() of the new name.
     void gone(const std::string& path, Time now);
@@ -154,6 +160,7 @@ class Schedule {
     using Entries = std::map<std::string, Entry>;
 
     static Stage stage_of(const Entry& entry);
+    std::chrono::milliseconds quiet(Sight sight) const;
     void enter(const std::string& path, Entry& entry, Phase phase);
     void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay, Time now);
     void settle(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);

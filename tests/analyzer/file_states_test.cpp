@@ -20,7 +20,7 @@ struct Way {
 
     void start() {
         clock += 2s;
-        schedule.saw("a", facts, 0s, clock);
+        schedule.saw("a", facts, clock);
         REQUIRE(schedule.step(clock).size() == 1);
     }
 
@@ -39,7 +39,7 @@ struct Way {
 
 TEST_CASE("a file is copying until it is quiet, then analysing, then what its record says") {
     Way way;
-    way.schedule.saw("a", facts, 0s, way.clock);
+    way.schedule.saw("a", facts, way.clock);
     CHECK(way.now().state == State::copying);
     CHECK(way.now().since.time_since_epoch() == 1h);
 
@@ -55,7 +55,7 @@ TEST_CASE("a file is copying until it is quiet, then analysing, then what its re
 
 TEST_CASE("a file that waits says so, with its reason and the same since, while it is tried again") {
     Way way;
-    way.schedule.saw("a", facts, 0s, way.clock);
+    way.schedule.saw("a", facts, way.clock);
     way.start();
     way.end(Answer::waiting, MediaState::waiting, "half of it is here");
     const FileState waiting = way.now();
@@ -70,13 +70,13 @@ TEST_CASE("a file that waits says so, with its reason and the same since, while 
 
 TEST_CASE("a film is ready with its first shot, and copying again when it is overwritten") {
     Way way;
-    way.schedule.saw("a", facts, 0s, way.clock);
+    way.schedule.saw("a", facts, way.clock);
     way.start();
     REQUIRE(way.schedule.grew("a"));
     way.states.hold({.path = "a", .state = MediaState::ready});
     CHECK(way.now().state == State::ready);
 
-    way.schedule.saw("a", grown, 0s, way.clock);
+    way.schedule.saw("a", grown, way.clock);
 
     CHECK(way.now().state == State::copying);
 }
@@ -87,7 +87,7 @@ TEST_CASE("a deleted file, and one that only an earlier run has seen, are not li
     way.states.hold({.path = "a", .state = MediaState::ready});
     CHECK(way.now().path.empty());
 
-    way.schedule.saw("a", facts, 0s, way.clock);
+    way.schedule.saw("a", facts, way.clock);
     CHECK(way.now().state == State::ready);
 
     way.schedule.gone("a", way.clock);
