@@ -98,4 +98,5 @@ def main():
         skip(why)
 
 
-main()
+if __name__ == "__main__":
+    main()
