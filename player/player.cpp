@@ -62,6 +62,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_.decoders()));
     make_stages();
+    if (!is_paced_by_pictures_) expect_screen();
     open_display();
 }
 
@@ -80,6 +81,15 @@ void Player::make_stages() {
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
     }
     give_catalogue();
+}
+
+/// While the display is opened, which takes a tenth of a second, the first wall is laid out for the size that
+/// most have.
+void Player::expect_screen() {
+    OffscreenChoice::Size size{.width = 1920, .height = 1080};
+    const ScreenChoice choice = parse_screen(settings_.output.screen);
+    if (const auto* offscreen = std::get_if<OffscreenChoice>(&choice)) size = offscreen->screens.front();
+    stages_.front()->expect_screen(size.width, size.height);
 }
 
 std::unique_ptr<Display> Player::make_display() {

@@ -50,6 +50,7 @@ class Player {
     std::unique_ptr<Display> make_display();
     void open_display();
     void make_stages();
+    void expect_screen();
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void give_catalogue();

@@ -16,6 +16,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto source_patience = 10s;     // that a picture paced by its sources waits for one of them
+constexpr auto idle_period = 100ms;       // from one look of the idle picture to the next: it moves slowly
+constexpr auto still_period = 1s;         // a picture that a card lost in silence is back by then
 constexpr int most_settling_steps = 100;  // each gives up on a file at least
 constexpr int number_bits = 48;           // of a source's number within its stage
 
@@ -54,7 +56,14 @@ void Stage::set_catalogue(std::span<const MediaRecord> records) {
     show_->set_catalogue(own);
 }
 
+void Stage::expect_screen(int width, int height) {
+    canvas_ = canvas_size(width, height, view_of(settings_, width, height));
+    show_->set_canvas(canvas_);
+    if (const std::optional<WallPlan> plan = show_->step(time_).plan) ask(*plan);
+}
+
 void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
+    if (screens != screens_) shown_.clear();
     screens_ = std::move(screens);
     if (screens_.empty()) {
         if (!hidden_since_) hidden_since_ = now;
@@ -117,7 +126,7 @@ void Stage::carry_out(const WallStep& step, Renderer& renderer) {
 
 void Stage::take_layout() {
     std::optional<Layout> layout = planner_.take();
-    if (!layout || !layout->is_final || layout->generation != asked_) return;
+    if (!layout || layout->generation != asked_) return;
     take_layout(std::move(*layout));
 }
 
@@ -131,24 +140,31 @@ void Stage::ask(const WallPlan& wall) {
     PlanRequest request = plan_request(settings_, wall.canvas);
     request.items = wall.items;
     planned_ = wall;
-    if (options_.await_sources)
-        take_layout(planned(request));
-    else
+    if (!options_.await_sources) {
         asked_ = planner_.request(std::move(request));
+        return;
+    }
+    Layout layout = planned(request);
+    layout.is_final = true;
+    take_layout(std::move(layout));
 }
 
 void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer) {
     if (options_.await_sources) sources_.wait_for(frame, source_patience);
     sources_.advance(frame);
-    for (const DrawItem& item : frame.items) {
-        const std::optional<Sample> sample = sources_.sample(item.source);
-        if (!sample || uploaded_[item.source] == sample->owner) continue;
-        if (!uploaded_[item.source]) log::debug("source {} appears", item.source);
-        renderer.upload(item.source, *sample);
-        uploaded_[item.source] = sample->owner;
+    const bool is_new = upload(frame, renderer);
+    const bool is_idle = frame.idle > 0 || std::ranges::any_of(frame.items, [&](const DrawItem& item) {
+                             return !renderer.has(item.source);
+                         });
+    const auto longest = is_idle ? idle_period : still_period;
+    if (is_new || !looks_alike(frame, drawn_) || frame.time - drawn_.time >= longest) {
+        drawn_ = frame;
+        ++picture_;
     }
     for (Screen* screen : screens_) {
-        if (!screen->is_ready()) continue;
+        std::uint64_t& shown = shown_[screen];
+        if (!screen->is_ready() || (shown == picture_ && !screen->wants_picture())) continue;
+        shown = picture_;
         screen->begin_frame();
         renderer.aim(
             screen->width(), screen->height(),
@@ -156,6 +172,20 @@ void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer)
         renderer.draw(frame);
         screen->present(now);
     }
+}
+
+/// Whether any picture is new.
+bool Stage::upload(const Frame& frame, Renderer& renderer) {
+    bool is_new = false;
+    for (const DrawItem& item : frame.items) {
+        const std::optional<Sample> sample = sources_.sample(item.source);
+        if (!sample || uploaded_[item.source] == sample->owner) continue;
+        if (!uploaded_[item.source]) log::debug("source {} appears", item.source);
+        renderer.upload(item.source, *sample);
+        uploaded_[item.source] = sample->owner;
+        is_new = true;
+    }
+    return is_new;
 }
 
 }  // namespace vitrine

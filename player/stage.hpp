@@ -44,6 +44,9 @@ class Stage {
     /// All there is; the stage takes what is in its folder.
     void set_catalogue(std::span<const MediaRecord> records);
 
+    /// Has the wall laid out for a screen of this size, px, which is still being opened.
+    void expect_screen(int width, int height);
+
     /// @param screens  lent until the next call
     /// @param now      since the player's start
     void set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now);
@@ -58,7 +61,7 @@ class Stage {
     /// @pre owns(event.source)
     void tell(const SourceEvent& event);
 
-    /// One picture on every screen that can take one.
+    /// One picture on every screen that can take one and does not show it already.
     void show(std::chrono::nanoseconds now, Renderer& renderer);
 
     /// Another renderer is used from now on: it has none of the pictures.
@@ -74,6 +77,7 @@ class Stage {
     void take_layout(Layout layout);
     void ask(const WallPlan& wall);
     void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer);
+    bool upload(const Frame& frame, Renderer& renderer);
 
     const Settings& settings_;  // outlives this
     StageOptions options_;
@@ -88,6 +92,9 @@ class Stage {
     std::optional<std::chrono::nanoseconds> hidden_since_{0};   // none: a screen shows it
     std::chrono::nanoseconds time_{0};                          // of the wall
     std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // what the renderer has; shared with it
+    Frame drawn_;                                               // as of the last picture
+    std::uint64_t picture_ = 0;                                 // counts those that differ
+    std::map<const Screen*, std::uint64_t> shown_;              // which one each screen has
 };
 
 }  // namespace vitrine

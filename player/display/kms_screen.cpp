@@ -65,6 +65,7 @@ void KmsScreen::present(std::chrono::nanoseconds) {
         outcome_ = Outcome::refused;
         reason_ = error.what();
     }
+    is_lost_ = outcome_ != Outcome::under_way && outcome_ != Outcome::shown;
 }
 
 void KmsScreen::show(ScanoutBuffer buffer) {

@@ -42,6 +42,8 @@ class KmsScreen final : public Screen {
 
     bool is_ready() const override { return !state_.is_waiting() && scanout_->has_free_buffer(); }
 
+    bool wants_picture() const override { return state_.needs_mode() || is_lost_; }
+
     void begin_frame() override;
     void present(std::chrono::nanoseconds time) override;
 
@@ -77,6 +79,7 @@ class KmsScreen final : public Screen {
     OutputState state_;
     Outcome outcome_ = Outcome::nothing;
     std::string reason_;
+    bool is_lost_ = true;  // the last picture
     Time awaited_since_ = std::chrono::steady_clock::now();
     std::uint64_t flip_ = 0;  // the last one asked for
     std::unique_ptr<Scanout> scanout_;

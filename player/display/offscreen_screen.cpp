@@ -24,6 +24,7 @@ void OffscreenScreen::present(std::chrono::nanoseconds time) {
         film_->add(picture(), time);
     else
         glFinish();
+    has_picture_ = true;
 }
 
 Picture OffscreenScreen::picture() {

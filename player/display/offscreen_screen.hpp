@@ -40,6 +40,9 @@ class OffscreenScreen final : public Screen {
 
     bool is_ready() const override { return true; }
 
+    /// A film has every picture.
+    bool wants_picture() const override { return film_ || !has_picture_; }
+
     void begin_frame() override;
     void present(std::chrono::nanoseconds time) override;
 
@@ -54,6 +57,7 @@ class OffscreenScreen final : public Screen {
     std::string name_;
     std::shared_ptr<Egl> egl_;  // shared: see the constructor
     MemoryTarget drawn_;
+    bool has_picture_ = false;
     std::unique_ptr<FilmWriter> film_;
 };
 

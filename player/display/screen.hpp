@@ -27,6 +27,10 @@ class Screen {
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;
 
+    /// Whether the picture presented last is not to be seen and will not be: the next one is to be drawn,
+    /// also where it is the same.
+    virtual bool wants_picture() const = 0;
+
     /// Makes the surface current that the next picture is drawn to.
     virtual void begin_frame() = 0;
 

@@ -3,6 +3,7 @@
 #include "player/playback/film_loop.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace vitrine {
@@ -31,8 +32,7 @@ ShotSource::ShotSource(std::string file, const ShotRequest& request, const Sourc
                        std::chrono::nanoseconds at)
     : file_(std::move(file)), request_(request), options_(options), queue_(capacity(request)), jumped_(at) {
     if (request.kind == MediaKind::photo) {
-        photo_ =
-            std::make_unique<PhotoLoad>(file_, request.width, request.height, options.background, queue_);
+        read_photo();
         return;
     }
     const FilmPart part{.file = file_,
@@ -59,9 +59,11 @@ std::optional<Sample> ShotSource::frame_at(std::chrono::nanoseconds local) {
 
 bool ShotSource::wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
+    if (is_outdated()) read_anew();
     while (true) {
         take_due(local - behind_);
-        if (current_ && (photo_ || !queue_.is_empty())) return true;  // what is left is not due yet
+        if (current_ && (photo_ ? !is_photo_coming_ : !queue_.is_empty()))
+            return true;  // the rest is not due
         const auto left = deadline - std::chrono::steady_clock::now();
         if (left.count() <= 0 || !queue_.wait(left)) return false;
     }
@@ -75,14 +77,21 @@ Vec2 ShotSource::slide() const {
 }
 
 void ShotSource::resize(int width, int height) {
-    if (width == request_.width && height == request_.height) return;
-    if (photo_ && !photo_->has_ended()) return;
     request_.width = width;
     request_.height = height;
-    if (film_)
-        film_->resize(width, height);
-    else
-        photo_ = std::make_unique<PhotoLoad>(file_, width, height, options_.background, queue_);
+    if (film_) film_->resize(width, height);
+}
+
+void ShotSource::read_anew() {
+    assert(is_outdated());
+    read_photo();
+}
+
+void ShotSource::read_photo() {
+    read_width_ = request_.width;
+    read_height_ = request_.height;
+    is_photo_coming_ = true;
+    photo_ = std::make_unique<PhotoLoad>(file_, read_width_, read_height_, options_.background, queue_);
 }
 
 void ShotSource::set_detail(Detail detail) {
@@ -112,6 +121,7 @@ void ShotSource::take_due(std::chrono::nanoseconds target) {
     while (auto sample = queue_.take_if(
                [&](const LoopedSample& next) { return !current_ || position(next) <= target + rounding; })) {
         current_ = std::move(sample);
+        is_photo_coming_ = false;
     }
 }
 

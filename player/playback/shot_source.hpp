@@ -53,8 +53,17 @@ class ShotSource {
     /// How far the subject has moved in the picture last given by frame_at(), source px.
     Vec2 slide() const;
 
-    /// Pictures to come get another size; a photo that is still being read keeps the one it has.
+    /// Pictures to come get another size; a photo once it is read anew.
     void resize(int width, int height);
+
+    /// Whether the photo has another size than was asked for since it was read.
+    bool is_outdated() const {
+        return photo_ && photo_->has_ended() && !queue_.is_closed() &&
+               (request_.width != read_width_ || request_.height != read_height_);
+    }
+
+    /// Reads the photo in the size last asked for; the one there is stays meanwhile. @pre is_outdated()
+    void read_anew();
 
     /// How often a picture was asked for that was not the last one, and how often it was due and not there.
     std::uint64_t due() const { return due_; }
@@ -82,6 +91,7 @@ class ShotSource {
     std::chrono::nanoseconds position(const LoopedSample& sample) const;
     void take_due(std::chrono::nanoseconds target);
     void judge_lateness(std::chrono::nanoseconds local);
+    void read_photo();
 
     std::string file_;
     ShotRequest request_;
@@ -89,6 +99,9 @@ class ShotSource {
     SampleQueue queue_;
     std::unique_ptr<FilmFeed> film_;    // of a video
     std::unique_ptr<PhotoLoad> photo_;  // of a photo
+    int read_width_ = 0;                // px that the photo was last read for
+    int read_height_ = 0;
+    bool is_photo_coming_ = false;  // read, but not taken yet
     std::optional<LoopedSample> current_;
     std::chrono::nanoseconds behind_{0};  // `local`, by decoding too slowly
     std::chrono::nanoseconds judged_{-1};

@@ -66,6 +66,7 @@ std::vector<SourceEvent> SourcePool::update() {
     for (auto& [id, playing] : playing_)
         tell(id, playing, events);
     start_waiting(events);
+    read_one_anew();
     return events;
 }
 
@@ -79,10 +80,11 @@ void SourcePool::advance(Frame& frame) {
             playing.slide = playing.source->slide();
         }
         item.slide = playing.slide;
+        if (!options_.keeps_time) continue;
         if (playing.seen != frame.time) playing.salience = 0;
         playing.salience += share_of_screen(item, frame.canvas);  // of one that is drawn twice the sum
         playing.seen = frame.time;
-        if (options_.keeps_time) watch(playing, item, frame.time);
+        watch(playing, item, frame.time);
     }
     if (options_.keeps_time && frame.time - judged_ >= judging_period) govern(frame.time);
 }
@@ -128,9 +130,7 @@ std::uint64_t SourcePool::late() const {
 }
 
 void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
-    auto preparing = std::count_if(playing_.begin(), playing_.end(), [](const auto& entry) {
-        return !entry.second.is_told_ready && !entry.second.is_told_failed;
-    });
+    auto preparing = count_preparing();
     for (; !waiting_.empty() && preparing < most_at_once; ++preparing) {
         const ShotRequest request = std::move(waiting_.front());
         waiting_.pop_front();
@@ -143,6 +143,22 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
             events.push_back({.source = request.source, .failure = error.what()});
         }
     }
+}
+
+long SourcePool::count_preparing() const {
+    return std::ranges::count_if(playing_, [](const auto& entry) {
+        return !entry.second.is_told_ready && !entry.second.is_told_failed;
+    });
+}
+
+void SourcePool::read_one_anew() {
+    const bool is_reading = std::ranges::any_of(playing_, [](const auto& entry) {
+        return entry.second.request.kind == MediaKind::photo && !entry.second.source->has_ended();
+    });
+    if (is_reading || !waiting_.empty() || count_preparing() > 0) return;
+    const auto next =
+        std::ranges::find_if(playing_, [](const auto& entry) { return entry.second.source->is_outdated(); });
+    if (next != playing_.end()) next->second.source->read_anew();
 }
 
 /// What the store has is preferred; it may have lost it since.

@@ -59,7 +59,8 @@ class SourcePool {
     /// The source is not needed any more; ends in the background.
     void retire(SourceId source);
 
-    /// To be called once a frame: starts what waits, buries what has ended.
+    /// To be called once a frame: starts what waits, buries what has ended. Photos of another size than asked
+    /// for since are read anew once nothing waits, one after the other.
     std::vector<SourceEvent> update();
 
     /// Takes every source of the frame to its item's time, and each item's slide to the very picture. Where
@@ -105,6 +106,8 @@ class SourcePool {
     };
 
     void start_waiting(std::vector<SourceEvent>& events);
+    long count_preparing() const;
+    void read_one_anew();
     void start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at = {});
     void watch(Playing& playing, const DrawItem& item, std::chrono::nanoseconds now);
     void rebuild(Playing& playing, std::chrono::nanoseconds local);

@@ -78,4 +78,16 @@ Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const
     return frame;
 }
 
+Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
+               std::chrono::nanoseconds now) {
+    Frame frame{.canvas = canvas, .idle = 1, .time = now};
+    for (const PlacedShot& placed : wall) {
+        if (placed.began == never) continue;
+        const double passed = std::chrono::duration<double>(now - placed.began).count();
+        const double whole = std::chrono::duration<double>(crossfade).count();
+        frame.items.push_back(drawn(placed, passed < whole ? eased(passed / whole) : 1, now));
+    }
+    return frame;
+}
+
 }  // namespace vitrine

@@ -16,9 +16,11 @@ struct PlacedShot {
     WallShot shot;
     Placement placement;
     std::shared_ptr<const Cell> cell;   // shared: with the frames under way
-    std::chrono::nanoseconds began{0};  // when it first appeared
+    std::chrono::nanoseconds began{0};  // when it first appeared; `never`: it has not yet
     int group = PlanItem::no_group;     // those of one stand together
 };
+
+constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();
 
 /// What a shot's source is asked for where it stands: no more pixels than are shown.
 ShotRequest request_of(const PlacedShot& placed);
@@ -35,5 +37,10 @@ double eased(double progress);
 /// @param progress  of the transition: 0: only the old wall, 1: only the new one
 Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
               double progress, std::chrono::nanoseconds now);
+
+/// The draw list of a moment in which the shots of the first wall fade in over the idle picture, each from
+/// when it appeared.
+Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
+               std::chrono::nanoseconds now);
 
 }  // namespace vitrine

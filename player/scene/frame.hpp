@@ -33,4 +33,7 @@ struct Frame {
     std::chrono::nanoseconds time{0};  // since the player started
 };
 
+/// Whether both are the same picture where the sources' pictures are: all but the times.
+bool looks_alike(const Frame& a, const Frame& b);
+
 }  // namespace vitrine

@@ -125,7 +125,7 @@ std::optional<WallPlan> PanningWall::extend() {
 }
 
 void PanningWall::set_layout(const Layout& layout) {
-    if (!extension_ || layout.generation != generation_) return;
+    if (!extension_ || layout.generation != generation_ || !layout.is_final) return;
     strip_ = extended(strip_, *extension_, layout);
     extension_.reset();
     for (const WallShot& shot : newcomers_)

@@ -43,7 +43,8 @@ class Show {
 
     virtual void set_catalogue(std::span<const MediaRecord> records) = 0;
 
-    /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored.
+    /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored. It may
+    /// be final, or another follows.
     /// @pre one placement for each item of the plan
     virtual void set_layout(const Layout& layout) = 0;
 

@@ -66,6 +66,7 @@ void Wall::touch(std::optional<Vec2> finger) {
 
 void Wall::set_layout(const Layout& layout) {
     if (!incoming_ || incoming_->generation != layout.generation || incoming_->fade_began) return;
+    if (!layout.is_final && !shown_.empty()) return;
     std::vector<PlacedShot>& wall = incoming_->wall;
     assert(layout.placements.size() == wall.size());
     for (std::size_t i = 0; i < wall.size(); ++i)
@@ -73,8 +74,10 @@ void Wall::set_layout(const Layout& layout) {
     give_cells(wall, incoming_->canvas, settings_.transition.cells);
     incoming_->acts.clear();
     incoming_->has_layout = true;
+    incoming_->is_final = layout.is_final;
     choose_layout();
-    incoming_->wants_sources = incoming_->has_layout;
+    const bool is_asked = incoming_->waiting.has_value();
+    incoming_->wants_sources = incoming_->has_layout && (layout.is_final || !is_asked);
 }
 
 /// Takes the layout that has come, or has the change laid out anew too and then takes the better of both.
@@ -105,10 +108,12 @@ std::optional<WallPlan> Wall::ask_anew() {
 
 void Wall::source_ready(SourceId source) {
     const auto found = sources_.find(source);
-    if (found != sources_.end()) found->second = true;
+    if (found != sources_.end()) found->second = Source::ready;
 }
 
 void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
+    const auto found = sources_.find(source);
+    if (found != sources_.end()) found->second = Source::failed;
     assemblage_.failed(source, now);
 }
 
@@ -127,10 +132,35 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
 }
 
 void Wall::end_fade(std::chrono::nanoseconds now) {
-    if (!is_fading() || now - *incoming_->fade_began < duration_of(incoming_->acts)) return;
+    if (!is_fading()) return;
+    if (is_arriving()) let_arrive(now);
+    if (is_arriving() ? !has_arrived(now) : now - *incoming_->fade_began < duration_of(incoming_->acts))
+        return;
     shown_canvas_ = incoming_->canvas;
     shown_ = std::move(incoming_->wall);
     incoming_.reset();
+}
+
+/// What has got ready appears now; what does not in time gives way, once the others are there.
+void Wall::let_arrive(std::chrono::nanoseconds now) {
+    const bool is_too_late = now - *incoming_->waiting >= settings_.patience;
+    for (PlacedShot& placed : incoming_->wall) {
+        Source& source = sources_.at(placed.shot.source);
+        if (placed.began != never || source == Source::failed) continue;
+        if (source == Source::ready) {
+            placed.began = now;
+            assemblage_.shown(placed.shot.source, now);
+        } else if (is_too_late) {
+            source_failed(placed.shot.source, now);
+        }
+    }
+}
+
+bool Wall::has_arrived(std::chrono::nanoseconds now) const {
+    return std::ranges::all_of(incoming_->wall, [&](const PlacedShot& placed) {
+        if (placed.began == never) return sources_.at(placed.shot.source) == Source::failed;
+        return now - placed.began >= settings_.transition.crossfade;
+    });
 }
 
 /// A small change of its own where a finger moves something.
@@ -141,7 +171,7 @@ void Wall::follow_hand() {
     for (std::size_t i = 0; i < shown_.size(); ++i)
         incoming_->wall[i].placement = (*placements)[i];
     give_cells(incoming_->wall, canvas_, settings_.transition.cells);
-    incoming_->has_layout = incoming_->wants_sources = true;
+    incoming_->has_layout = incoming_->is_final = incoming_->wants_sources = true;
 }
 
 /// A new plan where the assemblage wants something else than what stands or is on its way.
@@ -157,7 +187,9 @@ std::optional<WallPlan> Wall::follow_assemblage() {
 
 WallPlan Wall::begin_change(const std::vector<WallShot>& wanted) {
     WallPlan plan{.generation = ++generation_, .canvas = canvas_};
-    incoming_ = Incoming{.generation = generation_, .canvas = canvas_, .has_layout = wanted.empty()};
+    const bool is_empty = wanted.empty();
+    incoming_ =
+        Incoming{.generation = generation_, .canvas = canvas_, .has_layout = is_empty, .is_final = is_empty};
     std::map<std::string, int> folders;
     for (const WallShot& shot : wanted) {
         const int group = settings_.nests ? folder_number(shot.key.path, folders) : PlanItem::no_group;
@@ -184,7 +216,7 @@ void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
     if (std::exchange(incoming_->wants_sources, false)) {
         for (const PlacedShot& placed : incoming_->wall) {
             step.requests.push_back(request_of(placed));
-            sources_.try_emplace(placed.shot.source, false);
+            sources_.try_emplace(placed.shot.source, Source::asked);
         }
     }
     if (is_ready()) {
@@ -198,13 +230,17 @@ void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
 }
 
 bool Wall::is_ready() const {
-    return std::all_of(incoming_->wall.begin(), incoming_->wall.end(),
-                       [&](const PlacedShot& placed) { return sources_.at(placed.shot.source); });
+    const auto is_there = [&](const PlacedShot& placed) {
+        return sources_.at(placed.shot.source) == Source::ready;
+    };
+    if (!incoming_->is_final) return false;
+    if (shown_.empty()) return std::ranges::any_of(incoming_->wall, is_there);
+    return std::ranges::all_of(incoming_->wall, is_there);
 }
 
 void Wall::give_up_waiting(std::chrono::nanoseconds now) {
     for (const PlacedShot& placed : incoming_->wall) {
-        if (!sources_.at(placed.shot.source)) assemblage_.failed(placed.shot.source, now);
+        if (sources_.at(placed.shot.source) == Source::asked) source_failed(placed.shot.source, now);
     }
 }
 
@@ -224,6 +260,11 @@ void Wall::begin_fade(std::chrono::nanoseconds now) {
     std::vector<Act>& acts = incoming_->acts;
     const std::chrono::nanoseconds appears = now + duration_of(acts) - acts.back().duration;
     incoming_->fade_began = now;
+    if (shown_.empty()) {
+        for (PlacedShot& placed : incoming_->wall)
+            placed.began = never;
+        return let_arrive(now);
+    }
     for (PlacedShot& placed : incoming_->wall) {
         const PlacedShot* same = find_source(shown_, placed.shot.source);
         placed.began = same != nullptr ? same->began : appears;
@@ -245,6 +286,8 @@ std::vector<SourceId> Wall::retire() {
 
 Frame Wall::picture(std::chrono::nanoseconds now) const {
     if (!is_fading()) return compose(shown_.empty() ? canvas_ : shown_canvas_, shown_, {}, 0, now);
+    if (is_arriving())
+        return arriving(incoming_->canvas, incoming_->wall, settings_.transition.crossfade, now);
     return picture_of(incoming_->acts, now - *incoming_->fade_began, incoming_->canvas,
                       settings_.transition.cells, now);
 }

@@ -29,7 +29,8 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders);
 /// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
 /// sources are asked for; once they are ready and the shot that goes has had its time, the old wall, which
 /// plays on, moves and fades into the new one; then the sources that are not on it any more retire. One such
-/// change at a time; a wish that changes before its fade has begun is replaced.
+/// change at a time; a wish that changes before its fade has begun is replaced. The first wall waits for none
+/// but its first source: its shots fade in over the idle picture, each when it is ready.
 ///
 /// A change moves what stays as little as can be. Where that leaves much more of the canvas to waste than
 /// walls that are laid out anew do, the change is laid out anew.
@@ -46,8 +47,8 @@ class Wall final : public Show {
     /// stand together cannot be touched.
     void touch(std::optional<Vec2> finger) override;
 
-    /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. A
-    /// better one for the same plan is taken until the fade begins.
+    /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. For the
+    /// first wall also those before the last are taken: while that is made its sources get ready.
     /// @pre one placement for each item of the plan
     void set_layout(const Layout& layout) override;
 
@@ -63,15 +64,21 @@ class Wall final : public Show {
 
     bool is_fading() const { return incoming_ && incoming_->fade_began.has_value(); }
 
+    /// Whether the first wall comes, each shot when it is ready.
+    bool is_arriving() const { return is_fading() && shown_.empty(); }
+
     /// What is on the wall without what fades in.
     std::span<const PlacedShot> shown() const { return shown_; }
 
   private:
+    enum class Source { asked, ready, failed };
+
     struct Incoming {
         std::uint64_t generation = 0;
         Vec2 canvas;  // px
         std::vector<PlacedShot> wall;
         bool has_layout = false;
+        bool is_final = false;         // the layout: no better one follows
         bool is_anew = false;          // laid out without regard to where things stand
         std::vector<PlacedShot> calm;  // the same shots where they moved little, if that left much empty
         bool wants_sources = false;    // of another size than asked for, or not asked for yet
@@ -82,6 +89,8 @@ class Wall final : public Show {
     };
 
     void end_fade(std::chrono::nanoseconds now);
+    void let_arrive(std::chrono::nanoseconds now);
+    bool has_arrived(std::chrono::nanoseconds now) const;
     void follow_hand();
     std::optional<WallPlan> follow_assemblage();
     std::optional<WallPlan> ask_anew();
@@ -106,7 +115,7 @@ class Wall final : public Show {
     bool is_canvas_new_ = false;
     double usual_waste_ = 1;  // of walls laid out anew
     std::uint64_t generation_ = 0;
-    std::map<SourceId, bool> sources_;  // asked for and not retired; whether ready
+    std::map<SourceId, Source> sources_;  // those not retired
 };
 
 }  // namespace vitrine

@@ -53,6 +53,35 @@ Settings one_photo_at_a_time() {
     return settings;
 }
 
+/// Counts what is drawn on a screen, and wants the last picture again when told to.
+class CountingScreen final : public Screen {
+  public:
+    explicit CountingScreen(Screen& screen) : screen_(screen) {}
+
+    const std::string& name() const override { return screen_.name(); }
+
+    int width() const override { return screen_.width(); }
+
+    int height() const override { return screen_.height(); }
+
+    bool is_ready() const override { return true; }
+
+    bool wants_picture() const override { return wants; }
+
+    void begin_frame() override { screen_.begin_frame(); }
+
+    void present(std::chrono::nanoseconds time) override {
+        screen_.present(time);
+        ++pictures;
+    }
+
+    bool wants = false;
+    int pictures = 0;
+
+  private:
+    Screen& screen_;  // outlives this
+};
+
 /// A red and a blue photo, in folders of their own, and one wall that takes turns with them.
 struct Theatre {
     explicit Theatre(const std::vector<OffscreenChoice::Size>& screens,
@@ -132,6 +161,37 @@ TEST_CASE("a stage of a folder shows what is in it and nothing else") {
         play(theatre, now, now + 2s);
         CHECK(is_near(theatre.picture(0), 160, 90, blue));
     }
+}
+
+TEST_CASE("a wall on which nothing is new is drawn once a second, and when a screen has lost it") {
+    Theatre theatre({{320, 180}});
+    CountingScreen screen(*theatre.display.screens()[0]);
+    const auto shown_within = [&](std::chrono::nanoseconds from, std::chrono::nanoseconds to) {
+        const int before = screen.pictures;
+        for (auto now = from; now < to; now += 20ms) {
+            theatre.stage->set_screens({&screen}, now);
+            theatre.stage->show(now, theatre.renderer);
+        }
+        return screen.pictures - before;
+    };
+    shown_within(0s, 2s);
+    REQUIRE(is_near(theatre.picture(0), 160, 90, red));
+    CHECK(shown_within(2s, 7s) == 5);
+    screen.wants = true;
+    CHECK(shown_within(7s, 8s) == 50);
+    screen.wants = false;
+    shown_within(18s, 20500ms);
+    CHECK(is_near(theatre.picture(0), 160, 90, blue));
+}
+
+TEST_CASE("the idle picture is drawn ten times a second") {
+    Theatre theatre({{320, 180}}, one_photo_at_a_time(), "nothing/here");
+    CountingScreen screen(*theatre.display.screens()[0]);
+    for (auto now = 0ms; now < 1s; now += 20ms) {
+        theatre.stage->set_screens({&screen}, now);
+        theatre.stage->show(now, theatre.renderer);
+    }
+    CHECK(screen.pictures == 10);
 }
 
 TEST_CASE("while no screen shows a wall its time stands still") {

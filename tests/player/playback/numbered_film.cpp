@@ -3,6 +3,7 @@
 #include "base/media/gst_ptr.hpp"
 
 #include <fmt/format.h>
+#include <fstream>
 #include <gst/app/gstappsrc.h>
 
 #include <cstdlib>
@@ -96,6 +97,27 @@ int number(const Sample& sample) {
             return -1;
     }
     return index;
+}
+
+void write_photo(const std::string& file) {
+    std::ofstream stream(file, std::ios::binary);
+    const auto number = [&](std::uint32_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            stream.put(static_cast<char>(value >> (8 * i)));
+    };
+    stream << "BM";
+    number(54 + 40 * 20 * 3, 4);
+    number(0, 4);
+    number(54, 4);
+    number(40, 4);
+    number(40, 4);
+    number(20, 4);
+    number(1, 2);
+    number(24, 2);
+    for (int i = 0; i < 6; ++i)
+        number(0, 4);
+    for (int i = 0; i < 40 * 20; ++i)
+        number(i % 40 < 20 ? 0xff0000 : 0x0000ff, 3);
 }
 
 }  // namespace vitrine

@@ -34,4 +34,7 @@ void write_film(const std::string& file, const NumberedFilm& film);
 /// The number that a picture carries, at whatever size; -1: it is no upright numbered picture.
 int number(const Sample& sample);
 
+/// Writes a photo of 40 x 20, the left half red, the right half blue: a BMP.
+void write_photo(const std::string& file);
+
 }  // namespace vitrine

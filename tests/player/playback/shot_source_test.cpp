@@ -25,28 +25,6 @@ ShotRequest part() {
             .height = 96};
 }
 
-/// A photo of 40 x 20, the left half red, the right half blue.
-void write_photo(const std::string& file) {
-    std::ofstream stream(file, std::ios::binary);
-    const auto number = [&](std::uint32_t value, int bytes) {
-        for (int i = 0; i < bytes; ++i)
-            stream.put(static_cast<char>(value >> (8 * i)));
-    };
-    stream << "BM";
-    number(54 + 40 * 20 * 3, 4);
-    number(0, 4);
-    number(54, 4);
-    number(40, 4);
-    number(40, 4);
-    number(20, 4);
-    number(1, 2);
-    number(24, 2);
-    for (int i = 0; i < 6; ++i)
-        number(0, 4);
-    for (int i = 0; i < 40 * 20; ++i)
-        number(i % 40 < 20 ? 0xff0000 : 0x0000ff, 3);
-}
-
 /// A PNG of one colour, 40 x 20 px. @param alpha  of 255
 void write_see_through(const std::string& file, Colour colour, unsigned char alpha) {
     REQUIRE(vips_init("test") == 0);
@@ -157,11 +135,36 @@ TEST_CASE("a photo asked for in another size is read again and the old one shown
     REQUIRE(source.wait_for(0s, patience));
     while (!source.has_ended())
         std::this_thread::yield();
-    source.resize(40, 20);
+    CHECK_FALSE(source.is_outdated());
+    source.resize(30, 15);
+    CHECK(source.is_outdated());
+    CHECK(source.frame_at(1s)->width == 20);
+    source.read_anew();
+    source.resize(40, 20);  // while it is read
     while (!source.has_ended()) {
         CHECK(source.frame_at(1s).has_value());
     }
+    CHECK(source.frame_at(1s)->width == 30);
+    REQUIRE(source.wait_for(1s, patience));
     CHECK(source.frame_at(1s)->width == 40);
+    CHECK_FALSE(source.is_outdated());
+}
+
+TEST_CASE("a photo that has gone when it is to be read again stays as it is") {
+    const Folder folder;
+    write_photo(folder.path / "photo.bmp");
+    ShotSource source(folder.path / "photo.bmp", {.source = 1, .width = 20, .height = 10});
+    REQUIRE(source.wait_for(0s, patience));
+    while (!source.has_ended())
+        std::this_thread::yield();
+    std::filesystem::remove(folder.path / "photo.bmp");
+    source.resize(40, 20);
+    CHECK_FALSE(source.wait_for(1s, patience));
+    while (!source.has_ended())
+        std::this_thread::yield();
+    CHECK(source.frame_at(2s)->width == 20);
+    CHECK_FALSE(source.is_outdated());  // it is not tried for ever
+    CHECK_FALSE(source.failure());
 }
 
 TEST_CASE("a photo that cannot be read is a failure with a reason") {

@@ -72,6 +72,34 @@ TEST_CASE("a frame's sources are taken to its time and its slides to the very pi
     CHECK(pool.late() == 0);
 }
 
+TEST_CASE("photos asked for in another size are read anew, while they are shown") {
+    const Folder folder;
+    write_photo(folder.path / "photo.bmp");
+    SourcePool pool({.media = folder.path, .store = folder.path / "store"});
+    const auto ask = [&](SourceId id, int width) {
+        ShotRequest wanted = request(id, "photo.bmp");
+        wanted.kind = MediaKind::photo;
+        wanted.width = width;
+        wanted.height = width / 2;
+        pool.request(wanted);
+    };
+    const auto shows = [&](SourceId id) {
+        Frame frame = frame_of(4, 0s);
+        pool.advance(frame);
+        return pool.sample(id)->width;
+    };
+    for (SourceId id = 1; id <= 4; ++id)
+        ask(id, 20);
+    pool.wait_until_ready(patience);
+    CHECK(shows(1) == 20);
+    for (SourceId id = 1; id <= 4; ++id)
+        ask(id, 40);
+    for (SourceId id = 1; id <= 4; ++id)
+        while (shows(id) != 40)
+            pool.update();
+    CHECK(pool.update().empty());  // told of once
+}
+
 TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});

@@ -78,6 +78,39 @@ TEST_CASE("between the idle picture and a wall only the wall changes its opacity
     CHECK(going.items.at(0).alpha == doctest::Approx(0.84375));
 }
 
+TEST_CASE(
+    "the shots of a first wall come over the idle picture until all are there, each since it appeared") {
+    std::vector<PlacedShot> wall{placed(1, 10s), placed(2, 11s), placed(3, never)};
+    const Frame coming = arriving({1280, 720}, wall, 2s, 11500ms);
+    CHECK(coming.idle == 1);
+    REQUIRE(coming.items.size() == 2);
+    CHECK(coming.items[0].alpha == doctest::Approx(0.84375));
+    CHECK(coming.items[0].local == 1500ms);
+    CHECK(coming.items[1].alpha == doctest::Approx(0.15625));
+    CHECK(arriving({1280, 720}, wall, 0s, 12s).items[1].alpha == 1);
+}
+
+TEST_CASE("frames look alike as long as nothing but time differs") {
+    const std::vector<PlacedShot> wall{placed(1), placed(2)};
+    const Frame frame = compose({1280, 720}, wall, {}, 0, 1s);
+    Frame later = compose({1280, 720}, wall, {}, 0, 1s + 4s);  // a loop
+    CHECK(looks_alike(frame, later));
+    CHECK_FALSE(looks_alike(frame, compose({1280, 720}, std::span(wall).first(1), {}, 0, 1s)));
+    const auto differs = [&](auto change) {
+        Frame other = frame;
+        change(other);
+        return !looks_alike(frame, other);
+    };
+    CHECK(differs([](Frame& f) { f.canvas.x += 1; }));
+    CHECK(differs([](Frame& f) { f.view.x += 1; }));
+    CHECK(differs([](Frame& f) { f.idle = 0.5; }));
+    CHECK(differs([](Frame& f) { f.items[1].source = 7; }));
+    CHECK(differs([](Frame& f) { f.items[1].cell = std::make_shared<const Cell>(); }));
+    CHECK(differs([](Frame& f) { f.items[1].placement.scale *= 2; }));
+    CHECK(differs([](Frame& f) { f.items[1].slide.x += 1; }));
+    CHECK(differs([](Frame& f) { f.items[1].alpha = 0.5; }));
+}
+
 TEST_CASE("a shot slides along its drift from the time it appeared, anew in each loop") {
     const std::vector<PlacedShot> wall{placed(1, 20s)};
     const auto slide_at = [&](std::chrono::nanoseconds now) {

@@ -38,6 +38,7 @@ struct House {
             request.items = step.plan->items;
             Layout layout = plan(request);
             layout.generation = step.plan->generation;
+            layout.is_final = true;
             wall.set_layout(layout);
         }
         now += 40ms;

@@ -24,7 +24,7 @@ struct House {
     int requests = 0;
 
     static Layout layout_of(const WallPlan& plan) {
-        Layout layout{.canvas = plan.canvas, .generation = plan.generation};
+        Layout layout{.canvas = plan.canvas, .generation = plan.generation, .is_final = true};
         for (std::size_t i = 0; i < plan.items.size(); ++i) {
             layout.placements.push_back({.scale = 0.5, .offset = {100.0 * static_cast<double>(i), 0}});
         }
@@ -32,6 +32,14 @@ struct House {
     }
 
     void plan(const WallPlan& wanted) { wall.set_layout(layout_of(wanted)); }
+
+    /// Lays the last plan out in a row, so large.
+    void give(double scale) {
+        Layout layout = layout_of(planned.back());
+        for (std::size_t i = 0; i < layout.placements.size(); ++i)
+            layout.placements[i] = {scale, {scale * 200.0 * static_cast<double>(i), 0}};
+        wall.set_layout(layout);
+    }
 
     /// One refresh; checks what must hold in every one.
     WallStep step() {
@@ -113,16 +121,92 @@ TEST_CASE("a wall is planned, asked for, faded in over the idle picture, and the
     CHECK(house.requests == 3);
 }
 
-TEST_CASE("nothing fades in before all its sources are ready") {
-    House house = ::house({photo("a"), photo("b")});
+TEST_CASE("the shots of the first wall fade in over the idle picture, each when it is ready") {
+    House house = ::house({photo("a"), photo("b"), photo("c")});
     house.readies = false;
-    WallStep step = house.run(5s);
+    WallStep step = house.run(3s);
     CHECK(step.frame.items.empty());
-    const SourceId first = house.playing.begin()->first;
+    const std::map<SourceId, ShotRequest> asked = house.playing;
+    REQUIRE(asked.size() == 3);
+    const SourceId first = asked.begin()->first;
     house.wall.source_ready(first);
-    CHECK(house.run(1s).frame.items.empty());
+    step = house.run(350ms);
+    REQUIRE(step.frame.items.size() == 1);
+    CHECK(step.frame.items[0].source == first);
+    CHECK(step.frame.items[0].alpha == doctest::Approx(0.5));
+    CHECK(step.frame.idle == 1);
+    house.wall.source_ready(asked.rbegin()->first);
+    step = house.run(350ms);
+    REQUIRE(step.frame.items.size() == 2);
+    CHECK(step.frame.items[0].alpha == 1);
+    CHECK(step.frame.items[1].alpha == doctest::Approx(0.5));
+    CHECK(step.frame.idle == 1);
+    house.wall.source_failed(std::next(asked.begin())->first, house.now);
+    CHECK(house.run(3s).frame.idle == 0);
+    CHECK(house.wall.count() == 2);
+}
+
+TEST_CASE("what of the first wall is not ready in time does not keep it from going on") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.readies = false;
+    house.run(1s);
+    house.wall.source_ready(house.playing.begin()->first);
+    house.run(5s);
+    CHECK(house.wall.count() == 0);
+    house.readies = true;
+    house.run(8s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "c"});
+}
+
+TEST_CASE("a later change does not fade in before all its sources are ready") {
+    House house = ::house({photo("a"), photo("b")});
+    house.run(2s);
+    house.readies = false;
+    house.wall.set_catalogue(std::vector{photo("a"), photo("b"), photo("c")});
+    CHECK(house.run(3s).frame.items.size() == 2);
     house.wall.source_ready(house.playing.rbegin()->first);
-    CHECK(house.run(1s).frame.items.size() == 2);
+    CHECK(house.run(2s).frame.items.size() == 3);
+}
+
+TEST_CASE("the first wall's sources get ready while its layout is made, and it waits for the last one") {
+    House house = ::house({photo("a"), photo("b")});
+    house.plans = false;
+    house.step();
+    const auto give = [&](double scale, bool is_final) {
+        Layout layout = House::layout_of(house.planned.at(0));
+        for (Placement& placement : layout.placements)
+            placement.scale = scale;
+        layout.is_final = is_final;
+        house.wall.set_layout(layout);
+    };
+    give(0.4, false);
+    house.step();
+    CHECK(house.requests == 2);
+    give(0.45, false);
+    CHECK(house.run(2s).frame.items.empty());
+    CHECK(house.requests == 2);
+    give(0.5, true);
+    const WallStep step = house.run(2s);
+    CHECK(house.requests == 4);
+    CHECK(house.playing.begin()->second.width == 320);
+    REQUIRE(step.frame.items.size() == 2);
+    CHECK(step.frame.items[0].placement.scale == 0.5);
+}
+
+TEST_CASE("a change takes only the last layout") {
+    House house = ::house({photo("a"), photo("b")});
+    house.run(2s);
+    house.plans = false;
+    house.wall.set_catalogue(std::vector{photo("a"), photo("b"), photo("c")});
+    house.step();
+    Layout layout = House::layout_of(house.planned.back());
+    layout.is_final = false;
+    house.wall.set_layout(layout);
+    house.run(2s);
+    CHECK(house.requests == 2);
+    house.plan(house.planned.back());
+    house.run(2s);
+    CHECK(house.wall.count() == 3);
 }
 
 TEST_CASE("a shot plays from the moment it appears") {
@@ -335,27 +419,20 @@ TEST_CASE("a film's shot is gone when its loop ends, not after it has begun agai
 TEST_CASE("a change that would leave much of the canvas empty is laid out anew") {
     House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
     house.plans = false;
-    const auto give = [&](double scale) {
-        const WallPlan& plan = house.planned.back();
-        Layout layout = House::layout_of(plan);
-        for (std::size_t i = 0; i < plan.items.size(); ++i)
-            layout.placements[i] = {scale, {scale * 200.0 * static_cast<double>(i), 0}};
-        house.wall.set_layout(layout);
-    };
     house.step();
-    give(2);
+    house.give(2);
     house.run(2s);
     REQUIRE(house.wall.count() == 3);
     while (house.planned.size() < 2)
         house.step();
-    give(0.3);
+    house.give(0.3);
     house.step();
     REQUIRE(house.planned.size() == 3);  // at once
     for (const PlanItem& item : house.planned.back().items) {
         CHECK_FALSE(item.previous);
         CHECK_FALSE(item.seat);
     }
-    give(1.9);
+    house.give(1.9);
     house.run(6s);
     CHECK(house.wall.shown()[0].placement.scale == 1.9);
     CHECK(house.wall.shown()[0].shot.key.path == "d");
@@ -364,22 +441,15 @@ TEST_CASE("a change that would leave much of the canvas empty is laid out anew")
 TEST_CASE("a change laid out anew that is no better gives way to the calm one") {
     House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
     house.plans = false;
-    const auto give = [&](double scale) {
-        const WallPlan& plan = house.planned.back();
-        Layout layout = House::layout_of(plan);
-        for (std::size_t i = 0; i < plan.items.size(); ++i)
-            layout.placements[i] = {scale, {scale * 200.0 * static_cast<double>(i), 0}};
-        house.wall.set_layout(layout);
-    };
     house.step();
-    give(2);
+    house.give(2);
     house.run(2s);
     while (house.planned.size() < 2)
         house.step();
-    give(0.5);
+    house.give(0.5);
     house.step();
     REQUIRE(house.planned.size() == 3);
-    give(0.4);
+    house.give(0.4);
     house.run(6s);
     CHECK(house.wall.shown()[0].placement.scale == 0.5);
 }

@@ -1,0 +1,21 @@
+#include "player/scene/frame.hpp"
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+bool is_alike(const DrawItem& a, const DrawItem& b) {
+    return a.source == b.source && a.cell == b.cell && a.placement == b.placement && a.picture == b.picture &&
+           a.slide == b.slide && a.alpha == b.alpha;
+}
+
+}  // namespace
+
+bool looks_alike(const Frame& a, const Frame& b) {
+    return a.canvas == b.canvas && a.view == b.view && a.idle == b.idle &&
+           std::ranges::equal(a.items, b.items, is_alike);
+}
+
+}  // namespace vitrine
