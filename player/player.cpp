@@ -54,6 +54,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
       sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
                source_options(settings, !is_paced_by_pictures_)),
+      programme_(settings.state.directory),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
@@ -61,6 +62,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       told_(loop_.timer([this] { tell(); })) {
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_.decoders()));
+    if (!settings.status.folder.empty() && !options.rehearsal)
+        wall_picture_.emplace(std::filesystem::path(settings.state.directory) / "wall.jpg");
     make_stages();
     if (!is_paced_by_pictures_) expect_screen();
     open_display();
@@ -160,10 +163,20 @@ void Player::follow(const CatalogueChange& change) {
 }
 
 void Player::give_catalogue() {
-    const std::vector<MediaRecord> records =
-        options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
+    programme_.set_records(options_.rehearsal ? options_.rehearsal->present(follower_.records())
+                                              : follower_.records());
+    next_look_ = 0ns;
+    follow_programme(0ns);
+}
+
+/// Periods and hours begin and end on the second.
+void Player::follow_programme(std::chrono::nanoseconds time) {
+    if (time < next_look_) return;
+    next_look_ = time + 1s;
+    if (!programme_.look(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt)) return;
+    const std::vector<MediaRecord> records = programme_.open();
     for (const auto& stage : stages_)
-        stage->set_catalogue(records);
+        stage->set_catalogue(records, programme_.hints());
 }
 
 void Player::rehearse(std::chrono::nanoseconds time) {
@@ -188,15 +201,24 @@ void Player::tick() {
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
     if (!is_time_to_draw(time)) return tick_.arm(busy_pause);
     if (options_.rehearsal) rehearse(time);
+    follow_programme(time);
     hand_out(sources_.update());
     for (const auto& stage : stages_)
         if (!stage->screens().empty()) stage->show(time, *renderer_);
+    take_wall_picture(time);
     tell_items();
     if (is_paced_by_pictures_)
         clock_.shown_exactly();
     else
         clock_.shown(time);
     tick_.arm(std::max(0ns, clock_.due() - now()));
+}
+
+/// Of the first wall, where it is shown.
+void Player::take_wall_picture(std::chrono::nanoseconds time) {
+    const Stage& stage = *stages_.front();
+    if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
+    wall_picture_->take(stage.picture(WallPicture::longest_side, *renderer_));
 }
 
 /// All screens can take a picture; or one can, and the others have been waited for.

@@ -7,9 +7,11 @@
 #include "player/display/screen.hpp"
 #include "player/frame_clock.hpp"
 #include "player/playback/source_pool.hpp"
+#include "player/programme_follower.hpp"
 #include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
 #include "player/stage.hpp"
+#include "player/wall_picture.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -54,8 +56,10 @@ class Player {
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void give_catalogue();
+    void follow_programme(std::chrono::nanoseconds time);
     void rehearse(std::chrono::nanoseconds time);
     void tick();
+    void take_wall_picture(std::chrono::nanoseconds time);
     bool is_time_to_draw(std::chrono::nanoseconds time);
     void follow_display(std::chrono::nanoseconds time);
     void close_display();
@@ -84,6 +88,9 @@ class Player {
     SourcePool sources_;
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first
     std::vector<std::unique_ptr<Stage>> stages_;
+    std::optional<WallPicture> wall_picture_;  // none: not wanted
+    ProgrammeFollower programme_;
+    std::chrono::nanoseconds next_look_{0};  // at the programme
     CatalogueFollower follower_;
     FrameClock clock_;
     EventLoop::Clock::time_point start_;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
+#include <iomanip>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -17,6 +19,17 @@ std::chrono::nanoseconds seconds(double number) {
     if (!(number >= 0 && number <= most_seconds))
         throw std::runtime_error("a time must be from 0 to 1000000 seconds");
     return std::chrono::nanoseconds(static_cast<std::int64_t>(number * 1e9));
+}
+
+std::chrono::local_seconds clock_time(std::istringstream& words) {
+    std::tm civil{};
+    words >> std::get_time(&civil, "%Y-%m-%d %H:%M:%S");
+    const std::chrono::year_month_day day{std::chrono::year(civil.tm_year + 1900),
+                                          std::chrono::month(static_cast<unsigned>(civil.tm_mon + 1)),
+                                          std::chrono::day(static_cast<unsigned>(civil.tm_mday))};
+    if (words.fail() || !day.ok()) throw std::runtime_error("a clock shows 'YYYY-MM-DD HH:MM:SS'");
+    return std::chrono::local_days(day) + std::chrono::hours(civil.tm_hour) +
+           std::chrono::minutes(civil.tm_min) + std::chrono::seconds(civil.tm_sec);
 }
 
 }  // namespace
@@ -51,7 +64,8 @@ void Rehearsal::read_line(const std::string& line) {
         files_.push_back({.time = seconds(time), .path = path, .is_added = what == "add"});
         return;
     }
-    if (what != "drag") throw std::runtime_error("an event is one of add, remove, drag");
+    if (what == "clock") return clocks_.push_back({.time = seconds(time), .shows = clock_time(words)});
+    if (what != "drag") throw std::runtime_error("an event is one of add, remove, drag, clock");
     Drag drag{.time = seconds(time)};
     double duration = 0;
     if (!(words >> drag.from.x >> drag.from.y >> drag.to.x >> drag.to.y >> duration))
@@ -83,6 +97,14 @@ std::vector<MediaRecord> Rehearsal::present(std::span<const MediaRecord> records
     };
     std::copy_if(records.begin(), records.end(), std::back_inserter(present), is_present);
     return present;
+}
+
+std::optional<std::chrono::local_seconds> Rehearsal::local_time() const {
+    std::optional<std::chrono::local_seconds> shows;
+    for (const Clock& clock : clocks_)
+        if (clock.time <= now_)
+            shows = clock.shows + std::chrono::floor<std::chrono::seconds>(now_ - clock.time);
+    return shows;
 }
 
 std::optional<Vec2> Rehearsal::finger() const {

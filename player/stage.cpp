@@ -1,12 +1,14 @@
 #include "player/stage.hpp"
 
 #include "base/system/log.hpp"
+#include "player/display/memory_target.hpp"
 #include "player/layout/nesting.hpp"
 #include "player/player_settings.hpp"
 #include "player/scene/panning_wall.hpp"
 #include "player/scene/wall.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vitrine {
@@ -48,12 +50,12 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       sources_(sources),
       show_(make_show(settings, canvas_, options_.number << number_bits)) {}
 
-void Stage::set_catalogue(std::span<const MediaRecord> records) {
-    if (options_.folder.empty()) return show_->set_catalogue(records);
+void Stage::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+    if (options_.folder.empty()) return show_->set_catalogue(records, hints);
     std::vector<MediaRecord> own;
     for (const MediaRecord& record : records)
         if (record.path.starts_with(options_.folder + "/")) own.push_back(record);
-    show_->set_catalogue(own);
+    show_->set_catalogue(own, hints);
 }
 
 void Stage::expect_screen(int width, int height) {
@@ -94,7 +96,8 @@ void Stage::tell(const SourceEvent& event) {
 void Stage::show(std::chrono::nanoseconds now, Renderer& renderer) {
     time_ = now - hidden_;
     WallStep step = next_step(renderer);
-    draw(step.frame, now, renderer);
+    frame_ = std::move(step.frame);
+    draw(frame_, now, renderer);
 }
 
 WallStep Stage::next_step(Renderer& renderer) {
@@ -147,6 +150,21 @@ void Stage::ask(const WallPlan& wall) {
     Layout layout = planned(request);
     layout.is_final = true;
     take_layout(std::move(layout));
+}
+
+Picture Stage::picture(int longest, Renderer& renderer) const {
+    const double scale = longest / std::max(canvas_.x, canvas_.y);
+    const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround(side * scale))); };
+    MemoryTarget target(pixels(canvas_.x), pixels(canvas_.y));
+    target.make_current();
+    renderer.aim(target.width(), target.height(),
+                 letterboxed(target.width(), target.height(), {}, frame_.canvas));
+    renderer.draw(frame_);
+    Picture picture{.width = target.width(), .height = target.height(), .pixels = {}};
+    target.read(GL_RGBA, [&](std::span<const std::byte> row) {
+        picture.pixels.insert(picture.pixels.end(), row.begin(), row.end());
+    });
+    return picture;
 }
 
 void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/settings/settings.hpp"
+#include "player/display/picture.hpp"
 #include "player/display/screen.hpp"
 #include "player/layout/planner.hpp"
 #include "player/playback/source_pool.hpp"
@@ -41,8 +42,8 @@ class Stage {
 
     const std::string& folder() const { return options_.folder; }
 
-    /// All there is; the stage takes what is in its folder.
-    void set_catalogue(std::span<const MediaRecord> records);
+    /// All that may be shown; the stage takes what is in its folder.
+    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints = {});
 
     /// Has the wall laid out for a screen of this size, px, which is still being opened.
     void expect_screen(int width, int height);
@@ -67,6 +68,12 @@ class Stage {
     /// Another renderer is used from now on: it has none of the pictures.
     void forget_uploads() { uploaded_.clear(); }
 
+    /// What is on the wall by the last show().
+    const Frame& frame() const { return frame_; }
+
+    /// That once more, small. @param longest  px of its longest side
+    Picture picture(int longest, Renderer& renderer) const;
+
     /// How many shots are on the wall.
     std::size_t count() const { return show_->count(); }
 
@@ -88,6 +95,7 @@ class Stage {
     std::uint64_t asked_ = 0;  // what the planner calls it
     Planner planner_;
     std::vector<Screen*> screens_;
+    Frame frame_;                                               // the last
     std::chrono::nanoseconds hidden_{0};                        // that no screen showed it, in all
     std::optional<std::chrono::nanoseconds> hidden_since_{0};   // none: a screen shows it
     std::chrono::nanoseconds time_{0};                          // of the wall

@@ -118,6 +118,11 @@ SettingKey rotation(std::string name, const Member<int>& member) {
     return key;
 }
 
+bool is_folder_name(const std::string& value) {
+    constexpr std::size_t longest = 64;
+    return value != "." && value != ".." && value.size() <= longest && value.find('/') == std::string::npos;
+}
+
 bool is_colour(const std::string& value) {
     return colour_named(value).has_value();
 }
@@ -273,6 +278,9 @@ std::vector<SettingKey> make_keys() {
                          std::int64_t{1} << 50),
                      whole(
                          "store.clip_size", [](S& s) -> int& { return s.store.clip_size; }, 0, 4096),
+                     text(
+                         "status.folder", [](S & s) -> auto& { return s.status.folder; },
+                         "the name of a folder, or nothing", is_folder_name),
                      choice("log.level", [](S & s) -> auto& { return s.log.level; },
                             {"error", "warning", "info", "debug"}),
                  });

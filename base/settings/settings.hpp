@@ -22,6 +22,10 @@ struct Settings {
         int clip_size = 0;  // px, longest side of a clip; 0: as layout.slots makes cells
     } store;
 
+    struct Status {
+        std::string folder = "_STATUS";  // in the media folder, for its operators; empty: none
+    } status;
+
     struct Log {
         std::string level = "info";  // error, warning, info or debug
     } log;

@@ -1,5 +1,6 @@
 #include "player/display/picture.hpp"
 
+#include "base/system/atomic_file.hpp"
 #include "base/system/handle.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,10 @@ using ImageHandle = Handle<VipsImage, &unref_image>;
 
 }  // namespace
 
-void save_png(const Picture& picture, const std::filesystem::path& path) {
+namespace {
+
+/// Without its alpha.
+ImageHandle colours(const Picture& picture, const std::filesystem::path& path) {
     if (vips_init("vitrine") != 0) throw_vips(path);
 
     const ImageHandle whole(vips_image_new_from_memory(picture.pixels.data(), picture.pixels.size(),
@@ -40,8 +44,23 @@ void save_png(const Picture& picture, const std::filesystem::path& path) {
     const ImageHandle owned(colour);
     if (vips_copy(owned.get(), &colour, "interpretation", VIPS_INTERPRETATION_sRGB, nullptr) != 0)
         throw_vips(path);
-    const ImageHandle tagged(colour);
-    if (vips_pngsave(tagged.get(), path.c_str(), "compression", 3, nullptr) != 0) throw_vips(path);
+    return ImageHandle(colour);
+}
+
+}  // namespace
+
+void save_png(const Picture& picture, const std::filesystem::path& path) {
+    const ImageHandle image = colours(picture, path);
+    if (vips_pngsave(image.get(), path.c_str(), "compression", 3, nullptr) != 0) throw_vips(path);
+}
+
+void save_jpeg(const Picture& picture, const std::filesystem::path& path) {
+    constexpr int quality = 80;
+    const ImageHandle image = colours(picture, path);
+    const std::filesystem::path beside = unfinished(path);
+    if (vips_jpegsave(image.get(), beside.c_str(), "Q", quality, "strip", TRUE, nullptr) != 0)
+        throw_vips(path);
+    std::filesystem::rename(beside, path);
 }
 
 Picture drawn_svg(const std::string& svg, int width, int height) {

@@ -18,6 +18,9 @@ struct Picture {
 /// @throws std::runtime_error naming the file
 void save_png(const Picture& picture, const std::filesystem::path& path);
 
+/// The same as a JPEG file, replacing what is there as a whole: written beside and renamed.
+void save_jpeg(const Picture& picture, const std::filesystem::path& path);
+
 /// A drawing as a picture of a size in px, on white.
 /// @throws std::runtime_error where it cannot be read as SVG
 Picture drawn_svg(const std::string& svg, int width, int height);

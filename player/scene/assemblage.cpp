@@ -24,7 +24,8 @@ Assemblage::Assemblage(const AssemblageSettings& settings)
       slots_(static_cast<std::size_t>(std::max(1, settings.slots))),
       last_source_(settings.last_source) {}
 
-void Assemblage::set_catalogue(std::span<const MediaRecord> records) {
+void Assemblage::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+    hints_ = hints;
     std::map<std::string, MediaRecord> files;
     for (const MediaRecord& record : records) {
         if (can_be_shown(record)) files.emplace(record.path, record);
@@ -39,7 +40,7 @@ void Assemblage::set_catalogue(std::span<const MediaRecord> records) {
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
         known.push_back(&record);
-    round_.set_files(known);
+    round_.set_files(known, hints_);
     follow_changes(files);
     fill();
 }
@@ -141,9 +142,11 @@ std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) 
     return turns;
 }
 
-/// Films leave at the end of a loop, unless that is too long; those in sequence beside other shots of their
-/// own after one.
+/// So long as the operator says. Else films leave at the end of a loop, unless that is too long; those in
+/// sequence beside other shots of their own after one.
 std::chrono::nanoseconds Assemblage::stay(const WallShot& shot) const {
+    const auto hints = hints_.find(shot.key.path);
+    if (hints != hints_.end() && hints->second.dwell) return *hints->second.dwell;
     if (shot.kind == MediaKind::photo) return settings_.dwell;
     const std::chrono::nanoseconds loop = shot.shot.duration();
     if (settings_.film == FilmShow::sequence && count_on_wall(shot.key.path) > 1)

@@ -2,6 +2,7 @@
 
 #include "base/catalogue/record.hpp"
 #include "player/scene/frame.hpp"
+#include "player/scene/programme.hpp"
 #include "player/scene/shot_round.hpp"
 
 #include <chrono>
@@ -62,7 +63,8 @@ class Assemblage {
 
     /// Everything there is. What is gone or no longer ready leaves at once, a file that changed is loaded
     /// anew in its slots, free slots are filled.
-    void set_catalogue(std::span<const MediaRecord> records);
+    /// @param hints  of some of them: how long they stay, how often they come
+    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints = {});
 
     /// At most one shot whose time is nearly over makes room, so that the next can be got ready; free slots
     /// are filled.
@@ -103,7 +105,8 @@ class Assemblage {
     long count_on_wall(const std::string& path) const;
 
     AssemblageSettings settings_;
-    std::map<std::string, MediaRecord> files_;                 // what can be shown
+    std::map<std::string, MediaRecord> files_;  // what can be shown
+    ShowHints hints_;
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
     ShotRound round_;
     std::vector<Slot> slots_;

@@ -50,14 +50,14 @@ void PanningWall::set_canvas(Vec2 canvas) {
     view_ = base_ = 0;
 }
 
-void PanningWall::set_catalogue(std::span<const MediaRecord> records) {
+void PanningWall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
     files_.clear();
     for (const MediaRecord& record : records)
         if (can_be_shown(record)) files_.emplace(record.path, record);
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
         known.push_back(&record);
-    round_.set_files(known);
+    round_.set_files(known, hints);
 }
 
 /// Forgets what has passed, and what has not come yet and is gone.

@@ -28,7 +28,8 @@ class PanningWall final : public Show {
     PanningWall(Vec2 canvas, const PanSettings& settings);
 
     void set_canvas(Vec2 canvas) override;
-    void set_catalogue(std::span<const MediaRecord> records) override;
+    using Show::set_catalogue;
+    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) override;
     void set_layout(const Layout& layout) override;
     void source_ready(SourceId source) override;
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;

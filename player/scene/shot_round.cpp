@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <utility>
 
 namespace vitrine {
 
-void ShotRound::set_files(std::span<const MediaRecord* const> files) {
+void ShotRound::set_files(std::span<const MediaRecord* const> files, const ShowHints& hints) {
     std::map<std::string, File> now;
     for (const MediaRecord* record : files) {
-        now[record->path] = {.mtime_ns = record->mtime_ns, .shots = static_cast<int>(record->shots.size())};
+        const auto said = hints.find(record->path);
+        now[record->path] = {.mtime_ns = record->mtime_ns,
+                             .shots = static_cast<int>(record->shots.size()),
+                             .repeat = said == hints.end() ? 1 : said->second.repeat.value_or(1)};
     }
     std::erase_if(waiting_, [&](const ShotKey& key) {
         const auto found = now.find(key.path);
@@ -17,15 +21,19 @@ void ShotRound::set_files(std::span<const MediaRecord* const> files) {
     });
     std::vector<ShotKey> first;
     std::vector<ShotKey> later;
+    Turns taken;
     for (const auto& [path, file] : now) {
         const auto known = files_.find(path);
         const int from = known == files_.end() ? 0 : known->second.shots;
-        for (int shot = from; shot < file.shots; ++shot)
-            (shot == 0 ? first : later).push_back({path, shot});
+        for (int shot = from; shot < file.shots; ++shot) {
+            if (shot == 0) first.push_back({path, shot});
+            if (shot == 0) taken[{path, shot}] = 1;
+            if (shot > 0 || file.repeat > 1) later.push_back({path, shot});
+        }
     }
     files_ = std::move(now);
     first = ordered(std::move(first));
-    later = ordered(std::move(later));
+    later = repeated(ordered(std::move(later)), taken);
     waiting_.insert(waiting_.begin(), first.begin(), first.end());
     waiting_.insert(waiting_.end(), later.begin(), later.end());
 }
@@ -52,18 +60,40 @@ void ShotRound::begin_again(const Fits& is_on_wall, const std::string& only) {
 }
 
 void ShotRound::begin_all_again(const Fits& is_on_wall) {
-    const std::set<ShotKey> left(waiting_.begin(), waiting_.end());
+    Turns left;
+    for (const ShotKey& key : waiting_)
+        ++left[key];
     std::vector<ShotKey> again;
     for (const auto& [path, file] : files_)
         for (int shot = 0; shot < file.shots; ++shot)
-            if (!left.contains({path, shot})) again.push_back({path, shot});
-    append(std::move(again), is_on_wall);
+            if (!left.contains({path, shot}) || file.repeat > 1) again.push_back({path, shot});
+    append(std::move(again), is_on_wall, left);
 }
 
-void ShotRound::append(std::vector<ShotKey> again, const Fits& is_on_wall) {
+void ShotRound::append(std::vector<ShotKey> again, const Fits& is_on_wall, const Turns& left) {
     again = ordered(std::move(again));
     std::stable_partition(again.begin(), again.end(), [&](const ShotKey& key) { return !is_on_wall(key); });
+    again = repeated(again, left);
     waiting_.insert(waiting_.end(), again.begin(), again.end());
+}
+
+/// As often as its file comes, each turn as far along its part of the round as the shot in the order.
+/// @param left  turns that it still has
+std::vector<ShotKey> ShotRound::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
+    std::vector<std::pair<double, const ShotKey*>> places;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const auto has = left.find(keys[i]);
+        const int turns = files_.at(keys[i].path).repeat - (has == left.end() ? 0 : has->second);
+        const double place = static_cast<double>(i) / static_cast<double>(keys.size());
+        for (int turn = 0; turn < turns; ++turn)
+            places.emplace_back((place + turn) / turns, &keys[i]);
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<ShotKey> round;
+    for (const auto& [place, key] : places)
+        round.push_back(*key);
+    return round;
 }
 
 std::vector<ShotKey> ShotRound::ordered(std::vector<ShotKey> keys) {

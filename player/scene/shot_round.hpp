@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/catalogue/record.hpp"
+#include "player/scene/programme.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -34,7 +35,8 @@ struct ShotKey {
     }
 };
 
-/// Whose turn it is: each shot once before any of its file comes again, new files first.
+/// Whose turn it is: each shot once before any of its file comes again, new files first. Of files that come
+/// more often each shot has so many turns in a round, evenly spread over it.
 class ShotRound {
   public:
     using Fits = std::function<bool(const ShotKey&)>;
@@ -43,7 +45,8 @@ class ShotRound {
 
     /// What there is to show. Shots that are gone lose their turn; the first shot of a file that was not
     /// there before is next, its others come last.
-    void set_files(std::span<const MediaRecord* const> files);
+    /// @param hints  of some of them: how often they come
+    void set_files(std::span<const MediaRecord* const> files, const ShowHints& hints = {});
 
     /// Takes the first shot that fits off the round.
     std::optional<ShotKey> take(const Fits& fits);
@@ -62,9 +65,13 @@ class ShotRound {
     struct File {
         std::int64_t mtime_ns = 0;
         int shots = 0;
+        int repeat = 1;  // turns in a round
     };
 
-    void append(std::vector<ShotKey> again, const Fits& is_on_wall);
+    using Turns = std::map<ShotKey, int>;
+
+    void append(std::vector<ShotKey> again, const Fits& is_on_wall, const Turns& left = {});
+    std::vector<ShotKey> repeated(const std::vector<ShotKey>& keys, const Turns& left) const;
     std::vector<ShotKey> ordered(std::vector<ShotKey> keys);
     void keep_time_order(std::vector<ShotKey>& keys) const;
 

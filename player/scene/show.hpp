@@ -2,6 +2,7 @@
 
 #include "player/layout/plan_request.hpp"
 #include "player/scene/frame.hpp"
+#include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
 
 #include <chrono>
@@ -41,7 +42,11 @@ class Show {
     /// Another screen mode.
     virtual void set_canvas(Vec2 canvas) = 0;
 
-    virtual void set_catalogue(std::span<const MediaRecord> records) = 0;
+    /// @param hints  how some of them are shown
+    virtual void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) = 0;
+
+    /// Nothing is said of any of them.
+    void set_catalogue(std::span<const MediaRecord> records) { set_catalogue(records, {}); }
 
     /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored. It may
     /// be final, or another follows.

@@ -56,8 +56,8 @@ void Wall::set_canvas(Vec2 canvas) {
     canvas_ = canvas;
 }
 
-void Wall::set_catalogue(std::span<const MediaRecord> records) {
-    assemblage_.set_catalogue(records);
+void Wall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+    assemblage_.set_catalogue(records, hints);
 }
 
 void Wall::touch(std::optional<Vec2> finger) {

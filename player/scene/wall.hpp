@@ -41,7 +41,8 @@ class Wall final : public Show {
     /// Another screen mode: the same shots are laid out anew.
     void set_canvas(Vec2 canvas) override;
 
-    void set_catalogue(std::span<const MediaRecord> records) override;
+    using Show::set_catalogue;
+    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) override;
 
     /// What the finger holds follows it; nothing changes of itself before all has settled again. Folders that
     /// stand together cannot be touched.

@@ -184,6 +184,29 @@ class Show(unittest.TestCase):
         seen = {i for picture in pictures for i, colour in enumerate(COLOURS[:5]) if middle_of(picture, colour)[2] > 60}
         self.assertEqual(seen, {0, 1, 2, 4})
 
+    def test_files_come_and_go_at_the_hours_of_their_folders_and_at_none_the_idle_picture_is_shown(self):
+        red, green, blue = COLOURS[0], COLOURS[1], COLOURS[2]
+        for folder, colour in (("08-18 day", red), ("06-24 open", green), ("18.00-24.00 night", blue)):
+            (self.root / folder).mkdir()
+            disc(self.root / folder / "a.png", colour)
+        self.analyse()
+        script = Path(self.folder.name) / "script.txt"
+        script.write_text("0 clock 2026-12-24 17:59:55\n12 clock 2026-12-25 03:00:00\n")
+
+        pictures = self.play("--duration", "18s", "--slots", "3", "--rehearse", script)
+
+        def standing(picture):
+            return [colour for colour in (red, green, blue) if middle_of(picture, colour)[2] > 60]
+
+        for picture in pictures[RATE:5 * RATE]:
+            self.assertEqual(standing(picture), [red, green])
+        for picture in pictures[9 * RATE:12 * RATE]:
+            self.assertEqual(standing(picture), [green, blue])
+        for picture in pictures[5 * RATE:9 * RATE]:
+            self.assertIn(green, standing(picture), "what stays is on the wall all the time")
+        for picture in pictures[15 * RATE:]:
+            self.assertEqual(standing(picture), [])
+
     def write_records(self, names, pictures):
         """Films of one shot each, whose I-Region is their middle."""
         length = pictures * 1_000_000_000 // RATE

@@ -62,3 +62,20 @@ TEST_CASE("a wrong line of a rehearsal is named with its number and what is wron
     CHECK(fault("1 drag 1 2 3\n").find("X Y X Y SECONDS") != std::string::npos);
     CHECK(fault("-1 add a\n").find("from 0 to") != std::string::npos);
 }
+
+TEST_CASE("the clock of a rehearsal goes on from what it was set to") {
+    Rehearsal rehearsal("1 clock 2026-12-24 17:59:50\n20 clock 2027-01-01 00:00:00\n");
+    const auto day = [](int year, unsigned month, unsigned of_month) {
+        return std::chrono::local_days(std::chrono::year(year) / std::chrono::month(month) /
+                                       std::chrono::day(of_month));
+    };
+    CHECK_FALSE(rehearsal.local_time());
+    rehearsal.advance(1500ms);
+    CHECK(rehearsal.local_time() == day(2026, 12, 24) + 17h + 59min + 50s);
+    rehearsal.advance(11s);
+    CHECK(rehearsal.local_time() == day(2026, 12, 24) + 18h);
+    rehearsal.advance(25s);
+    CHECK(rehearsal.local_time() == day(2027, 1, 1) + 5s);
+    CHECK_THROWS(Rehearsal("0 clock 2026-02-30 00:00:00\n"));
+    CHECK_THROWS(Rehearsal("0 clock noon\n"));
+}

@@ -420,3 +420,35 @@ TEST_CASE("no source is ever named twice") {
     CHECK(wall.seen.size() == wall.order.size());
     CHECK(wall.seen.rbegin()->first == wall.seen.size());
 }
+
+TEST_CASE("a shot stays for as long as its name says, a film too") {
+    AssemblageSettings settings{.slots = 1, .order = ShotOrder::name, .dwell = 20s, .lead = 0s};
+    Player wall{.assemblage = Assemblage(settings)};
+    wall.assemblage.set_catalogue(std::vector{photo("5s a"), film("b", 1, 10s), photo("c")},
+                                  {{"5s a", {.dwell = 5s}}, {"b", {.dwell = 7s}}});
+    wall.look();
+    wall.run(4900ms);
+    CHECK(wall.order.size() == 1);
+    wall.run(300ms);
+    CHECK(wall.order.size() == 2);
+    wall.run(6800ms);
+    CHECK(wall.order.size() == 2);
+    wall.run(300ms);
+    CHECK(wall.order == std::vector<ShotKey>{{"5s a", 0}, {"b", 0}, {"c", 0}});
+}
+
+TEST_CASE("what comes three times as often is on the wall three times as often") {
+    for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name}) {
+        AssemblageSettings settings{.slots = 2, .order = order, .lead = 0s};
+        Player wall{.assemblage = Assemblage(settings)};
+        wall.assemblage.set_catalogue(photos(10), {{"p103", {.repeat = 3}}});
+        wall.look();
+        wall.run(12h);
+        int others = 0;
+        for (const auto& [key, times] : wall.times)
+            others += key.path == "p103" ? 0 : times;
+        const double share = wall.times[{"p103", 0}] / (others / 9.0);
+        CHECK(share > 2.8);
+        CHECK(share < 3.2);
+    }
+}

@@ -90,3 +90,40 @@ TEST_CASE("only files of which all was shown begin again, those on the wall last
     round.begin_again([](const ShotKey& key) { return key.path == "a"; });
     CHECK(take_all(round) == std::vector<ShotKey>{{"f", 1}, {"b", 0}, {"a", 0}});
 }
+
+TEST_CASE("what comes three times as often has three turns in a round, evenly spread") {
+    ShotRound round(ShotOrder::name, 1);
+    const std::vector<MediaRecord> records{photo("a"), photo("b"), photo("c"), photo("d")};
+    std::vector<const MediaRecord*> files;
+    for (const MediaRecord& record : records)
+        files.push_back(&record);
+    round.set_files(files, {{"a", {.repeat = 3}}});
+    CHECK(take_all(round).size() == 6);
+    round.begin_all_again(never);
+    CHECK(take_all(round) ==
+          std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"a", 0}, {"c", 0}, {"a", 0}, {"d", 0}});
+    round.begin_again(never);
+    CHECK(take_all(round).size() == 6);
+}
+
+TEST_CASE("a film that comes twice in a round comes as a whole each time") {
+    ShotRound round(ShotOrder::shuffle, 5);
+    const MediaRecord twice = film("a", 4);
+    const std::vector<const MediaRecord*> files{&twice};
+    round.set_files(files, {{"a", {.repeat = 2}}});
+    take_all(round);
+    round.begin_all_again(never);
+    CHECK(
+        take_all(round) ==
+        std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}, {"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}});
+}
+
+TEST_CASE("turns that are left are not given anew") {
+    ShotRound round(ShotOrder::name, 1);
+    const MediaRecord often = photo("a");
+    const std::vector<const MediaRecord*> files{&often};
+    round.set_files(files, {{"a", {.repeat = 3}}});
+    for (int i = 0; i < 5; ++i)
+        round.begin_all_again(never);
+    CHECK(take_all(round).size() == 3);
+}
