@@ -23,6 +23,7 @@ namespace {
 constexpr auto remote_rescan = 10s;  // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;  // until the media folder is there
 constexpr auto growth_rest = 500ms;  // between two writings of films whose analysis goes on
+constexpr auto hint_rest = 300ms;    // in which a .vitrine.toml is written to its end
 constexpr double bytes_per_mebibyte = 1 << 20;
 
 Schedule::Time now() {
@@ -45,14 +46,17 @@ UniqueFd lock_of(const fs::path& catalogue) {
 Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
     : loop_(loop),
       options_(options),
-      folder_(options.root),
+      folder_(options.root, options.status_folder),
       catalogue_(options.catalogue),
       store_(options.store, options.bounds),
       lock_(lock_of(options.catalogue)),
       schedule_(options.pace),
-      follower_(folder_, schedule_) {
+      follower_(folder_, schedule_),
+      hint_files_(folder_, options.state / "hints.json"),
+      status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
         if (follower_.read_events(now())) rescan();
+        if (follower_.take_hint_news()) hints_.arm(hint_rest);
         advance();
     });
     wake_ = loop_.timer([this] { advance(); });
@@ -64,6 +68,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
         is_growth_resting_ = false;
         store_growth();
     });
+    hints_ = loop_.timer([this] { read_hints(); });
     load_catalogue();
     rescan();
     wake_.arm(0s);
@@ -103,10 +108,16 @@ void Daemon::rescan() {
     for (const auto& [path, record] : std::exchange(unsaved_, {}))
         store(record);
     store_.sweep();
+    read_hints();
     std::chrono::milliseconds interval = options_.rescan;
     if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
     if (!is_online()) interval = std::min<std::chrono::milliseconds>(interval, offline_rescan);
     rescan_.arm(interval);
+}
+
+void Daemon::read_hints() {
+    if (is_online()) hint_files_.read(schedule_.paths_below(""));
+    status_.touch();
 }
 
 /// Whatever happened ends here: the schedule says what follows.
@@ -119,8 +130,10 @@ void Daemon::advance() {
     if (store_.is_over()) make_room();
     if (const auto time = schedule_.wake()) wake_.arm(*time - now());
     service::status(status());
+    status_.touch();
     if (!options_.is_once || !schedule_.is_idle()) return;
     store_.sweep();
+    status_.write();
     loop_.quit();
 }
 
@@ -249,6 +262,8 @@ void Daemon::move(const Action& action) {
     catalogue_.remove(action.from);
     store_.release(action.from);
     states_.release(action.from);
+    std::error_code none;  // only a picture for the status folder
+    fs::rename(thumbnail(action.from), thumbnail(action.path), none);
     log::info("renamed: '{}' to '{}'", action.from, action.path);
 }
 
@@ -290,17 +305,6 @@ ChildLimits Daemon::limits_for(const FileFacts& facts) const {
         options_.deadline_per_mebibyte * static_cast<double>(facts.bytes) / bytes_per_mebibyte;
     limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, 86'400.0) * 1000));
     return limits;
-}
-
-std::string Daemon::status() const {
-    if (!is_online()) return remarks_.empty() ? "starting" : remarks_.front();
-    const Schedule::Counts counts = schedule_.counts();
-    return fmt::format("{} files, {} of them being analysed, {} to come, {} waiting to be complete",
-                       counts.files, counts.running, counts.due + counts.settling, counts.waiting);
-}
-
-std::vector<FileState> Daemon::files() const {
-    return states_.list(schedule_, now(), std::chrono::system_clock::now());
 }
 
 }  // namespace vitrine

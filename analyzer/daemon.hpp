@@ -4,9 +4,11 @@
 #include "analyzer/file_states.hpp"
 #include "analyzer/folder_follower.hpp"
 #include "analyzer/growing_records.hpp"
+#include "analyzer/hint_files.hpp"
 #include "analyzer/media_folder.hpp"
 #include "analyzer/outcome.hpp"
 #include "analyzer/schedule.hpp"
+#include "analyzer/status/status_writer.hpp"
 #include "analyzer/store/store.hpp"
 #include "analyzer/store/store_place.hpp"
 #include "base/catalogue/catalogue.hpp"
@@ -29,6 +31,8 @@ struct WatchOptions {
     std::filesystem::path root;
     std::filesystem::path catalogue;
     std::filesystem::path store;
+    std::filesystem::path state;  // hints.json, status.json, thumbnails/ and wall.jpg
+    std::string status_folder;    // in the root, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .least_free = least_free_bytes};
     std::vector<std::string> child;    // the command that writes one record; the file's path is appended
     ChildLimits limits;                // the deadline is that of an empty file
@@ -64,6 +68,9 @@ class Daemon {
   private:
     void load_catalogue();
     void rescan();
+    void read_hints();
+    StatusReport report() const;
+    std::filesystem::path thumbnail(const std::string& path) const;
     void advance();
     void perform(const Action& action);
     void start(const Action& action);
@@ -87,6 +94,7 @@ class Daemon {
     UniqueFd lock_;
     Schedule schedule_;
     FolderFollower follower_;
+    HintFiles hint_files_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
     GrowingRecords growing_;
     FileStates states_;
@@ -95,7 +103,8 @@ class Daemon {
     std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough
     std::vector<std::string> remarks_;            // of the last rescan: each is told once
     std::size_t analysed_ = 0;
-    EventLoop::Source events_, wake_, rescan_, growth_, watchdog_;
+    StatusWriter status_;
+    EventLoop::Source events_, wake_, rescan_, growth_, hints_, watchdog_;
 };
 
 }  // namespace vitrine

@@ -2,6 +2,7 @@
 
 #include "analyzer/analyze.hpp"
 #include "analyzer/explain_file.hpp"
+#include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/keeper.hpp"
 #include "analyzer/video/frame_reader.hpp"
 #include "base/catalogue/media_error.hpp"
@@ -66,22 +67,26 @@ MediaRecord name(MediaRecord record, const fs::path& file, const struct stat& st
     return record;
 }
 
-/// A source that lets something be done before each of its frames.
+/// A source that lets something be done before and with each of its frames.
 class AttendedSource : public FrameSource {
   public:
-    AttendedSource(FrameSource& source, std::function<void()> attend)
-        : source_(source), attend_(std::move(attend)) {}
+    AttendedSource(FrameSource& source, std::function<void()> attend,
+                   std::function<void(const VideoFrame&)> saw)
+        : source_(source), attend_(std::move(attend)), saw_(std::move(saw)) {}
 
     const MediaInfo& info() const override { return source_.info(); }
 
     std::optional<VideoFrame> next() override {
         attend_();
-        return source_.next();
+        std::optional<VideoFrame> frame = source_.next();
+        if (frame) saw_(*frame);
+        return frame;
     }
 
   private:
     FrameSource& source_;  // outlives this
     std::function<void()> attend_;
+    std::function<void(const VideoFrame&)> saw_;
 };
 
 StorePlace store_place(const fs::path& file, const struct stat& status, const Settings& settings) {
@@ -93,6 +98,11 @@ StorePlace store_place(const fs::path& file, const struct stat& status, const Se
                                                       : clip_side_for(settings.layout.slots),
             .most_bytes = static_cast<std::uint64_t>(settings.store.max_bytes) / most_parts,
             .least_free = least_free_bytes};
+}
+
+fs::path thumbnail_place(const fs::path& file, const Settings& settings) {
+    return fs::path(settings.state.directory) / "thumbnails" /
+           (record_id(path_in_record(file, settings.media.root)) + ".jpg");
 }
 
 /// What a film that broke off keeps; the last shot ends where the damage begins, or earlier.
@@ -109,9 +119,11 @@ MediaRecord known_part(MediaRecord known, const MediaError& error) {
 /// The analysis of one file, and what is said of it meanwhile.
 class Analysis {
   public:
-    Analysis(const fs::path& file, const struct stat& status, const Settings& settings, bool keeps,
-             const GrowthObserver& grown)
-        : file_(file), status_(status), settings_(settings), keeps_(keeps), grown_(grown) {}
+    Analysis(const fs::path& file, const struct stat& status, const Settings& settings,
+             const Keeping& keeping, const GrowthObserver& grown)
+        : file_(file), status_(status), settings_(settings), keeping_(keeping), grown_(grown) {
+        if (keeping.has_thumbnail) thumbnail_.emplace(thumbnail_place(file, settings));
+    }
 
     /// Whatever the file is, there is something to say of it.
     MediaRecord record() {
@@ -139,12 +151,17 @@ class Analysis {
 
     MediaRecord analysed() {
         const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
-        if (keeps_)
+        if (keeping_.stores)
             keeper_ = std::make_unique<Keeper>(file_.string(), source->info(),
                                                store_place(file_, status_, settings_));
-        AttendedSource attended(*source, [this] { tell_kept(); });
+        AttendedSource attended(
+            *source, [this] { tell_kept(); },
+            [this](const VideoFrame& frame) {
+                if (thumbnail_) thumbnail_->saw(frame);
+            });
         MediaRecord record = analyze(attended, analysis_settings(settings_.analyzer), {},
                                      [this](const MediaRecord& part) { grow(part); });
+        if (thumbnail_) thumbnail_->write(record);
         if (keeper_) keeper_->complete(record);
         return record;
     }
@@ -154,6 +171,7 @@ class Analysis {
         shots.insert(shots.end(), part.shots.begin(), part.shots.end());
         known_ = part;
         known_.shots = std::move(shots);
+        if (thumbnail_) thumbnail_->write(part);
         grown_(part);
         for (const Shot& shot : part.shots)
             if (keeper_) keeper_->found(shot);
@@ -168,24 +186,25 @@ class Analysis {
         }
     }
 
-    const fs::path& file_;  // all but keeps outlive the analysis
+    const fs::path& file_;  // all but keeping outlive the analysis
     const struct stat& status_;
     const Settings& settings_;
-    bool keeps_;
+    Keeping keeping_;
     const GrowthObserver& grown_;
     MediaRecord known_;  // of a film, with the shots so far
     std::unique_ptr<Keeper> keeper_;
+    std::optional<Thumbnail> thumbnail_;
 };
 
 }  // namespace
 
-MediaRecord record_of_file(const fs::path& file, const Settings& settings, bool keeps,
+MediaRecord record_of_file(const fs::path& file, const Settings& settings, const Keeping& keeping,
                            const std::function<void(const MediaRecord&)>& grown) {
     const struct stat status = status_of(file);
     const auto tell = [&](const MediaRecord& part) {
         if (grown) grown(name(part, file, status, settings));
     };
-    return name(Analysis(file, status, settings, keeps, tell).record(), file, status, settings);
+    return name(Analysis(file, status, settings, keeping, tell).record(), file, status, settings);
 }
 
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {

@@ -9,15 +9,22 @@
 
 namespace vitrine {
 
+/// What an analysis leaves in the state directory.
+struct Keeping {
+    bool stores = false;         // a copy or clips in the store (settings.store), for the player to play from
+    bool has_thumbnail = false;  // for the status folder
+};
+
 /// The record of one file as it is now: with its shots, or with the reason why there are none. A film that
 /// turns out to be damaged behind its first shots keeps them, and has the reason too.
 ///
 /// @param file  anywhere; its path in the record is relative to settings.media.root where it lies in there
-/// @param keeps  puts the file into the store too (settings.store), for the player to play from
+/// @param keeping  what else becomes of it
 /// @param grown  sees what is new of a film whenever a shot is over, a record of the new shots alone, and
 /// again of a shot alone when its place in the store becomes known
 /// @throws std::system_error where there is no such file
-MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings, bool keeps = false,
+MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings,
+                           const Keeping& keeping = {},
                            const std::function<void(const MediaRecord&)>& grown = {});
 
 /// Writes the sheet that shows how the file's regions came about, as PNG.

@@ -1,5 +1,7 @@
 #include "analyzer/folder_follower.hpp"
 
+#include "base/hints/hint_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,6 +53,7 @@ bool FolderFollower::read_events(Schedule::Time now) {
     bool is_lost = false;
     for (const DirectoryEvent& event : watch_.read()) {
         const std::string path = relative(event.directory / event.name);
+        has_hint_news_ |= event.name == hint_file_name;
         switch (event.kind) {
         case Kind::written:
             closed.insert(path);
@@ -74,6 +77,7 @@ bool FolderFollower::read_events(Schedule::Time now) {
             break;
         }
     }
+    has_hint_news_ |= !added.empty() || !removed.empty();
     for (const std::string& folder : removed) {
         watch_.remove(folder_.absolute(folder));
         const std::vector<std::string> lost = schedule_.paths_below(folder);

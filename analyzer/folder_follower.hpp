@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -30,6 +31,9 @@ class FolderFollower {
     /// Follows what the kernel has reported. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);
 
+    /// Whether a `.vitrine.toml` or a folder came, went or changed since the last call.
+    bool take_hint_news() { return std::exchange(has_hint_news_, false); }
+
     /// Looks at single files.
     void look_at(std::span<const std::string> paths, Schedule::Time now);
 
@@ -48,6 +52,7 @@ class FolderFollower {
     DirectoryWatch watch_;
     std::size_t unwatched_ = 0;  // folders that the kernel refused to watch in this rescan
     bool is_online_ = false;
+    bool has_hint_news_ = false;
     bool is_remote_ = false;
     bool has_seen_files_ = false;          // in this run
     std::optional<std::uint64_t> device_;  // where files were last seen

@@ -36,7 +36,7 @@ struct CommandLine {
     std::string sheet = "sheet.png";
     bool is_once = false;
     bool is_growing = false;
-    bool keeps = false;
+    Keeping keeping;
     WeaveRequest weave;
 };
 
@@ -64,9 +64,9 @@ int analyze_command(const CommandLine& line, const Settings& settings) {
         }
     };
     if (line.is_growing)
-        say(record_of_file(line.file, settings, line.keeps, say));
+        say(record_of_file(line.file, settings, line.keeping, say));
     else
-        say(record_of_file(line.file, settings, line.keeps));
+        say(record_of_file(line.file, settings, line.keeping));
     return EXIT_SUCCESS;
 }
 
@@ -102,8 +102,11 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
     options.child.emplace_back("analyze");
     options.child.emplace_back("--grow");
     if (settings.store.max_bytes > 0) options.child.emplace_back("--keep");
+    if (!settings.status.folder.empty()) options.child.emplace_back("--thumbnail");
+    options.state = settings.state.directory;
     options.store = std::filesystem::path(settings.state.directory) / "store";
     options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
+    options.status_folder = settings.status.folder;
     options.limits.deadline = analyzer.deadline;
     if (memory_can_be_limited)
         options.limits.memory_bytes = static_cast<std::uint64_t>(analyzer.memory) << mebibyte_bits;
@@ -143,7 +146,8 @@ int run(int argc, char** argv) {
     CLI::App* analyze = app.add_subcommand("analyze", "Print the record of one file as JSON");
     analyze->add_option("FILE", line.file)->required();
     analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
-    analyze->add_flag("--keep", line.keeps, "Put it into the store, for the player to play from");
+    analyze->add_flag("--keep", line.keeping.stores, "Put it into the store, for the player to play from");
+    analyze->add_flag("--thumbnail", line.keeping.has_thumbnail, "Leave a thumbnail for the status folder");
     CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
     explain->add_option("FILE", line.file)->required();
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();

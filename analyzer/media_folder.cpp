@@ -1,5 +1,6 @@
 #include "analyzer/media_folder.hpp"
 
+#include "base/hints/hint_words.hpp"
 #include "base/system/written_size.hpp"
 
 #include <fcntl.h>
@@ -32,6 +33,11 @@ std::string lower_case(std::string_view text) {
     for (char& c : lower)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return lower;
+}
+
+/// "..2026-12-24 Advent" is hidden for some programs, but meant to be seen.
+bool begins_with_period(std::string_view name) {
+    return name.starts_with("..") && hints_in_name(name, NamePart::folder).period.has_value();
 }
 
 bool has_junk_part(const std::string& path) {
@@ -76,6 +82,7 @@ using Directory = std::unique_ptr<DIR, CloseDirectory>;
 /// One reading of a folder with all below it.
 struct Walk {
     const MediaFolder::Enter& enter;
+    const std::string& passed_over;
     MediaFolder::Listing listing;
 
     void remark(const std::string& path, const char* what) {
@@ -98,6 +105,7 @@ struct Walk {
 
     void visit(int parent, const std::string& folder, const char* name, int depth) {
         const std::string path = folder.empty() ? name : folder + "/" + name;
+        if (path == passed_over) return;
 
         struct stat status {};
 
@@ -126,7 +134,7 @@ struct Walk {
 
 bool is_junk_name(std::string_view name) {
     const std::string lower = lower_case(name);
-    return lower.starts_with('.') || lower.starts_with("~$") ||
+    return (lower.starts_with('.') && !begins_with_period(name)) || lower.starts_with("~$") ||
            std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
            std::any_of(junk_endings.begin(), junk_endings.end(),
                        [&](const char* ending) { return lower.ends_with(ending); });
@@ -144,8 +152,26 @@ UniqueFd MediaFolder::open(const std::string& path, int flags) const {
     return open_below(folder, path.empty() ? "." : path.substr(begin), flags);
 }
 
+bool MediaFolder::is_passed_over(const std::string& path) const {
+    if (passed_over_.empty() || !path.starts_with(passed_over_)) return false;
+    return path.size() == passed_over_.size() || path[passed_over_.size()] == '/';
+}
+
+std::optional<std::string> MediaFolder::content(const std::string& path, std::size_t most_bytes) const {
+    const UniqueFd file = open(path, O_RDONLY | O_NONBLOCK);
+
+    struct stat status {};
+
+    if (!file.is_open() || ::fstat(file.get(), &status) < 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    std::string text(std::min(most_bytes, static_cast<std::size_t>(status.st_size)), '\0');
+    const ssize_t size = ::pread(file.get(), text.data(), text.size(), 0);
+    if (size < 0) return std::nullopt;
+    text.resize(static_cast<std::size_t>(size));
+    return text;
+}
+
 MediaFolder::Look MediaFolder::look(const std::string& path) const {
-    if (has_junk_part(path)) return {};
+    if (has_junk_part(path) || is_passed_over(path)) return {};
     if (!device()) return {.presence = Presence::unreachable, .file = {}};
     const UniqueFd file = open(path, O_PATH);
     if (!file.is_open())
@@ -159,8 +185,8 @@ MediaFolder::Look MediaFolder::look(const std::string& path) const {
 }
 
 MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter) const {
-    Walk walk{.enter = enter, .listing = {}};
-    if (has_junk_part(folder)) return walk.listing;
+    Walk walk{.enter = enter, .passed_over = passed_over_, .listing = {}};
+    if (has_junk_part(folder) || is_passed_over(folder)) return walk.listing;
     if (enter) enter(folder);
     UniqueFd fd = open(folder, O_RDONLY | O_DIRECTORY);
     const int depth =

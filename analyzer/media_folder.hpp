@@ -23,7 +23,9 @@ class MediaFolder {
     static constexpr int max_depth = 32;
     static constexpr std::size_t max_files = 100'000;
 
-    explicit MediaFolder(std::filesystem::path root) : root_(std::move(root)) {}
+    /// @param passed_over  a folder in it of ours, for the operator to read; may be empty
+    explicit MediaFolder(std::filesystem::path root, std::string passed_over = "")
+        : root_(std::move(root)), passed_over_(std::move(passed_over)) {}
 
     const std::filesystem::path& root() const { return root_; }
 
@@ -68,10 +70,15 @@ class MediaFolder {
     /// Whether the end of the file was never written, as in a copy that reserved its space first.
     bool ends_in_hole(const std::string& path) const;
 
+    /// The first bytes of a plain file; nothing where it cannot be read. Its name may be one of junk.
+    std::optional<std::string> content(const std::string& path, std::size_t most_bytes) const;
+
   private:
+    bool is_passed_over(const std::string& path) const;
     UniqueFd open(const std::string& path, int flags) const;
 
     std::filesystem::path root_;
+    std::string passed_over_;
 };
 
 }  // namespace vitrine

@@ -60,6 +60,7 @@ struct House {
         return {.root = root,
                 .catalogue = home.path / "catalogue",
                 .store = home.path / "store",
+                .state = home.path,
                 .bounds = {.max_bytes = most_stored},
                 .child = {"/bin/sh", script.string()},
                 .limits = {.deadline = deadline},

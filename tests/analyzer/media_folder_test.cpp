@@ -116,3 +116,27 @@ TEST_CASE("a copy that reserved its space first has a hole until all of it is wr
     CHECK_FALSE(folder.ends_in_hole("film.mp4"));
     CHECK_FALSE(folder.ends_in_hole("nothing.mp4"));
 }
+
+TEST_CASE(
+    "our own folder is passed over, a hidden period is not, and the first bytes of a file can be read") {
+    const TemporaryDirectory directory;
+    directory.write("_INFO/index.html", "ours");
+    directory.write("_INFO 2/a.jpg", "a");
+    directory.write("..2026-12-24 Advent/b.jpg", "b");
+    directory.write("..hidden/c.jpg", "c");
+    directory.write("d/.vitrine.toml", "seconds = 20");
+    const MediaFolder folder(directory.path, "_INFO");
+    std::vector<std::string> paths;
+    for (const MediaFolder::File& file : folder.list("").files)
+        paths.push_back(file.path);
+    std::sort(paths.begin(), paths.end());
+    CHECK(paths == std::vector<std::string>{"..2026-12-24 Advent/b.jpg", "_INFO 2/a.jpg"});
+    CHECK(folder.look("_INFO/index.html").presence == MediaFolder::Presence::gone);
+    CHECK(folder.list("_INFO").files.empty());
+    CHECK(folder.content("d/.vitrine.toml", 100) == "seconds = 20");
+    CHECK(folder.content("d/.vitrine.toml", 7) == "seconds");
+    CHECK_FALSE(folder.content("d", 100));
+    CHECK_FALSE(folder.content("d/none", 100));
+    std::filesystem::create_symlink("/etc/passwd", directory.path / "link");
+    CHECK_FALSE(folder.content("link", 100));
+}

@@ -193,6 +193,76 @@ class Watch(unittest.TestCase):
         self.assertEqual(stopped.wait(PATIENCE), 1)
         stopped.stderr.close()
 
+    def test_a_file_of_hints_is_told_to_the_player_without_a_new_analysis(self):
+        (self.root / "summer").mkdir()
+        (self.root / "summer" / "a.png").write_bytes(png(64))
+        watcher = self.start()
+        self.until_ready("summer/a.png", 64)
+        times = [file.stat().st_mtime_ns for file in (self.state / "catalogue").glob("*.json")]
+
+        def folders():
+            return json.loads((self.state / "hints.json").read_text())["folders"]
+
+        self.until("hints of none", lambda _: (self.state / "hints.json").exists() and folders() == [])
+        hints = self.root / "summer" / ".vitrine.toml"
+        hints.write_text('hours = "08-18"\nseconds = 20\nrepeat = "often"\n')
+        self.until("hints", lambda _: folders() == [{"folder": "summer", "hours": "08:00-18:00", "seconds": 20}])
+        hints.unlink()
+        self.until("no hints", lambda _: folders() == [])
+        self.assertEqual(times, [file.stat().st_mtime_ns for file in (self.state / "catalogue").glob("*.json")])
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_the_share_says_of_each_file_where_it_stands(self):
+        (self.root / "summer").mkdir()
+        (self.root / "summer" / "<b>a.png").write_bytes(png(64))
+        (self.root / "letter.txt").write_text("no picture")
+        watcher = self.start()
+        status = self.root / "_STATUS"
+
+        def lines(name="status.txt"):
+            try:
+                return (status / name).read_text().split("\n")
+            except FileNotFoundError:
+                return []
+
+        self.until("both lines", lambda _: "summer/<b>a.png: ready" in lines()
+                   and any(line.startswith("letter.txt: unsupported because ") for line in lines()))
+        self.until("its thumbnail", lambda _: len(list((status / "thumbnails").glob("*.jpg"))) == 1)
+        (thumbnail,) = (status / "thumbnails").glob("*.jpg")
+        self.until("it on the page", lambda _: thumbnail.name in "".join(lines("index.html")))
+        self.assertTrue(thumbnail.read_bytes().startswith(b"\xff\xd8\xff"))
+        page = (status / "index.html").read_text()
+        self.assertIn(f'src="thumbnails/{thumbnail.name}"', page)
+        self.assertIn("&lt;b&gt;a.png", page)
+        self.assertNotIn("<script", page)
+        said = json.loads((self.state / "status.json").read_text())
+        self.assertEqual([(file["path"], file["state"]) for file in said["files"]],
+                         [("letter.txt", "unsupported"), ("summer/<b>a.png", "ready")])
+
+        (self.root / "summer" / ".vitrine.toml").write_text('hours = "08-18"\nrepeat = "often"\n')
+        self.until("the hint", lambda _: "summer/<b>a.png: ready, from 08:00 to 18:00" in lines())
+        self.assertTrue(any(line.startswith("summer/.vitrine.toml:2: the value of 'repeat' is not allowed") for line in lines()))
+        os.rename(self.root / "summer" / "<b>a.png", self.root / "b.png")
+        (self.root / "letter.txt").unlink()
+        self.until("the new name", lambda _: lines()[-2:-1] == ["b.png: ready"] and lines()[0] == "1 file: 1 ready")
+        self.until("its thumbnail", lambda _: len(list((status / "thumbnails").glob("*.jpg"))) == 1
+                   and list((status / "thumbnails").glob("*.jpg")) != [thumbnail])
+        (self.state / "wall.jpg").write_bytes(b"the player's")
+        (self.root / "b.png").unlink()
+        self.until("the wall", lambda _: (status / "wall.jpg").exists() and "wall.jpg" in "".join(lines("index.html")))
+        self.assertEqual(self.records(), {}, "what is in the status folder is never looked at")
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_a_share_that_cannot_be_written_has_no_status_and_everything_else(self):
+        (self.root / "a.png").write_bytes(png(64))
+        (self.root / "_STATUS").write_text("in the way")  # as good as a read-only share, for root too
+        once = subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
+        self.assertEqual(once.stderr.count(b"no status folder"), 1)
+        self.assertEqual(self.records()["a.png"]["state"], "ready")
+        self.assertEqual(json.loads((self.state / "status.json").read_text())["files"][0]["state"], "ready")
+
     def test_an_empty_folder_is_no_reason_to_forget_what_was_in_it(self):
         (self.root / "a.png").write_bytes(png(64))
         once = [ANALYZER, "watch", "--once", *self.settings()]

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "base/system/unique_fd.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+/// A folder in the media folder that we write and others may do anything to: links in it are never followed.
+/// All members throw std::system_error where it cannot be written.
+class StatusFolder {
+  public:
+    StatusFolder(std::filesystem::path root, std::string name)
+        : root_(std::move(root)), name_(std::move(name)) {}
+
+    /// Replaces a file as a whole; nothing happens where it has this content already.
+    /// @param below  a folder in it, or nothing
+    void write(const std::string& below, const std::string& name, std::string_view content) const;
+
+    /// The names in it that end like this.
+    std::set<std::string> names(const std::string& below, std::string_view ending) const;
+
+    void remove(const std::string& below, const std::string& name) const;
+
+  private:
+    UniqueFd open(const std::string& below) const;
+
+    std::filesystem::path root_;
+    std::string name_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "analyzer/video/video_frame.hpp"
+#include "base/catalogue/record.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace vitrine {
+
+/// A small picture of one file with its I-Region drawn, for the status folder. The first shot is known only
+/// once it is over: until then a few frames are kept.
+class Thumbnail {
+  public:
+    /// @param file  a JPEG that is replaced as a whole
+    explicit Thumbnail(std::filesystem::path file) : file_(std::move(file)) {}
+
+    /// A frame of the file, in the order of time.
+    void saw(const VideoFrame& frame);
+
+    /// Draws the first shot; the other calls do nothing. A full disk is no reason to fail.
+    /// @param record  with that shot
+    void write(const MediaRecord& record);
+
+  private:
+    const VideoFrame* frame_of(const Shot& shot) const;
+
+    std::filesystem::path file_;
+    std::vector<VideoFrame> frames_;
+    bool is_written_ = false;
+};
+
+}  // namespace vitrine

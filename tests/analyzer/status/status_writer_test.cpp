@@ -1,0 +1,98 @@
+#include "analyzer/status/status_writer.hpp"
+
+#include "base/system/atomic_file.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto* id = "0123456789abcdef";
+
+struct Share {
+    TemporaryDirectory root{}, state{};
+    EventLoop loop{};
+    StatusReport report{};
+    int asked = 0;
+    StatusWriter writer{loop, root.path, "_STATUS", state.path, [this] {
+                            ++asked;
+                            return report;
+                        }};
+
+    Share() { report.files = {{.file = {.path = "a.jpg", .state = FileState::State::ready}, .id = id}}; }
+
+    fs::path file(const std::string& name) const { return root.path / "_STATUS" / name; }
+};
+
+}  // namespace
+
+TEST_CASE("what is said goes to the share and the state directory, with thumbnails and the wall") {
+    Share share;
+    share.state.write("thumbnails/" + std::string(id) + ".jpg", "thumbnail");
+    share.state.write("wall.jpg", "wall");
+    share.writer.write();
+    CHECK(read_file(share.file("status.txt")) == "1 file: 1 ready\n\na.jpg: ready\n");
+    CHECK(read_file(share.file("index.html")).find(id) != std::string::npos);
+    CHECK(read_file(share.file("thumbnails/" + std::string(id) + ".jpg")) == "thumbnail");
+    CHECK(read_file(share.file("wall.jpg")) == "wall");
+    CHECK(read_file(share.state.path / "status.json").find("a.jpg") != std::string::npos);
+}
+
+TEST_CASE("a file that is removed leaves with its thumbnail, one that is replaced has another") {
+    Share share;
+    const fs::path made = share.state.write("thumbnails/" + std::string(id) + ".jpg", "first");
+    const std::string copied = "thumbnails/" + std::string(id) + ".jpg";
+    share.writer.write();
+    replace_file(made, "second");
+    fs::last_write_time(made, fs::last_write_time(made) + 1s);
+    share.writer.write();
+    CHECK(read_file(share.file(copied)) == "second");
+    fs::remove(share.file(copied));  // by somebody
+    share.writer.write();
+    share.writer.write();
+    CHECK(read_file(share.file(copied)) == "second");
+    share.report.files.clear();
+    share.writer.write();
+    CHECK_FALSE(fs::exists(share.file(copied)));
+    CHECK(read_file(share.file("status.txt")) == "0 files\n\n");
+}
+
+TEST_CASE("a thumbnail that no file on the page has goes after a while") {
+    Share share;
+    const fs::path young = share.state.write("thumbnails/young.jpg", "a");
+    const fs::path old = share.state.write("thumbnails/old.jpg", "a");
+    fs::last_write_time(old, fs::file_time_type::clock::now() - 1h);
+    share.writer.write();
+    CHECK(fs::exists(young));
+    CHECK_FALSE(fs::exists(old));
+}
+
+TEST_CASE("nothing is written where a share is not mounted or not writable, but into the state directory") {
+    Share share;
+    share.report.is_online = false;
+    share.writer.write();
+    CHECK(fs::is_empty(share.root.path));
+    CHECK(fs::exists(share.state.path / "status.json"));
+    share.report.is_online = true;
+    share.root.write("_STATUS", "a file in its place");
+    share.writer.write();
+    fs::remove(share.root.path / "_STATUS");
+    share.writer.write();
+    CHECK(fs::exists(share.file("status.txt")));
+}
+
+TEST_CASE("many changes together are written once") {
+    Share share;
+    for (int i = 0; i < 1000; ++i)
+        share.writer.touch();
+    while (share.asked == 0)
+        share.loop.run_once(10s);
+    for (int i = 0; i < 1000; ++i)
+        share.writer.touch();
+    share.loop.run_once(0s);
+    CHECK(share.asked == 1);
+}
