@@ -20,7 +20,7 @@ loaders() {
     inside grub-mkimage -O i386-pc -o /tmp/core.img -p '(,gpt2)/EFI/debian' biosdisk part_gpt fat ext2 normal linux \
         configfile search search_label echo test sleep minicmd
     cp "$root/usr/lib/grub/i386-pc/boot.img" "$root/tmp/core.img" "$out/grub"
-    inside apt-get -q -y purge --autoremove grub-pc-bin grub-efi-amd64-signed shim-signed
+    inside apt-get -q -y --allow-remove-essential purge --autoremove grub-pc-bin grub-efi-amd64-signed shim-signed
 }
 
 settle() {
@@ -44,10 +44,12 @@ settle() {
 
 late() {
     here=$3 packages=$4 out=$5
-    cp "$packages"/vitrine*.deb "$root/tmp"
+    for name in vitrine vitrine-analyzer vitrine-player; do cp "$packages/$name"_*.deb "$root/tmp"; done
     (cd "$root" && for file in tmp/vitrine*.deb; do echo "/$file"; done) | xargs chroot "$root" \
         env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o APT::Install-Recommends=false install
     loaders
+    # Once, and not with each package that asks for it (INITRD=No).
+    inside update-initramfs -c -k all
     settle
     # mmdebstrap has /proc and /sys mounted in it; a second view of the tree is without them.
     tree=$(mktemp -d)

@@ -21,7 +21,7 @@ import appliance
 import power
 from appliance import MEDIA, toml
 from disk_machine import DiskMachine
-from image import NotHere, check_host, run
+from image import NotHere, check_host, key, run
 from machine import wait_for
 from rig import SNAPSHOT, guarded, skip, told
 from share_client import ShareClient
@@ -33,12 +33,22 @@ SETUP = "/run/setup"
 BUILDER = Path(__file__).resolve().parents[2] / "packaging/build-image"
 
 
+def made_from(packages):
+    """What decides how the disk is, Debian's packages apart."""
+    files = [BUILDER, *BUILDER.with_name("image").rglob("*"), *packages.glob("vitrine*.deb")]
+    return sorted(file for file in files if file.is_file() and "dbgsym" not in file.name)
+
+
 def make(packages, work):
     check_host()
     missing = [name for name in ("mkfs.fat", "mcopy", "sfdisk", "smbclient")
                if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin")]
     if missing:
         raise NotHere(f"not installed: {', '.join(missing)} (see packaging/dependencies)")
+    made_of = key([(file.name, file.read_bytes()) for file in made_from(packages)], appliance.SETTINGS)
+    if (work / "made-of").exists() and (work / "made-of").read_text() == made_of:
+        print(f"{work / 'appliance.img'} is there, made of the same")
+        return
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     begin = time.monotonic()
@@ -51,6 +61,7 @@ def make(packages, work):
     settings.write_text(toml(appliance.SETTINGS))
     run("mcopy", "-o", "-i", f"{work / 'appliance.img'}{BOOT_AT}", settings, "::/vitrine.toml")
     print(done.stdout, end="")
+    (work / "made-of").write_text(made_of)
     told("image", begin)
 
 

@@ -4,6 +4,7 @@ Emulated (TCG), so that it runs anywhere; slow, so that nobody may conclude from
 """
 import base64
 import json
+import os
 import shutil
 import socket
 import subprocess
@@ -13,7 +14,7 @@ from pathlib import Path
 
 from picture import Picture
 
-PATIENCE = 480  # s for a boot, and for whatever else must come: the host may be starved
+PATIENCE = int(os.environ.get("VITRINE_RIG_PATIENCE", 480))  # s for a boot, and for whatever else must come: the host may be starved
 WIDTH, HEIGHT = 640, 360  # px of the first panel
 CONSOLE = "org.qemu.Display1.Console"
 

@@ -14,7 +14,7 @@ UNITS = "vitrine-analyzer vitrine-player vitrine.target"
 
 def carry(box):
     """Puts what packaging.packages has built where the machine can read it."""
-    built = sorted(Path(os.environ["VITRINE_PACKAGES"]).glob("vitrine*.deb"))
+    built = [file for file in Path(os.environ["VITRINE_PACKAGES"]).glob("vitrine*.deb") if "dbgsym" not in file.name]
     if not built:
         raise NotHere("no packages were built")
     (box.machine.share / "packages").mkdir()
@@ -24,14 +24,14 @@ def carry(box):
 
 
 def run(box):
-    # A machine without Vitrine, but with media.
-    box.sh(f"systemctl stop {UNITS} 2>/dev/null; rm -rf /etc/vitrine /var/lib/vitrine/* /usr/bin/vitrine-* /usr/lib/systemd/system/vitrine* "
-           "/usr/lib/sysusers.d/vitrine.conf /usr/lib/tmpfiles.d/vitrine.conf /usr/share/doc/vitrine; systemctl daemon-reload", fails=True)
+    # A machine without Vitrine, but with media, and with records of them, which saves an emulated machine minutes.
+    box.sh(f"systemctl kill -s KILL {UNITS}; systemctl stop {UNITS}; rm -rf /etc/vitrine /usr/bin/vitrine-* /usr/lib/systemd/system/vitrine* "
+           "/usr/lib/sysusers.d/vitrine.conf /usr/lib/tmpfiles.d/vitrine.conf /usr/share/doc/vitrine; systemctl daemon-reload; systemctl reset-failed", fails=True)
     carry(box)
 
     box.sh(f"{DPKG} -i {DEBS} </dev/null")
-    assert set(box.sh(f"systemctl is-active {UNITS}", fails=True).split()) == {"inactive"}, "installing has started something"
-    assert set(box.sh(f"systemctl is-enabled {UNITS}", fails=True).split()) == {"disabled"}, "installing has enabled something"
+    states = box.sh(f"systemctl is-active {UNITS}; systemctl is-enabled {UNITS}", fails=True).split()
+    assert set(states) == {"inactive", "disabled"}, f"installing has started or enabled something: {states}"
 
     box.set()
     box.sh("systemctl enable --now --quiet vitrine.target")
