@@ -1,5 +1,6 @@
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
+#include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/memory.hpp"
 #include "player/plan_command.hpp"
@@ -8,8 +9,6 @@
 #include <CLI/CLI.hpp>
 
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
@@ -54,10 +53,8 @@ void parse_size(const std::string& text, PlanOptions& options) {
 }
 
 Rehearsal read_rehearsal(const std::string& path) {
-    std::ifstream file(path);
-    const std::string script(std::istreambuf_iterator<char>(file), {});
     try {
-        return Rehearsal(script);
+        return Rehearsal(read_file(path));
     } catch (const std::runtime_error& error) {
         throw CLI::ValidationError("--rehearse", error.what());
     }

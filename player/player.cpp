@@ -25,7 +25,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto source_patience = 10s;    // that a picture paced by its sources waits for one of them
 constexpr auto invisible_pause = 200ms;  // between two looks at a screen that is not there
 constexpr auto busy_pause = 2ms;         // between two looks at a screen whose flip is under way
 constexpr auto retry_pause = 1s;         // before another try to open a graphics card

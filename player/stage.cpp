@@ -17,7 +17,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto source_patience = 10s;     // that a picture paced by its sources waits for one of them
 constexpr auto idle_period = 100ms;       // from one look of the idle picture to the next: it moves slowly
 constexpr auto still_period = 1s;         // a picture that a card lost in silence is back by then
 constexpr int most_settling_steps = 100;  // each gives up on a file at least

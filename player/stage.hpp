@@ -20,6 +20,9 @@
 
 namespace vitrine {
 
+/// That a picture paced by its sources waits for one of them.
+constexpr std::chrono::nanoseconds source_patience = std::chrono::seconds(10);
+
 struct StageOptions {
     std::uint64_t number = 0;  // tells its sources from those of other stages
     std::string folder;        // below the media folder; empty: all of it

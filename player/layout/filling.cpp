@@ -52,11 +52,12 @@ Vec2 random_way(const Ground& ground, double farthest_share, Random& random) {
 /// An annealing from one arrangement, all of it made smaller at first so that there is room to move.
 class Filling {
   public:
-    Filling(const Ground& ground, const FillingWishes& wishes, const Arrangement& start, double loosening,
-            Random& random)
+    /// @param contacts  of the ground, at any scales
+    Filling(const Ground& ground, const FillingWishes& wishes, const Contacts& contacts,
+            const Arrangement& start, double loosening, Random& random)
         : ground_(ground),
           wishes_(wishes),
-          contacts_(ground.shapes, ground.clearance),
+          contacts_(contacts),
           now_{start.places, 1},
           random_(random),
           resized_(ground.size(), 0),
@@ -245,11 +246,12 @@ Arrangement filled(Ground& ground, const FillingWishes& wishes, const Arrangemen
     constexpr Annealing calm[] = {{0.99, 30'000}, {0.97, 30'000}};
     const auto annealings =
         wishes.homes.empty() ? std::span<const Annealing>(free) : std::span<const Annealing>(calm);
-    double least = Filling(ground, wishes, start, 1, random).best_cost();
+    const Contacts contacts(ground.shapes, ground.clearance);
+    double least = Filling(ground, wishes, contacts, start, 1, random).best_cost();
     Ground found = ground;
     Arrangement best = start;
     for (const Annealing& annealing : annealings) {
-        Filling filling(ground, wishes, start, annealing.loosening, random);
+        Filling filling(ground, wishes, contacts, start, annealing.loosening, random);
         filling.run(annealing.tries, effort);
         if (filling.best_cost() < least) {
             least = filling.best_cost();
