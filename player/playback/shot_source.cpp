@@ -30,7 +30,12 @@ std::size_t capacity(const ShotRequest& request) {
 
 ShotSource::ShotSource(std::string file, const ShotRequest& request, const SourceOptions& options,
                        std::chrono::nanoseconds at)
-    : file_(std::move(file)), request_(request), options_(options), queue_(capacity(request)), jumped_(at) {
+    : file_(std::move(file)),
+      request_(request),
+      options_(options),
+      queue_(capacity(request)),
+      judged_(at - std::chrono::nanoseconds(1)),
+      jumped_(at) {
     if (request.kind == MediaKind::photo) {
         read_photo();
         return;
@@ -51,6 +56,7 @@ std::optional<std::string> ShotSource::failure() const {
 }
 
 std::optional<Sample> ShotSource::frame_at(std::chrono::nanoseconds local) {
+    has_news_ = false;
     if (detail_ != Detail::still) take_due(local - behind_);
     if (!current_) return std::nullopt;
     if (film_ && detail_ != Detail::still && local != judged_) judge_lateness(local);
@@ -122,6 +128,7 @@ void ShotSource::take_due(std::chrono::nanoseconds target) {
                [&](const LoopedSample& next) { return !current_ || position(next) <= target + rounding; })) {
         current_ = std::move(sample);
         is_photo_coming_ = false;
+        has_news_ = true;
     }
 }
 

@@ -70,9 +70,10 @@ class ShotSource {
 
     std::uint64_t late() const { return late_; }
 
-    /// Whether the film has given nothing though it could: what is to be shown next is not there.
+    /// Whether the film has given nothing though it could: no picture was new at the last time, and the next
+    /// is not there. One that is merely late, on a busy machine, gives some now and then.
     bool is_starved() const {
-        return film_ && detail_ != Detail::still && queue_.is_empty() && !queue_.is_closed();
+        return film_ && detail_ != Detail::still && !has_news_ && queue_.is_empty() && !queue_.is_closed();
     }
 
     /// Processor time that the film has cost so far.
@@ -103,8 +104,9 @@ class ShotSource {
     int read_height_ = 0;
     bool is_photo_coming_ = false;  // read, but not taken yet
     std::optional<LoopedSample> current_;
+    bool has_news_ = false;               // the last frame_at() found another picture than the one before
     std::chrono::nanoseconds behind_{0};  // `local`, by decoding too slowly
-    std::chrono::nanoseconds judged_{-1};
+    std::chrono::nanoseconds judged_;     // when lateness was judged last; before: the begin
     std::chrono::nanoseconds jumped_{0};  // `local` when the film was last sent elsewhere
     Detail detail_ = Detail::all;
     std::uint64_t due_ = 0;

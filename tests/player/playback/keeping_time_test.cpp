@@ -68,6 +68,81 @@ struct Stalling final : FilmFeed {
     std::chrono::nanoseconds cost_;
 };
 
+/// A machine that films are decoded on, as fast as its cores allow, in a time of its own.
+struct Machine {
+    static constexpr auto period = 33ms;                           // of the films' pictures
+    static constexpr auto ahead = 5 * period;                      // decoded at most
+    static constexpr std::chrono::nanoseconds keys = 10 * period;  // from one key picture to the next
+
+    struct Decoding final : FilmFeed {
+        Decoding(Machine& machine_, const FilmPart& part_, SampleQueue& to)
+            : machine(machine_), part(part_), queue(to), next(part_.at) {
+            machine.films.push_back(this);
+        }
+
+        ~Decoding() override { std::erase(machine.films, this); }
+
+        void resize(int, int) override {}
+
+        void go_on(Detail wanted, std::chrono::nanoseconds at) override {
+            detail = wanted;
+            next = at / step() * step();
+            done = 0ns;
+        }
+
+        std::chrono::nanoseconds spent() const override { return cost; }
+
+        void stop() override { queue.close(); }
+
+        bool has_ended() const override { return true; }
+
+        std::optional<std::string> failure() const override { return std::nullopt; }
+
+        std::chrono::nanoseconds step() const {
+            return detail == Detail::keys ? keys : detail == Detail::references ? 2 * period : period;
+        }
+
+        bool has_work() const { return detail != Detail::still && next < machine.now + ahead; }
+
+        void work(std::chrono::nanoseconds time) {
+            cost += time;
+            done += time;
+            while (done >= machine.cost_of_picture && has_work()) {
+                done -= machine.cost_of_picture;
+                static const std::vector<std::byte> pixels(16);
+                const auto at = part.begin + next % part.duration();
+                queue.put(
+                    {.sample = {.width = 2, .height = 2, .stride = 8, .pixels = pixels, .stream_time = at},
+                     .loop = static_cast<std::uint64_t>(next / part.duration()),
+                     .duration = step()});
+                next += step();
+            }
+        }
+
+        Machine& machine;
+        FilmPart part;
+        SampleQueue& queue;
+        Detail detail = Detail::all;
+        std::chrono::nanoseconds next;
+        std::chrono::nanoseconds done{0};  // of the next picture
+        std::chrono::nanoseconds cost{0};
+    };
+
+    /// Until then, in slices that the films which have work share.
+    void run_until(std::chrono::nanoseconds then) {
+        for (; now < then; now += 1ms) {
+            const auto working = std::ranges::count_if(films, &Decoding::has_work);
+            for (Decoding* film : films)
+                if (film->has_work()) film->work(std::min(1'000'000ns, 1'000'000ns * cores / working));
+        }
+    }
+
+    std::chrono::nanoseconds cost_of_picture = 12ms;
+    int cores = 2;
+    std::chrono::nanoseconds now{0};
+    std::vector<Decoding*> films{};
+};
+
 ShotRequest request(SourceId source) {
     return {.source = source,
             .path = "film",
@@ -243,6 +318,43 @@ TEST_CASE("a film whose pictures come late gives way after a second") {
         pool.advance(frame);
     }
     CHECK(pool.films().fewer == 1);
+}
+
+TEST_CASE(
+    "nine films on a machine for five give way until none is late, and all play whole once it is free") {
+    Machine machine;  // nine films of 0.36 cores on two
+    const SourceOptions options{.make_film =
+                                    [&](const FilmPart& part, SampleQueue& queue, const FilmOptions&) {
+                                        return std::make_unique<Machine::Decoding>(machine, part, queue);
+                                    },
+                                .keeps_time = true};
+    SourcePool pool({.media = "", .store = ""}, options);
+    for (SourceId id = 1; id <= 9; ++id)
+        pool.request(request(id));
+    const auto late_within = [&](std::chrono::nanoseconds duration) {
+        const std::uint64_t before = pool.late();
+        for (const auto end = machine.now + duration; machine.now < end;) {
+            machine.run_until(machine.now + 33ms);
+            REQUIRE(pool.update().size() <= 9);
+            Frame frame{.canvas = {160, 96}, .time = machine.now};
+            for (SourceId id = 1; id <= 9; ++id)
+                frame.items.push_back({.source = id, .local = machine.now});
+            pool.advance(frame);
+        }
+        return static_cast<double>(pool.late() - before) / (9.0 * duration / 33ms);
+    };
+    late_within(1s);
+    CHECK(late_within(3s) > 0.1);
+    late_within(60s);
+    CHECK(late_within(10s) < 0.05);
+    const FilmsByDetail overloaded = pool.films();
+    CHECK(overloaded.fewer > 0);
+    CHECK(overloaded.all + overloaded.fewer > 4);  // no more stand than have to
+    machine.cores = 8;
+    late_within(400s);
+    CHECK(pool.films().all == 9);
+    CHECK(late_within(10s) == 0);
+    CHECK(pool.rebuilds() == 0);
 }
 
 TEST_CASE("a film that a hardware decoder fails on is decoded by the processor") {
