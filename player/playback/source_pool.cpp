@@ -17,8 +17,10 @@ using namespace std::chrono_literals;
 
 constexpr long most_at_once = 3;  // sources that are read to their first picture
 constexpr std::chrono::nanoseconds judging_period = 1s;
-constexpr double least_cost = 0.01;                       // cores, of a film that works
-constexpr std::chrono::nanoseconds rebuild_time = 300ms;  // until a film built anew plays
+constexpr double least_cost = 0.01;                         // cores, of a film that works
+constexpr int most_tries = 3;                               // to go over to a clip
+constexpr std::chrono::nanoseconds preparing_time = 500ms;  // until it is ready
+constexpr std::chrono::nanoseconds rebuild_time = 300ms;    // until a film built anew plays
 
 /// The part of the screen that an item covers, in [0, 1].
 double share_of_screen(const DrawItem& item, Vec2 canvas) {
@@ -37,8 +39,13 @@ void SourcePool::request(const ShotRequest& request) {
         Playing& known = playing->second;
         known.request.width = request.width;
         known.request.height = request.height;
+        if (!known.is_stored && request.shot.stored != known.request.shot.stored) {
+            known.request.shot.stored = request.shot.stored;
+            known.tries = most_tries;
+        }
         const ShotRequest read = known.is_stored ? *stored_request(known.request) : known.request;
         known.source->resize(read.width, read.height);
+        if (known.clip) known.clip->resize(request.width, request.height);
         return;
     }
     const auto waiting = std::find_if(waiting_.begin(), waiting_.end(), [&](const ShotRequest& other) {
@@ -55,8 +62,11 @@ void SourcePool::retire(SourceId source) {
     const auto found = playing_.find(source);
     if (found == playing_.end()) return;
     late_of_retired_ += found->second.source->late();
-    found->second.source->stop();
-    ending_.push_back(std::move(found->second.source));
+    for (auto* held : {&found->second.source, &found->second.clip}) {
+        if (!*held) continue;
+        (*held)->stop();
+        ending_.push_back(std::move(*held));
+    }
     playing_.erase(found);
 }
 
@@ -67,6 +77,7 @@ std::vector<SourceEvent> SourcePool::update() {
         tell(id, playing, events);
     start_waiting(events);
     read_one_anew();
+    prepare_clip();
     return events;
 }
 
@@ -75,6 +86,8 @@ void SourcePool::advance(Frame& frame) {
         const auto found = playing_.find(item.source);
         if (found == playing_.end()) continue;
         Playing& playing = found->second;
+        playing.local = item.local;
+        if (playing.clip && playing.local >= playing.seam) go_over(playing);
         if (std::optional<Sample> sample = playing.source->frame_at(item.local)) {
             playing.sample = std::move(sample);
             playing.slide = playing.source->slide();
@@ -101,6 +114,8 @@ bool SourcePool::wait_for(const Frame& frame, std::chrono::nanoseconds patience)
         const auto found = playing_.find(item.source);
         if (found == playing_.end() || found->second.source->failure()) continue;
         const auto left = deadline - std::chrono::steady_clock::now();
+        Playing& playing = found->second;
+        if (playing.clip && item.local >= playing.seam) playing.clip->wait_until_ready(left);
         is_exact = found->second.source->wait_for(item.local, left) && is_exact;
     }
     return is_exact;
@@ -159,6 +174,45 @@ void SourcePool::read_one_anew() {
     const auto next =
         std::ranges::find_if(playing_, [](const auto& entry) { return entry.second.source->is_outdated(); });
     if (next != playing_.end()) next->second.source->read_anew();
+}
+
+/// One film at a time gets its clip ready for the end of its loop.
+void SourcePool::prepare_clip() {
+    const auto is_in_turn = [](const auto& entry) {
+        const Playing& playing = entry.second;
+        return playing.tries > 0 && playing.request.kind == MediaKind::video && playing.is_told_ready &&
+               !playing.given_up;
+    };
+    if (std::ranges::any_of(playing_, [](const auto& entry) { return entry.second.clip != nullptr; })) return;
+    const auto next = std::ranges::find_if(playing_, is_in_turn);
+    if (next == playing_.end()) return;
+    Playing& playing = next->second;
+    --playing.tries;
+    const std::optional<ShotRequest> stored = stored_request(playing.request);
+    const std::string copy = stored ? places_.store + "/" + stored->path : "";
+    if (!stored || ::access(copy.c_str(), R_OK) != 0) return;
+    const std::chrono::nanoseconds loop = stored->shot.duration();
+    playing.seam = ((playing.local + preparing_time) / loop + 1) * loop;
+    playing.clip = std::make_unique<ShotSource>(copy, *stored, options_, playing.seam);
+}
+
+/// The seam has come: to the clip, where that is ready; it has the very pictures, so that nothing is seen of
+/// it.
+void SourcePool::go_over(Playing& playing) {
+    const bool is_ready = playing.clip->is_ready() && !playing.given_up;
+    std::unique_ptr<ShotSource>& leaving = is_ready ? playing.source : playing.clip;
+    leaving->stop();
+    if (is_ready) {
+        late_of_retired_ += playing.source->late();
+        playing.clip->set_detail(playing.source->detail());
+        playing.is_stored = true;
+        playing.tries = 0;
+        playing.due = playing.late = 0;
+        playing.spent = {};
+    }
+    ending_.push_back(std::move(leaving));
+    if (is_ready) playing.source = std::move(playing.clip);
+    playing.clip.reset();
 }
 
 /// What the store has is preferred; it may have lost it since.

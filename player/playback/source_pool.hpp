@@ -53,7 +53,8 @@ class SourcePool {
 
     const DecoderMap& decoders() const { return options_.film.decoders; }
 
-    /// A new source, or another size for one there is.
+    /// A new source, or another size for one there is. A film that plays from the media folder and is in the
+    /// store by now goes over to the clip at the end of a loop.
     void request(const ShotRequest& request);
 
     /// The source is not needed any more; ends in the background.
@@ -89,8 +90,12 @@ class SourcePool {
   private:
     struct Playing {
         std::unique_ptr<ShotSource> source;
-        ShotRequest request;     // as it was made last
-        bool is_stored = false;  // read from the store
+        ShotRequest request;                // as it was made last
+        bool is_stored = false;             // read from the store
+        std::unique_ptr<ShotSource> clip;   // takes over from `source` at the seam
+        std::chrono::nanoseconds seam{0};   // since the shot began to be shown
+        std::chrono::nanoseconds local{0};  // as of the last frame that it was in
+        int tries = 0;                      // left, to go over to the clip
         std::optional<Sample> sample;
         std::chrono::nanoseconds seen{-1};  // time of the last frame that it was in
         double salience = 0;                // its share of the screen then
@@ -108,6 +113,8 @@ class SourcePool {
     void start_waiting(std::vector<SourceEvent>& events);
     long count_preparing() const;
     void read_one_anew();
+    void prepare_clip();
+    void go_over(Playing& playing);
     void start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at = {});
     void watch(Playing& playing, const DrawItem& item, std::chrono::nanoseconds now);
     void rebuild(Playing& playing, std::chrono::nanoseconds local);

@@ -55,6 +55,9 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
         } else if (!is_grown_from(found->second, before.at(key.path))) {
             put(slot, key);
             due_.reset();
+        } else {
+            slot.shot->shot =
+                found->second.shots[static_cast<std::size_t>(key.shot)];  // the store may have it now
         }
     }
 }
@@ -67,12 +70,22 @@ void Assemblage::advance(std::chrono::nanoseconds now) {
         const auto key = next_for(*turn.slot);
         if (!key) continue;
         put(*turn.slot, *key);
-        due_ = std::max({turn.due, now, last_due_ + settings_.spacing});
+        due_ = leaves(turn, std::max(now, last_due_ + settings_.spacing));
         last_due_ = *due_;
         next_turn_ = *due_ + settings_.spacing - settings_.lead;
         return;
     }
     if (!next.empty()) next_turn_ = now + std::chrono::seconds(1);  // all that there is is on the wall
+}
+
+/// A film that has to stay longer than its time leaves at the end of a loop, where that does not hold up the
+/// next change.
+std::chrono::nanoseconds Assemblage::leaves(const Turn& turn, std::chrono::nanoseconds earliest) const {
+    if (earliest <= turn.due) return turn.due;
+    if (turn.loop.count() <= 0) return earliest;
+    const auto loops = (earliest - turn.due + turn.loop - std::chrono::nanoseconds(1)) / turn.loop;
+    const std::chrono::nanoseconds seam = turn.due + loops * turn.loop;
+    return seam - earliest <= settings_.spacing ? seam : earliest;
 }
 
 void Assemblage::shown(SourceId source, std::chrono::nanoseconds now) {
@@ -136,7 +149,11 @@ std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) 
     for (Slot& slot : slots_) {
         if (!slot.shot || !slot.shown) continue;
         const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot) - slot.ahead;
-        if (due <= until) turns.push_back({&slot, due});
+        if (due > until) continue;
+        const std::chrono::nanoseconds loop = slot.shot->shot.duration();
+        const bool is_seam = slot.shot->kind == MediaKind::video && loop.count() > 0 &&
+                             (due - *slot.shown).count() % loop.count() == 0;
+        turns.push_back({&slot, due, is_seam ? loop : std::chrono::nanoseconds(0)});
     }
     std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.due < b.due; });
     return turns;

@@ -92,11 +92,13 @@ class Assemblage {
     struct Turn {
         Slot* slot = nullptr;
         std::chrono::nanoseconds due{0};
+        std::chrono::nanoseconds loop{0};  // of a film that is due at the end of one; else 0
     };
 
     void follow_changes(const std::map<std::string, MediaRecord>& before);
     void fill();
     void spread(const std::vector<Slot*>& filled);
+    std::chrono::nanoseconds leaves(const Turn& turn, std::chrono::nanoseconds earliest) const;
     std::vector<Turn> turns(std::chrono::nanoseconds until);
     std::chrono::nanoseconds stay(const WallShot& shot) const;
     std::optional<ShotKey> next_for(const Slot& slot);

@@ -58,6 +58,21 @@ void Wall::set_canvas(Vec2 canvas) {
 
 void Wall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
     assemblage_.set_catalogue(records, hints);
+    follow_store();
+}
+
+void Wall::follow_store() {
+    const std::vector<WallShot> known = assemblage_.wall();
+    const auto follow = [&](std::vector<PlacedShot>& wall, bool is_asked) {
+        for (PlacedShot& placed : wall) {
+            const auto now = std::ranges::find(known, placed.shot.source, &WallShot::source);
+            if (now == known.end() || now->shot.stored == placed.shot.shot.stored) continue;
+            placed.shot.shot.stored = now->shot.stored;
+            if (is_asked) restored_.push_back(request_of(placed));
+        }
+    };
+    follow(shown_, true);
+    if (incoming_) follow(incoming_->wall, incoming_->waiting && !incoming_->wants_sources);
 }
 
 void Wall::touch(std::optional<Vec2> finger) {
@@ -118,7 +133,7 @@ void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
 }
 
 WallStep Wall::step(std::chrono::nanoseconds now) {
-    WallStep step;
+    WallStep step{.requests = std::exchange(restored_, {})};
     end_fade(now);
     if (!incoming_ && canvas_ == shown_canvas_) follow_hand();
     const bool is_left_alone = !hand_.is_holding() && !(incoming_ && incoming_->is_by_hand);

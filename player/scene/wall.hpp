@@ -92,6 +92,7 @@ class Wall final : public Show {
     void end_fade(std::chrono::nanoseconds now);
     void let_arrive(std::chrono::nanoseconds now);
     bool has_arrived(std::chrono::nanoseconds now) const;
+    void follow_store();
     void follow_hand();
     std::optional<WallPlan> follow_assemblage();
     std::optional<WallPlan> ask_anew();
@@ -117,6 +118,7 @@ class Wall final : public Show {
     double usual_waste_ = 1;  // of walls laid out anew
     std::uint64_t generation_ = 0;
     std::map<SourceId, Source> sources_;  // those not retired
+    std::vector<ShotRequest> restored_;   // of sources asked for, whose shot the store has got since
 };
 
 }  // namespace vitrine

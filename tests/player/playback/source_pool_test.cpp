@@ -100,6 +100,62 @@ TEST_CASE("photos asked for in another size are read anew, while they are shown"
     CHECK(pool.update().empty());  // told of once
 }
 
+TEST_CASE(
+    "a film that the store gets while it plays goes over to the clip at a seam, and no picture is lost") {
+    const Folder folder;
+    const std::string clip = "0123456789abcdef/clip.mp4";
+    const auto store = folder.path / "store";
+    std::filesystem::create_directories((store / clip).parent_path());
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    write_film(store / clip, {.pictures = 25, .rate = 25, .chain = mp4});
+    SourcePool pool({.media = folder.path, .store = store});
+    ShotRequest wanted = request(1, "film");
+    pool.request(wanted);
+    pool.wait_until_ready(patience);
+    int before = 160;
+    int changes = 0;
+    for (int i = 0; i < 2000 && changes == 0; ++i) {
+        if (i == 10) {
+            wanted.shot.stored = {.file = clip, .width = 80, .height = 48};
+            pool.request(wanted);
+        }
+        pool.update();
+        Frame frame = frame_of(1, i * 40ms);
+        REQUIRE(pool.wait_for(frame, patience));
+        pool.advance(frame);
+        const Sample sample = pool.sample(1).value();
+        REQUIRE(number(sample) == i % 25);
+        if (sample.width == before) continue;
+        CHECK(i % 25 == 0);
+        ++changes;
+        before = sample.width;
+    }
+    CHECK(before == 80);
+    CHECK(pool.late() == 0);
+}
+
+TEST_CASE("a film whose clip is damaged plays on from the media folder") {
+    const Folder folder;
+    const std::string clip = "0123456789abcdef/clip.mp4";
+    const auto store = folder.path / "store";
+    std::filesystem::create_directories((store / clip).parent_path());
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    std::ofstream(store / clip) << "no film at all";
+    SourcePool pool({.media = folder.path, .store = store});
+    ShotRequest wanted = request(1, "film");
+    pool.request(wanted);
+    pool.wait_until_ready(patience);
+    wanted.shot.stored = {.file = clip, .width = 80, .height = 48};
+    pool.request(wanted);
+    for (int i = 0; i < 200; ++i) {
+        CHECK(pool.update().empty());
+        Frame frame = frame_of(1, i * 40ms);
+        REQUIRE(pool.wait_for(frame, patience));
+        pool.advance(frame);
+        REQUIRE(number(pool.sample(1).value()) == i % 25);
+    }
+}
+
 TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});

@@ -165,6 +165,34 @@ TEST_CASE("the next shot is chosen before the last has had its time, and says wh
     CHECK_FALSE(assemblage.due());  // what is gone leaves at once
 }
 
+TEST_CASE("a film that others keep waiting leaves at the end of a loop, where that is soon") {
+    const auto second_due = [](std::chrono::nanoseconds loop) {
+        std::vector<MediaRecord> records{film("a", 1, loop), film("b", 1, loop), film("c", 1, loop),
+                                         film("d", 1, loop)};
+        Assemblage assemblage({.slots = 2, .dwell = 20s, .spacing = 3s, .lead = 4s});
+        assemblage.set_catalogue(records);
+        for (const WallShot& shot : assemblage.wall())
+            assemblage.shown(shot.source, 0s);
+        assemblage.advance(16s);
+        CHECK(assemblage.due() == 20s);
+        assemblage.advance(19s);
+        return assemblage.due();
+    };
+    CHECK(second_due(4s) == 24s);
+    CHECK(second_due(10s) == 23s);  // 30 s would hold up the others
+}
+
+TEST_CASE("a shot that the store gets is the same shot, with its clip") {
+    Assemblage assemblage({.slots = 1});
+    assemblage.set_catalogue(std::vector{film("a", 1)});
+    const SourceId source = assemblage.wall()[0].source;
+    MediaRecord grown = film("a", 1);
+    grown.shots[0].stored = {.file = "clip", .width = 320, .height = 180};
+    assemblage.set_catalogue(std::vector{grown});
+    CHECK(assemblage.wall()[0].source == source);
+    CHECK(assemblage.wall()[0].shot.stored == grown.shots[0].stored);
+}
+
 TEST_CASE("every shot of every file is shown once before any is shown again, where files take turns") {
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));

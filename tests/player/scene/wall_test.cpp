@@ -454,6 +454,22 @@ TEST_CASE("a change laid out anew that is no better gives way to the calm one") 
     CHECK(house.wall.shown()[0].placement.scale == 0.5);
 }
 
+TEST_CASE("a film that the store gets while it plays is asked for again, with its clip") {
+    House house = ::house({film("a", 1), photo("b")});
+    house.run(2s);
+    REQUIRE(house.requests == 2);
+    MediaRecord grown = film("a", 1);
+    grown.shots[0].stored = {.file = "clip", .width = 320, .height = 180};
+    house.wall.set_catalogue(std::vector{grown, photo("b")});
+    house.run(1s);
+    CHECK(house.requests == 3);
+    CHECK(house.playing.begin()->second.shot.stored == grown.shots[0].stored);
+    CHECK(house.planned.size() == 1);
+    house.wall.set_catalogue(std::vector{grown, photo("b")});
+    house.run(1s);
+    CHECK(house.requests == 3);
+}
+
 TEST_CASE("hours of rotation with failures, additions and deletions leave no source behind") {
     House house = ::house({});
     std::mt19937_64 engine(5);
