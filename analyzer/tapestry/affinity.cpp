@@ -79,7 +79,7 @@ void add_time(std::span<const FrameSignature> frames, const AffinitySettings& se
 Affinity::Affinity(int frames, int band)
     : frames_(frames),
       band_(std::clamp(band, 0, std::max(0, frames - 1))),
-      costs_(static_cast<std::size_t>(frames) * static_cast<std::size_t>(2 * band_ + 1), 0.F) {}
+      costs_(as_index(frames) * as_index(2 * band_ + 1), 0.F) {}
 
 Affinity affinity(std::span<const FrameSignature> frames, const AffinitySettings& settings,
                   const RunTasks& run) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyzer/tapestry/as_index.hpp"
 #include "analyzer/tapestry/frame_signature.hpp"
 #include "analyzer/tapestry/run_tasks.hpp"
 
@@ -44,8 +45,7 @@ class Affinity {
     bool is_near(int i, int j) const { return i >= first(j) && i < last(j); }
 
     std::size_t place(int i, int j) const {  // column by column, so that what a frame shows lies together
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * band_ + 1) +
-               static_cast<std::size_t>(i - j + band_);
+        return as_index(j) * as_index(2 * band_ + 1) + as_index(i - j + band_);
     }
 
     int frames_;

@@ -1,5 +1,7 @@
 #include "analyzer/tapestry/brickwork.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -86,8 +88,7 @@ BrickWindow brick_window(const Brickwork& brickwork, const std::vector<Keyframe>
     const cv::Range demanded(tile.x, tile.x + tile.width);
     cv::Mat canvas(whole.size(), CV_8UC3, cv::Scalar::all(0));
     const int columns = whole.width - patch_side + 1;
-    const auto patches =
-        static_cast<std::size_t>(columns) * static_cast<std::size_t>(whole.height - patch_side + 1);
+    const auto patches = as_index(columns) * as_index(whole.height - patch_side + 1);
     const double half = brickwork.brick.width * scale / 2;
     PatchRules rules{.owners = std::vector<std::int16_t>(patches, PatchRules::no_brick),
                      .weights = std::vector<std::uint8_t>(patches, 0),

@@ -229,6 +229,7 @@ std::vector<Keyframes> refined_levels(const Affinity& costs, Keyframes coarsest,
 Keyframes uniform_keyframes(int frames, int count) {
     const int taken = std::min(frames, count);
     Keyframes keyframes;
+    keyframes.reserve(static_cast<std::size_t>(taken));
     for (std::int64_t k = 0; k < taken; ++k)
         keyframes.push_back(static_cast<int>((2 * k + 1) * frames / (2 * taken)));
     return keyframes;

@@ -4,6 +4,8 @@
 
 #include "analyzer/tapestry/patch_match.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ class Chance {
 
     /// [-reach, reach]
     int within(int reach) {
-        return static_cast<int>((std::uint64_t{next()} * static_cast<std::uint64_t>(2 * reach + 1)) >> 32U) -
+        return static_cast<int>((std::uint64_t{next()} * std::uint64_t{as_index(2 * reach + 1)}) >> 32U) -
                reach;
     }
 

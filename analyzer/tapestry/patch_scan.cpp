@@ -5,6 +5,8 @@
 
 #include "analyzer/tapestry/patch_scan.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -41,7 +43,7 @@ struct Scratch {
                                                     Lanes& out) {
     const Lanes most = Lanes{} + std::uint16_t{127 * 127};
     Lanes sum{};
-    for (int c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) {
         Bytes others;
         std::memcpy(&others, block + c * scan_lanes, sizeof others);
         const Lanes difference = __builtin_convertvector(others, Lanes) - std::uint16_t{pixel[c]};
@@ -57,8 +59,8 @@ struct Scratch {
         sum += scratch.columns[static_cast<std::size_t>(x)] >> column_shift;
     for (int x = 0; x < count; ++x) {
         sum += scratch.columns[static_cast<std::size_t>(x + side - 1)] >> column_shift;
-        Lanes& a = scratch.nearest_of_frame[static_cast<std::size_t>(of_frame + x)];
-        Lanes& b = scratch.nearest_of_block[static_cast<std::size_t>(of_block + x)];
+        Lanes& a = scratch.nearest_of_frame[as_index(of_frame + x)];
+        Lanes& b = scratch.nearest_of_block[as_index(of_block + x)];
         a = lesser(a, sum);
         b = lesser(b, sum);
         sum -= scratch.columns[static_cast<std::size_t>(x)] >> column_shift;
@@ -75,8 +77,8 @@ struct Scratch {
     scratch.columns.fill(Lanes{});
     for (int y = 0; y < overlap_height; ++y) {
         auto& row = scratch.rows[static_cast<std::size_t>(y % side)];
-        const std::size_t of_frame = static_cast<std::size_t>((y0 + y) * width + x0);
-        const std::size_t of_block = static_cast<std::size_t>((y0 + y + dy) * width + x0 + dx);
+        const std::size_t of_frame = as_index((y0 + y) * width + x0);
+        const std::size_t of_block = as_index((y0 + y + dy) * width + x0 + dx);
         for (std::size_t x = 0; x < static_cast<std::size_t>(overlap_width); ++x) {
             Lanes difference;
             pixel_difference(&frame.pixels[3 * (of_frame + x)], &block.lanes[3 * (of_block + x) * scan_lanes],

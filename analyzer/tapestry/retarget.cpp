@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
+#include <string>
 
 namespace vitrine {
 
@@ -19,6 +21,8 @@ constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "abou
 constexpr int least_brick_side = 14;  // px at the smallest size: two patches
 constexpr double settled = 0.002;     // of the energy: what falls less in a round is done
 
+constexpr float most_votes = 3;  // in the last rounds: 4/3 come to a patch on average
+
 /// How much is done at which size.
 struct Plan {
     double step;         // from size to size
@@ -26,6 +30,7 @@ struct Plan {
     int squeeze_rounds;  // a squeeze
     int most_rounds;     // at the smallest size
     int least_rounds;    // at full size
+    int last_rounds;     // there, with most_votes
     int radius;          // px, of the search at the smallest size; elsewhere a quarter
 };
 
@@ -36,9 +41,15 @@ Plan plan_of(TileQuality quality) {
                 .squeeze_rounds = 3,
                 .most_rounds = 24,
                 .least_rounds = 5,
+                .last_rounds = 2,
                 .radius = 32};
-    return {
-        .step = 0.5, .squeezes = 6, .squeeze_rounds = 2, .most_rounds = 8, .least_rounds = 1, .radius = 16};
+    return {.step = 0.5,
+            .squeezes = 6,
+            .squeeze_rounds = 2,
+            .most_rounds = 8,
+            .least_rounds = 1,
+            .last_rounds = 1,
+            .radius = 16};
 }
 
 /// From the smallest to 1.
@@ -97,6 +108,8 @@ class Tile {
         squeeze();
         for (std::size_t i = 1; i < scales_.size(); ++i)
             refine(i);
+        for (int round = 0; round < plan_.last_rounds; ++round)
+            (void)synthesis_->step(plan_.radius / 4, ++seed_, most_votes);
         return synthesis_->picture();
     }
 

@@ -11,8 +11,8 @@ namespace {
 
 /// Matches of a field, spread over a larger or smaller one.
 ///
-/// @param from_size,to_size    of the pictures whose patches are matched, before and now
-/// @param other_from,other_to  of the pictures in which they are matched
+/// @param growth        of the picture whose patches are matched
+/// @param other_growth  of the one in which they are matched
 void spread(const MatchField& from, cv::Size2d growth, cv::Size2d other_growth, MatchField& to) {
     for (int y = 0; y < to.rows; ++y) {
         const int from_y = std::min(static_cast<int>(y / growth.height), from.rows - 1);
@@ -23,8 +23,8 @@ void spread(const MatchField& from, cv::Size2d growth, cv::Size2d other_growth, 
             spread = {};
             const double rest_x = x - from_x * growth.width;
             const double rest_y = y - from_y * growth.height;
-            spread.x = static_cast<std::int16_t>(std::max(0, match.x + 0) * other_growth.width + rest_x);
-            spread.y = static_cast<std::int16_t>(std::max(0, match.y + 0) * other_growth.height + rest_y);
+            spread.x = static_cast<std::int16_t>(std::max<int>(0, match.x) * other_growth.width + rest_x);
+            spread.y = static_cast<std::int16_t>(std::max<int>(0, match.y) * other_growth.height + rest_y);
         }
     }
 }
@@ -68,10 +68,10 @@ void Synthesis::match_like(const Synthesis& other) {
     matches_.refresh(run_);
 }
 
-double Synthesis::step(int radius, std::uint32_t seed) {
+double Synthesis::step(int radius, std::uint32_t seed, float most_votes) {
     matches_.search(radius, seed, run_);
     const double energy = matches_.energy();
-    take_votes();
+    take_votes(most_votes);
     matches_.refresh(run_);
     return energy;
 }
@@ -81,14 +81,21 @@ double Synthesis::energy() {
     return matches_.energy();
 }
 
+double Synthesis::searched_energy(int radius, int rounds) {
+    matches_.refresh(run_);
+    for (int round = 0; round < rounds; ++round)
+        matches_.search(radius, static_cast<std::uint32_t>(round), run_);
+    return matches_.energy();
+}
+
 double Synthesis::exact_energy() {
     matches_.refresh(run_);
     matches_.search_everywhere();
     return matches_.energy();
 }
 
-void Synthesis::take_votes() {
-    vitrine::take_votes(matches_, window_.picture, window_.rules, target_, run_);
+void Synthesis::take_votes(float most_votes) {
+    vitrine::take_votes(matches_, window_.picture, window_.rules, target_, most_votes, run_);
     fix_known();
 }
 

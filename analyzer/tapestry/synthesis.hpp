@@ -22,6 +22,7 @@ class Synthesis {
 
     Synthesis(const Synthesis&) = delete;
     Synthesis& operator=(const Synthesis&) = delete;
+    ~Synthesis() = default;
 
     /// Each patch matched with the one at the same share of width and height.
     void match_by_place();
@@ -30,18 +31,22 @@ class Synthesis {
     void match_like(const Synthesis& other);
 
     /// One round: a search of `radius` px, then the target that costs least for what it found.
+    /// @param most_votes  of take_votes(); with a limit the energy may rise
     /// @return the energy before the target changed
-    double step(int radius, std::uint32_t seed);
+    double step(int radius, std::uint32_t seed, float most_votes = 0);
 
     /// After a step: the energy of the target as it is, with matches as they are.
     double energy();
+
+    /// The energy of the target as it is after so many searches: near the exact one, and far sooner had.
+    double searched_energy(int radius, int rounds);
 
     /// The energy with the nearest of all patches for each, found by trying all: for tests and small
     /// pictures.
     double exact_energy();
 
     /// The target that follows from the matches alone.
-    void take_votes();
+    void take_votes(float most_votes = 0);
 
     cv::Mat picture() const { return target_.bgr(); }
 

@@ -14,10 +14,23 @@ struct Ballot {
     const PatchImage& source;
     const PatchRules& rules;
     PatchImage& target;
+    const std::vector<float>& shares;  // a patch of the target: what a unit of weight counts
     int first;
     int last;
     std::vector<float> sums;
 };
+
+/// Of a value that is not negative; lround() would keep the loop from being vectorised.
+[[gnu::always_inline]] inline std::uint8_t rounded(float value) {
+    constexpr float half = 0.5F;
+    const float raised = value + half;
+    return static_cast<std::uint8_t>(raised);
+}
+
+[[gnu::always_inline]] inline std::size_t index(const MatchField& field, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(field.columns) +
+           static_cast<std::size_t>(x);
+}
 
 [[gnu::always_inline]] inline void add_patch(Ballot& ballot, int source_x, int source_y, int target_x,
                                              int target_y, float weight) {
@@ -36,8 +49,6 @@ struct Ballot {
 [[gnu::always_inline]] inline void count(Ballot& ballot) {
     const MatchField& of_target = ballot.matches.of_target();
     const MatchField& of_source = ballot.matches.of_source();
-    const float coherent = 1.F / static_cast<float>(of_target.matches.size());
-    const float complete = 1.F / static_cast<float>(std::max(1.0, ballot.matches.source_weight()));
     for (int y = std::max(0, ballot.first - patch_side + 1); y < std::min(ballot.last, of_target.rows); ++y) {
         for (int x = 0; x < of_target.columns; ++x) {
             const Match& match = of_target.at(x, y);
@@ -48,11 +59,9 @@ struct Ballot {
         for (int x = 0; x < of_source.columns; ++x) {
             const Match& match = of_source.at(x, y);
             if (match.x < 0 || match.y + patch_side <= ballot.first || match.y >= ballot.last) continue;
-            const std::size_t place =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(of_source.columns) +
-                static_cast<std::size_t>(x);
+            const float weight = ballot.rules.weights[index(of_source, x, y)];
             add_patch(ballot, x, y, match.x, match.y,
-                      static_cast<float>(ballot.rules.weights[place]) * complete / coherent);
+                      weight * ballot.shares[index(of_target, match.x, match.y)]);
         }
     }
     for (int y = ballot.first; y < ballot.last; ++y) {
@@ -60,7 +69,7 @@ struct Ballot {
         std::uint8_t* pixel = ballot.target.at(0, y);
         for (int x = 0; x < ballot.target.width(); ++x, sums += 4, pixel += 4)
             for (int c = 0; c < 3; ++c)
-                pixel[c] = static_cast<std::uint8_t>(sums[c] / sums[3] + 0.5F);
+                pixel[c] = rounded(sums[c] / sums[3]);
     }
 }
 
@@ -74,10 +83,30 @@ __attribute__((target("avx2"))) void count_avx2(Ballot& ballot) {
 }
 #endif
 
+/// What a unit of weight of the source counts, in votes of the target's own, for each patch of the target.
+std::vector<float> shares_of(const PatchMatch& matches, const PatchRules& rules, float most_votes) {
+    const MatchField& of_target = matches.of_target();
+    const MatchField& of_source = matches.of_source();
+    const auto usual = static_cast<float>(static_cast<double>(of_target.matches.size()) /
+                                          std::max(1.0, matches.source_weight()));
+    std::vector<float> shares(of_target.matches.size(), usual);
+    if (most_votes <= 0) return shares;
+    std::vector<float> votes(of_target.matches.size(), 0);
+    for (std::size_t i = 0; i < of_source.matches.size(); ++i) {
+        const Match& match = of_source.matches[i];
+        if (match.x >= 0)
+            votes[index(of_target, match.x, match.y)] += usual * static_cast<float>(rules.weights[i]);
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (votes[i] > most_votes) shares[i] *= most_votes / votes[i];
+    return shares;
+}
+
 }  // namespace
 
 void take_votes(const PatchMatch& matches, const PatchImage& source, const PatchRules& rules,
-                PatchImage& target, const RunTasks& run) {
+                PatchImage& target, float most_votes, const RunTasks& run) {
+    const std::vector<float> shares = shares_of(matches, rules, most_votes);
     run((target.height() + band_rows - 1) / band_rows, [&](int band) {
         const int first = band * band_rows;
         const int last = std::min(first + band_rows, target.height());
@@ -85,6 +114,7 @@ void take_votes(const PatchMatch& matches, const PatchImage& source, const Patch
                       .source = source,
                       .rules = rules,
                       .target = target,
+                      .shares = shares,
                       .first = first,
                       .last = last,
                       .sums = std::vector<float>(static_cast<std::size_t>(last - first) * target.stride())};

@@ -1,5 +1,7 @@
 #include "analyzer/weave/film_weave.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -52,8 +54,7 @@ cv::Mat woven_part(const Film& film, const Keyframes& keyframes, const Part& par
     const Brickwork brickwork{.keyframes = last - first, .brick = brick};
     cv::Mat strip;
     weave_level(
-        brickwork,
-        [&](int k) { return film.candidates->keyframe(keyframes[static_cast<std::size_t>(first + k)]); },
+        brickwork, [&](int k) { return film.candidates->keyframe(keyframes[as_index(first + k)]); },
         [&](const cv::Mat& columns) {
             if (strip.empty())
                 strip = columns.clone();

@@ -1,5 +1,6 @@
 #include "analyzer/tapestry/affinity.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
 #include "analyzer/tapestry/patch_scan.hpp"
 
 #include <doctest/doctest.h>
@@ -34,8 +35,7 @@ int patch_distance(const FrameSignature& a, int ax, int ay, const FrameSignature
     for (int y = 0; y < side; ++y) {
         for (int i = 0; i < 3 * side; ++i) {
             const auto at = [&](const FrameSignature& f, int fx, int fy) {
-                return int{
-                    f.pixels[static_cast<std::size_t>(3 * ((fy + y) * FrameSignature::width + fx) + i)]};
+                return int{f.pixels[as_index(3 * ((fy + y) * FrameSignature::width + fx) + i)]};
             };
             const int difference = std::min(127, std::abs(at(a, ax, ay) - at(b, bx, by)));
             sum += difference * difference;
@@ -111,6 +111,7 @@ TEST_CASE("time costs as much as a usual pair at its scale, and pairs far apart 
 
 TEST_CASE("the affinity does not depend on the order in which its rows are computed") {
     std::vector<FrameSignature> frames;
+    frames.reserve(21);
     for (unsigned i = 0; i < 21; ++i)
         frames.push_back(drawn(i, milliseconds(500 * i)));
     const Affinity forward = affinity(frames);

@@ -24,6 +24,7 @@ inline Keyframe drawn_keyframe(cv::Size size, unsigned seed) {
 
 inline std::vector<Keyframe> drawn_keyframes(const Brickwork& brickwork) {
     std::vector<Keyframe> keyframes;
+    keyframes.reserve(static_cast<std::size_t>(brickwork.bricks()));
     for (int i = 0; i < brickwork.bricks(); ++i)
         keyframes.push_back(drawn_keyframe(brickwork.brick, static_cast<unsigned>(i)));
     return keyframes;

@@ -1,5 +1,6 @@
 #include "analyzer/tapestry/synthesis.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
 #include "tests/analyzer/tapestry/drawn_keyframes.hpp"
 
 #include <doctest/doctest.h>
@@ -50,13 +51,14 @@ double letter_energy(const Brickwork& brickwork, const std::vector<Keyframe>& br
         }
     }
     double coherent = 0;
+    constexpr int half_patch = patch_side / 2;
     const double half = brickwork.brick.width / 2.0;
     for (int y = 0; y + patch_side <= target.rows; ++y) {
         for (int x = 0; x + patch_side <= target.cols; ++x) {
             double nearest = std::numeric_limits<double>::infinity();
             for (Patch& patch : source) {
                 const double middle = brickwork.place(patch.brick).x + half;
-                const double beyond = std::max(0.0, std::abs(middle - x - patch_side / 2) - half) / half;
+                const double beyond = std::max(0.0, std::abs(middle - x - half_patch) - half) / half;
                 const double cost = letter_distance(bricks[static_cast<std::size_t>(patch.brick)].picture,
                                                     patch.at, target, {x, y}) +
                                     std::floor(settings.time_cost * patch_values * beyond * beyond);
@@ -142,7 +144,7 @@ TEST_CASE("patches that cross from one keyframe to another are not used") {
             int expected = PatchRules::no_brick;
             for (int k = 0; k < 2; ++k)
                 if ((brickwork.place(k) & patch) == patch) expected = k;
-            CHECK(window.rules.owners[static_cast<std::size_t>(y * columns + x)] == expected);
+            CHECK(window.rules.owners[as_index(y * columns + x)] == expected);
         }
     }
 }
