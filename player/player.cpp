@@ -119,15 +119,13 @@ void Player::open_display() {
     }
     complaint_.clear();
     renderer_.emplace(1, 1);
-    const PictureForm form = picture_form(gl_device());
+    const PictureForm form = picture_form(gl_device(), renderer_->reads_shared_planes());
     sources_.set_form(form);
     if (display_->event_fd() >= 0)
         display_events_ =
             loop_.watch(display_->event_fd(), EPOLLIN, [this](std::uint32_t) { display_->dispatch(); });
     log::info("screen: {}", display_->description());
-    log::info("films: {}", form == PictureForm::rgba
-                               ? "scaled by the processor, which draws too"
-                               : "uploaded as they are decoded, scaled by the graphics card");
+    log::info("films: {}", in_words(form));
 }
 
 void Player::close_display() {

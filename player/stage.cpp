@@ -198,7 +198,8 @@ bool Stage::upload(const Frame& frame, Renderer& renderer) {
         const std::optional<Sample> sample = sources_.sample(item.source);
         if (!sample || uploaded_[item.source] == sample->owner) continue;
         if (!uploaded_[item.source]) log::debug("source {} appears", item.source);
-        renderer.upload(item.source, *sample);
+        if (const auto why = renderer.upload(item.source, *sample))
+            log::warning("source {} is copied to the graphics card from now on: {}", item.source, *why);
         uploaded_[item.source] = sample->owner;
         is_new = true;
     }

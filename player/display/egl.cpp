@@ -1,5 +1,7 @@
 #include "player/display/egl.hpp"
 
+#include "player/display/gl_device.hpp"
+
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 #include <fmt/format.h>
@@ -47,15 +49,6 @@ std::string error_name(EGLint error) {
     default:
         return fmt::format("EGL error {:#x}", error);
     }
-}
-
-bool has_word(const char* words, std::string_view word) {
-    for (std::string_view rest = words ? words : ""; !rest.empty();) {
-        const std::size_t end = rest.find(' ');
-        if (rest.substr(0, end) == word) return true;
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
-    return false;
 }
 
 EGLDisplay open_display(EGLenum platform, const char* extension, void* device) {

@@ -20,4 +20,14 @@ inline bool is_software(std::string_view device) {
     return false;
 }
 
+/// Whether a list of words, as EGL and GL name their extensions, has one.
+inline bool has_word(const char* words, std::string_view word) {
+    for (std::string_view rest = words ? words : ""; !rest.empty();) {
+        const std::size_t end = rest.find(' ');
+        if (rest.substr(0, end) == word) return true;
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return false;
+}
+
 }  // namespace vitrine

@@ -1,6 +1,7 @@
 #include "player/playback/film_loop.hpp"
 
 #include "player/playback/container_ways.hpp"
+#include "player/playback/shared_frame.hpp"
 
 #include <fmt/format.h>
 #include <time.h>
@@ -157,6 +158,7 @@ bool FilmLoop::open() {
     gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, this, nullptr);
     const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
     gst_pad_add_probe(pad.get(), GST_PAD_PROBE_TYPE_EVENT_FLUSH, &FilmLoop::on_flush, this, nullptr);
+    let_planes_lie(pad.get());
     auto chain =
         std::make_unique<DecodeChain>(part_.file, std::move(tail), DecodeOptions{.instead = decoders_});
     is_named_by_stamp_ = has_true_time_stamps(chain->format());

@@ -1,6 +1,8 @@
 #include "player/playback/picture_scaler.hpp"
 
+#include "player/playback/colour_code.hpp"
 #include "player/playback/mapped_frame.hpp"
+#include "player/playback/shared_frame.hpp"
 
 extern "C" {
 #include <libswscale/swscale.h>
@@ -34,13 +36,6 @@ std::optional<AVPixelFormat> format_of(GstVideoFormat format) {
     default:
         return std::nullopt;
     }
-}
-
-ColourCode colour_code(const GstVideoColorimetry& colours) {
-    ColourCode code{.is_full_range = colours.range == GST_VIDEO_COLOR_RANGE_0_255};
-    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT709) code.matrix = ColourCode::Matrix::bt709;
-    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT2020) code.matrix = ColourCode::Matrix::bt2020;
-    return code;
 }
 
 const int* coefficients(ColourCode::Matrix matrix) {
@@ -118,6 +113,12 @@ PictureScaler::~PictureScaler() = default;
 
 std::optional<Sample> PictureScaler::scaled(GstSample* frame, int width, int height,
                                             std::chrono::nanoseconds stream_time) {
+    if (form_ == PictureForm::shared && !refusal_->load()) {
+        if (std::optional<Sample> picture = shared(frame)) {
+            picture->stream_time = stream_time;
+            return picture;
+        }
+    }
     auto mapped = std::make_shared<const MappedFrame>(frame);
     if (!mapped->is_mapped()) return std::nullopt;
     const GstVideoFrame& pixels = mapped->frame();
@@ -133,6 +134,24 @@ std::optional<Sample> PictureScaler::scaled(GstSample* frame, int width, int hei
         picture = lent(std::move(mapped),
                        format == GST_VIDEO_FORMAT_I420 ? PixelLayout::i420 : PixelLayout::nv12, colours_);
     if (picture) picture->stream_time = stream_time;
+    return picture;
+}
+
+/// HDR needs its tones changed, which only the processor does here.
+std::optional<Sample> PictureScaler::shared(GstSample* frame) {
+    std::optional<Sample> picture = shared_frame(frame);
+    if (!picture) return std::nullopt;
+    GstVideoInfo info;
+    if (gst_video_info_from_caps(&info, gst_sample_get_caps(frame))) follow(info);
+    if (tones_) return std::nullopt;
+    const auto held = std::static_pointer_cast<const GstSample>(picture->owner);
+    picture->copied = [held, refusal = refusal_, layout = picture->layout,
+                       colours = picture->colours]() -> std::optional<Sample> {
+        refusal->store(true);
+        auto mapped = std::make_shared<const MappedFrame>(const_cast<GstSample*>(held.get()));
+        if (!mapped->is_mapped()) return std::nullopt;
+        return lent(std::move(mapped), layout, colours);
+    };
     return picture;
 }
 

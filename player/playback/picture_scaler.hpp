@@ -6,6 +6,7 @@
 
 #include <gst/video/video.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -29,7 +30,8 @@ class PictureScaler {
     ~PictureScaler();
 
     /// The picture of a decoded frame; nothing where its memory cannot be read. RGBA has the size asked for,
-    /// planes may be larger, up to twice. HDR has the tones of a usual screen.
+    /// planes may be larger, up to twice, and shared ones of any size. HDR has the tones of a usual screen.
+    /// Once one of the shared is asked to be copied() the following ones have bytes.
     /// @param width, height  px that the picture is shown at
     std::optional<Sample> scaled(GstSample* frame, int width, int height,
                                  std::chrono::nanoseconds stream_time);
@@ -51,11 +53,14 @@ class PictureScaler {
         friend bool operator==(const Task&, const Task&) = default;
     };
 
+    std::optional<Sample> shared(GstSample* frame);
     void follow(const GstVideoInfo& video);
     bool prepare(const Task& task);
     std::optional<Sample> converted(const GstVideoFrame& frame, int width, int height, PixelLayout layout);
 
     PictureForm form_;
+    std::shared_ptr<std::atomic<bool>> refusal_ =
+        std::make_shared<std::atomic<bool>>(false);  // shared: with the pictures, whose reader refuses
     PictureMemory memory_;
     std::unique_ptr<SwsContext, EndScaler> scaler_;
     Task prepared_;                   // that scaler_ is made for

@@ -3,7 +3,10 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace vitrine {
@@ -16,8 +19,9 @@ enum class PixelLayout {
 };
 
 /// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
-/// colours, RGBA at the very size where the processor does all of it.
-enum class PictureForm { rgba, planes };
+/// colours, if it can from where the decoder left them; RGBA at the very size where the processor does all of
+/// it.
+enum class PictureForm { rgba, planes, shared };
 
 /// What the brightness and the colour differences of a picture mean.
 struct ColourCode {
@@ -27,6 +31,18 @@ struct ColourCode {
     bool is_full_range = false;  // 0 to 255, else 16 to 235 and 16 to 240
 
     friend bool operator==(const ColourCode&, const ColourCode&) = default;
+};
+
+/// The planes of a picture in memory that a graphics card can read as well as the processor: Linux' dma-bufs.
+struct SharedPlanes {
+    struct Plane {
+        int file = -1;             // the memory's descriptor, lent by the sample's owner
+        std::uint32_t offset = 0;  // bytes
+        std::uint32_t stride = 0;  // bytes a row
+    };
+
+    std::array<Plane, 3> planes;            // as many as the layout has
+    std::optional<std::uint64_t> modifier;  // how the pixels lie, as DRM names it; none: row by row
 };
 
 /// One picture ready for the renderer: upright, square pixels once it is shown at the size asked for.
@@ -45,6 +61,11 @@ struct Sample {
     ColourCode colours;                       // of all but rgba
     std::shared_ptr<const void> owner;        // shared: the decoder's buffer pool and the renderer's queue
     std::chrono::nanoseconds stream_time{0};  // when in the film
+
+    /// Where the planes lie; then there are no bytes above.
+    std::optional<SharedPlanes> shared;
+    std::function<std::optional<Sample>()>
+        copied;  // the same with bytes: of shared planes that nobody can read
 };
 
 }  // namespace vitrine

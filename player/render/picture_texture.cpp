@@ -15,6 +15,10 @@ struct PlaneForm {
     int divisor = 1;  // of the picture's width and height, rounded up
 };
 
+using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
+
+constexpr int reduction = 4;  // of shared planes, which cells are filled with when blurred
+
 constexpr PlaneForm rgba{GL_RGBA8, GL_RGBA, 4};
 constexpr PlaneForm brightness{GL_R8, GL_RED, 1};
 constexpr PlaneForm one_difference{GL_R8, GL_RED, 1, 2};
@@ -58,8 +62,30 @@ void upload_plane(const Sample::Plane& plane, const PlaneForm& form, int width, 
 
 }  // namespace
 
+PictureTexture::PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours)
+    : width_(width), height_(height), layout_(layout), colours_(colours) {
+    make_room();
+}
+
 PictureTexture::PictureTexture(const Sample& sample)
-    : width_(sample.width), height_(sample.height), layout_(sample.layout) {
+    : PictureTexture(sample.width, sample.height, sample.layout, sample.colours) {}
+
+PictureTexture::PictureTexture(const Sample& sample, const PictureImport& import)
+    : width_(sample.width),
+      height_(sample.height),
+      layout_(sample.layout),
+      colours_(sample.colours),
+      lender_(sample.owner),
+      uploads_(1) {
+    assert(sample.shared && layout_ != PixelLayout::rgba);
+    for (std::size_t i = 0; i < plane_count(layout_); ++i) {
+        const PlaneForm plane = form(layout_, i);
+        glBindTexture(GL_TEXTURE_2D, planes_[i].id());
+        import.read(*sample.shared, i, plane.bytes, share(width_, plane), share(height_, plane));
+    }
+}
+
+void PictureTexture::make_room() {
     assert(width_ > 0 && height_ > 0);
     for (std::size_t i = 0; i < plane_count(layout_); ++i) {
         const PlaneForm plane = form(layout_, i);
@@ -74,7 +100,7 @@ PictureTexture::PictureTexture(const Sample& sample)
 }
 
 bool PictureTexture::fits(const Sample& sample) const {
-    return width_ == sample.width && height_ == sample.height && layout_ == sample.layout;
+    return !lender_ && width_ == sample.width && height_ == sample.height && layout_ == sample.layout;
 }
 
 void PictureTexture::upload(const Sample& sample) {
@@ -101,7 +127,41 @@ void PictureTexture::bind(GLint smaller, GLint larger, GLint wrap) const {
     }
 }
 
+PictureTexture& PictureTexture::reduced() {
+    if (!lender_) return *this;
+    if (reduced_) return *reduced_;
+    const auto part = [](int length) { return std::max(1, length / reduction); };
+    reduced_.reset(
+        new PictureTexture(part(width_), part(height_), layout_, colours_));  // a private constructor
+    reduced_->copy_from(*this);
+    return *reduced_;
+}
+
+// Half of them in each direction are left out: what is made of it is blurred.
+void PictureTexture::copy_from(const PictureTexture& larger) {
+    GLint drawn_to = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_to);
+    const bool is_cut = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+    glDisable(GL_SCISSOR_TEST);
+    const FrameBuffer from;
+    const FrameBuffer to;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
+    for (std::size_t i = 0; i < plane_count(layout_); ++i) {
+        const PlaneForm plane = form(layout_, i);
+        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                               larger.planes_[i].id(), 0);
+        glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, planes_[i].id(), 0);
+        glBlitFramebuffer(0, 0, share(larger.width_, plane), share(larger.height_, plane), 0, 0,
+                          share(width_, plane), share(height_, plane), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(drawn_to));
+    if (is_cut) glEnable(GL_SCISSOR_TEST);
+    check_gl("make a smaller copy of a decoder's picture");
+}
+
 void PictureTexture::make_smaller_copies() {
+    assert(!lender_);
     if (has_smaller_copies_) return;
     for (std::size_t i = 0; i < plane_count(layout_); ++i) {
         glBindTexture(GL_TEXTURE_2D, planes_[i].id());

@@ -2,9 +2,11 @@
 
 #include "player/playback/sample.hpp"
 #include "player/render/gl_objects.hpp"
+#include "player/render/picture_import.hpp"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 namespace vitrine {
 
@@ -14,7 +16,11 @@ class PictureTexture {
     /// @throws std::runtime_error when the graphics card has no room
     explicit PictureTexture(const Sample& sample);
 
-    /// Whether a picture can be put into this without making room anew.
+    /// Of shared planes, which stay where they are.
+    /// @throws std::runtime_error where they cannot be read there
+    PictureTexture(const Sample& sample, const PictureImport& import);
+
+    /// Whether a picture can be put into this without making room anew; never into shared planes.
     bool fits(const Sample& sample) const;
 
     /// The pixels are copied before this returns. @pre fits(sample)
@@ -23,8 +29,15 @@ class PictureTexture {
     /// To the texture units 0 and on, with the same filter and wrap for all planes.
     void bind(GLint smaller, GLint larger, GLint wrap) const;
 
-    /// Smaller copies of what was uploaded last; nothing to do where there are some.
+    /// Smaller copies of what was uploaded last; nothing to do where there are some. @pre not of shared
+    /// planes
     void make_smaller_copies();
+
+    /// What has or can have smaller copies: this, of shared planes a picture a quarter as wide.
+    PictureTexture& reduced();
+
+    /// Who holds shared planes, which must live until the graphics card has read them.
+    const std::shared_ptr<const void>& lender() const { return lender_; }
 
     int width() const { return width_; }
 
@@ -36,15 +49,22 @@ class PictureTexture {
 
     bool has_smaller_copies() const { return has_smaller_copies_; }
 
-    /// False: it was uploaded more than once, as films are.
-    bool is_still() const { return uploads_ == 1; }
+    /// False: it was uploaded more than once, or is shared, as films are.
+    bool is_still() const { return uploads_ == 1 && !lender_; }
 
   private:
+    PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours);
+
+    void make_room();
+    void copy_from(const PictureTexture& larger);
+
     int width_;  // px
     int height_;
     PixelLayout layout_;
     ColourCode colours_;
-    std::array<GlTexture, 3> planes_;  // as many as the layout has, the rest unused
+    std::array<GlTexture, 3> planes_;     // as many as the layout has, the rest unused
+    std::shared_ptr<const void> lender_;  // shared: the decoder's buffer pool; none: the planes are our own
+    std::unique_ptr<PictureTexture> reduced_;
     bool has_smaller_copies_ = false;
     std::uint64_t uploads_ = 0;
 };

@@ -30,18 +30,6 @@ bool is_whole(double value) {
     return std::abs(value - std::round(value)) < same_place;
 }
 
-std::string picture_shader(PixelLayout layout) {
-    switch (layout) {
-    case PixelLayout::i420:
-        return i420_picture;
-    case PixelLayout::nv12:
-        return nv12_picture;
-    case PixelLayout::rgba:
-        break;
-    }
-    return rgba_picture;
-}
-
 }  // namespace
 
 Renderer::PictureProgram::PictureProgram(const std::string& fragment_shader)
@@ -63,9 +51,9 @@ Renderer::PictureProgram::PictureProgram(const std::string& fragment_shader)
 }
 
 Renderer::Programs::Programs(PixelLayout layout)
-    : opaque(picture_shader(layout) + opaque_shader),
-      blended(picture_shader(layout) + blended_shader),
-      filler(picture_shader(layout) + filler_shader) {}
+    : opaque(std::string(picture_shader(layout)) + opaque_shader),
+      blended(std::string(picture_shader(layout)) + blended_shader),
+      filler(std::string(picture_shader(layout)) + filler_shader) {}
 
 Renderer::Renderer(int width, int height, const View& view) : width_(width), height_(height), view_(view) {
     check_gl("make the renderer");
@@ -78,16 +66,56 @@ void Renderer::aim(int width, int height, const View& view) {
     view_ = view;
 }
 
-void Renderer::upload(SourceId source, const Sample& sample) {
+std::optional<std::string> Renderer::upload(SourceId source, const Sample& sample) {
     assert(is_own_thread());
-    const auto [place, is_new] = textures_.try_emplace(source, sample);
-    if (!is_new && !place->second.fits(sample)) place->second = PictureTexture(sample);
-    place->second.upload(sample);
+    if (!sample.shared) {
+        copy(source, sample);
+        return std::nullopt;
+    }
+    std::string reason = "it cannot be read in its place";
+    if (!copied_.contains(source) && import_.is_possible()) {
+        try {
+            replace(source, PictureTexture(sample, import_));
+            return std::nullopt;
+        } catch (const std::runtime_error& error) {
+            reason = error.what();
+        }
+    }
+    if (const std::optional<Sample> bytes = sample.copied()) copy(source, *bytes);
+    return copied_.insert(source).second ? std::optional(reason) : std::nullopt;
+}
+
+void Renderer::copy(SourceId source, const Sample& sample) {
+    const auto place = textures_.find(source);
+    if (place == textures_.end() || !place->second.fits(sample)) replace(source, PictureTexture(sample));
+    textures_.at(source).upload(sample);
+}
+
+void Renderer::replace(SourceId source, PictureTexture texture) {
+    const auto [place, is_new] = textures_.try_emplace(source, std::move(texture));
+    if (is_new) return;
+    give_back(place->second);
+    place->second = std::move(texture);
+}
+
+/// A decoder writes into what it gets back, which the graphics card may still be reading for what was drawn.
+void Renderer::give_back(const PictureTexture& texture) {
+    if (texture.lender()) {
+        Lent lent{.lender = texture.lender(), .read = {}};
+        lent.read.reset(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
+        lent_.push_back(std::move(lent));
+    }
+    while (!lent_.empty() && glClientWaitSync(lent_.front().read.get(), 0, 0) != GL_TIMEOUT_EXPIRED)
+        lent_.pop_front();
 }
 
 void Renderer::forget(SourceId source) {
     assert(is_own_thread());
-    textures_.erase(source);
+    copied_.erase(source);
+    const auto place = textures_.find(source);
+    if (place == textures_.end()) return;
+    give_back(place->second);
+    textures_.erase(place);
 }
 
 bool Renderer::has(SourceId source) const {
@@ -192,7 +220,8 @@ void Renderer::draw_range(const PictureProgram& program, const DrawItem& item, c
 
 void Renderer::bind(const PictureProgram& program, const DrawItem& item, const ToNdc& view) {
     const bool is_filler = program.blur >= 0;
-    PictureTexture& texture = textures_.at(item.source);
+    PictureTexture& whole = textures_.at(item.source);
+    PictureTexture& texture = is_filler ? whole.reduced() : whole;
     const bool is_one_to_one = !is_filler && is_exact(texture, item);
     glBindVertexArray(meshes_.at(item.cell.get()).array.id());
     choose_filter(texture, item, is_filler, is_one_to_one);

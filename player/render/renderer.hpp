@@ -10,11 +10,14 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <unordered_map>
 
 namespace vitrine {
@@ -30,9 +33,14 @@ class Renderer {
     /// stays.
     void aim(int width, int height, const View& view);
 
-    /// The source's newest picture; the pixels are copied before this returns.
+    /// Whether upload() can leave shared planes where they are.
+    bool reads_shared_planes() const { return import_.is_possible(); }
+
+    /// The source's newest picture; the pixels are copied before this returns, shared planes only where they
+    /// cannot be read in their place.
+    /// @return why not, told once a source
     /// @throws std::runtime_error when the graphics card has no room
-    void upload(SourceId source, const Sample& sample);
+    std::optional<std::string> upload(SourceId source, const Sample& sample);
 
     void forget(SourceId source);
 
@@ -77,7 +85,20 @@ class Renderer {
         PictureProgram filler;
     };
 
+    struct EndSync {
+        void operator()(GLsync sync) const { glDeleteSync(sync); }
+    };
+
+    /// What was lent by a decoder, until the graphics card has read it.
+    struct Lent {
+        std::shared_ptr<const void> lender;  // shared: the decoder's buffer pool
+        std::unique_ptr<std::remove_pointer_t<GLsync>, EndSync> read;
+    };
+
     bool is_own_thread() const;
+    void copy(SourceId source, const Sample& sample);
+    void replace(SourceId source, PictureTexture texture);
+    void give_back(const PictureTexture& texture);
     bool leaves_holes(const Frame& frame) const;
     void draw_run(std::span<const DrawItem> items, const ToNdc& view);
     void draw_outlines(const DrawItem& item, const ToNdc& view);
@@ -103,6 +124,9 @@ class Renderer {
     std::array<std::optional<Programs>, 3> programs_;  // by layout, each made when it is first needed
     IdlePicture idle_;
     bool is_on_pixels_ = true;  // canvas points of whole numbers are corners of pixels, in this frame
+    PictureImport import_;
+    std::set<SourceId> copied_;  // those whose shared planes could not be read in their place
+    std::deque<Lent> lent_;      // the oldest first
     std::unordered_map<SourceId, PictureTexture> textures_;
     std::unordered_map<const Cell*, Mesh> meshes_;
 };

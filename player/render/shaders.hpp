@@ -1,5 +1,7 @@
 #pragma once
 
+#include "player/playback/sample.hpp"
+
 namespace vitrine {
 
 // What draws pictures, in GLSL ES 3.00 without its #version line.
@@ -65,6 +67,18 @@ vec3 copy_at(highp vec2 uv, float level) {
     return to_rgb * (vec3(textureLod(picture, uv, level).r, textureLod(blue, uv, level).rg) - zero);
 }
 )";
+
+inline const char* picture_shader(PixelLayout layout) {
+    switch (layout) {
+    case PixelLayout::i420:
+        return i420_picture;
+    case PixelLayout::nv12:
+        return nv12_picture;
+    case PixelLayout::rgba:
+        break;
+    }
+    return rgba_picture;
+}
 
 inline constexpr const char* opaque_shader = R"(
 in highp vec2 uv;

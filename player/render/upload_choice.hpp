@@ -8,10 +8,25 @@
 namespace vitrine {
 
 /// What pictures are to be uploaded as: where the processor draws, each operation on a pixel is dear, so that
-/// it gets them ready for copying; a graphics card gets less to carry.
-/// @param device  gl_device()
-inline PictureForm picture_form(std::string_view device) {
-    return is_software(device) ? PictureForm::rgba : PictureForm::planes;
+/// it gets them ready for copying; a graphics card gets less to carry, or nothing.
+/// @param device               gl_device()
+/// @param reads_shared_planes  whether decoders' pictures can be drawn from where they lie
+inline PictureForm picture_form(std::string_view device, bool reads_shared_planes) {
+    if (is_software(device)) return PictureForm::rgba;
+    return reads_shared_planes ? PictureForm::shared : PictureForm::planes;
+}
+
+/// For the log.
+inline const char* in_words(PictureForm form) {
+    switch (form) {
+    case PictureForm::rgba:
+        return "scaled by the processor, which draws too";
+    case PictureForm::planes:
+        return "uploaded as they are decoded, scaled by the graphics card";
+    case PictureForm::shared:
+        break;
+    }
+    return "drawn from where a decoder shares them, else uploaded as they are decoded";
 }
 
 }  // namespace vitrine

@@ -48,8 +48,8 @@ bool is_near(Colour a, Colour b, int tolerance) {
     return true;
 }
 
-DrawnWall::DrawnWall(int width, int height, const View& view)
-    : screen({.width = width, .height = height}), renderer(width, height, view) {}
+DrawnWall::DrawnWall(int width, int height, const View& view, std::shared_ptr<Egl> egl)
+    : screen({.width = width, .height = height}, std::move(egl)), renderer(width, height, view) {}
 
 void DrawnWall::add(SourceId source, std::shared_ptr<const Cell> shape, Vec2 offset) {
     frame.items.push_back(

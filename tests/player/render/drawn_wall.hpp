@@ -51,7 +51,9 @@ struct DrawnWall {
     Renderer renderer;
     Frame frame{.canvas = {200, 100}};
 
-    explicit DrawnWall(int width = 200, int height = 100, const View& view = {});
+    /// @param egl  none: one of its own
+    explicit DrawnWall(int width = 200, int height = 100, const View& view = {},
+                       std::shared_ptr<Egl> egl = {});
 
     void add(SourceId source, std::shared_ptr<const Cell> shape, Vec2 offset);
 

@@ -100,6 +100,25 @@ TEST_CASE("planes with an odd number of columns and rows are drawn to their last
     }
 }
 
+TEST_CASE("shared planes that the display cannot read are copied, which is told once a source") {
+    DrawnWall wall;
+    CHECK_FALSE(wall.renderer.reads_shared_planes());  // off screen
+    wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});
+    const auto made = halves(62, 34, PixelLayout::nv12, codes[0]);
+    Sample shared{.width = 62, .height = 34, .layout = PixelLayout::nv12, .colours = codes[0]};
+    shared.shared = SharedPlanes{};
+    shared.copied = [&] { return std::optional(made.sample); };
+
+    CHECK(wall.renderer.upload(1, shared));
+    CHECK_FALSE(wall.renderer.upload(1, shared));
+
+    const Picture picture = wall.shown();
+    CHECK(is_near(at(picture, 10, 50), red, 4));
+    CHECK(is_near(at(picture, 90, 50), green, 4));
+    wall.renderer.forget(1);
+    CHECK(wall.renderer.upload(1, shared));
+}
+
 TEST_CASE("a source may go from planes to RGBA and back") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});

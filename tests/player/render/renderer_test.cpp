@@ -131,10 +131,12 @@ TEST_CASE("a photo shown small is averaged and not picked from") {
 TEST_CASE(
     "pictures are scaled beforehand where the processor draws, and handed to a graphics card as decoded") {
     for (const char* device : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Google SwiftShader"})
-        CHECK(picture_form(device) == PictureForm::rgba);
+        CHECK(picture_form(device, true) == PictureForm::rgba);
     for (const char* device :
-         {"V3D 4.2", "Mesa Intel(R) UHD Graphics (ADL-N)", "AMD Radeon (radeonsi)", "Mali-G610 (Panfrost)"})
-        CHECK(picture_form(device) == PictureForm::planes);
+         {"V3D 4.2", "Mesa Intel(R) UHD Graphics (ADL-N)", "AMD Radeon (radeonsi)", "Mali-G610 (Panfrost)"}) {
+        CHECK(picture_form(device, false) == PictureForm::planes);
+        CHECK(picture_form(device, true) == PictureForm::shared);
+    }
     const DrawnWall wall;
     CHECK(is_software(gl_device()));  // that of the tests
 }

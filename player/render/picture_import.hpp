@@ -1,0 +1,43 @@
+#pragma once
+
+#include "player/playback/sample.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine {
+
+/// Reads shared planes into textures without copying them (EGL_EXT_image_dma_buf_import), one texture a
+/// plane, so that they are drawn as uploaded ones are. Of the display that is current where it is made.
+class PictureImport {
+  public:
+    PictureImport();
+
+    /// Whether the display can do so, and says that it takes planes of one and of two channels.
+    bool is_possible() const { return into_texture_ != nullptr && takes_planes_; }
+
+    /// Has the texture that is bound to GL_TEXTURE_2D read a plane.
+    /// @param channels       1 or 2, of 8 bits
+    /// @param width, height  texels
+    /// @throws std::runtime_error with EGL's reason: the display does not take it
+    void read(const SharedPlanes& shared, std::size_t plane, int channels, int width, int height) const;
+
+  private:
+    EGLDisplay display_;
+    bool takes_planes_ = false;
+    bool knows_modifiers_ = false;
+    PFNGLEGLIMAGETARGETTEXTURE2DOESPROC into_texture_ = nullptr;
+};
+
+/// What EGL is told of a plane.
+/// @param names_modifier  whether the display has EGL_EXT_image_dma_buf_import_modifiers
+/// @throws std::runtime_error where a modifier has to be named and cannot be
+std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, std::size_t plane, int channels,
+                                         int width, int height, bool names_modifier);
+
+}  // namespace vitrine
