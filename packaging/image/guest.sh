@@ -50,6 +50,7 @@ late() {
     loaders
     # Once, and not with each package that asks for it (INITRD=No).
     inside update-initramfs -c -k all
+    ln -sfn "$(cd "$root" && echo boot/initrd.img-*)" "$root/initrd.img"
     settle
     # mmdebstrap has /proc and /sys mounted in it; a second view of the tree is without them.
     tree=$(mktemp -d)
