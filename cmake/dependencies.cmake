@@ -13,6 +13,7 @@ pkg_check_modules(heif REQUIRED IMPORTED_TARGET libheif>=1.15)
 pkg_check_modules(gstreamer REQUIRED IMPORTED_TARGET
   gstreamer-1.0>=1.22 gstreamer-app-1.0 gstreamer-video-1.0 gstreamer-allocators-1.0 gstreamer-pbutils-1.0)
 pkg_check_modules(systemd REQUIRED IMPORTED_TARGET libsystemd)
+pkg_check_modules(libinput REQUIRED IMPORTED_TARGET libinput libudev)
 pkg_check_modules(drm REQUIRED IMPORTED_TARGET libdrm gbm)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl glesv2)
 if(VITRINE_TESTS)

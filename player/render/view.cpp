@@ -36,4 +36,22 @@ View letterboxed(int width, int height, View view, Vec2 canvas) {
     return view;
 }
 
+Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 share) {
+    const Vec2 room{static_cast<double>(width - view.left - view.right),
+                    static_cast<double>(height - view.top - view.bottom)};
+    const double x = std::clamp((share.x * width - view.left) / room.x, 0.0, 1.0);
+    const double y = std::clamp((share.y * height - view.top) / room.y, 0.0, 1.0);
+    switch (view.rotation) {
+    case Rotation::none:
+        break;
+    case Rotation::right:  // the canvas' right side is at the panel's top
+        return {canvas.x * (1 - y), canvas.y * x};
+    case Rotation::half:
+        return {canvas.x * (1 - x), canvas.y * (1 - y)};
+    case Rotation::left:
+        return {canvas.x * y, canvas.y * (1 - x)};
+    }
+    return {canvas.x * x, canvas.y * y};
+}
+
 }  // namespace vitrine

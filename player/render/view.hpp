@@ -31,6 +31,9 @@ Vec2 canvas_size(int width, int height, const View& view);
 /// the middle.
 View letterboxed(int width, int height, View view, Vec2 canvas);
 
+/// The canvas point that is shown at a place of a screen, as a share of its pixels; within the canvas.
+Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 share);
+
 /// Canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.
 struct ToNdc {
     Vec2 x_axis;

@@ -32,3 +32,23 @@ TEST_CASE("bars come on top of the margins, and lie where the turned panel has t
 
     CHECK(bars == View{.rotation = Rotation::left, .left = 35, .right = 35});
 }
+
+TEST_CASE("a finger touches the canvas point that is seen below it, however the panel is turned") {
+    const Vec2 share{0.3, 0.2};
+    for (const Rotation rotation : {Rotation::none, Rotation::right, Rotation::half, Rotation::left}) {
+        const View view{.rotation = rotation, .left = 20, .top = 10, .right = 40, .bottom = 30};
+        const Vec2 canvas = canvas_size(200, 100, view);
+        const Vec2 point = canvas_point(200, 100, view, canvas, share);
+
+        const ToNdc ndc = to_ndc(canvas, rotation);
+        const Vec2 seen = ndc.x_axis * point.x + ndc.y_axis * point.y + ndc.origin;
+        CHECK(20 + (seen.x + 1) / 2 * 140 == doctest::Approx(share.x * 200));
+        CHECK(10 + (1 - seen.y) / 2 * 60 == doctest::Approx(share.y * 100));
+    }
+}
+
+TEST_CASE("a finger on the margin touches the canvas' edge") {
+    const View view{.left = 20, .top = 20};
+    CHECK(canvas_point(120, 120, view, {50, 50}, {0.1, 0.5}) == Vec2{0, 20});
+    CHECK(canvas_point(120, 120, view, {50, 50}, {1, 1}) == Vec2{50, 50});
+}
