@@ -84,9 +84,13 @@ void add_play_options(CommandLine& line) {
     line.app.add_option("--film", line.play.film, "Off screen: writes what is shown as an MP4");
     line.app.add_option("--snapshot", line.play.snapshot, "Off screen: writes the last picture as a PNG");
     line.app
+        .add_option("--tapestry", line.play.tapestry,
+                    "Shows the tapestry in this directory in place of the wall")
+        ->check(CLI::ExistingDirectory);
+    line.app
         .add_option_function<std::string>(
             "--rehearse", [&line](const std::string& path) { line.play.rehearsal = read_rehearsal(path); },
-            "A script of files that come and go and of shots that are dragged (docs/operating.md)")
+            "A script of files that come and go and of what visitors do (docs/operating.md)")
         ->check(CLI::ExistingFile);
     line.app
         .add_option_function<std::string>(

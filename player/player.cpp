@@ -57,6 +57,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
+      visitors_(loop_, is_offscreen(settings) ? "none" : settings.input.devices),
       tick_(loop_.timer([this] { tick(); })),
       told_(loop_.timer([this] { tell(); })) {
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
@@ -83,6 +84,7 @@ void Player::make_stages() {
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
     }
     give_catalogue();
+    if (options_.tapestry) stages_.front()->show_strip(*options_.tapestry, std::nullopt, std::nullopt);
 }
 
 /// While the display is opened, which takes a tenth of a second, the first wall is laid out for the size that
@@ -176,11 +178,6 @@ void Player::follow_programme(std::chrono::nanoseconds time) {
         stage->set_catalogue(records, programme_.hints());
 }
 
-void Player::rehearse(std::chrono::nanoseconds time) {
-    if (options_.rehearsal->advance(time)) give_catalogue();
-    stages_.front()->touch(options_.rehearsal->finger());
-}
-
 std::chrono::nanoseconds Player::now() const {
     return is_paced_by_pictures_ ? clock_.due() : EventLoop::Clock::now() - start_;
 }
@@ -199,6 +196,8 @@ void Player::tick() {
     if (!is_time_to_draw(time)) return tick_.arm(busy_pause);
     if (options_.rehearsal) rehearse(time);
     follow_programme(time);
+    visitors_.hand_out(display_->screens(), start_,
+                       [this](const Screen& screen, InputEvent event) { take(screen, event); });
     hand_out(sources_.update());
     for (const auto& stage : stages_)
         if (!stage->screens().empty()) stage->show(time, *renderer_);
@@ -250,12 +249,14 @@ void Player::give_screens(std::chrono::nanoseconds time) {
 
 void Player::leave_terminal() {
     if (display_) display_->leave();
+    visitors_.leave();
     log::info("screen: left to another terminal");
     if (console_) console_->leave();
 }
 
 void Player::come_to_terminal() {
     if (console_) console_->enter();
+    visitors_.come_back();
     log::info("screen: back from another terminal");
     if (display_) display_->take_back();
 }

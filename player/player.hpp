@@ -11,6 +11,7 @@
 #include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
 #include "player/stage.hpp"
+#include "player/visitors.hpp"
 #include "player/wall_picture.hpp"
 
 #include <chrono>
@@ -30,6 +31,7 @@ struct PlayOptions {
     std::optional<std::chrono::nanoseconds> duration;  // none: until stopped
     std::optional<std::filesystem::path> film;         // off screen only
     std::optional<std::filesystem::path> snapshot;     // off screen only: the last picture
+    std::optional<std::filesystem::path> tapestry;     // a directory: shown in place of the wall
     std::optional<Rehearsal> rehearsal;                // what happens to the wall of itself
     bool is_realtime = false;  // off screen: pictures at their time, late or not, instead of each exact
 };
@@ -58,6 +60,7 @@ class Player {
     void give_catalogue();
     void follow_programme(std::chrono::nanoseconds time);
     void rehearse(std::chrono::nanoseconds time);
+    void take(const Screen& screen, InputEvent event);
     void tick();
     void take_wall_picture(std::chrono::nanoseconds time);
     bool is_time_to_draw(std::chrono::nanoseconds time);
@@ -96,6 +99,7 @@ class Player {
     EventLoop::Clock::time_point start_;
     EventLoop::Clock::time_point next_try_;     // to open a display
     std::map<std::string, std::size_t> items_;  // on the wall of each folder, as last told
+    Visitors visitors_;
     EventLoop::Source tick_;
     EventLoop::Source display_events_;
     EventLoop::Source told_;  // systemd, every few seconds

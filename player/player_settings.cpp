@@ -41,7 +41,8 @@ WallSettings wall_settings(const Settings& settings) {
             .nests = settings.layout.folders == "nested",
             .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
                       .clearance = settings.layout.clearance,
-                      .most_scale = settings.layout.max_enlargement}};
+                      .most_scale = settings.layout.max_enlargement},
+            .idle = settings.input.idle};
 }
 
 PanSettings pan_settings(const Settings& settings) {

@@ -3,22 +3,54 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <ctime>
 #include <iomanip>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr double most_seconds = 1e6;
+constexpr auto sampling = 10ms;          // between two places of a finger that moves
+constexpr auto tap_time = 80ms;          // that a finger which taps is down
+constexpr auto flick_time = 120ms;       // that one which flicks moves
+constexpr auto rest_time = 200ms;        // that one which drags rests before it is lifted: it does not flick
+constexpr double closest_fingers = 120;  // px, of a pinch
+constexpr std::array<std::pair<const char*, Key>, 6> keys{{{"left", Key::left},
+                                                           {"right", Key::right},
+                                                           {"nearer", Key::nearer},
+                                                           {"farther", Key::farther},
+                                                           {"select", Key::select},
+                                                           {"back", Key::back}}};
 
 std::chrono::nanoseconds seconds(double number) {
     if (!(number >= 0 && number <= most_seconds))
         throw std::runtime_error("a time must be from 0 to 1000000 seconds");
-    return std::chrono::nanoseconds(static_cast<std::int64_t>(number * 1e9));
+    return std::chrono::nanoseconds(std::llround(number * 1e9));
+}
+
+std::chrono::nanoseconds time_of(const InputEvent& event) {
+    return std::visit([](const auto& one) { return one.time; }, event);
+}
+
+Vec2 place(std::istream& words, const char* complaint) {
+    Vec2 place;
+    if (!(words >> place.x >> place.y)) throw std::runtime_error(complaint);
+    return place;
+}
+
+double number(std::istream& words, const char* complaint) {
+    double number = 0;
+    if (!(words >> number)) throw std::runtime_error(complaint);
+    return number;
 }
 
 std::chrono::local_seconds clock_time(std::istringstream& words) {
@@ -47,31 +79,98 @@ Rehearsal::Rehearsal(const std::string& script) {
     }
     std::stable_sort(files_.begin(), files_.end(),
                      [](const FileEvent& a, const FileEvent& b) { return a.time < b.time; });
+    std::stable_sort(touches_.begin(), touches_.end(),
+                     [](const InputEvent& a, const InputEvent& b) { return time_of(a) < time_of(b); });
 }
 
 void Rehearsal::read_line(const std::string& line) {
     std::istringstream words(line);
     words >> std::ws;
     if (words.eof() || words.peek() == '#') return;
-    double time = 0;
+    double at = 0;
     std::string what;
-    if (!(words >> time >> what))
-        throw std::runtime_error("it must begin with a time in seconds and an event");
-    if (what == "add" || what == "remove") {
-        words >> std::ws;
-        const std::string path(std::istreambuf_iterator<char>(words), {});
-        if (path.empty()) throw std::runtime_error("the file is not named");
-        files_.push_back({.time = seconds(time), .path = path, .is_added = what == "add"});
-        return;
+    if (!(words >> at >> what)) throw std::runtime_error("it must begin with a time in seconds and an event");
+    const std::chrono::nanoseconds time = seconds(at);
+    if (what == "add" || what == "remove") return read_file(words, time, what == "add");
+    if (what == "tap" || what == "hold" || what == "drag" || what == "flick")
+        return read_stroke(words, time, what);
+    if (what == "pinch") return read_pinch(words, time);
+    if (what == "wheel") return read_wheel(words, time);
+    if (what == "key") return read_key(words, time);
+    if (what == "clock") return clocks_.push_back({.time = time, .shows = clock_time(words)});
+    throw std::runtime_error(
+        "an event is one of add, remove, tap, hold, drag, flick, pinch, wheel, key, clock");
+}
+
+void Rehearsal::read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added) {
+    words >> std::ws;
+    const std::string path(std::istreambuf_iterator<char>(words), {});
+    if (path.empty()) throw std::runtime_error("the file is not named");
+    files_.push_back({.time = time, .path = path, .is_added = is_added});
+}
+
+void Rehearsal::read_stroke(std::istream& words, std::chrono::nanoseconds time, const std::string& what) {
+    if (what == "tap") {
+        const Vec2 at = place(words, "a tap is somewhere, 'X Y'");
+        return stroke(0, at, at, time, tap_time, 0ns);
     }
-    if (what == "clock") return clocks_.push_back({.time = seconds(time), .shows = clock_time(words)});
-    if (what != "drag") throw std::runtime_error("an event is one of add, remove, drag, clock");
-    Drag drag{.time = seconds(time)};
-    double duration = 0;
-    if (!(words >> drag.from.x >> drag.from.y >> drag.to.x >> drag.to.y >> duration))
-        throw std::runtime_error("a drag is from where to where in how many seconds, 'X Y X Y SECONDS'");
-    drag.duration = seconds(duration);
-    drags_.push_back(drag);
+    if (what == "hold") {
+        constexpr auto complaint = "a hold is somewhere for how many seconds, 'X Y SECONDS'";
+        const Vec2 at = place(words, complaint);
+        return stroke(0, at, at, time, seconds(number(words, complaint)), 0ns);
+    }
+    constexpr auto complaint = "a drag is from where to where in how many seconds, 'X Y X Y SECONDS'";
+    const Vec2 from = place(words, complaint);
+    const Vec2 to = place(words, complaint);
+    if (what == "flick") return stroke(0, from, to, time, flick_time, 0ns);
+    stroke(0, from, to, time, seconds(number(words, complaint)), rest_time);
+}
+
+/// The fingers lie beside each other.
+void Rehearsal::read_pinch(std::istream& words, std::chrono::nanoseconds time) {
+    constexpr auto complaint =
+        "a pinch is about a place, by how much and in how many seconds, 'X Y FACTOR SECONDS'";
+    const Vec2 at = place(words, complaint);
+    const double factor = number(words, complaint);
+    if (!(factor >= 0.01 && factor <= 100)) throw std::runtime_error("a pinch is by 0.01 to 100");
+    const std::chrono::nanoseconds duration = seconds(number(words, complaint));
+    const Vec2 first{closest_fingers / 2 * std::max(1.0, 1 / factor), 0};
+    const Vec2 last = first * factor;
+    stroke(0, at - first, at - last, time, duration, rest_time);
+    stroke(1, at + first, at + last, time, duration, rest_time);
+}
+
+void Rehearsal::read_wheel(std::istream& words, std::chrono::nanoseconds time) {
+    constexpr auto complaint = "a wheel turns somewhere by how many notches, 'X Y NOTCHES'";
+    const Vec2 at = place(words, complaint);
+    touches_.emplace_back(Wheel{.notches = number(words, complaint), .at = at, .time = time});
+}
+
+void Rehearsal::read_key(std::istream& words, std::chrono::nanoseconds time) {
+    std::string name;
+    words >> name;
+    for (const auto& [known, key] : keys)
+        if (name == known) return void(touches_.emplace_back(KeyPress{.key = key, .time = time}));
+    throw std::runtime_error("a key is one of left, right, nearer, farther, select, back");
+}
+
+void Rehearsal::stroke(int finger, Vec2 from, Vec2 to, std::chrono::nanoseconds time,
+                       std::chrono::nanoseconds duration, std::chrono::nanoseconds rest) {
+    Contact contact{.kind = Contact::Kind::down, .finger = finger, .at = from, .time = time};
+    touches_.emplace_back(contact);
+    contact.kind = Contact::Kind::move;
+    for (std::chrono::nanoseconds passed = sampling; from != to && passed <= duration; passed += sampling) {
+        const double share = std::chrono::duration<double>(passed) / std::chrono::duration<double>(duration);
+        contact.at = from + (to - from) * share;
+        contact.time = time + passed;
+        touches_.emplace_back(contact);
+    }
+    contact.at = to;
+    contact.time = time + duration;
+    if (from != to) touches_.emplace_back(contact);
+    contact.kind = Contact::Kind::up;
+    contact.time += rest;
+    touches_.emplace_back(contact);
 }
 
 bool Rehearsal::advance(std::chrono::nanoseconds now) {
@@ -107,16 +206,11 @@ std::optional<std::chrono::local_seconds> Rehearsal::local_time() const {
     return shows;
 }
 
-std::optional<Vec2> Rehearsal::finger() const {
-    for (const Drag& drag : drags_) {
-        const std::chrono::nanoseconds passed = now_ - drag.time;
-        if (passed.count() < 0 || passed > drag.duration) continue;
-        const double share = drag.duration.count() > 0 ? std::chrono::duration<double>(passed) /
-                                                             std::chrono::duration<double>(drag.duration)
-                                                       : 1;
-        return drag.from + (drag.to - drag.from) * share;
-    }
-    return std::nullopt;
+std::vector<InputEvent> Rehearsal::touches() {
+    std::vector<InputEvent> touches;
+    for (; touched_ < touches_.size() && time_of(touches_[touched_]) <= now_; ++touched_)
+        touches.push_back(touches_[touched_]);
+    return touches;
 }
 
 }  // namespace vitrine

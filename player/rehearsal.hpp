@@ -1,10 +1,11 @@
 #pragma once
 
 #include "base/catalogue/record.hpp"
-#include "base/geometry/vec2.hpp"
+#include "player/input/contact.hpp"
 
 #include <chrono>
 #include <cstddef>
+#include <istream>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,13 +14,18 @@
 namespace vitrine {
 
 /// A script of what happens to a wall, so that it can be seen and tested without waiting for it: files come
-/// and go, a finger drags. One event a line, times in seconds since the start, lengths in canvas px:
+/// and go, a visitor touches. One event a line, times in seconds since the start, lengths in canvas px:
 ///
-///     # comment
-///     4    add garden/new.jpg           not there before
-///     8.5  remove trips/old.jpg
-///     12   drag 300 200 700 100 2.5     from, to, in so many seconds
-///     0    clock 2026-12-24 17:59:50    the local time, which goes on from there
+///     4 add FILE             it was not there before
+///     9 remove FILE          relative to the media folder
+///     12 tap X Y
+///     12 hold X Y SECONDS
+///     12 drag X Y X Y SECONDS          from, to, in so many seconds
+///     12 flick X Y X Y                 in 0.12 seconds, let go at speed
+///     12 pinch X Y FACTOR SECONDS      about a place, fingers so many times farther apart in the end
+///     12 wheel X Y NOTCHES
+///     12 key NAME                      left, right, nearer, farther, select or back
+///     0 clock 2026-12-24 17:59:50      the local time, which goes on from there
 class Rehearsal {
   public:
     /// @throws std::runtime_error naming line and fault
@@ -34,8 +40,8 @@ class Rehearsal {
     /// What the clock on the wall shows now; none: the real time.
     std::optional<std::chrono::local_seconds> local_time() const;
 
-    /// Where the finger is now, canvas px.
-    std::optional<Vec2> finger() const;
+    /// What the visitor has done since the last call, canvas px.
+    std::vector<InputEvent> touches();
 
   private:
     struct FileEvent {
@@ -44,23 +50,25 @@ class Rehearsal {
         bool is_added = false;  // else removed
     };
 
-    struct Drag {
-        std::chrono::nanoseconds time{0};
-        std::chrono::nanoseconds duration{0};
-        Vec2 from, to;
-    };
-
     struct Clock {
         std::chrono::nanoseconds time{0};
         std::chrono::local_seconds shows{};
     };
 
     void read_line(const std::string& line);
+    void read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added);
+    void read_stroke(std::istream& words, std::chrono::nanoseconds time, const std::string& what);
+    void read_pinch(std::istream& words, std::chrono::nanoseconds time);
+    void read_wheel(std::istream& words, std::chrono::nanoseconds time);
+    void read_key(std::istream& words, std::chrono::nanoseconds time);
+    void stroke(int finger, Vec2 from, Vec2 to, std::chrono::nanoseconds time,
+                std::chrono::nanoseconds duration, std::chrono::nanoseconds rest);
 
-    std::vector<FileEvent> files_;  // in order of time
-    std::vector<Drag> drags_;
+    std::vector<FileEvent> files_;     // in order of time
+    std::vector<InputEvent> touches_;  // likewise
+    std::size_t passed_ = 0;           // of files_
+    std::size_t touched_ = 0;          // of touches_
     std::vector<Clock> clocks_;
-    std::size_t passed_ = 0;  // of files_
     std::chrono::nanoseconds now_{0};
 };
 

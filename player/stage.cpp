@@ -20,7 +20,6 @@ using namespace std::chrono_literals;
 constexpr auto idle_period = 100ms;       // from one look of the idle picture to the next: it moves slowly
 constexpr auto still_period = 1s;         // a picture that a card lost in silence is back by then
 constexpr int most_settling_steps = 100;  // each gives up on a file at least
-constexpr int number_bits = 48;           // of a source's number within its stage
 
 std::unique_ptr<Show> make_show(const Settings& settings, Vec2 canvas, SourceId last_source) {
     if (settings.layout.mode == "pan") {
@@ -50,16 +49,16 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       show_(make_show(settings, canvas_, options_.number << number_bits)) {}
 
 void Stage::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
-    if (options_.folder.empty()) return show_->set_catalogue(records, hints);
-    std::vector<MediaRecord> own;
+    records_.clear();
+    hints_ = hints;
     for (const MediaRecord& record : records)
-        if (record.path.starts_with(options_.folder + "/")) own.push_back(record);
-    show_->set_catalogue(own, hints);
+        if (options_.folder.empty() || record.path.starts_with(options_.folder + "/"))
+            records_.push_back(record);
+    show_folder(opened_);
 }
 
 void Stage::expect_screen(int width, int height) {
-    canvas_ = canvas_size(width, height, view_of(settings_, width, height));
-    show_->set_canvas(canvas_);
+    set_canvas(canvas_size(width, height, view_of(settings_, width, height)));
     if (const std::optional<WallPlan> plan = show_->step(time_).plan) ask(*plan);
 }
 
@@ -74,8 +73,19 @@ void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds n
     const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
     const Vec2 canvas = canvas_of(settings_, **std::ranges::max_element(screens_, {}, area));
     if (canvas == canvas_) return;
+    set_canvas(canvas);
+}
+
+void Stage::set_canvas(Vec2 canvas) {
     canvas_ = canvas;
+    gestures_.set_rules(gesture_rules(canvas));
     show_->set_canvas(canvas);
+    if (strip_) strip_->set_canvas(canvas);
+}
+
+Vec2 Stage::canvas_point(const Screen& screen, Vec2 share) const {
+    const View view = letterboxed(screen.width(), screen.height(), view_on(settings_, screen), canvas_);
+    return vitrine::canvas_point(screen.width(), screen.height(), view, canvas_, share);
 }
 
 bool Stage::owns(SourceId source) const {
@@ -86,28 +96,44 @@ void Stage::tell(const SourceEvent& event) {
     if (!event.failure) {
         if (!event.unstored.empty())
             log::info("not in the store, played from the media folder: '{}'", event.unstored);
+        if (strip_) strip_->source_ready(event.source);
         return show_->source_ready(event.source);
     }
     log::warning("not shown for now: {}", *event.failure);
+    if (strip_) strip_->source_failed(event.source);
     show_->source_failed(event.source, time_);
 }
 
 void Stage::show(std::chrono::nanoseconds now, Renderer& renderer) {
-    time_ = now - hidden_;
+    time_ = now - hidden_ - away_;
+    take_gestures(now);
+    if (strip_ && strip_->is_over()) show_wall(renderer);
     WallStep step = next_step(renderer);
+    if (!strip_) behind_ = step.frame;
+    fade_in(step.frame);
+    step.frame.time = now - hidden_;
     frame_ = std::move(step.frame);
     draw(frame_, now, renderer);
 }
 
+WallStep Stage::one_step(Renderer& renderer) {
+    return strip_ ? strip_->step(time_, renderer) : show_->step(time_);
+}
+
+void Stage::forget_uploads() {
+    uploaded_.clear();
+    if (strip_) strip_->forget_uploads();
+}
+
 WallStep Stage::next_step(Renderer& renderer) {
     take_layout();
-    WallStep step = show_->step(time_);
+    WallStep step = one_step(renderer);
     carry_out(step, renderer);
     for (int i = 0;
          options_.await_sources && i < most_settling_steps && (step.plan || !step.requests.empty()); ++i) {
         // The clock stands still until the layout and the sources are there.
         options_.await_sources();
-        step = show_->step(time_);
+        step = one_step(renderer);
         carry_out(step, renderer);
     }
     return step;

@@ -3,13 +3,16 @@
 #include "base/settings/settings.hpp"
 #include "player/display/picture.hpp"
 #include "player/display/screen.hpp"
+#include "player/input/gestures.hpp"
 #include "player/layout/planner.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
 #include "player/scene/show.hpp"
+#include "player/strip_stage.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -59,8 +62,11 @@ class Stage {
 
     bool owns(SourceId source) const;
 
-    /// Where a finger is on the canvas, px; none: there is none.
-    void touch(std::optional<Vec2> finger) { show_->touch(finger); }
+    /// What a visitor does, canvas px, times since the player's start.
+    void take(const InputEvent& event) { gestures_.take(event); }
+
+    /// The canvas point that is seen at a place of one of its screens, given as a share of that screen.
+    Vec2 canvas_point(const Screen& screen, Vec2 share) const;
 
     /// @pre owns(event.source)
     void tell(const SourceEvent& event);
@@ -69,7 +75,15 @@ class Stage {
     void show(std::chrono::nanoseconds now, Renderer& renderer);
 
     /// Another renderer is used from now on: it has none of the pictures.
-    void forget_uploads() { uploaded_.clear(); }
+    void forget_uploads();
+
+    /// A film's tapestry is shown in place of the wall, which waits meanwhile.
+    /// @param directory  of the tapestry
+    /// @param picture    size of the film's picture, px, where it is known
+    /// @param patience   without a touch, then the wall comes back; none: never
+    /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
+    void show_strip(const std::filesystem::path& directory, std::optional<Vec2> picture,
+                    std::optional<std::chrono::nanoseconds> patience);
 
     /// What is on the wall by the last show().
     const Frame& frame() const { return frame_; }
@@ -81,6 +95,16 @@ class Stage {
     std::size_t count() const { return show_->count(); }
 
   private:
+    static constexpr int number_bits = 48;  // of a source's number within its stage
+
+    void set_canvas(Vec2 canvas);
+    void take_gestures(std::chrono::nanoseconds now);
+    bool opens_folder(const Gesture& gesture) const;
+    void show_folder(const std::string& folder);
+    bool opens_strip(const Gesture& gesture);
+    void show_wall(Renderer& renderer);
+    WallStep one_step(Renderer& renderer);
+    void fade_in(Frame& frame) const;
     WallStep next_step(Renderer& renderer);
     void carry_out(const WallStep& step, Renderer& renderer);
     void take_layout();
@@ -94,12 +118,23 @@ class Stage {
     SourcePool& sources_;  // outlives this
     Vec2 canvas_{1920, 1080};
     std::unique_ptr<Show> show_;
+    Gestures gestures_;
+    ShowHints hints_;
+    std::vector<MediaRecord> records_;  // of its folder
+    std::string opened_;                // the folder that a visitor looks into; empty: none
+    std::chrono::nanoseconds touched_{0};
+    std::unique_ptr<StripStage> strip_;  // in place of the wall; none: the wall is shown
+    Frame behind_;                       // what was shown before the strip
+    std::chrono::nanoseconds came_{0};   // when the strip or the wall came, with a fade
+    bool fades_ = false;
+    double pinched_ = 1;       // by how much, on the wall
     WallPlan planned_;         // the plan last asked for
     std::uint64_t asked_ = 0;  // what the planner calls it
     Planner planner_;
     std::vector<Screen*> screens_;
-    Frame frame_;                                               // the last
-    std::chrono::nanoseconds hidden_{0};                        // that no screen showed it, in all
+    Frame frame_;                         // the last
+    std::chrono::nanoseconds hidden_{0};  // that no screen showed it, in all
+    std::chrono::nanoseconds away_{0};    // that a strip was shown in place of the wall, in all
     std::optional<std::chrono::nanoseconds> hidden_since_{0};   // none: a screen shows it
     std::chrono::nanoseconds time_{0};                          // of the wall
     std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // what the renderer has; shared with it

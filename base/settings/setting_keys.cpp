@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -239,6 +238,14 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 "show.background", [](S & s) -> auto& { return s.show.background; },
                 "a colour like \"#101014\"", is_colour),
             text(
+                "input.devices", [](S & s) -> auto& { return s.input.devices; },
+                "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",
+                [](const std::string& value) {
+                    return value == "auto" || value == "none" || value.starts_with('/');
+                }),
+            duration<std::chrono::seconds>(
+                "input.idle_seconds", [](S & s) -> auto& { return s.input.idle; }, 1, 86400),
+            text(
                 "output.screen", [](S & s) -> auto& { return s.output.screen; },
                 "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for "
                 "more",
@@ -300,20 +307,6 @@ const SettingKey* find_setting_key(std::string_view name) {
     for (const SettingKey& key : setting_keys())
         if (key.name == name) return &key;
     return nullptr;
-}
-
-SettingValue setting_value(const std::string& text) {
-    if (text == "true" || text == "false") return text == "true";
-    const char* end = text.data() + text.size();
-    std::int64_t whole_value = 0;
-    if (const auto [rest, error] = std::from_chars(text.data(), end, whole_value);
-        error == std::errc() && rest == end)
-        return whole_value;
-    double value = 0;
-    if (const auto [rest, error] = std::from_chars(text.data(), end, value);
-        error == std::errc() && rest == end && std::isfinite(value))
-        return value;
-    return text;
 }
 
 }  // namespace vitrine

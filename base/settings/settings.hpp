@@ -77,6 +77,11 @@ struct Settings {
         std::string background = "#101014";
     } show;
 
+    struct Input {
+        std::string devices = "auto";   // auto, none, or device nodes separated by commas
+        std::chrono::seconds idle{30};  // without a touch, until the wall is as before
+    } input;
+
     struct Output {
         std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT+WIDTHxHEIGHT...
         std::string mode;            // modes_named()

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdarg>
 #include <cstring>
 #include <map>
 #include <sstream>

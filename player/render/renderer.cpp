@@ -11,12 +11,12 @@ namespace vitrine {
 
 namespace {
 
-constexpr double fringe_width = 1;          // canvas px
-constexpr double filler_blur = 0.25;        // radius, as a share of the picture's shorter side
-constexpr double small_picture = 1.5;       // texels a canvas px, from which single ones are stepped over
-constexpr double same_size = 0.75;          // canvas px that a picture of the very size may differ
-constexpr double same_place = 1e-3;         // canvas px
-constexpr std::uint64_t kept_unused = 120;  // frames that a cell's vertices outlast their last use
+constexpr double fringe_width = 1;         // canvas px
+constexpr double filler_blur = 0.25;       // radius, as a share of the picture's shorter side
+constexpr double small_picture = 1.5;      // texels a canvas px, from which single ones are stepped over
+constexpr double same_size = 0.75;         // canvas px that a picture of the very size may differ
+constexpr double same_place = 1e-3;        // canvas px
+constexpr std::uint64_t kept_unused = 15;  // frames that a cell's vertices outlast their last use
 
 void set(GLint uniform, Vec2 value) {
     glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));

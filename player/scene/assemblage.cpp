@@ -106,6 +106,16 @@ void Assemblage::failed(SourceId source, std::chrono::nanoseconds now) {
     fill();
 }
 
+void Assemblage::dismiss(SourceId source, std::chrono::nanoseconds now) {
+    const auto at = std::find_if(slots_.begin(), slots_.end(),
+                                 [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
+    if (at == slots_.end()) return;
+    due_.reset();
+    if (const auto key = next_for(*at)) return put(*at, *key);
+    avoided_[at->shot->key.path] = now + settings_.amends;
+    *at = {};
+}
+
 std::vector<WallShot> Assemblage::wall() const {
     std::vector<WallShot> shots;
     for (const Slot& slot : slots_) {

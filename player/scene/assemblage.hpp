@@ -79,6 +79,10 @@ class Assemblage {
     /// The file is avoided until it changes or some time has passed; its slots go to others.
     void failed(SourceId source, std::chrono::nanoseconds now);
 
+    /// The shot leaves now for the next one; where there is none, it and its file do not come back for a
+    /// while.
+    void dismiss(SourceId source, std::chrono::nanoseconds now);
+
     /// What is to be shown, in the order of the slots; free slots are left out.
     std::vector<WallShot> wall() const;
 

@@ -39,14 +39,6 @@ bool is_in(std::span<const Vec2> outline, Vec2 point) {
     return is_inside;
 }
 
-bool is_touched(const PlacedShot& placed, Vec2 finger) {
-    const auto is_in_one = [&](const std::vector<Polygon>& outlines) {
-        return std::any_of(outlines.begin(), outlines.end(),
-                           [&](const Polygon& outline) { return is_in(outline, finger); });
-    };
-    return placed.cell && (is_in_one(placed.cell->parts) || is_in_one(placed.cell->filler));
-}
-
 /// The placement at which an item has its centroid at a place.
 Placement about(const LayoutItem& item, const Placement& at, Vec2 place, double scale) {
     const Vec2 centroid = (seat_of(item, at).centre - at.offset) * (1 / at.scale);
@@ -66,6 +58,24 @@ std::optional<std::size_t> whose_place(const Standing& wall, std::size_t held, V
 }
 
 }  // namespace
+
+bool is_touched(const PlacedShot& placed, Vec2 point) {
+    const auto is_in_one = [&](const std::vector<Polygon>& outlines) {
+        return std::any_of(outlines.begin(), outlines.end(),
+                           [&](const Polygon& outline) { return is_in(outline, point); });
+    };
+    return placed.cell && (is_in_one(placed.cell->parts) || is_in_one(placed.cell->filler));
+}
+
+void Hand::forget() {
+    finger_.reset();
+    held_ = 0;
+}
+
+std::optional<std::pair<SourceId, Placement>> Hand::held() const {
+    if (held_ == 0) return std::nullopt;
+    return std::pair{held_, home_};
+}
 
 std::optional<std::vector<Placement>> Hand::step(std::span<const PlacedShot> wall, Vec2 canvas) {
     if (!finger_) has_tried_ = false;
@@ -121,9 +131,9 @@ void Hand::take_hold(std::span<const PlacedShot> wall) {
     has_tried_ = true;
     homes_.clear();
     for (const PlacedShot& placed : wall) {
-        if (!is_touched(placed, *finger_)) continue;
+        if (!is_touched(placed, from_)) continue;
         held_ = placed.shot.source;
-        grip_ = place_of(placed) - *finger_;
+        grip_ = place_of(placed) - from_;
         home_ = placed.placement;
     }
     for (const PlacedShot& placed : wall)

@@ -6,9 +6,13 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
+
+/// Whether a shot shows this canvas point.
+bool is_touched(const PlacedShot& placed, Vec2 point);
 
 /// A finger on the wall, and the shot that it holds. What is held follows it, the others make way and go back
 /// once it has passed; where it is lifted all settles.
@@ -17,11 +21,26 @@ class Hand {
   public:
     explicit Hand(const EditRules& rules) : rules_(rules) {}
 
-    /// Where the finger is, canvas px; none: it is not on the wall.
-    void touch(std::optional<Vec2> finger) { finger_ = finger; }
+    /// Where the finger is and where it came down, canvas px.
+    void touch(Vec2 finger, Vec2 from) {
+        finger_ = finger;
+        from_ = from;
+    }
+
+    /// The finger is lifted.
+    void lift() { finger_.reset(); }
+
+    /// What is held is gone.
+    void forget();
 
     /// Whether a shot is held, or was dropped and has not been settled yet.
     bool is_holding() const { return held_ != 0; }
+
+    /// Whether a finger is there, or a shot is held still.
+    bool is_wanted() const { return finger_ || is_holding(); }
+
+    /// What is held, and where it stood when it was taken; none: nothing.
+    std::optional<std::pair<SourceId, Placement>> held() const;
 
     /// The next step of the wall after the finger.
     /// @param wall    as it stands, with cells
@@ -36,6 +55,7 @@ class Hand {
 
     EditRules rules_;
     std::optional<Vec2> finger_;
+    Vec2 from_;
     bool has_tried_ = false;               // to take hold where the finger came down
     SourceId held_ = 0;                    // 0: nothing
     Vec2 grip_;                            // from the finger to the centroid of the region held, canvas px

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "player/input/gesture.hpp"
 #include "player/layout/plan_request.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
+#include "player/scene/shot_round.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -57,8 +59,11 @@ class Show {
 
     virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
 
-    /// Where a finger is on the canvas, px; none: there is none. A show that cannot be touched ignores it.
-    virtual void touch(std::optional<Vec2> /*finger*/) {}
+    /// What a visitor does, canvas px. A show that cannot be touched ignores it.
+    virtual void take(const Gesture& /*gesture*/) {}
+
+    /// The shot that is seen at a canvas point; none: none, or one that cannot be touched.
+    virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;

@@ -8,8 +8,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr double worth_all_anew = 0.2;                      // of the canvas, that is wasted less
-constexpr auto hand_step = std::chrono::milliseconds(120);  // from one step after a finger to the next
+constexpr double worth_all_anew = 0.2;  // of the canvas, that is wasted less
 
 const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
     const auto found = std::find_if(wall.begin(), wall.end(),
@@ -49,7 +48,11 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders) 
 }
 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
-    : settings_(settings), canvas_(canvas), assemblage_(settings.assemblage), hand_(settings.touch) {}
+    : settings_(settings),
+      canvas_(canvas),
+      assemblage_(settings.assemblage),
+      hand_(settings.touch),
+      enlargement_(settings.touch, settings.idle) {}
 
 void Wall::set_canvas(Vec2 canvas) {
     is_canvas_new_ = is_canvas_new_ || canvas != canvas_;
@@ -57,7 +60,10 @@ void Wall::set_canvas(Vec2 canvas) {
 }
 
 void Wall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+    const std::vector<WallShot> before = assemblage_.wall();
     assemblage_.set_catalogue(records, hints);
+    if (!std::ranges::equal(assemblage_.wall(), before, {}, &WallShot::source, &WallShot::source))
+        enlargement_.end();
     follow_store();
 }
 
@@ -73,10 +79,6 @@ void Wall::follow_store() {
     };
     follow(shown_, true);
     if (incoming_) follow(incoming_->wall, incoming_->waiting && !incoming_->wants_sources);
-}
-
-void Wall::touch(std::optional<Vec2> finger) {
-    if (!settings_.nests) hand_.touch(finger);
 }
 
 void Wall::set_layout(const Layout& layout) {
@@ -135,8 +137,11 @@ void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
 WallStep Wall::step(std::chrono::nanoseconds now) {
     WallStep step{.requests = std::exchange(restored_, {})};
     end_fade(now);
-    if (!incoming_ && canvas_ == shown_canvas_) follow_hand();
-    const bool is_left_alone = !hand_.is_holding() && !(incoming_ && incoming_->is_by_hand);
+    const bool is_touched = hand_.is_wanted() || enlargement_.is_on() || dismissed_ != 0;
+    if (is_touched && incoming_ && !is_fading() && !incoming_->is_by_hand && !shown_.empty())
+        incoming_.reset();  // it waits
+    if (!incoming_ && canvas_ == shown_canvas_) follow_hand(now);
+    const bool is_left_alone = !is_touched && !(incoming_ && incoming_->is_by_hand);
     if (!incoming_ && is_left_alone) assemblage_.advance(now);
     if (!is_fading() && is_left_alone) step.plan = follow_assemblage();
     if (!step.plan) step.plan = ask_anew();
@@ -154,6 +159,7 @@ void Wall::end_fade(std::chrono::nanoseconds now) {
     shown_canvas_ = incoming_->canvas;
     shown_ = std::move(incoming_->wall);
     incoming_.reset();
+    std::erase_if(left_seats_, [&](const auto& seat) { return find_slot(shown_, seat.first) != nullptr; });
 }
 
 /// What has got ready appears now; what does not in time gives way, once the others are there.
@@ -176,17 +182,6 @@ bool Wall::has_arrived(std::chrono::nanoseconds now) const {
         if (placed.began == never) return sources_.at(placed.shot.source) == Source::failed;
         return now - placed.began >= settings_.transition.crossfade;
     });
-}
-
-/// A small change of its own where a finger moves something.
-void Wall::follow_hand() {
-    const auto placements = hand_.step(shown_, canvas_);
-    if (!placements) return;
-    incoming_ = Incoming{.generation = ++generation_, .canvas = canvas_, .wall = shown_, .is_by_hand = true};
-    for (std::size_t i = 0; i < shown_.size(); ++i)
-        incoming_->wall[i].placement = (*placements)[i];
-    give_cells(incoming_->wall, canvas_, settings_.transition.cells);
-    incoming_->has_layout = incoming_->is_final = incoming_->wants_sources = true;
 }
 
 /// A new plan where the assemblage wants something else than what stands or is on its way.
@@ -223,6 +218,8 @@ PlanItem Wall::plan_item(const WallShot& shot) const {
         item.previous = same->placement;
     else if (const PlacedShot* before = find_slot(shown_, shot.slot))
         item.seat = seat_of(before->shot.item, before->placement);
+    else if (const auto left = left_seats_.find(shot.slot); left != left_seats_.end())
+        item.seat = left->second;
     return item;
 }
 
@@ -264,8 +261,8 @@ std::vector<Act> Wall::acts() const {
     const bool is_other_canvas = !shown_.empty() && incoming_->canvas != shown_canvas_;
     if (is_other_canvas || settings_.nests) style.motion = {};  // hulls of groups might meet on the way
     if (is_other_canvas) style.crossfade = {};                  // the old wall fits no more
-    if (incoming_->is_by_hand) {
-        style.motion = style.crossfade = hand_step;
+    if (incoming_->pace) {
+        style.motion = style.crossfade = *incoming_->pace;
         style.is_even = true;
     }
     return transition(incoming_->canvas, shown_, incoming_->wall, style);
@@ -290,9 +287,12 @@ void Wall::begin_fade(std::chrono::nanoseconds now) {
 
 std::vector<SourceId> Wall::retire() {
     std::vector<SourceId> retired;
+    const std::vector<WallShot> wanted = assemblage_.wall();
     for (const auto& [source, ready] : sources_) {
         const bool is_coming = incoming_ && find_source(incoming_->wall, source) != nullptr;
-        if (!is_coming && find_source(shown_, source) == nullptr) retired.push_back(source);
+        const bool is_wanted = std::any_of(wanted.begin(), wanted.end(),
+                                           [&](const WallShot& shot) { return shot.source == source; });
+        if (!is_coming && !is_wanted && find_source(shown_, source) == nullptr) retired.push_back(source);
     }
     for (const SourceId source : retired)
         sources_.erase(source);

@@ -2,6 +2,7 @@
 
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
+#include "player/scene/enlargement.hpp"
 #include "player/scene/hand.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"
@@ -20,6 +21,7 @@ struct WallSettings {
     bool nests = false;                                            // the files of a folder stand together
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
     EditRules touch;                                               // by which a finger moves shots
+    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // after which what was tapped goes back
 };
 
 /// The number of the folder under the media root that a file lies in, as PlanItem::group.
@@ -44,9 +46,12 @@ class Wall final : public Show {
     using Show::set_catalogue;
     void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) override;
 
-    /// What the finger holds follows it; nothing changes of itself before all has settled again. Folders that
-    /// stand together cannot be touched.
-    void touch(std::optional<Vec2> finger) override;
+    /// What a finger drags follows it; what it taps grows, and goes back by itself; what it holds is large
+    /// until it is let go; what it flicks out of the canvas leaves, and the next shot comes. Nothing else
+    /// changes before all has settled again. Folders that stand together cannot be touched.
+    void take(const Gesture& gesture) override;
+
+    std::optional<ShotKey> shot_at(Vec2 point) const override;
 
     /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. For the
     /// first wall also those before the last are taken: while that is made its sources get ready.
@@ -84,6 +89,7 @@ class Wall final : public Show {
         std::vector<PlacedShot> calm;  // the same shots where they moved little, if that left much empty
         bool wants_sources = false;    // of another size than asked for, or not asked for yet
         bool is_by_hand = false;
+        std::optional<std::chrono::nanoseconds> pace;     // by hand: of its one act; none: the usual style
         std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
         std::optional<std::chrono::nanoseconds> fade_began;
         std::vector<Act> acts;  // of the transition, once it has begun
@@ -93,7 +99,11 @@ class Wall final : public Show {
     void let_arrive(std::chrono::nanoseconds now);
     bool has_arrived(std::chrono::nanoseconds now) const;
     void follow_store();
-    void follow_hand();
+    void follow_hand(std::chrono::nanoseconds now);
+    void change_by_hand(std::vector<PlacedShot> wall, std::optional<std::chrono::nanoseconds> pace);
+    void dismiss(std::chrono::nanoseconds now);
+    const PlacedShot* touched(Vec2 point) const;
+    bool leaves(const Gesture& flick) const;
     std::optional<WallPlan> follow_assemblage();
     std::optional<WallPlan> ask_anew();
     void choose_layout();
@@ -111,6 +121,9 @@ class Wall final : public Show {
     Vec2 canvas_;
     Assemblage assemblage_;
     Hand hand_;
+    Enlargement enlargement_;
+    SourceId dismissed_ = 0;          // to leave; 0: none
+    std::map<int, Seat> left_seats_;  // of slots whose shots were dismissed
     std::vector<PlacedShot> shown_;
     std::optional<Incoming> incoming_;
     Vec2 shown_canvas_;  // that shown_ was laid out for

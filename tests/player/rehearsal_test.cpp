@@ -1,5 +1,7 @@
 #include "player/rehearsal.hpp"
 
+#include "player/input/gestures.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace vitrine;
@@ -32,18 +34,47 @@ TEST_CASE("files of a rehearsal come and go at their times, the others are alway
     CHECK_FALSE(rehearsal.advance(10s));
 }
 
-TEST_CASE("the finger of a rehearsal goes evenly from one place to the other and is lifted") {
+TEST_CASE("the finger of a rehearsal goes evenly from one place to the other, rests and is lifted") {
     Rehearsal rehearsal("4 drag 100 200 300 100 2\n");
-    rehearsal.advance(3900ms);
-    CHECK_FALSE(rehearsal.finger());
-    rehearsal.advance(4s);
-    CHECK(rehearsal.finger() == Vec2{100, 200});
-    rehearsal.advance(5s);
-    CHECK(rehearsal.finger() == Vec2{200, 150});
-    rehearsal.advance(6s);
-    CHECK(rehearsal.finger() == Vec2{300, 100});
-    rehearsal.advance(6001ms);
-    CHECK_FALSE(rehearsal.finger());
+    const auto contacts = [&](std::chrono::nanoseconds now) {
+        rehearsal.advance(now);
+        std::vector<Contact> contacts;
+        for (const InputEvent& event : rehearsal.touches())
+            contacts.push_back(std::get<Contact>(event));
+        return contacts;
+    };
+    CHECK(contacts(3900ms).empty());
+    CHECK(contacts(4s) == std::vector{Contact{.at = {100, 200}, .time = 4s}});
+    CHECK(contacts(5s).back() == Contact{.kind = Contact::Kind::move, .at = {200, 150}, .time = 5s});
+    CHECK(contacts(6s).back().at == Vec2{300, 100});
+    CHECK(contacts(6199ms).empty());
+    CHECK(contacts(7s).back().kind == Contact::Kind::up);
+    CHECK(contacts(9s).empty());
+}
+
+TEST_CASE("what a rehearsal names is meant") {
+    const auto meant = [](const std::string& script) {
+        Rehearsal rehearsal(script);
+        Gestures gestures;
+        rehearsal.advance(20s);
+        for (const InputEvent& event : rehearsal.touches())
+            gestures.take(event);
+        return gestures.meant(20s);
+    };
+    using Kind = Gesture::Kind;
+    CHECK(meant("1 tap 5 6").back().kind == Kind::tap);
+    CHECK(meant("1 tap 5 6\n1.2 tap 5 6").back().kind == Kind::double_tap);
+    CHECK(meant("1 hold 5 6 1").front().kind == Kind::hold);
+    CHECK(meant("1 drag 5 6 300 6 1").back().kind == Kind::drop);
+    CHECK(meant("1 flick 5 6 300 6").back().kind == Kind::flick);
+    CHECK(meant("1 key back").back().key == Key::back);
+    CHECK(meant("1 wheel 5 6 -1").back().factor < 1);
+    for (const double factor : {3.0, 0.5}) {
+        double product = 1;
+        for (const Gesture& gesture : meant("1 pinch 300 200 " + std::to_string(factor) + " 0.5"))
+            product *= gesture.factor;
+        CHECK(product == doctest::Approx(factor));
+    }
 }
 
 TEST_CASE("a wrong line of a rehearsal is named with its number and what is wrong") {
@@ -56,7 +87,8 @@ TEST_CASE("a wrong line of a rehearsal is named with its number and what is wron
         return std::string();
     };
     CHECK(fault("1 add a\n2 dance b\n") ==
-          "line 2 of the rehearsal, '2 dance b': an event is one of add, remove, drag, clock");
+          "line 2 of the rehearsal, '2 dance b': an event is one of add, remove, tap, hold, drag, "
+          "flick, pinch, wheel, key, clock");
     CHECK(fault("add a\n").find("line 1") != std::string::npos);
     CHECK(fault("1 add\n").find("not named") != std::string::npos);
     CHECK(fault("1 drag 1 2 3\n").find("X Y X Y SECONDS") != std::string::npos);

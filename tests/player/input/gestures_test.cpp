@@ -33,6 +33,7 @@ std::vector<Gesture> meant(const std::vector<InputEvent>& events, std::chrono::n
 
 std::vector<Kind> kinds(const std::vector<Gesture>& gestures) {
     std::vector<Kind> kinds;
+    kinds.reserve(gestures.size());
     for (const Gesture& gesture : gestures)
         kinds.push_back(gesture.kind);
     return kinds;

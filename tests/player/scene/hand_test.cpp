@@ -62,6 +62,10 @@ bool step(Hand& hand, std::vector<PlacedShot>& wall) {
     return true;
 }
 
+void touch(Hand& hand, Vec2 at) {
+    hand.touch(at, at);
+}
+
 }  // namespace
 
 TEST_CASE("what is held follows the finger across the wall, and settles at its size where it is dropped") {
@@ -72,7 +76,7 @@ TEST_CASE("what is held follows the finger across the wall, and settles at its s
     const Vec2 to{canvas.x - from.x, canvas.y - from.y};
     Hand hand({.budget = 20'000});
     for (int k = 0; k <= 12; ++k) {
-        hand.touch(from + (to - from) * (k / 12.0));
+        hand.touch(from + (to - from) * (k / 12.0), from);
         step(hand, wall);
         CHECK(share_seen(wall) > 0.5 * seen);
     }
@@ -80,7 +84,7 @@ TEST_CASE("what is held follows the finger across the wall, and settles at its s
         step(hand, wall);
     CHECK(length(place(wall[0]) - to) < 0.1 * length(canvas));
     CHECK(wall[0].placement.scale < 0.9 * scale);
-    hand.touch(std::nullopt);
+    hand.lift();
     CHECK(hand.is_holding());
     CHECK(step(hand, wall));
     CHECK_FALSE(hand.is_holding());
@@ -98,9 +102,9 @@ TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the 
         Hand hand({.budget = 10'000});
         for (int k = 0; k < 40; ++k) {
             if (k % 9 == 8)
-                hand.touch(std::nullopt);
+                hand.lift();
             else
-                hand.touch(Vec2{share(engine) * canvas.x, share(engine) * canvas.y});
+                touch(hand, {share(engine) * canvas.x, share(engine) * canvas.y});
             step(hand, wall);
         }
     }
@@ -110,18 +114,18 @@ TEST_CASE("a finger that rests moves nothing, and none at all neither") {
     std::vector<PlacedShot> wall = packed_wall(5);
     Hand hand({});
     CHECK_FALSE(hand.step(wall, canvas));
-    hand.touch(place(wall[2]));
+    touch(hand, place(wall[2]));
     CHECK_FALSE(hand.step(wall, canvas));
     CHECK(hand.is_holding());
     Hand empty({});
-    empty.touch(Vec2{10, 10});
+    touch(empty, {10, 10});
     CHECK_FALSE(empty.step({}, canvas));
 }
 
 TEST_CASE("a shot that leaves the wall leaves the hand") {
     std::vector<PlacedShot> wall = packed_wall(5);
     Hand hand({.budget = 10'000});
-    hand.touch(place(wall[4]));
+    touch(hand, place(wall[4]));
     hand.step(wall, canvas);
     REQUIRE(hand.is_holding());
     wall.pop_back();

@@ -1,0 +1,84 @@
+#include "player/playback/tile_loader.hpp"
+
+#include "base/media/still_picture.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int most_side = 4096;  // px of a tile
+
+}  // namespace
+
+Sample load_tile(const std::string& file) {
+    try {
+        const auto picture = std::make_shared<const StillPicture>(load_still(file, most_side, most_side));
+        return {.width = picture->width,
+                .height = picture->height,
+                .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
+                .pixels = picture->pixels,
+                .owner = picture};
+    } catch (const std::exception&) {  // a coarser level shows in its place
+        return {};
+    }
+}
+
+TileLoader::TileLoader() : thread_([this] { run(); }) {}
+
+TileLoader::~TileLoader() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_stopping_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void TileLoader::want(std::vector<TileFile> files) {
+    std::ranges::reverse(files);
+    {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(files, [&](const TileFile& file) {
+            return file.number == reading_ || std::ranges::any_of(loaded_, [&](const LoadedTile& tile) {
+                       return tile.number == file.number;
+                   });
+        });
+        wanted_ = std::move(files);
+    }
+    wake_.notify_one();
+}
+
+std::vector<LoadedTile> TileLoader::take(std::size_t most) {
+    std::vector<LoadedTile> tiles;
+    {
+        const std::lock_guard lock(mutex_);
+        for (; !loaded_.empty() && tiles.size() < most; loaded_.pop_front())
+            tiles.push_back(std::move(loaded_.front()));
+    }
+    wake_.notify_one();
+    return tiles;
+}
+
+void TileLoader::run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock,
+                   [this] { return is_stopping_ || (!wanted_.empty() && loaded_.size() < most_waiting); });
+        if (is_stopping_) return;
+        const TileFile file = std::move(wanted_.back());
+        wanted_.pop_back();
+        reading_ = file.number;
+        lock.unlock();
+        LoadedTile tile{.number = file.number, .sample = load_tile(file.file)};
+        lock.lock();
+        reading_.reset();
+        loaded_.push_back(std::move(tile));
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "player/playback/sample.hpp"
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace vitrine {
+
+/// What is to be read, by a number of the caller's.
+struct TileFile {
+    std::uint64_t number = 0;
+    std::string file;
+};
+
+struct LoadedTile {
+    std::uint64_t number = 0;
+    Sample sample;  // without pixels where the file cannot be read
+};
+
+/// The picture of a tile, as it is in its file. Without pixels where it cannot be read.
+Sample load_tile(const std::string& file);
+
+/// Thread-safe. Reads the tiles of a strip on a thread of its own, so that no frame waits for one. Holds back
+/// where they are not taken.
+class TileLoader {
+  public:
+    TileLoader();
+    TileLoader(const TileLoader&) = delete;
+    TileLoader& operator=(const TileLoader&) = delete;
+    TileLoader(TileLoader&&) = delete;
+    TileLoader& operator=(TileLoader&&) = delete;
+    ~TileLoader();
+
+    /// What is to be read from now on, the most urgent first; what was asked for before is not read any more.
+    void want(std::vector<TileFile> files);
+
+    /// Tiles that have been read since. @param most  of them
+    std::vector<LoadedTile> take(std::size_t most);
+
+    /// Tiles that lie ready to be taken, at most.
+    static constexpr std::size_t most_waiting = 8;
+
+  private:
+    void run();
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::vector<TileFile> wanted_;          // guarded by mutex_; the most urgent last
+    std::optional<std::uint64_t> reading_;  // guarded by mutex_
+    std::deque<LoadedTile> loaded_;         // guarded by mutex_
+    bool is_stopping_ = false;              // guarded by mutex_
+    std::thread thread_;                    // last: runs on all of the above
+};
+
+}  // namespace vitrine

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
+#include "player/scene/strip_motion.hpp"
+#include "player/scene/tile_cache.hpp"
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine {
+
+struct StripSettings {
+    SourceId first_source = 0;                               // its own are numbered from there on
+    std::optional<std::chrono::nanoseconds> patience;        // without a touch, then it is over; none: never
+    std::int64_t most_tile_bytes = std::int64_t{128} << 20;  // of tiles as textures, RGBA
+    StripPace pace;
+};
+
+/// What is to be done in this frame, beside drawing it.
+struct StripStep {
+    Frame frame;
+    std::vector<TileId> missing;  // to be read, the most urgent first; replaces what was asked for before
+    std::vector<ShotRequest> requests;  // stretches of the film to be played
+    std::vector<SourceId>
+        retired;  // tiles and stretches, not in this frame and not before they are asked for anew
+};
+
+/// A film's tapestry in the lower part of the canvas, to be dragged, flung and zoomed; a tap plays the film
+/// from there in the upper part, and the part below the finger plays in place for a while. By itself it goes
+/// through the film. Knows no clock, files or textures: tiles and stretches of film are sources, told when
+/// they are there. Source: Video Tapestries 5 and 6 (preview above, zoom in 0.6 s); animated tapestries: 7,
+/// future work.
+class TapestryStrip {
+  public:
+    /// @param picture  size of the film's upright picture, px; only its shape counts
+    /// @param canvas   px
+    TapestryStrip(Tapestry tapestry, Vec2 picture, Vec2 canvas, const StripSettings& settings);
+
+    void set_canvas(Vec2 canvas);
+
+    void take(const Gesture& gesture);
+
+    /// A tile can be drawn from now on.
+    void tile_ready(const TileId& tile);
+
+    /// It is given up: all that it had asked for.
+    std::vector<SourceId> close();
+
+    /// All tiles have been lost, with the renderer that had them.
+    void forget_tiles();
+
+    void source_ready(SourceId source);
+    void source_failed(SourceId source);
+
+    /// @param now  never goes back
+    StripStep step(std::chrono::nanoseconds now);
+
+    /// A visitor has had enough of it, or nobody has touched it for long.
+    bool is_over() const { return is_over_; }
+
+    SourceId source_of(const TileId& tile) const;
+
+    /// Of a picture of one white pixel, which lines are drawn with.
+    SourceId mark() const { return settings_.first_source; }
+
+    const TapestryView& view() const { return motion_.view(); }
+
+    const Tapestry& tapestry() const { return tapestry_; }
+
+    const Box& box() const { return box_; }
+
+    const Box& preview() const { return preview_; }
+
+    std::size_t tiles() const { return cache_.size(); }
+
+  private:
+    /// A stretch of the film that plays.
+    struct Playing {
+        SourceId source = 0;
+        std::chrono::nanoseconds begin{0};
+        std::chrono::nanoseconds end{0};
+        std::optional<std::chrono::nanoseconds> began;  // none: not ready yet; < 0: with the next picture
+    };
+
+    TapestryPlace place() const { return {tapestry_, box_}; }
+
+    void lay_out(Vec2 canvas);
+    void play(std::chrono::nanoseconds from);
+    void play_in_place(std::chrono::nanoseconds from);
+    Playing stretch(std::chrono::nanoseconds from, std::chrono::nanoseconds length, double width);
+    void retire(std::optional<Playing>& playing);
+    void play_by_itself(std::chrono::nanoseconds now);
+    Frame picture(std::chrono::nanoseconds now);
+    void draw_level(Frame& frame, std::size_t level, double alpha) const;
+    bool is_whole(std::size_t level) const;
+    void draw_in_place(Frame& frame);
+    void draw_preview(Frame& frame);
+    void draw_playhead(Frame& frame, const Playing& playing) const;
+    Box brick(std::chrono::nanoseconds time) const;
+
+    Tapestry tapestry_;
+    Vec2 picture_;
+    Vec2 canvas_;
+    StripSettings settings_;
+    Box box_;      // of the strip, canvas px
+    Box preview_;  // canvas px
+    StripMotion motion_;
+    TileCache cache_;
+    std::optional<Playing> shown_;     // above the strip
+    std::optional<Playing> incoming_;  // takes its place once it is ready
+    std::optional<Playing> in_place_;
+    SourceId last_source_;
+    std::vector<ShotRequest> requests_;
+    std::vector<SourceId> retired_;
+    bool is_touched_ = true;
+    std::chrono::nanoseconds touched_{0};
+    std::chrono::nanoseconds played_{0};  // when it last played by itself
+    bool is_over_ = false;
+};
+
+}  // namespace vitrine

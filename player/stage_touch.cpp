@@ -1,0 +1,117 @@
+#include "player/stage.hpp"
+
+#include "base/system/log.hpp"
+#include "player/scene/compose.hpp"
+
+#include <algorithm>
+#include <exception>
+
+// What a visitor does to a wall and the screens that show it, beside moving its shots: a folder is opened, or
+// the strip of a film.
+
+namespace vitrine {
+
+namespace {
+
+constexpr SourceId strip_bit = SourceId{1} << 47;  // of those of a strip
+constexpr double parted = 1.25;                    // factor of a pinch that opens a strip
+
+/// The folder below the media folder that a shot lies in; empty: none.
+std::string top_folder(const std::optional<ShotKey>& shot) {
+    const std::size_t slash = shot ? shot->path.find('/') : std::string::npos;
+    return slash == std::string::npos ? "" : shot->path.substr(0, slash);
+}
+
+}  // namespace
+
+/// A visitor looks into one of the folders that stand together; empty: at all of them.
+void Stage::show_folder(const std::string& folder) {
+    std::vector<MediaRecord> within;
+    for (const MediaRecord& record : records_)
+        if (folder.empty() || record.path.starts_with(folder + "/")) within.push_back(record);
+    opened_ = within.empty() ? "" : folder;
+    show_->set_catalogue(within.empty() ? records_ : within, hints_);
+}
+
+void Stage::take_gestures(std::chrono::nanoseconds now) {
+    if (gestures_.is_touched()) touched_ = now;
+    for (const Gesture& gesture : gestures_.meant(now)) {
+        touched_ = now;
+        if (strip_)
+            strip_->take(gesture);
+        else if (opens_strip(gesture))
+            continue;
+        else if (opens_folder(gesture))
+            show_folder(opened_.empty() ? top_folder(show_->shot_at(gesture.at)) : "");
+        else
+            show_->take(gesture);
+    }
+    if (!opened_.empty() && now - touched_ >= settings_.input.idle) show_folder("");
+}
+
+/// Two fingers that part on a film, or two taps on it, open its strip where there is one.
+bool Stage::opens_strip(const Gesture& gesture) {
+    pinched_ = gesture.kind == Gesture::Kind::pinch ? pinched_ * gesture.factor : 1;
+    if (gesture.kind != Gesture::Kind::double_tap && pinched_ < parted) return false;
+    const auto shot = show_->shot_at(gesture.at);
+    if (!shot) return false;
+    const auto film = std::ranges::find(records_, shot->path, &MediaRecord::path);
+    const auto directory =
+        std::filesystem::path(settings_.state.directory) / "tapestry" / record_id(shot->path);
+    std::error_code error;
+    if (film == records_.end() || !std::filesystem::exists(directory / "index.json", error)) return false;
+    try {
+        show_strip(directory, Vec2{static_cast<double>(film->width), static_cast<double>(film->height)},
+                   settings_.input.idle);
+    } catch (const std::exception& failure) {
+        log::warning("no strip of '{}': {}", shot->path, failure.what());
+        return false;
+    }
+    return true;
+}
+
+void Stage::show_strip(const std::filesystem::path& directory, std::optional<Vec2> picture,
+                       std::optional<std::chrono::nanoseconds> patience) {
+    strip_ = std::make_unique<StripStage>(
+        directory, picture, canvas_,
+        StripStageOptions{.first_source = (options_.number << number_bits) | strip_bit,
+                          .patience = patience,
+                          .awaits_tiles = static_cast<bool>(options_.await_sources)});
+    came_ = time_;
+    fades_ = true;
+    log::info("strip of '{}'", strip_->strip().tapestry().path);
+}
+
+/// The wall goes on where it was left.
+void Stage::show_wall(Renderer& renderer) {
+    carry_out({.retired = strip_->close()}, renderer);
+    strip_.reset();
+    behind_ = {};
+    away_ += time_ - came_;
+    time_ = came_;
+    fades_ = true;
+}
+
+/// What has just come, over what was there before.
+void Stage::fade_in(Frame& frame) const {
+    if (!fades_ || time_ - came_ >= settings_.show.crossfade) return;
+    const double shown = eased(std::chrono::duration<double>(time_ - came_) /
+                               std::chrono::duration<double>(settings_.show.crossfade));
+    for (DrawItem& item : frame.items)
+        item.alpha *= shown;
+    frame.idle = 1;
+    if (!strip_) return;
+    std::vector<DrawItem> items = behind_.items;
+    for (DrawItem& item : items)
+        item.alpha = std::min(item.alpha * (1 - shown), 0.999);
+    items.insert(items.end(), frame.items.begin(), frame.items.end());
+    frame.items = std::move(items);
+}
+
+/// A tap on a folder that stands together opens it, a tap or a key into it closes it.
+bool Stage::opens_folder(const Gesture& gesture) const {
+    if (settings_.layout.folders != "nested") return false;
+    return gesture.kind == Gesture::Kind::tap || (gesture.kind == Gesture::Kind::key && !opened_.empty());
+}
+
+}  // namespace vitrine

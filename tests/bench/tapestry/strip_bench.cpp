@@ -1,0 +1,162 @@
+// What a frame of a film's strip costs with the processor drawing: at rest, dragged, and in each frame of a
+// step from level to level, against one full-screen picture drawn in the same run. Tiles are noise.
+
+#include "player/display/offscreen_screen.hpp"
+#include "player/render/renderer.hpp"
+#include "player/scene/tapestry_strip.hpp"
+
+#include <GLES3/gl3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <vector>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Vec2 canvas{1280, 720};
+constexpr auto frame_time = 16'666'667ns;
+
+double cpu_milliseconds() {
+    timespec spent{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
+    return static_cast<double>(spent.tv_sec) * 1e3 + static_cast<double>(spent.tv_nsec) * 1e-6;
+}
+
+struct Cost {
+    double mean = 0;  // CPU ms
+    double most = 0;
+};
+
+Cost cost(int times, const std::function<void()>& work) {
+    Cost cost;
+    for (int k = 0; k < times; ++k) {
+        const double before = cpu_milliseconds();
+        work();
+        glFinish();
+        const double spent = cpu_milliseconds() - before;
+        cost.mean += spent / times;
+        cost.most = std::max(cost.most, spent);
+    }
+    return cost;
+}
+
+Tapestry two_hours() {
+    Tapestry tapestry{.path = "film.mp4",
+                      .duration = 2h,
+                      .is_complete = true,
+                      .folder = "tiles",
+                      .height = 150,
+                      .tile_width = 500,
+                      .brick_width = 178,
+                      .levels = {}};
+    for (int count = 24; count <= 6144; count *= 2) {
+        TapestryLevel level{.width = (count + 1) * 89, .keyframes = {}};
+        for (int k = 0; k < count; ++k)
+            level.keyframes.push_back(std::chrono::nanoseconds(2h) * (2 * k + 1) / (2 * count));
+        tapestry.levels.push_back(std::move(level));
+    }
+    return tapestry;
+}
+
+struct Noise {
+    Noise(int wide, int high)
+        : pixels(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high) * 4),
+          sample{
+              .width = wide, .height = high, .stride = static_cast<std::size_t>(wide) * 4, .pixels = pixels} {
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            pixels[i] = static_cast<std::byte>(i * 7 % 251);
+    }
+
+    std::vector<std::byte> pixels;
+    Sample sample;
+};
+
+struct Bench {
+    OffscreenScreen screen{{.width = 1280, .height = 720, .film = {}}};
+    Renderer renderer{1280, 720};
+    TapestryStrip strip{two_hours(), {1280, 720}, canvas, {.first_source = 1, .patience = {}}};
+    Noise tile{500, 150};
+    std::chrono::nanoseconds now = 0s;
+    double scene = 0;  // CPU ms, in all, of what is no drawing
+
+    void draw(const Frame& frame) {
+        screen.begin_frame();
+        renderer.draw(frame);
+        glFinish();
+    }
+
+    void step() {
+        const double before = cpu_milliseconds();
+        StripStep step = strip.step(now);
+        scene += cpu_milliseconds() - before;
+        for (const TileId& id : step.missing) {
+            renderer.upload(strip.source_of(id), tile.sample);
+            strip.tile_ready(id);
+        }
+        now += frame_time;
+        draw(step.frame);
+    }
+
+    void run(std::chrono::nanoseconds duration) {
+        for (const auto end = now + duration; now < end;)
+            step();
+    }
+
+    void key(Key key) { strip.take({.kind = Gesture::Kind::key, .key = key}); }
+};
+
+void print(const char* what, Cost spent, double one_picture) {
+    fmt::print("{:<44} CPU {:6.2f} ms, worst {:6.2f} ms, {:5.2f} x one picture\n", what, spent.mean,
+               spent.most, spent.mean / one_picture);
+}
+
+}  // namespace
+
+int main() {
+    Bench bench;
+    bench.renderer.upload(bench.strip.mark(), bench.tile.sample);
+    const Noise film(1280, 720);
+    bench.renderer.upload(2, film.sample);
+    const Box all{{0, 0}, canvas};
+    Cell cell{.parts = {to_polygon(all)}};
+    cell.triangles = {{all.min, {all.max.x, 0}, all.max}, {all.min, all.max, {0, all.max.y}}};
+    const Frame quad{
+        .canvas = canvas,
+        .items = {{.source = 2, .cell = std::make_shared<const Cell>(cell), .picture = {1278, 719}}}};
+    bench.draw(quad);
+    const double one = cost(60, [&] { bench.draw(quad); }).mean;
+    print("one full-screen picture", {one, 0}, one);
+    print("idle picture", cost(60, [&] { bench.draw({.canvas = canvas, .idle = 1}); }), one);
+
+    bench.run(500ms);
+    for (int k = 0; k < 4; ++k) {
+        bench.key(Key::nearer);
+        bench.run(1s);
+    }
+    print("strip at rest", cost(60, [&] { bench.step(); }), one);
+    print("strip dragged",
+          cost(60,
+               [&] {
+                   bench.strip.take(
+                       {.kind = Gesture::Kind::drag, .at = {600, 500}, .from = {640, 500}, .moved = {-9, 0}});
+                   bench.step();
+               }),
+          one);
+    for (const Key key : {Key::nearer, Key::farther}) {
+        bench.run(2s);
+        bench.key(key);
+        bench.scene = 0;
+        print(key == Key::nearer ? "step to a finer level, each of its 37 frames"
+                                 : "step to a coarser level, each of its 37 frames",
+              cost(37, [&] { bench.step(); }), one);
+        fmt::print("{:<44} CPU {:6.2f} ms\n", "  of which where everything is", bench.scene / 37);
+    }
+    SourceId next = 1'000'000'000;
+    print("upload of a tile", cost(30, [&] { bench.renderer.upload(next++, bench.tile.sample); }), one);
+}

@@ -1,0 +1,244 @@
+#include "player/scene/tapestry_strip.hpp"
+
+#include "tests/player/scene/drawn_tapestry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Kind = Gesture::Kind;
+
+constexpr Vec2 on_strip{200, 280};  // of a canvas of 640 x 360
+constexpr auto frame_time = 16'666'667ns;
+
+/// The player around a strip: tiles come at once, films when they are asked for.
+struct House {
+    TapestryStrip strip{drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .patience = {}}};
+    std::chrono::nanoseconds now = 0s;
+    std::set<SourceId> tiles{};
+    std::vector<ShotRequest> playing{};
+    bool readies = true;
+
+    StripStep step() {
+        StripStep step = strip.step(now);
+        for (const TileId& tile : step.missing) {
+            tiles.insert(strip.source_of(tile));
+            strip.tile_ready(tile);
+        }
+        for (const SourceId source : step.retired) {
+            tiles.erase(source);
+            std::erase_if(playing, [&](const ShotRequest& request) { return request.source == source; });
+        }
+        for (const ShotRequest& request : step.requests) {
+            playing.push_back(request);
+            if (readies) strip.source_ready(request.source);
+        }
+        now += frame_time;
+        return step;
+    }
+
+    StripStep run(std::chrono::nanoseconds duration) {
+        StripStep last = step();
+        for (const auto end = now + duration; now < end;)
+            last = step();
+        return last;
+    }
+
+    double x(std::chrono::nanoseconds time) const {
+        return TapestryPlace(strip.tapestry(), strip.box()).canvas_x(strip.view(), time);
+    }
+
+    std::chrono::nanoseconds time_at(double x) const {
+        return TapestryPlace(strip.tapestry(), strip.box()).time_at(strip.view(), x);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a strip is covered by its tiles in every frame, whatever one does") {
+    House house;
+    house.step();
+    const auto check = [&](std::chrono::nanoseconds duration) {
+        for (const auto end = house.now + duration; house.now < end;) {
+            const Frame frame = house.step().frame;
+            const double right = std::min(640.0, house.x(60s));
+            double reached = std::max(0.0, house.x(0s));
+            for (const DrawItem& item : frame.items) {
+                if (!house.tiles.contains(item.source) || item.alpha < 1) continue;
+                const Box box = bounding_box(item.cell->parts[0]);
+                if (box.min.x <= reached + 1e-6) reached = std::max(reached, box.max.x);
+            }
+            REQUIRE(reached >= right - 1e-6);
+        }
+    };
+    for (int k = 0; k < 3; ++k) {
+        house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+        check(800ms);
+    }
+    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    check(2s);
+    for (int k = 0; k < 20; ++k) {
+        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.93});
+        check(40ms);
+    }
+    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    check(30s);
+}
+
+TEST_CASE("a notch of the wheel is one level in 0.6 seconds, about the pointer") {
+    House house;
+    house.step();
+    for (int k = 0; k < 2; ++k) {
+        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.run(1s);
+    }
+    REQUIRE(house.strip.view().level == 2);
+    house.strip.take({.kind = Kind::wheel, .at = {320, 280}, .from = {320, 280}, .factor = 1.25});
+    const auto held = house.time_at(320);
+    house.step();
+    const auto began = house.now - frame_time;
+    while (house.strip.view().level < 3) {
+        house.step();
+        CHECK(house.x(held) == doctest::Approx(320).epsilon(1e-3));
+    }
+    CHECK(house.now - frame_time - began >= 600ms);
+    CHECK(house.now - frame_time - began < 600ms + 2 * frame_time);
+}
+
+TEST_CASE("a strip that is let go between two levels comes to rest at the nearest") {
+    House house;
+    house.step();
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 1.7});
+    CHECK(house.strip.view().level > 0.5);
+    CHECK(house.strip.view().level < 1);
+    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    house.run(1s);
+    CHECK(house.strip.view().level == 1);
+}
+
+TEST_CASE("a strip goes with the finger, and on after a flick, ever slower") {
+    House house;
+    house.step();
+    for (int k = 0; k < 3; ++k) {
+        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.run(1s);
+    }
+    const auto held = house.time_at(400);
+    house.strip.take({.kind = Kind::drag, .at = {350, 280}, .from = {400, 280}, .moved = {-50, 0}});
+    CHECK(house.x(held) == doctest::Approx(350).epsilon(1e-3));
+    house.strip.take({.kind = Kind::flick, .at = {350, 280}, .from = {400, 280}, .velocity = {-600, 0}});
+    double last = house.x(held);
+    double way = 0;
+    for (int k = 0; k < 10; ++k) {
+        house.run(100ms);
+        const double went = last - house.x(held);
+        if (k > 0) CHECK(went < way);
+        way = went;
+        last = house.x(held);
+    }
+    CHECK(last < 350 - 100);
+    CHECK(last > 350 - 600 * 0.35 - 1);
+    house.run(3s);
+    const double rest = house.x(held);
+    house.run(1s);
+    CHECK(house.x(held) == rest);
+}
+
+TEST_CASE("a tap plays the film from there above the strip and in place, and a line goes along with it") {
+    House house;
+    house.run(1s);
+    const auto time = house.time_at(300);
+    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    const StripStep step = house.run(500ms);
+    REQUIRE(house.playing.size() == 2);
+    for (const ShotRequest& request : house.playing) {
+        CHECK(request.path == "film.mp4");
+        CHECK(request.shot.begin == time);
+    }
+    const auto find = [&](SourceId source) {
+        return std::ranges::find(step.frame.items, source, &DrawItem::source);
+    };
+    const auto above = find(house.playing[0].source);
+    REQUIRE(above != step.frame.items.end());
+    CHECK(bounding_box(above->cell->parts[0]).max.y < house.strip.box().min.y);
+    CHECK(above->local > 400ms);
+    const auto in_place = find(house.playing[1].source);
+    REQUIRE(in_place != step.frame.items.end());
+    CHECK(bounding_box(in_place->cell->parts[0]).min.y >= house.strip.box().min.y);
+    CHECK(bounding_box(in_place->cell->parts[0]).max.y <= house.strip.box().max.y);
+    const auto line = find(house.strip.mark());
+    REQUIRE(line != step.frame.items.end());
+    const Box at = bounding_box(line->cell->parts[0]);
+    CHECK((at.min.x + at.max.x) / 2 == doctest::Approx(house.x(time + above->local)).epsilon(0.01));
+}
+
+TEST_CASE(
+    "what plays stays until what was tapped next is ready; a film that fails leaves the strip as it was") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    house.run(500ms);
+    const SourceId first = house.playing[0].source;
+    house.readies = false;
+    house.strip.take({.kind = Kind::tap, .at = {400, 280}, .from = {400, 280}});
+    StripStep step = house.run(500ms);
+    CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 1);
+    for (const ShotRequest& request : std::vector(house.playing))
+        house.strip.source_failed(request.source);
+    step = house.run(500ms);
+    CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 0);
+    CHECK(house.playing.empty());
+}
+
+TEST_CASE("by itself it goes through the film, nearer and farther, and plays what is in the middle") {
+    House house;
+    std::set<long> levels;
+    std::set<long> places;
+    for (int k = 0; k < 90; ++k) {
+        house.run(1s);
+        levels.insert(std::lround(house.strip.view().level));
+        places.insert(house.strip.view().centre / 2s);
+    }
+    CHECK(levels.size() == 4);
+    CHECK(places.size() > 5);
+    CHECK_FALSE(house.playing.empty());
+    CHECK_FALSE(house.strip.is_over());
+    house.strip.take({.kind = Kind::tap, .at = {320, 20}, .from = {320, 20}});
+    house.run(1s);
+    const TapestryView view = house.strip.view();
+    house.run(3s);
+    CHECK(house.strip.view() == view);  // somebody is there
+}
+
+TEST_CASE("a strip is over when nobody has touched it for long, or at the key for it") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.patience = 30s});
+    strip.step(0s);
+    strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    strip.step(20s);
+    strip.step(49s);
+    CHECK_FALSE(strip.is_over());
+    strip.step(50s);
+    CHECK(strip.is_over());
+    TapestryStrip other(drawn_tapestry(), {160, 90}, {640, 360}, {});
+    other.take({.kind = Kind::key, .key = Key::back});
+    CHECK(other.is_over());
+}
+
+TEST_CASE("a strip that is closed gives back all that it asked for") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.run(1s);
+    REQUIRE(house.playing.size() == 2);
+    const std::vector<SourceId> sources = house.strip.close();
+    for (const SourceId source : house.tiles)
+        CHECK(std::ranges::count(sources, source) == 1);
+    for (const ShotRequest& request : house.playing)
+        CHECK(std::ranges::count(sources, request.source) == 1);
+}
