@@ -1,15 +1,19 @@
 // Counts pictures lost, repeated or at a wrong distance over many loops of a part of a film, in several
-// containers: eight pictures from the midst, so that a thousand loops take seconds.
+// containers: eight pictures from the midst, so that a thousand loops take seconds. Then the same over as
+// many changes of shot, from films and from a clip as the store has it.
 //
 //     gaps_bench [LOOPS]
 
 #include "player/playback/film_loop.hpp"
+#include "player/playback/source_pool.hpp"
 #include "tests/player/playback/numbered_film.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
+#include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -49,6 +53,55 @@ Wrong wrong(const std::string& file, int loops) {
     return wrong;
 }
 
+/// Each shot comes while the one before plays on beside it, as in a fade, and then plays alone up to the
+/// next.
+Wrong wrong_changes(const std::string& file, int changes, int begins) {
+    SourcePool pool({.media = "/"});
+    const auto ask = [&](int shot) {
+        pool.request({.source = static_cast<SourceId>(shot + 1),
+                      .path = file,
+                      .kind = MediaKind::video,
+                      .shot = {.begin = begins * period, .end = (begins + count) * period},
+                      .width = numbered_width,
+                      .height = numbered_height});
+        for (const SourceEvent& event : pool.wait_until_ready(20s))
+            if (event.failure) throw std::runtime_error(*event.failure);
+    };
+    Wrong wrong;
+    std::map<SourceId, std::chrono::nanoseconds> last;
+    constexpr int turn = count;      // pictures from one change to the next
+    constexpr int fade = count / 2;  // of which both are shown
+    ask(0);
+    for (int tick = 0; tick < changes * turn; ++tick) {
+        const int shot = tick / turn;
+        if (tick % turn == turn - 1) ask(shot + 1);
+        if (tick % turn == fade && shot > 0) pool.retire(static_cast<SourceId>(shot));
+        Frame frame{.time = tick * period};
+        for (int s = tick % turn < fade && shot > 0 ? shot - 1 : shot; s <= shot; ++s)
+            frame.items.push_back(
+                {.source = static_cast<SourceId>(s + 1), .local = (tick - s * turn) * period});
+        pool.update();
+        if (!pool.wait_for(frame, 20s)) return {changes * turn - tick, changes * turn - tick};
+        pool.advance(frame);
+        for (const DrawItem& item : frame.items) {
+            const Sample sample = pool.sample(item.source).value();
+            const auto local = static_cast<int>(item.local / period);
+            if (number(sample) != begins + local % count) ++wrong.pictures;
+            const auto at = sample.stream_time - begins * period + local / count * count * period;
+            const auto [before, is_first] = last.try_emplace(item.source, at);
+            const auto distance = at - std::exchange(before->second, at);
+            if (is_first ? at > 2ms : distance < period - 2ms || distance > period + 2ms) ++wrong.distances;
+        }
+    }
+    return wrong;
+}
+
+void tell(const std::string& what, const Wrong& found) {
+    fmt::print("{}, {} pictures lost or repeated, {} gaps of other than one picture\n", what, found.pictures,
+               found.distances);
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int arguments, char** words) {
@@ -65,8 +118,12 @@ int main(int arguments, char** words) {
     for (const auto& [name, chain] : containers) {
         write_film(folder.path / "film", {.pictures = 100, .rate = 25, .chain = chain});
         const Wrong found = wrong(folder.path / "film", loops);
-        fmt::print("{}: {} loops, {} pictures lost or repeated, {} gaps of other than one picture\n", name,
-                   loops, found.pictures, found.distances);
-        std::fflush(stdout);
+        tell(fmt::format("{}: {} loops", name, loops), found);
+        tell(fmt::format("{}: {} changes", name, loops), wrong_changes(folder.path / "film", loops, first));
     }
+    write_film(folder.path / "clip",
+               {.pictures = count,
+                .rate = 25,
+                .chain = "x264enc bframes=0 key-int-max=25 tune=fastdecode speed-preset=veryfast ! mp4mux"});
+    tell(fmt::format("clip: {} changes", loops), wrong_changes(folder.path / "clip", loops, 0));
 }
