@@ -38,10 +38,10 @@ TEST_CASE("the finger of a rehearsal goes evenly from one place to the other, re
     Rehearsal rehearsal("4 drag 100 200 300 100 2\n");
     const auto contacts = [&](std::chrono::nanoseconds now) {
         rehearsal.advance(now);
-        std::vector<Contact> contacts;
+        std::vector<Contact> since;
         for (const InputEvent& event : rehearsal.touches())
-            contacts.push_back(std::get<Contact>(event));
-        return contacts;
+            since.push_back(std::get<Contact>(event));
+        return since;
     };
     CHECK(contacts(3900ms).empty());
     CHECK(contacts(4s) == std::vector{Contact{.at = {100, 200}, .time = 4s}});
