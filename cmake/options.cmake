@@ -19,6 +19,10 @@ if(VITRINE_SANITIZE)
   target_link_options(vitrine_options INTERFACE -fsanitize=${VITRINE_SANITIZE})
 endif()
 
+if(VITRINE_FUZZ)
+  target_compile_options(vitrine_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # A module is an object-like static library of one folder, named vitrine_<folder>.
 #   vitrine_module(base_geometry SOURCES a.cpp b.cpp USES vitrine::x PRIVATE_USES lib)
 function(vitrine_module name)

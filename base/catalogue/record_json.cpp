@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t max_shots = 100'000;
 constexpr std::size_t max_corners = 1'000;
+constexpr double most_pixels = 1e9;  // of a place, or of a second's way
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
 
@@ -51,10 +53,21 @@ Json to_array(Vec2 v) {
     return Json::array({rounded(v.x), rounded(v.y)});
 }
 
+/// nlohmann::json casts whatever number stands there, and a cast beyond the range is undefined.
+template <std::integral Number> Number whole(const Json& json, const char* key) {
+    const Json& value = json.at(key);
+    if (value.is_number_unsigned() && std::in_range<Number>(value.get<std::uint64_t>()))
+        return static_cast<Number>(value.get<std::uint64_t>());
+    if (value.is_number_integer() && !value.is_number_unsigned() &&
+        std::in_range<Number>(value.get<std::int64_t>()))
+        return static_cast<Number>(value.get<std::int64_t>());
+    throw std::runtime_error(fmt::format("record: '{}' is no whole number, or too large", key));
+}
+
 Vec2 to_vec2(const Json& json) {
     const Vec2 v{json.at(0).get<double>(), json.at(1).get<double>()};
-    if (!std::isfinite(v.x) || !std::isfinite(v.y))
-        throw std::runtime_error("record: a number is not finite");
+    if (!(std::abs(v.x) <= most_pixels && std::abs(v.y) <= most_pixels))
+        throw std::runtime_error("record: a place beyond any picture");
     return v;
 }
 
@@ -69,9 +82,9 @@ Json to_object(const StoredShot& stored) {
 StoredShot to_stored(const Json& json) {
     StoredShot stored;
     stored.file = json.at("file").get<std::string>();
-    stored.begin = std::chrono::nanoseconds(json.at("begin_ns").get<std::int64_t>());
-    stored.width = json.at("width").get<int>();
-    stored.height = json.at("height").get<int>();
+    stored.begin = std::chrono::nanoseconds(whole<std::int64_t>(json, "begin_ns"));
+    stored.width = whole<int>(json, "width");
+    stored.height = whole<int>(json, "height");
     stored.is_dropped = json.at("dropped").get<bool>();
     if (!is_store_name(stored.file)) throw std::runtime_error("record: 'file' names none of the store");
     if (stored.begin.count() < 0 || stored.width <= 0 || stored.height <= 0)
@@ -93,8 +106,8 @@ Json to_object(const Shot& shot) {
 
 Shot to_shot(const Json& json) {
     Shot shot;
-    shot.begin = std::chrono::nanoseconds(json.at("begin_ns").get<std::int64_t>());
-    shot.end = std::chrono::nanoseconds(json.at("end_ns").get<std::int64_t>());
+    shot.begin = std::chrono::nanoseconds(whole<std::int64_t>(json, "begin_ns"));
+    shot.end = std::chrono::nanoseconds(whole<std::int64_t>(json, "end_ns"));
     shot.ends_with = value_in(ends, json, "ends_with");
     const Json& polygon = json.at("region").at("polygon");
     if (polygon.size() > max_corners) throw std::runtime_error("record: a region has too many corners");
@@ -106,21 +119,21 @@ Shot to_shot(const Json& json) {
 }
 
 MediaRecord to_record(const Json& json) {
-    const int version = json.at("version").get<int>();
+    const int version = whole<int>(json, "version");
     if (version != MediaRecord::current_version)
         throw std::runtime_error(fmt::format("record: version {} is not known", version));
     MediaRecord record;
     record.path = json.contains("path_hex") ? from_hex(json["path_hex"].get<std::string>())
                                             : json.at("path").get<std::string>();
     record.kind = value_in(kinds, json, "kind");
-    record.bytes = json.at("bytes").get<std::uint64_t>();
-    record.mtime_ns = json.at("mtime_ns").get<std::int64_t>();
+    record.bytes = whole<std::uint64_t>(json, "bytes");
+    record.mtime_ns = whole<std::int64_t>(json, "mtime_ns");
     record.state = value_in(states, json, "state");
     record.is_complete = json.at("complete").get<bool>();
     record.reason = json.at("reason").get<std::string>();
-    record.width = json.at("width").get<int>();
-    record.height = json.at("height").get<int>();
-    record.duration = std::chrono::nanoseconds(json.at("duration_ns").get<std::int64_t>());
+    record.width = whole<int>(json, "width");
+    record.height = whole<int>(json, "height");
+    record.duration = std::chrono::nanoseconds(whole<std::int64_t>(json, "duration_ns"));
     if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
     for (const Json& shot : json.at("shots"))
         record.shots.push_back(to_shot(shot));
