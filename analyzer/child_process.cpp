@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <optional>
 #include <thread>
@@ -101,6 +102,14 @@ std::optional<std::string> first_line(std::string& text) {
 }
 
 }  // namespace
+
+ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes) {
+    constexpr double bytes_per_mebibyte = 1 << 20;
+    constexpr double most_seconds = 86'400;
+    const double seconds = deadline_per_mebibyte * static_cast<double>(bytes) / bytes_per_mebibyte;
+    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, most_seconds) * 1000));
+    return limits;
+}
 
 ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& command,
                            const ChildLimits& limits, std::function<void(const ChildResult&)> ended,

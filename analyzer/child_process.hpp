@@ -21,6 +21,11 @@ struct ChildLimits {
     int niceness = 10;                            // added to ours
 };
 
+/// The limits for a file: larger ones take longer.
+/// @param limits                those of an empty file
+/// @param deadline_per_mebibyte  seconds
+ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes);
+
 /// How a child ended, with what it said.
 struct ChildResult {
     enum class End {

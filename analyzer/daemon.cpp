@@ -1,5 +1,6 @@
 #include "analyzer/daemon.hpp"
 
+#include "base/catalogue/blame.hpp"
 #include "base/catalogue/record_json.hpp"
 #include "base/system/error.hpp"
 #include "base/system/log.hpp"
@@ -10,8 +11,8 @@
 #include <sys/file.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine {
 
@@ -24,7 +25,6 @@ constexpr auto remote_rescan = 10s;  // the kernel reports nothing of a network 
 constexpr auto offline_rescan = 5s;  // until the media folder is there
 constexpr auto growth_rest = 500ms;  // between two writings of films whose analysis goes on
 constexpr auto hint_rest = 300ms;    // in which a .vitrine.toml is written to its end
-constexpr double bytes_per_mebibyte = 1 << 20;
 
 Schedule::Time now() {
     return EventLoop::Clock::now();
@@ -107,6 +107,8 @@ void Daemon::rescan() {
     remarks_ = remarks;
     for (const auto& [path, record] : std::exchange(unsaved_, {}))
         store(record);
+    if (unsaved_.empty() && std::exchange(is_lack_told_, false)) log::info("all records are stored again");
+    follow_blame();
     store_.sweep();
     read_hints();
     std::chrono::milliseconds interval = options_.rescan;
@@ -168,7 +170,8 @@ void Daemon::start(const Action& action) {
         return wait("the copy is not complete: parts of the file are still empty");
     std::vector<std::string> command = options_.child;
     command.push_back(folder_.absolute(action.path).string());
-    const ChildLimits limits = limits_for(action.facts);
+    const ChildLimits limits =
+        limits_for(options_.limits, options_.deadline_per_mebibyte, action.facts.bytes);
     log::debug("analysing '{}'", action.path);
     growing_.begin(record_of(action.path, action.facts, MediaState::waiting, ""));
     store_.begin(store_id(action.path, action.facts.bytes, action.facts.mtime_ns));
@@ -276,6 +279,18 @@ std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
     }
 }
 
+/// What brings the player down is not shown, until it changes.
+void Daemon::follow_blame() {
+    const Blame blame = read_blame(options_.catalogue.parent_path());
+    for (const std::string& path : suspects(blame, schedule_.paths_below(""))) {
+        const std::optional<MediaRecord> record = stored(path);
+        if (!record || record->state != MediaState::ready || !is_quarantined(blame, *record)) continue;
+        const FileFacts facts{.bytes = record->bytes, .mtime_ns = record->mtime_ns};
+        store(record_of(path, facts, MediaState::quarantined, brought_the_player_down));
+        log::warning("quarantined: '{}': {}", path, brought_the_player_down);
+    }
+}
+
 /// What lost its place in the store is played from the media folder.
 void Daemon::make_room() {
     const std::set<std::string> paths = store_.make_room();
@@ -294,17 +309,10 @@ void Daemon::store(MediaRecord record) {
         catalogue_.store(record);
         unsaved_.erase(record.path);
     } catch (const std::system_error& error) {
-        log::error("the record of '{}' is not stored, trying again: {}", record.path, error.what());
+        if (!std::exchange(is_lack_told_, true))
+            log::error("records cannot be stored, trying again: {}", error.what());
         unsaved_[record.path] = record;
     }
-}
-
-ChildLimits Daemon::limits_for(const FileFacts& facts) const {
-    ChildLimits limits = options_.limits;
-    const double seconds =
-        options_.deadline_per_mebibyte * static_cast<double>(facts.bytes) / bytes_per_mebibyte;
-    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, 86'400.0) * 1000));
-    return limits;
 }
 
 }  // namespace vitrine

@@ -82,9 +82,9 @@ class Daemon {
     void move(const Action& action);
     std::optional<MediaRecord> stored(const std::string& path) const;
     void store(MediaRecord record);
+    void follow_blame();
     void make_room();
     void tell(const MediaRecord& record);
-    ChildLimits limits_for(const FileFacts& facts) const;
 
     EventLoop& loop_;  // outlives this
     WatchOptions options_;
@@ -100,6 +100,7 @@ class Daemon {
     FileStates states_;
     bool is_growth_resting_ = false;              // parts were written a moment ago
     std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
+    bool is_lack_told_ = false;                   // of room on the disk
     std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough
     std::vector<std::string> remarks_;            // of the last rescan: each is told once
     std::size_t analysed_ = 0;

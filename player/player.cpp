@@ -51,6 +51,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       entered_(loop_.signal(Console::enter_signal, [this] { come_to_terminal(); })),
       is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
       console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
+      crash_note_(settings.state.directory),
       sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
                source_options(settings, !is_paced_by_pictures_)),
       programme_(settings.state.directory),
@@ -59,11 +60,18 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       clock_(settings.output.frame_rate),
       visitors_(loop_, is_offscreen(settings) ? "none" : settings.input.devices),
       tick_(loop_.timer([this] { tick(); })),
-      told_(loop_.timer([this] { tell(); })) {
+      told_(loop_.timer([this] { tell(); })),
+      noted_(loop_.timer([this] {
+          crash_note_.keep(sources_.open_files(), follower_.records(), EventLoop::Clock::now());
+          noted_.arm(status_interval);
+      })) {
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_.decoders()));
     if (!settings.status.folder.empty() && !options.rehearsal)
         wall_picture_.emplace(std::filesystem::path(settings.state.directory) / "wall.jpg");
+    sources_.before_opening([this](const std::string& path) {
+        crash_note_.open(path, follower_.records(), EventLoop::Clock::now());
+    });
     make_stages();
     if (!is_paced_by_pictures_) expect_screen();
     open_display();
@@ -144,6 +152,7 @@ void Player::run() {
     start_ = EventLoop::Clock::now();
     tick_.arm(0s);
     told_.arm(0s);
+    noted_.arm(status_interval);
     service::ready("starting");
     loop_.run();
     finish();
@@ -162,8 +171,10 @@ void Player::follow(const CatalogueChange& change) {
 }
 
 void Player::give_catalogue() {
-    programme_.set_records(options_.rehearsal ? options_.rehearsal->present(follower_.records())
-                                              : follower_.records());
+    std::vector<MediaRecord> records =
+        options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
+    crash_note_.leave_out_poison(records);
+    programme_.set_records(std::move(records));
     next_look_ = 0ns;
     follow_programme(0ns);
 }
@@ -293,6 +304,7 @@ void Player::tell() {
 }
 
 void Player::finish() {
+    crash_note_.end();
     service::stopping();
     log::info("{} pictures shown, {} late; {} pictures of films were late", clock_.pictures(), clock_.late(),
               sources_.late());

@@ -3,6 +3,7 @@
 #include "base/settings/settings.hpp"
 #include "base/system/event_loop.hpp"
 #include "player/catalogue_follower.hpp"
+#include "player/crash_note.hpp"
 #include "player/display/console.hpp"
 #include "player/display/screen.hpp"
 #include "player/frame_clock.hpp"
@@ -88,6 +89,7 @@ class Player {
     OffscreenDisplay* offscreen_ = nullptr;  // display_ where it is one
     std::string complaint_;                  // why there is none, as last told
     std::optional<Renderer> renderer_;       // where there is a display
+    CrashNote crash_note_;                   // before the sources, whose files it is told of
     SourcePool sources_;
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first
     std::vector<std::unique_ptr<Stage>> stages_;
@@ -102,7 +104,8 @@ class Player {
     Visitors visitors_;
     EventLoop::Source tick_;
     EventLoop::Source display_events_;
-    EventLoop::Source told_;  // systemd, every few seconds
+    EventLoop::Source told_;   // systemd, every few seconds
+    EventLoop::Source noted_;  // what plays, likewise
 };
 
 }  // namespace vitrine

@@ -217,6 +217,7 @@ void SourcePool::go_over(Playing& playing) {
 
 /// What the store has is preferred; it may have lost it since.
 void SourcePool::start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at) {
+    if (before_opening_) before_opening_(playing.request.path);
     const std::optional<ShotRequest> stored = stored_request(playing.request);
     const std::string copy = stored ? places_.store + "/" + stored->path : "";
     playing.is_stored = may_be_stored && stored && ::access(copy.c_str(), R_OK) == 0;

@@ -9,9 +9,11 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +52,19 @@ class SourcePool {
 
     /// Hardware decoders for sources to come.
     void set_decoders(DecoderMap decoders) { options_.film.decoders = std::move(decoders); }
+
+    /// Called with the path of each file, below the media folder, before anything of it is read.
+    void before_opening(std::function<void(const std::string& path)> call) {
+        before_opening_ = std::move(call);
+    }
+
+    /// The files that are being read or played.
+    std::set<std::string> open_files() const {
+        std::set<std::string> paths;
+        for (const auto& [id, playing] : playing_)
+            paths.insert(playing.request.path);
+        return paths;
+    }
 
     const DecoderMap& decoders() const { return options_.film.decoders; }
 
@@ -124,6 +139,7 @@ class SourcePool {
 
     MediaPlaces places_;
     SourceOptions options_;
+    std::function<void(const std::string& path)> before_opening_;
     Governor governor_;
     std::chrono::nanoseconds judged_{0};  // when the governor was asked last
     std::deque<ShotRequest> waiting_;

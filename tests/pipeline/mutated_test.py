@@ -102,11 +102,16 @@ def main():
                 sys.exit(f"the undamaged {name} is {state}: {said[-2000:]}")
         if options.real:
             seeds |= shared_seeds(options.shared)
+        seen = 0
         for number in range(options.first, options.first + options.count):
             form, mutation, data = mutant(number, seeds)
             path = Path(folder) / f"{number}-{mutation}.bin"
             path.write_bytes(data)
-            state, seconds, memory, said = analysed(analyzer, path, Path(folder) / "state")
+            try:
+                state, seconds, memory, said = analysed(analyzer, path, Path(folder) / "state")
+            except KeyboardInterrupt:  # what has been seen is told
+                break
+            seen += 1
             table[" ".join(form.split()[:2])][state] += 1
             most_seconds, most_memory = max(most_seconds, seconds), max(most_memory, memory)
             if state not in STATES:
@@ -121,7 +126,7 @@ def main():
     for form in sorted(table):
         print(f"{form:16}" + "".join(f"{table[form][c]:16}" for c in columns))
     print(f"{'all':16}" + "".join(f"{sum(row[c] for row in table.values()):16}" for c in columns))
-    print(f"{options.count} files of {len(seeds)} seeds in {time.monotonic() - begin:.0f} s; the longest took {most_seconds:.1f} s "
+    print(f"{seen} files of {len(seeds)} seeds in {time.monotonic() - begin:.0f} s; the longest took {most_seconds:.1f} s "
           f"of the processor, the largest {most_memory >> 20} MiB; {len(faults)} at fault")
     return 1 if faults else 0
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "base/catalogue/blame.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// Finds out which file brings the player down: what is open is noted on the disk before it is opened, and a
+/// note that is there at the start is evidence. Nothing is fsynced, for a crash of this process does not
+/// touch what the kernel has, and one of the machine does not count. A state directory that cannot be written
+/// is told once and costs this protection only. Logs.
+class CrashNote {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// Counts the crash of an earlier run, if it was one.
+    explicit CrashNote(std::filesystem::path state);
+
+    bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
+
+    /// Takes them out of what is shown; tells of each once.
+    void leave_out_poison(std::vector<MediaRecord>& records);
+
+    /// To be called before the file is opened.
+    void open(const MediaRecord& record, Time now);
+
+    /// @param records  of the catalogue, ordered by path; a file without one is not noted
+    void open(const std::string& path, const std::vector<MediaRecord>& records, Time now);
+    void keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now);
+
+    /// What is still open, to be called now and then. A run of ten minutes forgives all that is not
+    /// quarantined.
+    void keep(const std::set<ContentName>& open, Time now);
+
+    /// The run ends as it should.
+    void end();
+
+  private:
+    void count_crash();
+    void forgive();
+    void write();
+
+    std::filesystem::path state_;
+    Blame blame_;
+    PlayingNote note_;                    // as it is on the disk
+    std::map<ContentName, Time> opened_;  // what is open
+    Time start_{};                        // of the first call
+    std::set<std::string> told_;          // quarantined files, by path
+    bool is_active_ = true;               // no other player has this state directory, and it can be written
+};
+
+}  // namespace vitrine

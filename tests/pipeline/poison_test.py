@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""Films that crash, hang or eat the memory of whoever decodes them, in the folder of `vitrine-analyzer watch`.
+
+    poison_test.py BUILD_DIRECTORY SYSTEM_PLUGINS [unittest arguments]
+
+The decoder that does it is a plugin of the tests (poison/plugin.cpp); SYSTEM_PLUGINS is where GStreamer's own lie.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from drawn_media import png
+
+BUILD = Path(sys.argv[1]).resolve()
+PLUGINS = sys.argv[2]
+ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
+PATIENCE = 300  # seconds until something that must come is given up
+DEADLINE = 6  # seconds of a child that reads poison
+KINDS = {"aborts": 100, "sleeps": 104, "allocates": 108, "spins": 112}  # by the width of the picture
+
+
+def make_film(path, width):
+    subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "lavfi", "-i",
+                    f"color=gray:size={width}x64:rate=10:duration=0.3,format=rgb24", "-c:v", "cinepak", str(path)], check=True)
+
+
+class Poison(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="vitrine-poison-")
+        self.addCleanup(self.folder.cleanup)
+        self.home = Path(self.folder.name)
+        self.root = self.home / "media"
+        self.root.mkdir()
+        self.journal = self.home / "journal"
+
+    def start(self, deadline=PATIENCE):
+        environment = os.environ | {
+            "GST_PLUGIN_PATH": f"{PLUGINS}:{BUILD / 'tests' / 'pipeline'}",  # the last of a name is taken
+            "GST_PLUGIN_SYSTEM_PATH": str(self.home / "none"), "GST_REGISTRY": str(self.home / "registry")}
+        # An address sanitizer reserves more than any limit: there the poison is stopped by it instead.
+        environment["ASAN_OPTIONS"] = environment.get("ASAN_OPTIONS", "") + ":hard_rss_limit_mb=1500:abort_on_error=1"
+        with open(self.journal, "ab") as journal:
+            watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory",
+                                        str(self.home / "state"), "--analyzer.quiet_milliseconds", "100",
+                                        "--analyzer.deadline_seconds", str(deadline), "--analyzer.memory_mebibytes", "1024"],
+                                       env=environment, stderr=journal)
+        self.addCleanup(watcher.wait)
+        self.addCleanup(watcher.kill)
+        return watcher
+
+    def records(self):
+        found = {}
+        for file in (self.home / "state" / "catalogue").glob("*.json"):
+            try:
+                record = json.loads(file.read_text())
+            except FileNotFoundError:
+                continue
+            found[record["path"]] = record
+        return found
+
+    def wait(self, condition):
+        end = time.monotonic() + PATIENCE
+        while not condition(self.records()):
+            self.assertLess(time.monotonic(), end, f"{self.records()}\n{self.journal.read_text()}")
+            time.sleep(0.1)
+
+    def lines(self, word):
+        return [line for line in self.journal.read_text().splitlines() if word in line]
+
+    def test_poison_is_tried_once_more_then_quarantined_and_hurts_nothing_else(self):
+        png(self.root / "good.png", 64, 48, lambda x, y: (200, 100, 50))
+        watcher = self.start()
+        self.wait(lambda r: r.get("good.png", {}).get("state") == "ready")
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+        for kind, width in KINDS.items():
+            make_film(self.root / f"{kind}.avi", width)
+        watcher = self.start(DEADLINE)
+        self.wait(lambda r: len(r) == len(KINDS) + 1 and all(v["state"] != "waiting" for v in r.values()))
+        records = self.records()
+        self.assertEqual(records["good.png"]["state"], "ready")
+        for kind in KINDS:
+            with self.subTest(kind):
+                self.assertEqual(records[f"{kind}.avi"]["state"], "quarantined")
+                self.assertTrue(records[f"{kind}.avi"]["reason"].startswith("twice "), records[f"{kind}.avi"]["reason"])
+                self.assertEqual(len(self.lines(f"tried once more: '{kind}.avi'")), 1)
+                self.assertEqual(len(self.lines(f"quarantined: '{kind}.avi'")), 1)
+
+        # Neither a touch of its permissions nor another start tries it again.
+        (self.root / "aborts.avi").chmod(0o640)
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+        self.start()
+        png(self.root / "later.png", 64, 48, lambda x, y: (20, 100, 50))
+        self.wait(lambda r: r.get("later.png", {}).get("state") == "ready")
+        self.assertEqual(len(self.lines("tried once more: 'aborts.avi'")), 1)
+
+        # Once it is another content, it is.
+        png(self.root / "aborts.avi", 32, 32, lambda x, y: (20, 200, 50))
+        self.wait(lambda r: r["aborts.avi"]["state"] == "ready")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
