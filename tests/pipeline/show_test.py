@@ -206,7 +206,7 @@ class Show(unittest.TestCase):
             self.assertIn(green, standing(picture), "what stays is on the wall all the time")
         grounds = [middle_of(picture, (128, 128, 128), 16)[2] for picture in pictures]
         self.assertGreater(min(grounds[RATE:12 * RATE]), 1000, "pictures fill the wall")
-        self.assertLess(max(grounds[15 * RATE:]), 100, "the idle picture, which has many colours, but no grey")
+        self.assertLess(max(grounds[15 * RATE:]), 500, "the idle picture, which has many colours and hardly any grey")
 
     def write_records(self, names, pictures):
         """Films of one shot each, whose I-Region is their middle."""
