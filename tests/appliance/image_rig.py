@@ -116,7 +116,7 @@ def first_boot(work):
 
 
 def check_password_is_taken(box):
-    assert "share-password.txt" not in box.sh(f"mount -o ro /dev/disk/by-partlabel/vitrine-boot {SETUP}; ls {SETUP}; umount {SETUP}")
+    assert "share-password.txt" not in box.sh(f"mkdir -p {SETUP}; mount -o ro /dev/disk/by-partlabel/vitrine-boot {SETUP}; ls {SETUP}; umount {SETUP}")
     port = box.machine.share_port
     assert ShareClient(port, PASSWORD).is_refused(guest=True), "guests are let in"
     assert ShareClient(port, "wrong").is_refused(), "any password is let in"
