@@ -92,7 +92,11 @@ class Appliance:
         draw_media(media)
         self.machine.mount_share()
         self.sh("cp -a --no-preserve=ownership /host/stage/. / && systemd-sysusers && systemd-tmpfiles --create vitrine.conf")
-        self.sh(f"install -o vitrine -g vitrine -m 664 /host/media/* {MEDIA}; umount /host; systemctl daemon-reload")
+        self.sh(f"install -o vitrine -g vitrine -m 664 /host/media/* {MEDIA}; umount /host")
+        for unit in ("vitrine-analyzer", "vitrine-player"):  # on a busy host minutes pass in the machine
+            folder = f"/run/systemd/system/{unit}.service.d"
+            self.sh(f"mkdir -p {folder}; printf '[Service]\\nTimeoutStartSec=infinity\\nTimeoutStopSec=600\\nWatchdogSec=600\\n' >{folder}/rig.conf")
+        self.sh("systemctl daemon-reload")
         self.set()
         self.sh("systemctl start vitrine-analyzer")
         self.wait_until_analysed()
@@ -102,6 +106,13 @@ class Appliance:
     def wait_until_analysed(self):
         records = "ls /var/lib/vitrine/catalogue/*.json 2>/dev/null | wc -l"
         wait_for("a record of each file", lambda: int(self.sh(records)) >= len(COLOURS), 900, 1)
+
+    def run_test(self, name, words):
+        """Runs a test program of the build in the machine, as the player's user; what it says."""
+        shutil.copy(self.pictures.parent / "build/tests/appliance" / name, self.machine.share)
+        self.machine.mount_share()
+        self.sh(f"install -m 755 /host/{name} /tmp; umount /host")
+        return self.sh(f"setpriv --reuid vitrine --regid vitrine --groups video,render /tmp/{name} {words}")
 
     # -- the player
 
@@ -160,13 +171,15 @@ class Appliance:
         picture.save(self.pictures / f"{self.kept:02}-{name.replace(' ', '-')}.png")
         return picture
 
-    def lacking(self, picture):
-        """The files that a picture is without; and where it does not fill the panel, "a full panel"."""
-        files = [name for name, colour in COLOURS.items() if picture.share_of(colour) < LEAST_SHARE]
-        return files + ["a full panel"] * (picture.share_of((0, 0, 0), 8) > MOST_BLACK)
+    def files_in(self, picture):
+        return {name for name, colour in COLOURS.items() if picture.share_of(colour) >= LEAST_SHARE}
 
-    def wait_for_wall(self, what, head=0, size=None, part=None, keeps=True):
-        """Until the wall with every file fills a panel, of this size where one is given, or a part of it; the picture.
+    def lacking(self, picture, files=COLOURS):
+        """Those files that a picture is without; and where it does not fill the panel, "a full panel"."""
+        return sorted(set(files) - self.files_in(picture)) + ["a full panel"] * (picture.share_of((0, 0, 0), 8) > MOST_BLACK)
+
+    def wait_for_wall(self, what, head=0, size=None, part=None, keeps=True, files=COLOURS):
+        """Until the wall with these files fills a panel, of this size where one is given, or a part of it; the picture.
 
         part: left, top, right and bottom, in px
         """
@@ -174,7 +187,7 @@ class Appliance:
             self.last = self.machine.picture(head)
             if size is not None and self.last.size != size:
                 return False
-            return not self.lacking(self.last.part(*part) if part else self.last)
+            return not self.lacking(self.last.part(*part) if part else self.last, files)
 
         try:
             wait_for(what, shown)

@@ -17,7 +17,8 @@ PACKAGES = """systemd systemd-sysv udev dbus kmod procps zstd linux-image-amd64 
 libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri libgbm1 opencv-data
 gstreamer1.0-plugins-base gstreamer1.0-plugins-good gstreamer1.0-plugins-bad gstreamer1.0-plugins-ugly gstreamer1.0-libav""".split()
 DRIVERS_LEFT_OUT = "net media infiniband scsi staging iio hwmon isdn mtd nvme md ata firewire platform bluetooth crypto".split()
-HOST_PROGRAMS = "qemu-system-x86_64 qemu-img mmdebstrap mke2fs zstd dbus-daemon gdbus ffmpeg".split()
+HOST_PROGRAMS = ("qemu-system-x86_64 qemu-img mmdebstrap mke2fs zstd dbus-daemon gdbus ffmpeg setpriv "
+                 "apt-get apt-config dpkg-query readelf ldd").split()
 
 
 class NotHere(Exception):
@@ -56,7 +57,18 @@ def sources():
     """The mirror that this host installs from, as lines of a sources.list."""
     listed = run("apt-get", "indextargets", "--format", "$(SITE) $(CODENAME)", "Created-By: Packages", "Origin: Debian")
     lines = {f"deb {line} main" for line in listed.splitlines() if line.split()[1].startswith(SUITE)}
-    return "\n".join(sorted(lines)) or f"deb http://deb.debian.org/debian {SUITE} main"
+    if not lines:  # nothing was ever loaded from them
+        named = re.findall(rf"'(\S+/debian(?:-security)?)/dists/({SUITE}[\w-]*)/InRelease'", run("apt-get", "update", "--print-uris"))
+        lines = {f"deb {site} {suite} main" for site, suite in named}
+    if not lines:
+        raise NotHere(f"apt here knows no mirror of Debian {SUITE}")
+    return "\n".join(sorted(lines))
+
+
+def proxies():
+    """How apt here reaches its mirror, as options of apt's; mmdebstrap does not read this host's settings."""
+    said = run("apt-config", "dump", "--format", '%f "%v";%n', "Acquire::http::Proxy", "Acquire::https::Proxy")
+    return [f"--aptopt={line.rstrip(';')}" for line in said.splitlines() if '""' not in line]
 
 
 def key(*parts):
@@ -75,7 +87,7 @@ def recipe(packages):
 def build(packages, out):
     hook = HERE / "guest.sh"
     run("mmdebstrap", "--format=null", f'--essential-hook={hook} early "$1"', f'--customize-hook={hook} late "$1" {out}',
-        *recipe(packages), "-", "-", input=sources())
+        *recipe(packages), *proxies(), "-", "-", input=sources())
 
 
 def ensure(programs):
@@ -84,7 +96,16 @@ def ensure(programs):
     Raises NotHere where neither a kept one nor the mirror is there.
     """
     check_host()
-    packages = PACKAGES + packages_of(programs)
+    try:
+        return made_for(PACKAGES + packages_of(programs))
+    except subprocess.CalledProcessError as error:
+        raise NotHere(f"no image of Debian's mirror: {error.cmd[0]}: {error.stderr[-1500:]}") from error
+    except OSError as error:
+        raise NotHere(f"no image of Debian's mirror: {error}") from error
+
+
+def made_for(packages):
+    """The directory of the image with these packages, made where it is not kept."""
     kept = cache_directory() / key(recipe(packages), (HERE / "guest.sh").read_text())
     if (kept / "base.raw").exists():
         return kept
@@ -95,9 +116,8 @@ def ensure(programs):
     try:
         build(packages, made)
         made.chmod(0o755)
-        made.rename(kept)
-    except subprocess.CalledProcessError as error:
-        raise NotHere(f"no image from the mirror: {error.stderr[-1500:]}") from error
+        if not (kept / "base.raw").exists():  # by another checkout, meanwhile
+            made.rename(kept)
     finally:
         shutil.rmtree(made, ignore_errors=True)
     return kept

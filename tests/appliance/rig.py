@@ -8,6 +8,7 @@ Ends with 77 where the machine cannot be had here, saying why.
 """
 import importlib
 import shutil
+import subprocess
 import sys
 import time
 import traceback
@@ -59,7 +60,10 @@ def prepare(build, work):
     begin = time.monotonic()
     made = image.ensure([build / "analyzer/vitrine-analyzer", build / "player/vitrine-player"])
     begin = told("image", begin)
-    disk = appliance.booted(made)
+    try:
+        disk = appliance.booted(made)
+    except (AssertionError, OSError, RuntimeError, subprocess.SubprocessError) as error:  # nothing of ours is in it yet
+        raise image.NotHere(f"Debian does not boot in it: {error}") from error
     begin = told("boot", begin)
     shutil.copy(disk, work / "prepared.qcow2")
 
@@ -69,6 +73,7 @@ def prepare(build, work):
 
     guarded(Machine(made, work / "prepared.qcow2", "booted"), work / "prepare", install)
     (work / "image").symlink_to(made)
+    (work / "build").symlink_to(build)
     told("services and wall", begin)
 
 

@@ -52,6 +52,8 @@ def ensure(image):
         build(folder, release).rename(kept)
     except subprocess.CalledProcessError as error:
         raise NotHere(f"no vkms for Linux {release}: {error.stderr[-1000:]}") from error
+    except OSError as error:
+        raise NotHere(f"no vkms for Linux {release}: {error}") from error
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     return kept
