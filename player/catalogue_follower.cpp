@@ -71,6 +71,9 @@ void CatalogueFollower::reload() {
             complaints.emplace(file, reason);
         });
     complaints_ = std::move(complaints);
+    counts_.clear();
+    for (const MediaRecord& record : records)
+        ++counts_[record.state];
     std::erase_if(records, [](const MediaRecord& record) {
         return record.state != MediaState::ready || record.shots.empty();
     });

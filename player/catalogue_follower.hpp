@@ -34,6 +34,9 @@ class CatalogueFollower {
     /// Ordered by path; those alone that are ready.
     const std::vector<MediaRecord>& records() const { return records_; }
 
+    /// How many of all records are in which state.
+    const std::map<MediaState, std::size_t>& counts() const { return counts_; }
+
   private:
     void watch();
     void read_events();
@@ -42,6 +45,7 @@ class CatalogueFollower {
     Catalogue catalogue_;
     Call call_;
     std::vector<MediaRecord> records_;
+    std::map<MediaState, std::size_t> counts_;
     std::map<std::string, std::string> complaints_;  // file -> reason, so that each is told once
     DirectoryWatch directory_watch_;
     EventLoop::Source events_;

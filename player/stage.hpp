@@ -85,6 +85,8 @@ class Stage {
     void show_strip(const std::filesystem::path& directory, std::optional<Vec2> picture,
                     std::optional<std::chrono::nanoseconds> patience);
 
+    void set_wishes(const Wishes& wishes) { show_->set_wishes(wishes); }
+
     /// What is on the wall by the last show().
     const Frame& frame() const { return frame_; }
 
@@ -93,6 +95,8 @@ class Stage {
 
     /// How many shots are on the wall.
     std::size_t count() const { return show_->count(); }
+
+    std::vector<SlotShot> standing() const { return show_->standing(); }
 
   private:
     static constexpr int number_bits = 48;  // of a source's number within its stage

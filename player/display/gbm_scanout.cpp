@@ -95,4 +95,21 @@ ScanoutBuffer GbmScanout::take() {
     return {.frame_buffer = known->id, .lease = lease};
 }
 
+Picture GbmScanout::picture(const ScanoutBuffer& buffer) const {
+    auto* const shown = const_cast<gbm_bo*>(static_cast<const gbm_bo*>(buffer.lease.get()));
+    Picture picture{.width = static_cast<int>(gbm_bo_get_width(shown)),
+                    .height = static_cast<int>(gbm_bo_get_height(shown)),
+                    .pixels = {}};
+    void* mapping = nullptr;
+    std::uint32_t stride = 0;
+    const auto* const first = static_cast<const std::byte*>(
+        gbm_bo_map(shown, 0, 0, gbm_bo_get_width(shown), gbm_bo_get_height(shown), GBM_BO_TRANSFER_READ,
+                   &stride, &mapping));
+    if (first == nullptr) throw_errno("read a buffer of '{}'", card_.path().string());
+    for (int y = 0; y < picture.height; ++y)
+        append_xrgb(first + static_cast<std::size_t>(y) * stride, picture.width, picture.pixels);
+    gbm_bo_unmap(shown, mapping);
+    return picture;
+}
+
 }  // namespace vitrine

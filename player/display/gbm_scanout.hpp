@@ -27,6 +27,7 @@ class GbmScanout final : public Scanout {
     bool has_free_buffer() const override { return gbm_surface_has_free_buffers(surface_.get()) > 0; }
 
     ScanoutBuffer take() override;
+    Picture picture(const ScanoutBuffer& buffer) const override;
 
   private:
     const Card& card_;

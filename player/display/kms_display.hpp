@@ -39,6 +39,8 @@ class KmsDisplay final : public Display {
 
     bool is_gone() const override { return is_gone_; }
 
+    bool is_away() const override { return is_left_ || !is_master_; }
+
     void leave() override;
     void take_back() override;
 

@@ -1,6 +1,7 @@
 #include "player/display/kms_screen.hpp"
 
 #include "base/system/error.hpp"
+#include "base/system/handle.hpp"
 #include "player/display/gbm_scanout.hpp"
 #include "player/display/memory_scanout.hpp"
 
@@ -80,7 +81,17 @@ void KmsScreen::show(ScanoutBuffer buffer) {
         in_flight_.reset();
         on_screen_ = std::move(buffer);
         in_the_way_ = {};
+        ++flips_;
     }
+}
+
+std::optional<Picture> KmsScreen::shown() {
+    const Handle<drmModeCrtc, &drmModeFreeCrtc> crtc(drmModeGetCrtc(surface_.card.fd(), output_.crtc));
+    if (!crtc) throw_errno("ask '{}' what {} shows", surface_.card.path().string(), name());
+    for (const auto* buffer : {&on_screen_, &in_flight_})
+        if (*buffer && (*buffer)->frame_buffer == crtc->buffer_id) return scanout_->picture(**buffer);
+    if (!on_screen_) return std::nullopt;
+    throw std::runtime_error(fmt::format("{} shows what is not ours", name()));
 }
 
 int KmsScreen::set_mode(const ScanoutBuffer& buffer) {
@@ -109,6 +120,7 @@ Outcome KmsScreen::take_outcome() {
 // once.
 void KmsScreen::flipped(std::uint64_t flip) {
     if (flip != flip_ || !state_.flip_arrived()) return;
+    ++flips_;
     on_screen_ = std::exchange(in_flight_, std::nullopt);
 }
 

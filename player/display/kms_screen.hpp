@@ -40,6 +40,12 @@ class KmsScreen final : public Screen {
 
     int height() const override { return output_.mode.vdisplay; }
 
+    double refresh() const override { return refresh_rate(output_.mode); }
+
+    std::uint64_t flips() const override { return flips_; }
+
+    std::optional<Picture> shown() override;
+
     bool is_ready() const override { return !state_.is_waiting() && scanout_->has_free_buffer(); }
 
     bool wants_picture() const override { return state_.needs_mode() || is_lost_; }
@@ -81,7 +87,8 @@ class KmsScreen final : public Screen {
     std::string reason_;
     bool is_lost_ = true;  // the last picture
     Time awaited_since_ = std::chrono::steady_clock::now();
-    std::uint64_t flip_ = 0;  // the last one asked for
+    std::uint64_t flip_ = 0;   // the last one asked for
+    std::uint64_t flips_ = 0;  // that came about
     std::unique_ptr<Scanout> scanout_;
     std::optional<ScanoutBuffer> on_screen_;
     std::optional<ScanoutBuffer> in_flight_;

@@ -100,4 +100,14 @@ ScanoutBuffer MemoryScanout::take() {
     return {.frame_buffer = (*free)->frame_buffer(), .lease = *free};
 }
 
+Picture MemoryScanout::picture(const ScanoutBuffer& buffer) const {
+    const auto shown = std::ranges::find_if(
+        buffers_, [&](const auto& one) { return one->frame_buffer() == buffer.frame_buffer; });
+    assert(shown != buffers_.end());
+    Picture picture{.width = drawn_.width(), .height = drawn_.height(), .pixels = {}};
+    for (int y = 0; y < picture.height; ++y)
+        append_xrgb((*shown)->row(y), picture.width, picture.pixels);
+    return picture;
+}
+
 }  // namespace vitrine

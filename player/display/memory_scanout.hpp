@@ -29,6 +29,7 @@ class MemoryScanout final : public Scanout {
     void make_current() override;
     bool has_free_buffer() const override;
     ScanoutBuffer take() override;
+    Picture picture(const ScanoutBuffer& buffer) const override;
 
   private:
     class Buffer;

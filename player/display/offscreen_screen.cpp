@@ -25,6 +25,12 @@ void OffscreenScreen::present(std::chrono::nanoseconds time) {
     else
         glFinish();
     has_picture_ = true;
+    ++flips_;
+}
+
+std::optional<Picture> OffscreenScreen::shown() {
+    if (flips_ == 0) return std::nullopt;
+    return picture();
 }
 
 Picture OffscreenScreen::picture() {

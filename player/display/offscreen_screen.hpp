@@ -46,6 +46,10 @@ class OffscreenScreen final : public Screen {
     void begin_frame() override;
     void present(std::chrono::nanoseconds time) override;
 
+    std::uint64_t flips() const override { return flips_; }
+
+    std::optional<Picture> shown() override;
+
     /// What has been drawn last.
     Picture picture();
 
@@ -59,6 +63,7 @@ class OffscreenScreen final : public Screen {
     MemoryTarget drawn_;
     bool has_picture_ = false;
     std::unique_ptr<FilmWriter> film_;
+    std::uint64_t flips_ = 0;
 };
 
 }  // namespace vitrine

@@ -29,6 +29,11 @@ using ImageHandle = Handle<VipsImage, &unref_image>;
 
 }  // namespace
 
+void append_xrgb(const std::byte* row, int width, std::vector<std::byte>& pixels) {
+    for (int x = 0; x < width; ++x, row += 4)
+        pixels.insert(pixels.end(), {row[2], row[1], row[0], std::byte{255}});
+}
+
 namespace {
 
 /// Without its alpha.

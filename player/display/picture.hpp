@@ -14,6 +14,9 @@ struct Picture {
     std::vector<std::byte> pixels;  // width * height * 4
 };
 
+/// Appends a row of pixels as graphics cards have them (XRGB8888: blue, green, red, nothing) to a picture's.
+void append_xrgb(const std::byte* row, int width, std::vector<std::byte>& pixels);
+
 /// Writes an opaque picture as a PNG file, replacing what is there.
 /// @throws std::runtime_error naming the file
 void save_png(const Picture& picture, const std::filesystem::path& path);

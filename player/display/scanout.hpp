@@ -1,5 +1,7 @@
 #pragma once
 
+#include "player/display/picture.hpp"
+
 #include <cstdint>
 #include <memory>
 
@@ -30,6 +32,10 @@ class Scanout {
     /// Ends the drawing: what was drawn, ready to be shown.
     /// @throws std::runtime_error where the card has no room, no such format, or is gone
     virtual ScanoutBuffer take() = 0;
+
+    /// What is in a buffer that it lent.
+    /// @throws std::runtime_error where it cannot be read
+    virtual Picture picture(const ScanoutBuffer& buffer) const = 0;
 };
 
 }  // namespace vitrine

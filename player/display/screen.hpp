@@ -1,6 +1,10 @@
 #pragma once
 
+#include "player/display/picture.hpp"
+
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +27,16 @@ class Screen {
 
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
+
+    /// Pictures a second that it can take; 0: as many as come.
+    virtual double refresh() const { return 0; }
+
+    /// Pictures that have reached it so far: flips that the card has told of, not those asked for.
+    virtual std::uint64_t flips() const = 0;
+
+    /// What it shows now, read back from where it is shown from; nothing before the first picture.
+    /// @throws std::runtime_error where it cannot be read
+    virtual std::optional<Picture> shown() = 0;
 
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;
@@ -66,6 +80,9 @@ class Display {
     /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended, then
     /// this; another may be made.
     virtual bool is_gone() const = 0;
+
+    /// Whether another program, or another terminal, has the card: nothing is shown on purpose.
+    virtual bool is_away() const { return false; }
 
     /// Leaves the card to other programs until take_back().
     virtual void leave() = 0;

@@ -40,6 +40,16 @@ struct FilmsByDetail {
     int still = 0;
 };
 
+/// How one source stands, for who asks.
+struct SourceState {
+    std::string path;
+    bool is_film = false;
+    Detail detail = Detail::all;  // of a film
+    bool is_stored = false;       // played from the store
+    bool is_ready = false;
+    std::uint64_t late = 0;  // pictures that were due and not there
+};
+
 /// The sources of what is on the wall and of what comes next. Reading and ending happen in the background, a
 /// few at a time.
 class SourcePool {
@@ -98,6 +108,12 @@ class SourcePool {
     std::uint64_t late() const;
 
     FilmsByDetail films() const;
+
+    /// Of each source that plays or gets ready.
+    std::vector<SourceState> states() const;
+
+    /// How many are asked for and have no picture yet.
+    std::size_t queue() const;
 
     /// Films that stood still and were built anew, so far.
     std::uint64_t rebuilds() const { return rebuilds_; }

@@ -62,15 +62,44 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
     }
 }
 
+void Assemblage::set_wishes(const Wishes& wishes) {
+    if (wishes.files != wishes_.files) next_turn_ = {};
+    wishes_ = wishes;
+}
+
+bool Assemblage::is_pinned(const Slot& slot) const {
+    return slot.shot &&
+           (wishes_.slots.contains(slot.shot->slot) || wishes_.files.contains(slot.shot->key.path));
+}
+
+const std::string* Assemblage::pinned_and_missing() const {
+    const auto found = std::find_if(wishes_.files.begin(), wishes_.files.end(), [&](const std::string& path) {
+        return files_.contains(path) && !avoided_.contains(path) && count_on_wall(path) == 0;
+    });
+    return found == wishes_.files.end() ? nullptr : &*found;
+}
+
+/// Its next shot, also where it is not its turn.
+std::optional<ShotKey> Assemblage::take_pinned(const std::string& path) {
+    const auto fits = [&](const ShotKey& key) { return key.path == path; };
+    if (auto key = round_.take(fits)) return key;
+    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); }, path);
+    return round_.take(fits);
+}
+
 void Assemblage::advance(std::chrono::nanoseconds now) {
     if (std::erase_if(avoided_, [&](const auto& avoided) { return avoided.second <= now; }) > 0) fill();
-    if (now < next_turn_) return;
-    const std::vector<Turn> next = turns(now + settings_.lead);
+    const bool is_asked = turns_taken_ < wishes_.turns;
+    const bool is_missing = pinned_and_missing() != nullptr;
+    if (!is_asked && (now < next_turn_ || (wishes_.is_paused && !is_missing))) return;
+    const bool is_at_once = is_asked || is_missing;
+    turns_taken_ = wishes_.turns;
+    const std::vector<Turn> next = turns(is_at_once ? std::chrono::nanoseconds::max() : now + settings_.lead);
     for (const Turn& turn : next) {
         const auto key = next_for(*turn.slot);
         if (!key) continue;
         put(*turn.slot, *key);
-        due_ = leaves(turn, std::max(now, last_due_ + settings_.spacing));
+        due_ = is_at_once ? now : leaves(turn, std::max(now, last_due_ + settings_.spacing));
         last_due_ = *due_;
         next_turn_ = *due_ + settings_.spacing - settings_.lead;
         return;
@@ -157,7 +186,7 @@ void Assemblage::spread(const std::vector<Slot*>& filled) {
 std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) {
     std::vector<Turn> turns;
     for (Slot& slot : slots_) {
-        if (!slot.shot || !slot.shown) continue;
+        if (!slot.shot || !slot.shown || is_pinned(slot)) continue;
         const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot) - slot.ahead;
         if (due > until) continue;
         const std::chrono::nanoseconds loop = slot.shot->shot.duration();
@@ -184,6 +213,8 @@ std::chrono::nanoseconds Assemblage::stay(const WallShot& shot) const {
 }
 
 std::optional<ShotKey> Assemblage::next_for(const Slot& slot) {
+    if (const std::string* pinned = pinned_and_missing())
+        if (auto key = take_pinned(*pinned)) return key;
     const std::string present = slot.shot ? slot.shot->key.path : std::string();
     const auto is_free = [&](const ShotKey& key) { return !avoided_.contains(key.path) && !is_on_wall(key); };
     const auto stands_alone = [&](const ShotKey& key) {

@@ -4,6 +4,7 @@
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_round.hpp"
+#include "player/scene/wishes.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -66,6 +67,10 @@ class Assemblage {
     /// @param hints  of some of them: how long they stay, how often they come
     void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints = {});
 
+    /// A turn that is asked for is taken whatever else is wished; a file that is pinned and not on the wall
+    /// takes the next one.
+    void set_wishes(const Wishes& wishes);
+
     /// At most one shot whose time is nearly over makes room, so that the next can be got ready; free slots
     /// are filled.
     void advance(std::chrono::nanoseconds now);
@@ -99,6 +104,9 @@ class Assemblage {
         std::chrono::nanoseconds loop{0};  // of a film that is due at the end of one; else 0
     };
 
+    bool is_pinned(const Slot& slot) const;
+    const std::string* pinned_and_missing() const;
+    std::optional<ShotKey> take_pinned(const std::string& path);
     void follow_changes(const std::map<std::string, MediaRecord>& before);
     void fill();
     void spread(const std::vector<Slot*>& filled);
@@ -117,6 +125,8 @@ class Assemblage {
     ShotRound round_;
     std::vector<Slot> slots_;
     SourceId last_source_;
+    Wishes wishes_;
+    std::uint64_t turns_taken_ = 0;          // of those wished
     std::chrono::nanoseconds next_turn_{0};  // not before
     std::optional<std::chrono::nanoseconds> due_;
     std::chrono::nanoseconds last_due_ = std::chrono::nanoseconds::min() / 2;

@@ -171,6 +171,7 @@ void PanningWall::advance(std::chrono::nanoseconds now) {
         if (!shown.has_begun) shown.placed.began = now;
         shown.has_begun = true;
     }
+    if (is_paused_) return;
     const double step = settings_.speed * std::chrono::duration<double>(passed).count();
     view_ = std::min(view_ + step, std::max(view_, strip_.firm - canvas_.x));
 }
@@ -206,6 +207,14 @@ std::size_t PanningWall::count() const {
     return static_cast<std::size_t>(std::count_if(shots_.begin(), shots_.end(), [&](const Shown& shown) {
         return is_in_view(shown) && shown.source == Source::ready;
     }));
+}
+
+std::vector<SlotShot> PanningWall::standing() const {
+    std::vector<SlotShot> all;
+    for (const Shown& shown : shots_)
+        if (is_in_view(shown) && shown.source == Source::ready)
+            all.push_back({.slot = static_cast<int>(all.size()), .key = shown.placed.shot.key});
+    return all;
 }
 
 }  // namespace vitrine

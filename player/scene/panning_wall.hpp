@@ -33,8 +33,13 @@ class PanningWall final : public Show {
     void set_layout(const Layout& layout) override;
     void source_ready(SourceId source) override;
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
+
+    /// A wall that is paused stands; it has no turns and nothing to pin.
+    void set_wishes(const Wishes& wishes) override { is_paused_ = wishes.is_paused; }
+
     WallStep step(std::chrono::nanoseconds now) override;
     std::size_t count() const override;
+    std::vector<SlotShot> standing() const override;
 
     /// Left edge of what is seen, px from where the wall began.
     double view() const { return view_; }
@@ -70,6 +75,7 @@ class PanningWall final : public Show {
     double view_ = 0;                  // strip px
     double base_ = 0;                  // strip px that the cells' px count from
     std::optional<std::chrono::nanoseconds> last_;
+    bool is_paused_ = false;
     std::uint64_t generation_ = 0;
     SourceId last_source_;
 };

@@ -6,6 +6,7 @@
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/shot_round.hpp"
+#include "player/scene/wishes.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -28,6 +29,12 @@ struct WallStep {
     std::optional<WallPlan> plan;       // replaces a plan still under way
     std::vector<ShotRequest> requests;  // new sources, or another size for one that plays
     std::vector<SourceId> retired;      // not in this frame and never again
+};
+
+/// A shot and where it stands.
+struct SlotShot {
+    int slot = 0;  // of a wall that pans counted from the left, and different soon
+    ShotKey key;
 };
 
 /// What is on the screen, from wish to picture. Knows no clock: events are told to it, step() says what
@@ -65,11 +72,17 @@ class Show {
     /// The shot that is seen at a canvas point; none: none, or one that cannot be touched.
     virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
+    /// What holds from now on; a show that has no turns ignores what concerns them.
+    virtual void set_wishes(const Wishes& /*wishes*/) {}
+
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;
 
     /// How many shots are on the screen.
     virtual std::size_t count() const = 0;
+
+    /// Each of them.
+    virtual std::vector<SlotShot> standing() const { return {}; }
 };
 
 }  // namespace vitrine

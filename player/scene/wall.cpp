@@ -123,6 +123,13 @@ std::optional<WallPlan> Wall::ask_anew() {
     return plan;
 }
 
+std::vector<SlotShot> Wall::standing() const {
+    std::vector<SlotShot> all;
+    for (const PlacedShot& placed : shown_)
+        all.push_back({.slot = placed.shot.slot, .key = placed.shot.key});
+    return all;
+}
+
 void Wall::source_ready(SourceId source) {
     const auto found = sources_.find(source);
     if (found != sources_.end()) found->second = Source::ready;

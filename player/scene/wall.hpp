@@ -63,10 +63,14 @@ class Wall final : public Show {
     /// Its file gives way to another; what is on the wall of it stays until the other is ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
+    void set_wishes(const Wishes& wishes) override { assemblage_.set_wishes(wishes); }
+
     /// @param now  since the player's start; never goes back
     WallStep step(std::chrono::nanoseconds now) override;
 
     std::size_t count() const override { return shown_.size(); }
+
+    std::vector<SlotShot> standing() const override;
 
     bool is_fading() const { return incoming_ && incoming_->fade_began.has_value(); }
 
