@@ -3,6 +3,7 @@
 #include "base/catalogue/blame.hpp"
 #include "base/catalogue/record_json.hpp"
 #include "base/system/error.hpp"
+#include "base/system/journal.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 
@@ -249,7 +250,11 @@ void Daemon::tell(const MediaRecord& record) {
                   analysed_ + counts.settling + counts.due + counts.running, record.path);
     }
     if (record.state != MediaState::ready)
-        log::warning("{}: '{}': {}", name_of(record.state), record.path, record.reason);
+        log::write_with(log::Level::warning,
+                        fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
+                        {{"MESSAGE_ID", log::file_at_fault},
+                         {"VITRINE_FILE", record.path},
+                         {"VITRINE_STATE", std::string(name_of(record.state))}});
     else if (!record.reason.empty())
         log::warning("ready: '{}': {}", record.path, record.reason);
     else if (!options_.is_once)

@@ -5,6 +5,7 @@
 #include "base/catalogue/record_json.hpp"
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
+#include "base/settings/settings_snapshot.hpp"
 #include "base/system/error.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -87,7 +88,8 @@ int weave_command(const CommandLine& line, const Settings& settings) {
     return EXIT_SUCCESS;
 }
 
-WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
+WatchOptions watch_options(const CommandLine& line, const Settings& settings,
+                           const SettingsSnapshot& snapshot) {
     constexpr int mebibyte_bits = 20;
     const Settings::Analyzer& analyzer = settings.analyzer;
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
@@ -96,10 +98,7 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
     WatchOptions options;
     options.root = std::filesystem::absolute(settings.media.root).lexically_normal();
     options.catalogue = std::filesystem::path(settings.state.directory) / "catalogue";
-    options.child = {"/proc/self/exe"};
-    for (const std::string& word : line.options.arguments())
-        options.child.push_back(word);
-    options.child.emplace_back("analyze");
+    options.child = {"/proc/self/exe", "--config=" + snapshot.path(), "analyze"};
     options.child.emplace_back("--grow");
     if (settings.store.max_bytes > 0) options.child.emplace_back("--keep");
     if (!settings.status.folder.empty()) options.child.emplace_back("--thumbnail");
@@ -119,8 +118,24 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings) {
     return options;
 }
 
+/// Children that are started from now on analyse by the new settings. With a mistake in them the old ones
+/// stay.
+void read_settings_again(const CommandLine& line, SettingsSnapshot& snapshot) {
+    try {
+        const Settings settings = line.options.settings();
+        log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
+        snapshot.replace(settings);
+        log::info("settings read again: files are analysed by them from now on; folders, store and pace "
+                  "after a restart");
+    } catch (const SettingsError& error) {
+        log::error("settings: {}; the old ones stay", error.what());
+    }
+}
+
 int watch_command(const CommandLine& line, const Settings& settings) {
+    SettingsSnapshot snapshot(settings);
     EventLoop loop;
+    const EventLoop::Source hangup = loop.signal(SIGHUP, [&] { read_settings_again(line, snapshot); });
     bool is_interrupted = false;
     const auto quit = [&] {
         is_interrupted = true;
@@ -128,7 +143,7 @@ int watch_command(const CommandLine& line, const Settings& settings) {
     };
     const EventLoop::Source terminate = loop.signal(SIGTERM, quit);
     const EventLoop::Source interrupt = loop.signal(SIGINT, quit);
-    const Daemon daemon(loop, watch_options(line, settings));
+    const Daemon daemon(loop, watch_options(line, settings, snapshot));
     service::ready(daemon.status());
     log::info("watching '{}': {}", settings.media.root, daemon.status());
     loop.run();

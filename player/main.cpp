@@ -127,7 +127,9 @@ void run(const CommandLine& line) {
     const Settings settings = (is_plan ? line.plan_settings : line.settings).settings();
     log::set_level(log::level_named(settings.log.level).value());
     if (is_plan) return write_plan(settings, line.plan);
-    Player(settings, line.play).run();
+    PlayOptions play = line.play;
+    play.read_settings = [&line] { return line.settings.settings(); };
+    Player(settings, play).run();
 }
 
 }  // namespace

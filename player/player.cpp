@@ -2,6 +2,7 @@
 
 #include "base/catalogue/catalogue.hpp"
 #include "base/settings/output_words.hpp"
+#include "base/system/journal.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "player/display/gl_device.hpp"
@@ -47,6 +48,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       options_(options),
       interrupted_(loop_.signal(SIGINT, [this] { loop_.quit(); })),
       terminated_(loop_.signal(SIGTERM, [this] { loop_.quit(); })),
+      reloaded_(loop_.signal(SIGHUP, [this] { reload_or_tell(); })),
       left_(loop_.signal(Console::leave_signal, [this] { leave_terminal(); })),
       entered_(loop_.signal(Console::enter_signal, [this] { come_to_terminal(); })),
       is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
@@ -67,6 +69,15 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       })) {
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_.decoders()));
+    operation_.emplace(loop_, OperatedParts{.settings = settings_,
+                                            .display = display_,
+                                            .complaint = complaint_,
+                                            .stages = stages_,
+                                            .sources = sources_,
+                                            .follower = follower_,
+                                            .clock = clock_,
+                                            .give_catalogue = [this] { give_catalogue(); },
+                                            .reload = [this] { reload(); }});
     if (!settings.status.folder.empty() && !options.rehearsal)
         wall_picture_.emplace(std::filesystem::path(settings.state.directory) / "wall.jpg");
     sources_.before_opening([this](const std::string& path) {
@@ -75,6 +86,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     make_stages();
     if (!is_paced_by_pictures_) expect_screen();
     open_display();
+    if (!is_paced_by_pictures_) operation_->export_to_bus();
 }
 
 Player::~Player() = default;
@@ -160,13 +172,13 @@ void Player::run() {
 
 void Player::follow(const CatalogueChange& change) {
     for (const std::string& path : change.added)
-        log::info("new: '{}'", path);
+        log::write_with(log::Level::info, fmt::format("new: '{}'", path), {{"VITRINE_FILE", path}});
     for (const std::string& path : change.grown)
         log::debug("further shots: '{}'", path);
     for (const std::string& path : change.replaced)
         log::info("replaced: '{}'", path);
     for (const std::string& path : change.gone)
-        log::info("gone: '{}'", path);
+        log::write_with(log::Level::info, fmt::format("gone: '{}'", path), {{"VITRINE_FILE", path}});
     give_catalogue();
 }
 
@@ -174,7 +186,7 @@ void Player::give_catalogue() {
     std::vector<MediaRecord> records =
         options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
     crash_note_.leave_out_poison(records);
-    programme_.set_records(std::move(records));
+    programme_.set_records(operation_ ? operation_->wanted(records) : std::move(records));
     next_look_ = 0ns;
     follow_programme(0ns);
 }
@@ -197,8 +209,8 @@ std::chrono::nanoseconds Player::now() const {
 void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
-    service::alive();
     follow_display(time);
+    operation_->look(time);
     if (!display_ || display_->screens().empty()) {
         clock_.skip_to(time);
         return tick_.arm(invisible_pause);
@@ -278,10 +290,6 @@ void Player::hand_out(const std::vector<SourceEvent>& events) {
             if (stage->owns(event.source)) stage->tell(event);
 }
 
-std::string Player::description() const {
-    return display_ ? display_->description() : "no graphics card for now";
-}
-
 void Player::tell_items() {
     for (const auto& stage : stages_) {
         const auto [told, is_new] = items_.try_emplace(stage->folder(), 0);
@@ -293,13 +301,7 @@ void Player::tell_items() {
 }
 
 void Player::tell() {
-    std::size_t items = 0;
-    for (const auto& [folder, count] : items_)
-        items += count;
-    const FilmsByDetail films = sources_.films();
-    service::status(fmt::format(
-        "{}, {} items, {} pictures shown, {} late; {} films play, {} with fewer pictures, {} stand",
-        description(), items, clock_.pictures(), clock_.late(), films.all, films.fewer, films.still));
+    operation_->tell(now());
     told_.arm(status_interval);
 }
 

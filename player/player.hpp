@@ -7,6 +7,7 @@
 #include "player/display/console.hpp"
 #include "player/display/screen.hpp"
 #include "player/frame_clock.hpp"
+#include "player/operation.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/programme_follower.hpp"
 #include "player/rehearsal.hpp"
@@ -17,6 +18,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,6 +36,7 @@ struct PlayOptions {
     std::optional<std::filesystem::path> snapshot;     // off screen only: the last picture
     std::optional<std::filesystem::path> tapestry;     // a directory: shown in place of the wall
     std::optional<Rehearsal> rehearsal;                // what happens to the wall of itself
+    std::function<Settings()> read_settings;           // again; empty: they stay as they are
     bool is_realtime = false;  // off screen: pictures at their time, late or not, instead of each exact
 };
 
@@ -71,9 +74,10 @@ class Player {
     void leave_terminal();
     void come_to_terminal();
     void hand_out(const std::vector<SourceEvent>& events);
-    std::string description() const;
     void tell_items();
     void tell();
+    void reload();
+    void reload_or_tell();
     void finish();
 
     Settings settings_;
@@ -81,6 +85,7 @@ class Player {
     EventLoop loop_;
     EventLoop::Source interrupted_;  // blocked before any thread starts, which else would be killed by them
     EventLoop::Source terminated_;
+    EventLoop::Source reloaded_;             // SIGHUP: the settings are to be read again
     EventLoop::Source left_;                 // the terminal: another one is to be in front
     EventLoop::Source entered_;              // ours is in front again
     bool is_paced_by_pictures_ = false;      // the clock waits for the sources, not they for the clock
@@ -93,6 +98,7 @@ class Player {
     SourcePool sources_;
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first
     std::vector<std::unique_ptr<Stage>> stages_;
+    std::optional<Operation> operation_;
     std::optional<WallPicture> wall_picture_;  // none: not wanted
     ProgrammeFollower programme_;
     std::chrono::nanoseconds next_look_{0};  // at the programme

@@ -63,7 +63,7 @@ SettingKey number(std::string name, const Member<double>& member, double least, 
                     if (!(x >= least && x <= most)) refuse();
                     member(s) = x;
                 },
-            .text = [=](const Settings& s) { return fmt::format("{:.4g}", read(member, s)); }};
+            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
 }
 
 template <typename Duration>
@@ -290,6 +290,8 @@ std::vector<SettingKey> make_keys() {
                          "the name of a folder, or nothing", is_folder_name),
                      choice("log.level", [](S & s) -> auto& { return s.log.level; },
                             {"error", "warning", "info", "debug"}),
+                     optional_path(
+                         "metrics.file", [](S & s) -> auto& { return s.metrics.file; }),
                  });
     append_analyzer_keys(keys);
     append_player_keys(keys);

@@ -41,13 +41,4 @@ Settings SettingOptions::settings() const {
     return settings;
 }
 
-std::vector<std::string> SettingOptions::arguments() const {
-    std::vector<std::string> words;
-    if (!config_.empty()) words.push_back("--config=" + config_);
-    for (const auto* options : {&given_, &aliased_})
-        for (const auto& [name, text] : *options)
-            if (!text.empty()) words.push_back(fmt::format("--{}={}", name, text));
-    return words;
-}
-
 }  // namespace vitrine

@@ -4,7 +4,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -24,9 +23,6 @@ class SettingOptions {
     /// Defaults, then the file (--config, else the installed one where it exists), then the options.
     /// @throws SettingsError
     Settings settings() const;
-
-    /// The options that were given, to be given to another program of ours: it then has the same settings().
-    std::vector<std::string> arguments() const;
 
   private:
     std::string config_;

@@ -30,6 +30,10 @@ struct Settings {
         std::string level = "info";  // error, warning, info or debug
     } log;
 
+    struct Metrics {
+        std::string file;  // for a node exporter; empty: none
+    } metrics;
+
     struct Analyzer {
         int children = 0;  // 0: one for every two cores
         std::chrono::seconds deadline{120};

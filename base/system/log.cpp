@@ -1,11 +1,11 @@
 #include "base/system/log.hpp"
 
-#include <sys/stat.h>
+#include "base/system/journal.hpp"
+
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <utility>
 
 namespace vitrine::log {
@@ -24,17 +24,6 @@ constexpr std::array<LevelName, 4> levels{{{Level::error, "error", 3},
                                            {Level::debug, "debug", 7}}};
 
 std::atomic<Level> highest = Level::info;  // the one global of the tree
-
-/// systemd names the journal's stream by device and inode, so that a redirected stderr is not mistaken for
-/// it.
-bool is_journal(int fd) {
-    const char* stream = std::getenv("JOURNAL_STREAM");
-
-    struct stat info {};
-
-    if (stream == nullptr || ::fstat(fd, &info) < 0) return false;
-    return fmt::format("{}:{}", info.st_dev, info.st_ino) == stream;
-}
 
 }  // namespace
 

@@ -70,6 +70,16 @@ void SourcePool::retire(SourceId source) {
     playing_.erase(found);
 }
 
+std::vector<SourceId> SourcePool::retire_all() {
+    std::vector<SourceId> all;
+    for (const auto& [id, playing] : playing_)
+        all.push_back(id);
+    for (const SourceId id : all)
+        retire(id);
+    waiting_.clear();
+    return all;
+}
+
 std::vector<SourceEvent> SourcePool::update() {
     std::erase_if(ending_, [](const auto& source) { return source->has_ended(); });
     std::vector<SourceEvent> events;

@@ -85,6 +85,9 @@ class SourcePool {
     /// The source is not needed any more; ends in the background.
     void retire(SourceId source);
 
+    /// All there are; which they were.
+    std::vector<SourceId> retire_all();
+
     /// To be called once a frame: starts what waits, buries what has ended. Photos of another size than asked
     /// for since are read anew once nothing waits, one after the other.
     std::vector<SourceEvent> update();

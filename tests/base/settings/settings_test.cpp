@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -100,24 +99,6 @@ TEST_CASE("an option wins, and a wrong one says what is allowed") {
                          "--layout.slots '0' is not allowed; it must be a whole number from 1 to 64",
                          SettingsError);
     CHECK_THROWS_AS(apply_setting("layout.nothing", "0", settings), SettingsError);
-}
-
-TEST_CASE("a program started with the arguments of another has its settings") {
-    SettingOptions options;
-    CLI::App app;
-    options.add_to(app);
-    options.add_alias(app, "slots", "layout.slots");
-    app.parse("--media.root '-a b' --slots 3", false);
-    CHECK(options.arguments() == std::vector<std::string>{"--media.root=-a b", "--layout.slots=3"});
-
-    SettingOptions others;
-    CLI::App other;
-    others.add_to(other);
-    std::vector<std::string> words = options.arguments();
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    other.parse(words);
-    CHECK(others.settings().media.root == "-a b");
-    CHECK(others.settings().layout.slots == 3);
 }
 
 TEST_CASE("a colour is six digits after a hash and nothing else") {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/system/log.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine::log {
+
+/// What a line says beside its words, to be searched for in the journal:
+/// `journalctl VITRINE_FILE=trips/a.jpg`, `journalctl VITRINE_STATE=quarantined`.
+struct Field {
+    std::string_view name;  // capitals and underscores, beginning with VITRINE_, or MESSAGE_ID
+    std::string value;      // any bytes
+};
+
+/// MESSAGE_ID of the line that names a file at fault, by which it is found whatever its words.
+constexpr const char* file_at_fault = "9d0f6a5c1e7b4c2f8a3be5d27c41f06b";
+
+/// Whether systemd reads this file descriptor into the journal: it names its stream by device and inode, so
+/// that a redirected one is not mistaken for it.
+bool is_journal(int fd);
+
+/// One line, with fields where the standard error is the journal, else as write() does.
+void write_with(Level level, std::string_view message, const std::vector<Field>& fields);
+
+/// The assignments that the journal gets, "MESSAGE=..." and so on.
+std::vector<std::string> journal_entry(Level level, std::string_view message,
+                                       const std::vector<Field>& fields);
+
+}  // namespace vitrine::log

@@ -1,0 +1,50 @@
+#include "player/control/media_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace vitrine {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// As another machine's programs write it.
+bool is_of_a_share(const std::string& given) {
+    const bool has_drive =
+        given.size() > 2 && std::isalpha(static_cast<unsigned char>(given[0])) != 0 && given[1] == ':';
+    return has_drive || given.find("://") != std::string::npos || given.starts_with("//") ||
+           given.find('\\') != std::string::npos || given.starts_with("/Volumes/");
+}
+
+void add(std::vector<std::string>& names, const fs::path& path) {
+    const std::string name = path.lexically_normal().string();
+    const bool leads_out =
+        name.empty() || name == "." || name.starts_with("/") || name == ".." || name.starts_with("../");
+    if (!leads_out && std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+// Whatever its machine calls the share: with ever fewer of the folders before it.
+void add_tails(std::vector<std::string>& names, std::string text) {
+    std::ranges::replace(text, '\\', '/');
+    for (std::size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {
+        const std::size_t begin = text.find_first_not_of('/', slash);
+        if (begin != std::string::npos) add(names, text.substr(begin));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> media_names(const std::string& given, const std::string& folder,
+                                     const std::string& root) {
+    std::vector<std::string> names;
+    if (given.empty()) return names;
+    const fs::path here = fs::path(given).is_absolute() ? fs::path(given) : fs::path(folder) / given;
+    add(names, here.lexically_normal().lexically_relative(fs::path(root).lexically_normal()));
+    add(names, given);
+    if (is_of_a_share(given)) add_tails(names, "/" + given);
+    return names;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,198 @@
+#include "player/control/player_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Names hold any bytes, JSON only UTF-8.
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A label's value. Source: the Prometheus text format, which has three escapes and wants UTF-8.
+std::string label(const std::string& text) {
+    const std::string json = dumped(text);  // what is no UTF-8 is replaced
+    const Json clean = Json::parse(json);
+    std::string made;
+    for (const char c : clean.get<std::string>()) {
+        if (c == '\\' || c == '"') made += '\\';
+        if (c == '\n')
+            made += "\\n";
+        else
+            made += c;
+    }
+    return made;
+}
+
+/// What the analyzer says of everything, without its lists: those may have an entry for each file.
+Json summary(const std::string& analyzer) {
+    const Json said = Json::parse(analyzer, nullptr, false);
+    Json kept = Json::object();
+    if (!said.is_object()) return kept;
+    for (const auto& [key, value] : said.items())
+        if (!value.is_array()) kept[key] = value;
+    return kept;
+}
+
+/// What it says of one file: the entry that names it as "path", "file" or "name".
+Json entry(const std::string& analyzer, const std::string& path) {
+    const Json said = Json::parse(analyzer, nullptr, false);
+    if (!said.is_object()) return {};
+    for (const auto& [key, list] : said.items()) {
+        if (!list.is_array()) continue;
+        for (const Json& one : list)
+            for (const char* name : {"path", "file", "name"})
+                if (one.is_object() && one.value(name, "") == path) return one;
+    }
+    return {};
+}
+
+std::string sentence(const FileReport& report) {
+    if (report.state == "unknown") return "There is no such file in the media folder.";
+    if (report.state == "new") return "It is in the media folder and has not been looked at yet.";
+    if (report.is_dismissed)
+        return "It was removed from the wall by vitrinectl, until the player starts anew or the file "
+               "changes.";
+    if (!report.slots.empty())
+        return report.is_pinned ? "It is on the wall, where it is pinned." : "It is on the wall.";
+    if (report.state == "ready")
+        return report.is_pinned ? "It is ready and comes onto the wall next."
+                                : "It is ready and waits for its turn.";
+    return "It is not shown: " + (report.reason.empty() ? report.state : report.reason) + ".";
+}
+
+class Metrics {
+  public:
+    void family(const char* name, const char* type, const char* help) {
+        text_ += fmt::format("# HELP vitrine_{} {}\n# TYPE vitrine_{} {}\n", name, help, name, type);
+        name_ = name;
+    }
+
+    void value(double number, const std::string& labels = "") {
+        text_ += fmt::format("vitrine_{}{} {}\n", name_, labels.empty() ? "" : "{" + labels + "}", number);
+    }
+
+    void only(const char* name, const char* type, const char* help, double number) {
+        family(name, type, help);
+        value(number);
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string name_;
+    std::string text_;
+};
+
+std::string mode_of(const ScreenReport& screen) {
+    const std::string rate = screen.refresh > 0 ? fmt::format(" at {:.2f} Hz", screen.refresh) : "";
+    return fmt::format("{} {}x{}{}", screen.name, screen.width, screen.height, rate);
+}
+
+}  // namespace
+
+std::string one_line(const PlayerReport& report) {
+    std::string modes;
+    for (const ScreenReport& screen : report.screens)
+        modes += fmt::format("{}{}", modes.empty() ? "" : ", ", mode_of(screen));
+    const std::size_t films = static_cast<std::size_t>(
+        std::ranges::count_if(report.sources, [](const SourceReport& one) { return one.tier != "photo"; }));
+    const bool is_lit = !report.screens.empty();
+    return fmt::format(
+        "{}{}{}; {} items of {} files, {} films play, {} to come; {}{} pictures shown, {} late",
+        name_of(report.state), report.is_paused ? " (paused)" : "",
+        is_lit ? ": " + modes : ": " + report.display, report.cells.size(), report.files, films, report.queue,
+        is_lit ? fmt::format("{:.1f} a second, last flip {:.1f} s ago, ", report.rate,
+                             std::chrono::duration<double>(report.since_flip).count())
+               : "",
+        report.pictures, report.late);
+}
+
+std::string to_json(const PlayerReport& report, const std::string& analyzer) {
+    Json json{{"state", name_of(report.state)},
+              {"paused", report.is_paused},
+              {"display", report.display},
+              {"files", report.files},
+              {"queue", report.queue},
+              {"pictures", report.pictures},
+              {"late", report.late},
+              {"film_pictures_late", report.film_late},
+              {"pictures_per_second", report.rate},
+              {"seconds_since_flip", std::chrono::duration<double>(report.since_flip).count()},
+              {"pinned", report.pinned},
+              {"removed", report.dismissed}};
+    Json outputs = Json::array();
+    for (const ScreenReport& screen : report.screens)
+        outputs.push_back({{"name", screen.name},
+                           {"width", screen.width},
+                           {"height", screen.height},
+                           {"hertz", screen.refresh},
+                           {"flips", screen.flips}});
+    Json cells = Json::array();
+    for (const CellReport& cell : report.cells)
+        cells.push_back(
+            {{"slot", cell.slot}, {"file", cell.path}, {"shot", cell.shot}, {"pinned", cell.is_pinned}});
+    Json sources = Json::array();
+    for (const SourceReport& source : report.sources)
+        sources.push_back({{"file", source.path},
+                           {"pictures", source.tier},
+                           {"stored", source.is_stored},
+                           {"late", source.late}});
+    json["outputs"] = std::move(outputs);
+    json["cells"] = std::move(cells);
+    json["sources"] = std::move(sources);
+    if (Json said = summary(analyzer); !said.empty()) json["analyzer"] = std::move(said);
+    return dumped(json);
+}
+
+std::string to_json(const FileReport& report, const std::string& analyzer) {
+    Json json{{"file", report.path},        {"state", report.state},         {"says", sentence(report)},
+              {"reason", report.reason},    {"kind", report.kind},           {"width", report.width},
+              {"height", report.height},    {"shots", report.shots},         {"slots", report.slots},
+              {"pinned", report.is_pinned}, {"removed", report.is_dismissed}};
+    if (Json said = entry(analyzer, report.path); !said.empty()) json["analyzer"] = std::move(said);
+    return dumped(json);
+}
+
+std::string to_metrics(const PlayerReport& report, std::optional<double> degrees,
+                       const std::vector<std::pair<std::string, std::size_t>>& states) {
+    Metrics metrics;
+    metrics.family("state", "gauge", "1 for the state that the screen is in.");
+    for (const ShowState state :
+         {ShowState::showing, ShowState::no_content, ShowState::no_panel, ShowState::off, ShowState::no_flip})
+        metrics.value(state == report.state ? 1 : 0, fmt::format("state=\"{}\"", name_of(state)));
+    metrics.only("frames_shown_total", "counter", "Pictures shown.", static_cast<double>(report.pictures));
+    metrics.only("frames_late_total", "counter", "Pictures left out as they came too late.",
+                 static_cast<double>(report.late));
+    metrics.only("film_frames_late_total", "counter", "Pictures of films that came too late.",
+                 static_cast<double>(report.film_late));
+    metrics.family("flips_total", "counter", "Pictures that have reached an output.");
+    for (const ScreenReport& screen : report.screens)
+        metrics.value(static_cast<double>(screen.flips), fmt::format("output=\"{}\"", label(screen.name)));
+    metrics.only("seconds_since_flip", "gauge", "Time since the output that waits longest had a picture.",
+                 std::chrono::duration<double>(report.since_flip).count());
+    metrics.only("items", "gauge", "Cells on the wall.", static_cast<double>(report.cells.size()));
+    metrics.only("queue", "gauge", "Sources that have no picture yet.", static_cast<double>(report.queue));
+    metrics.family("sources", "gauge", "Sources by which of their pictures are decoded.");
+    for (const char* tier : {"photo", "all", "reference", "key", "still"})
+        metrics.value(static_cast<double>(std::ranges::count(report.sources, tier, &SourceReport::tier)),
+                      fmt::format("tier=\"{}\"", tier));
+    metrics.family("source_tier", "gauge", "1 for each source, with which of its pictures are decoded.");
+    for (std::size_t i = 0; i < report.sources.size(); ++i)
+        metrics.value(1, fmt::format("source=\"{}\",file=\"{}\",tier=\"{}\"", i,
+                                     label(report.sources[i].path), report.sources[i].tier));
+    metrics.family("files", "gauge", "Files of the media folder by state.");
+    for (const auto& [state, count] : states)
+        metrics.value(static_cast<double>(count), fmt::format("state=\"{}\"", label(state)));
+    if (degrees) metrics.only("temperature_celsius", "gauge", "The hottest thermal zone.", *degrees);
+    return metrics.text();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "player/control/health.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine {
+
+struct ScreenReport {
+    std::string name;  // of the output
+    int width = 0;     // px
+    int height = 0;
+    double refresh = 0;  // pictures a second, 0: not known
+    std::uint64_t flips = 0;
+};
+
+struct CellReport {
+    int slot = 0;
+    std::string path;
+    int shot = 0;
+    bool is_pinned = false;
+};
+
+struct SourceReport {
+    std::string path;
+    std::string tier;  // "photo"; of films "all", "reference", "key", "still": which pictures are decoded
+    bool is_stored = false;  // played from the store, not from the media folder
+    std::uint64_t late = 0;  // pictures so far
+};
+
+/// All that the player can say of itself at one moment.
+struct PlayerReport {
+    ShowState state = ShowState::no_panel;
+    std::string display;  // card, modes and renderer in words, or why there is none
+    std::vector<ScreenReport> screens;
+    std::vector<CellReport> cells;
+    std::vector<SourceReport> sources;
+    std::size_t files = 0;                    // that can be shown
+    std::size_t queue = 0;                    // sources that have no picture yet
+    std::int64_t pictures = 0;                // shown since the start
+    std::int64_t late = 0;                    // left out, as they came too late
+    std::uint64_t film_late = 0;              // pictures of films that came too late
+    double rate = 0;                          // pictures a second that have reached each display, of late
+    std::chrono::milliseconds since_flip{0};  // of the display that waits longest
+    bool is_paused = false;
+    std::vector<std::string> pinned;     // files
+    std::vector<std::string> dismissed;  // files
+};
+
+/// What is known of one file of the media folder.
+struct FileReport {
+    std::string path;   // from the media folder on; of a file that is not known as it was asked for
+    std::string state;  // as of its record; "new": not looked at yet, "unknown": not in the media folder
+    std::string reason;
+    std::string kind;
+    int width = 0;  // px
+    int height = 0;
+    std::size_t shots = 0;
+    std::vector<int> slots;  // that it stands in now
+    bool is_pinned = false;
+    bool is_dismissed = false;
+};
+
+/// One line for `systemctl status`.
+std::string one_line(const PlayerReport& report);
+
+/// For programs, with the analyzer's own word where it has left one.
+/// @param analyzer  JSON, or empty
+std::string to_json(const PlayerReport& report, const std::string& analyzer);
+
+/// For programs, with a sentence for people and the analyzer's own word where it has left one.
+/// @param analyzer  JSON, or empty
+std::string to_json(const FileReport& report, const std::string& analyzer);
+
+/// As a node exporter reads it from a text file (the Prometheus text format).
+/// @param degrees  of the hottest part of the machine, Celsius
+/// @param states   files by what the analyzer says of them
+std::string to_metrics(const PlayerReport& report, std::optional<double> degrees,
+                       const std::vector<std::pair<std::string, std::size_t>>& states);
+
+}  // namespace vitrine

@@ -1,0 +1,38 @@
+#include "base/settings/settings_file.hpp"
+#include "base/system/log.hpp"
+#include "player/player.hpp"
+#include "player/settings_change.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+// What a running player does with settings that have changed.
+
+namespace vitrine {
+
+/// @throws SettingsError; the old ones then stay
+void Player::reload() {
+    if (!options_.read_settings) return;
+    SettingsChange change = settings_change(settings_, options_.read_settings());
+    settings_ = std::move(change.settings);
+    log::set_level(log::level_named(settings_.log.level).value());
+    log::info("settings read again: {} changed{}", fmt::join(change.now, ", "),
+              change.later.empty() ? ""
+                                   : fmt::format("; after a restart: {}", fmt::join(change.later, ", ")));
+    if (!change.are_walls_new) return;
+    for (const SourceId source : sources_.retire_all())
+        if (renderer_) renderer_->forget(source);
+    make_stages();
+    operation_->tell_wishes();
+}
+
+void Player::reload_or_tell() {
+    try {
+        reload();
+    } catch (const SettingsError& error) {
+        log::error("settings: {}; the old ones stay", error.what());
+    }
+}
+
+}  // namespace vitrine

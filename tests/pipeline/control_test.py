@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""vitrinectl and the player on a bus of their own: what is asked, what is changed, what settings that change do.
+
+    control_test.py BUILD_DIRECTORY [unittest arguments]
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from drawn_media import png  # noqa: E402
+
+BUILD = Path(sys.argv[1]).resolve()
+ANALYZER, PLAYER, CTL = (BUILD / name for name in ("analyzer/vitrine-analyzer", "player/vitrine-player", "player/control/vitrinectl"))
+PATIENCE = 300  # seconds until something that must come is given up
+UNKNOWN_FILE, NOT_RUNNING = 2, 4
+COLOURS = {"red": (230, 30, 30), "green": (30, 200, 30), "blue": (40, 60, 240), "yellow": (240, 220, 30)}
+
+
+def wait_for(what, look):
+    deadline = time.monotonic() + PATIENCE
+    while not (seen := look()):
+        if time.monotonic() > deadline:
+            raise AssertionError(f"waited {PATIENCE} s in vain for {what}")
+        time.sleep(0.1)
+    return seen
+
+
+class Control(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory(prefix="vitrine-ctl-")
+        self.addCleanup(kept.cleanup)
+        self.folder = Path(kept.name)
+        self.media, self.state, self.settings = (self.folder / name for name in ("media", "state", "settings.toml"))
+        (self.media / "trips").mkdir(parents=True)
+        self.environment = os.environ | {"DBUS_SYSTEM_BUS_ADDRESS": f"unix:path={self.folder / 'bus'}"}
+        self.log = self.folder / "log"
+
+    def start(self, *command):
+        child = subprocess.Popen([str(word) for word in command], env=self.environment, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.DEVNULL, stderr=self.log.open("a"))
+
+        def end():
+            child.terminate()
+            child.wait(PATIENCE)
+
+        self.addCleanup(end)
+        return child
+
+    def start_bus(self):
+        self.start("dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address=unix:path={self.folder / 'bus'}")
+        wait_for("the bus", (self.folder / "bus").exists)
+
+    def set(self, slots):
+        self.settings.write_text(f"""
+[media]
+root = "{self.media}"
+[state]
+directory = "{self.state}"
+[metrics]
+file = "{self.folder / 'vitrine.prom'}"
+[layout]
+slots = {slots}
+[show]
+order = "name"
+dwell_seconds = 3600
+crossfade_milliseconds = 0
+motion_milliseconds = 0
+[output]
+screen = "offscreen:160x90"
+frame_rate = 5
+""")
+
+    def start_player(self):
+        return self.start(PLAYER, "--config", self.settings, "--pace", "realtime")
+
+    def ctl(self, *words, cwd=None):
+        return subprocess.run([CTL, *map(str, words)], env=self.environment, cwd=cwd or self.folder, capture_output=True, text=True,
+                              timeout=PATIENCE)
+
+    def status(self):
+        said = self.ctl("status", "--json")
+        return json.loads(said.stdout) if said.returncode == 0 else {"cells": [], "files": 0, "removed": []}
+
+    def wall(self):
+        return sorted(cell["file"] for cell in self.status()["cells"])
+
+    def test_the_wall_is_asked_and_changed(self):
+        for name, colour in COLOURS.items():
+            png(self.media / "trips" / f"{name}.png", 64, 48, lambda x, y: colour)
+        (self.media / "broken.png").write_bytes((self.media / "trips" / "red.png").read_bytes()[:60] + b"nothing" * 50)
+        self.set(slots=2)
+        subprocess.run([ANALYZER, "watch", "--once", "--config", self.settings, "--analyzer.quiet_milliseconds", "100"],
+                       timeout=PATIENCE, capture_output=True)
+        self.start_bus()
+        self.assertEqual(self.ctl("status").returncode, NOT_RUNNING)
+        player = self.start_player()
+        first = wait_for("two on the wall", lambda: len(self.wall()) == 2 and self.wall())
+        self.assertEqual(first, ["trips/blue.png", "trips/green.png"])
+
+        with self.subTest("status"):
+            status = wait_for("pictures", lambda: (said := self.status())["state"] == "showing" and said)
+            self.assertEqual((status["files"], status["outputs"][0]["width"], status["paused"]), (4, 160, False))
+            self.assertIn("slot 0", self.ctl("status").stdout)
+        with self.subTest("why"):
+            for name, cwd in (("trips/blue.png", None), (self.media / "trips/blue.png", None), ("blue.png", self.media / "trips"),
+                              ("\\\\box\\media\\trips\\blue.png", None), ("smb://box/media/trips/blue.png", None)):
+                said = self.ctl("why", name, cwd=cwd)
+                self.assertEqual((said.returncode, said.stdout.splitlines()[0]), (0, "trips/blue.png: ready"), said.stderr)
+                self.assertIn("on the wall", said.stdout)
+            broken = self.ctl("why", "--json", "broken.png")
+            self.assertEqual(broken.returncode, 0, broken.stderr)
+            self.assertNotEqual(json.loads(broken.stdout)["state"], "ready")
+            self.assertEqual(self.ctl("why", "nothing.png").returncode, UNKNOWN_FILE)
+            (self.media / "fresh.png").touch()
+            self.assertIn("not been looked at", self.ctl("why", "fresh.png").stdout)
+        with self.subTest("screenshot"):
+            self.assertEqual(self.ctl("screenshot", "shot.png").returncode, 0)
+            raw = subprocess.run(["ffmpeg", "-v", "error", "-i", self.folder / "shot.png", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                                 check=True, capture_output=True).stdout
+            self.assertEqual(len(raw), 160 * 90 * 3)
+            seen = {raw[i:i + 3] for i in range(0, len(raw), 3)}
+            for name in ("blue", "green"):
+                self.assertTrue(any(all(abs(a - b) < 25 for a, b in zip(pixel, COLOURS[name])) for pixel in seen), name)
+        with self.subTest("next, while it is paused"):
+            self.assertEqual(self.ctl("pause").returncode, 0)
+            self.assertTrue(self.status()["paused"])
+            self.assertEqual(self.ctl("next").returncode, 0)
+            second = wait_for("another wall", lambda: (wall := self.wall()) != first and len(wall) == 2 and wall)
+            self.assertEqual(len(set(first) & set(second)), 1)
+            self.assertEqual(self.ctl("resume").returncode, 0)
+        with self.subTest("pin and remove"):
+            hidden = next(f"trips/{name}.png" for name in COLOURS if f"trips/{name}.png" not in self.wall())
+            self.assertEqual(self.ctl("pin", self.media / hidden).returncode, 0)
+            wait_for("the pinned file", lambda: hidden in self.wall())
+            self.assertEqual(self.ctl("pin", hidden, "off").returncode, 0)
+            self.assertEqual(self.ctl("remove", hidden).returncode, 0)
+            wait_for("the removed file to go", lambda: hidden not in self.wall() and len(self.wall()) == 2)
+            self.assertIn("vitrinectl", self.ctl("why", hidden).stdout)
+            self.assertTrue((self.media / hidden).exists())
+            self.assertNotEqual(self.ctl("pin", "nothing.png").returncode, 0)
+        with self.subTest("metrics"):
+            text = (self.folder / "vitrine.prom").read_text()
+            self.assertIn('vitrine_files{state="ready"} 4\n', text)
+            self.assertIn("# TYPE vitrine_frames_shown_total counter\n", text)
+        with self.subTest("settings"):
+            self.settings.write_text("[layout]\nslots = many\n")
+            refused = self.ctl("reload")
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("settings.toml:2", refused.stderr)
+            player.send_signal(signal.SIGHUP)
+            wait_for("the fault in the log", lambda: "the old ones stay" in self.log.read_text())
+            self.assertEqual(len(self.wall()), 2)
+            self.set(slots=3)
+            self.assertEqual(self.ctl("reload").returncode, 0)
+            wait_for("a wall of three", lambda: len(self.wall()) == 3)
+        self.assertIsNone(player.poll())
+
+    def test_without_a_bus_the_player_plays_and_says_so_once(self):
+        self.set(slots=2)
+        player = self.start_player()
+        wait_for("the player to miss the bus", lambda: "cannot reach the player" in self.log.read_text())
+        wait_for("it to play", lambda: (self.folder / "vitrine.prom").exists())
+        self.assertIsNone(player.poll())
+        self.assertEqual(self.log.read_text().count("cannot reach the player"), 1)
+        self.assertEqual(self.ctl("status").returncode, NOT_RUNNING)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)

@@ -1,0 +1,243 @@
+#include "player/control/bus_object.hpp"
+
+#include "player/control/control_client.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <future>
+#include <stdexcept>
+#include <thread>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A bus of the test's own, which takes the system bus' place.
+class PrivateBus {
+  public:
+    PrivateBus() : address_("unix:path=" + (directory_.path / "bus").string()) {
+        ::setenv("DBUS_SYSTEM_BUS_ADDRESS", address_.c_str(), 1);
+    }
+
+    ~PrivateBus() { stop(); }
+
+    PrivateBus(const PrivateBus&) = delete;
+    PrivateBus& operator=(const PrivateBus&) = delete;
+    PrivateBus(PrivateBus&&) = delete;
+    PrivateBus& operator=(PrivateBus&&) = delete;
+
+    void start() {
+        const std::string option = "--address=" + address_;
+        daemon_ = ::fork();
+        if (daemon_ == 0) {
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+            ::execlp("dbus-daemon", "dbus-daemon", "--session", "--nofork", "--nopidfile", option.c_str(),
+                     nullptr);
+            ::_exit(127);
+        }
+        while (!std::filesystem::exists(directory_.path / "bus")) {
+            REQUIRE_MESSAGE(::waitpid(daemon_, nullptr, WNOHANG) == 0, "dbus-daemon does not start");
+            std::this_thread::sleep_for(10ms);
+        }
+    }
+
+    void stop() {
+        if (daemon_ <= 0) return;
+        ::kill(daemon_, SIGKILL);
+        ::waitpid(daemon_, nullptr, 0);
+        daemon_ = -1;
+    }
+
+  private:
+    TemporaryDirectory directory_;
+    std::string address_;
+    pid_t daemon_ = -1;
+};
+
+/// Says what it is told to say, as soon as the loop runs again.
+class FakeAuthority final : public Authority {
+  public:
+    FakeAuthority(EventLoop& loop, const std::string& refusal) : loop_(loop), refusal_(refusal) {}
+
+    void ask(sd_bus_message&, Answer answer) override {
+        later_ = loop_.defer([this, answer = std::move(answer)] { answer(refusal_); });
+    }
+
+  private:
+    EventLoop& loop_;
+    const std::string& refusal_;
+    EventLoop::Source later_;
+};
+
+/// A player that only writes down what it is asked.
+struct Asked {
+    EventLoop loop{};
+    std::string refusal{};
+    std::vector<std::string> changes{};
+    std::optional<BusObject> object{};
+
+    Controls controls() {
+        const auto note = [this](const std::string& change) { changes.push_back(change); };
+        Controls made;
+        made.status = [] { return R"({"state": "showing"})"; };
+        made.why = [](const std::string& file, const std::string&) { return "why " + file; };
+        made.screenshot = [] {
+            return std::vector<Controls::Shot>{
+                {.output = "HDMI-A-1",
+                 .picture = {.width = 2, .height = 1, .pixels = std::vector<std::byte>(8, std::byte{7})}},
+                {.output = "HDMI-A-2", .picture = {.width = 0, .height = 0, .pixels = {}}}};
+        };
+        made.next = [=] { note("next"); };
+        made.pause = [=](bool is_on) { note(is_on ? "pause" : "resume"); };
+        made.pin = [=](const std::string& file, const std::string&, bool is_on) {
+            note((is_on ? "pin " : "unpin ") + file);
+            return "called " + file;
+        };
+        made.pin_slot = [=](int slot, bool) { note("pin slot " + std::to_string(slot)); };
+        made.remove = [](const std::string& file, const std::string&) -> std::string {
+            throw std::runtime_error("there is no '" + file + "'");
+        };
+        made.reload = [=] { note("reload"); };
+        return made;
+    }
+
+    void start() { object.emplace(loop, controls(), std::make_unique<FakeAuthority>(loop, refusal)); }
+
+    /// What a client of its own thread does meanwhile; its error comes out here.
+    void serve(const std::function<void(ControlClient&)>& ask) {
+        std::future<void> asking = std::async(std::launch::async, [&] {
+            ControlClient client;
+            ask(client);
+        });
+        while (asking.wait_for(0s) != std::future_status::ready)
+            loop.run_once(10ms);
+        asking.get();
+    }
+
+    /// Until the name is on the bus.
+    void settle() {
+        for (int tries = 0; tries < 1000; ++tries) {
+            try {
+                return serve([](ControlClient& client) { client.status(); });
+            } catch (const ControlError&) {
+                loop.run_once(10ms);
+            }
+        }
+        FAIL("the object does not come onto the bus");
+    }
+};
+
+}  // namespace
+
+TEST_CASE("anyone may ask: what is shown, why, and what it looks like") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.refusal = "never";
+    asked.start();
+    asked.settle();
+    asked.serve([](ControlClient& client) {
+        CHECK(client.status() == R"({"state": "showing"})");
+        CHECK(client.why("a\xff\n.jpg") == "why a\xff\n.jpg");
+        const auto shots = client.screenshot();
+        REQUIRE(shots.size() == 2);
+        CHECK(shots[0].output == "HDMI-A-1");
+        CHECK(shots[0].picture.width == 2);
+        CHECK(shots[0].picture.pixels == std::vector<std::byte>(8, std::byte{7}));
+    });
+    CHECK(asked.changes.empty());
+}
+
+TEST_CASE("what is allowed is done, with its words") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.start();
+    asked.settle();
+    asked.serve([](ControlClient& client) {
+        client.next();
+        client.pause(true);
+        client.pause(false);
+        client.pin_slot(3, true);
+        CHECK(client.pin("a.jpg", false) == "called a.jpg");
+        client.reload();
+    });
+    CHECK(asked.changes ==
+          std::vector<std::string>{"next", "pause", "resume", "pin slot 3", "unpin a.jpg", "reload"});
+    CHECK_THROWS_WITH_AS(asked.serve([](ControlClient& client) { client.remove("b.jpg"); }),
+                         "there is no 'b.jpg'", ControlError);
+}
+
+TEST_CASE("what is refused is not done, and who asked is told why") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.refusal = "only the night watch may";
+    asked.start();
+    asked.settle();
+    for (const auto& change : std::vector<std::function<void(ControlClient&)>>{
+             [](ControlClient& c) { c.next(); }, [](ControlClient& c) { c.pause(true); },
+             [](ControlClient& c) { c.pin("a", true); }, [](ControlClient& c) { c.pin_slot(1, true); },
+             [](ControlClient& c) { c.remove("a"); }, [](ControlClient& c) { c.reload(); }}) {
+        try {
+            asked.serve(change);
+            FAIL("it was done");
+        } catch (const ControlError& error) {
+            CHECK(error.kind() == ControlError::Kind::not_allowed);
+            CHECK(error.what() == std::string("not allowed: only the night watch may"));
+        }
+    }
+    CHECK(asked.changes.empty());
+}
+
+TEST_CASE("without polkit root and the player's own user may") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.object.emplace(asked.loop, asked.controls(), polkit_authority());
+    asked.settle();
+    asked.serve([](ControlClient& client) { client.next(); });
+    CHECK(asked.changes == std::vector<std::string>{"next"});
+}
+
+TEST_CASE("without a bus the player goes on; a client is told that it is not there") {
+    PrivateBus bus;  // not started
+    Asked asked;
+    asked.start();
+    asked.loop.run_once(10ms);
+    try {
+        ControlClient();
+        FAIL("there is a bus");
+    } catch (const ControlError& error) {
+        CHECK(error.kind() == ControlError::Kind::not_running);
+    }
+}
+
+TEST_CASE("a bus without the player says that the player is not running") {
+    PrivateBus bus;
+    bus.start();
+    try {
+        ControlClient().status();
+        FAIL("there is a player");
+    } catch (const ControlError& error) {
+        CHECK(error.kind() == ControlError::Kind::not_running);
+    }
+}
+
+TEST_CASE("a bus that goes takes nothing with it") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.start();
+    asked.settle();
+    bus.stop();
+    for (int i = 0; i < 20; ++i)
+        asked.loop.run_once(10ms);
+    CHECK(asked.changes.empty());
+}
