@@ -17,9 +17,10 @@ void Player::reload() {
     SettingsChange change = settings_change(settings_, options_.read_settings());
     settings_ = std::move(change.settings);
     log::set_level(log::level_named(settings_.log.level).value());
-    log::info("settings read again: {} changed{}", fmt::join(change.now, ", "),
-              change.later.empty() ? ""
-                                   : fmt::format("; after a restart: {}", fmt::join(change.later, ", ")));
+    const auto list = [](const std::vector<std::string>& keys) {
+        return keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "));
+    };
+    log::info("settings read again: {} changed; after a restart: {}", list(change.now), list(change.later));
     if (!change.are_walls_new) return;
     for (const SourceId source : sources_.retire_all())
         if (renderer_) renderer_->forget(source);

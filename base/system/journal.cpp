@@ -1,24 +1,15 @@
 #include "base/system/journal.hpp"
 
+#include "base/system/journal_stream.hpp"
+
 #define SD_JOURNAL_SUPPRESS_LOCATION
-#include <sys/stat.h>
 #include <sys/uio.h>
 #include <systemd/sd-journal.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 
 namespace vitrine::log {
-
-bool is_journal(int fd) {
-    const char* stream = std::getenv("JOURNAL_STREAM");
-
-    struct stat info {};
-
-    if (stream == nullptr || ::fstat(fd, &info) < 0) return false;
-    return fmt::format("{}:{}", info.st_dev, info.st_ino) == stream;
-}
 
 std::vector<std::string> journal_entry(Level level, std::string_view message,
                                        const std::vector<Field>& fields) {

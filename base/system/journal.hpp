@@ -18,10 +18,6 @@ struct Field {
 /// MESSAGE_ID of the line that names a file at fault, by which it is found whatever its words.
 constexpr const char* file_at_fault = "9d0f6a5c1e7b4c2f8a3be5d27c41f06b";
 
-/// Whether systemd reads this file descriptor into the journal: it names its stream by device and inode, so
-/// that a redirected one is not mistaken for it.
-bool is_journal(int fd);
-
 /// One line, with fields where the standard error is the journal, else as write() does.
 void write_with(Level level, std::string_view message, const std::vector<Field>& fields);
 

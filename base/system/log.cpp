@@ -1,6 +1,6 @@
 #include "base/system/log.hpp"
 
-#include "base/system/journal.hpp"
+#include "base/system/journal_stream.hpp"
 
 #include <unistd.h>
 

@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <span>
@@ -45,7 +46,11 @@ void append_text(sd_bus_message& reply, const std::string& text) {
 }
 
 void reply_error(sd_bus_message& call, const char* error, const std::string& why) {
-    if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) < 0)
+    if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) >= 0) return;
+    std::string plain = why;  // the bus takes only UTF-8, which names need not be
+    std::ranges::replace_if(
+        plain, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
+    if (sd_bus_reply_method_errorf(&call, error, "%s", plain.c_str()) < 0)
         log::debug("nobody waits for: {}", why);
 }
 

@@ -1,5 +1,7 @@
 #include "base/system/journal.hpp"
 
+#include "base/system/journal_stream.hpp"
+
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -9,7 +9,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <functional>
 #include <future>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -86,7 +90,9 @@ struct Asked {
         const auto note = [this](const std::string& change) { changes.push_back(change); };
         Controls made;
         made.status = [] { return R"({"state": "showing"})"; };
-        made.why = [](const std::string& file, const std::string&) { return "why " + file; };
+        made.why = [](const std::string& file, const std::string&) {
+            return file == "a\xff\n.jpg" ? "why not" : "of what?";
+        };
         made.screenshot = [] {
             return std::vector<Controls::Shot>{
                 {.output = "HDMI-A-1",
@@ -144,7 +150,7 @@ TEST_CASE("anyone may ask: what is shown, why, and what it looks like") {
     asked.settle();
     asked.serve([](ControlClient& client) {
         CHECK(client.status() == R"({"state": "showing"})");
-        CHECK(client.why("a\xff\n.jpg") == "why a\xff\n.jpg");
+        CHECK(client.why("a\xff\n.jpg") == "why not");
         const auto shots = client.screenshot();
         REQUIRE(shots.size() == 2);
         CHECK(shots[0].output == "HDMI-A-1");
@@ -172,6 +178,8 @@ TEST_CASE("what is allowed is done, with its words") {
           std::vector<std::string>{"next", "pause", "resume", "pin slot 3", "unpin a.jpg", "reload"});
     CHECK_THROWS_WITH_AS(asked.serve([](ControlClient& client) { client.remove("b.jpg"); }),
                          "there is no 'b.jpg'", ControlError);
+    CHECK_THROWS_WITH_AS(asked.serve([](ControlClient& client) { client.remove("\xff.jpg"); }),
+                         "there is no '?.jpg'", ControlError);
 }
 
 TEST_CASE("what is refused is not done, and who asked is told why") {
