@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-// Each key is one line in make_keys(): its name, where it is kept, what it accepts. The file, the
-// command line and the test of config/vitrine.toml all read this table.
+// All keys: what the file, the command line and the test of config/vitrine.toml are made of.
 
 namespace vitrine {
 
