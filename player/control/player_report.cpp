@@ -31,13 +31,20 @@ std::string label(const std::string& text) {
     return made;
 }
 
-/// What the analyzer says of everything, without its lists: those may have an entry for each file.
+/// What the analyzer says of everything: of its lists, which may have an entry for each file, how many are in
+/// which state.
 Json summary(const std::string& analyzer) {
     const Json said = Json::parse(analyzer, nullptr, false);
     Json kept = Json::object();
     if (!said.is_object()) return kept;
-    for (const auto& [key, value] : said.items())
+    for (const auto& [key, value] : said.items()) {
         if (!value.is_array()) kept[key] = value;
+        for (const Json& one : value)
+            if (value.is_array() && one.is_object() && one.contains("state")) {
+                Json& count = kept["states"][one.value("state", "")];
+                count = (count.is_number() ? count.get<int>() : 0) + 1;
+            }
+    }
     return kept;
 }
 

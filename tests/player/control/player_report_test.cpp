@@ -73,13 +73,15 @@ TEST_CASE("systemd's line tells state, mode, cells, rate and the last flip") {
 }
 
 TEST_CASE("the answer for programs has it all, also with names that are no UTF-8") {
-    const auto json =
-        nlohmann::json::parse(to_json(drawn_report(), R"({"waiting": 3, "files": [{"path": "a"}]})"));
+    const auto json = nlohmann::json::parse(to_json(
+        drawn_report(),
+        R"({"online": true, "files": [{"path": "a", "state": "ready"}, {"path": "b", "state": "ready"}]})"));
     CHECK(json.at("state") == "showing");
     CHECK(json.at("outputs").at(0).at("flips") == 120);
     CHECK(json.at("cells").at(1).at("shot") == 2);
     CHECK(json.at("sources").at(1).at("pictures") == "key");
-    CHECK(json.at("analyzer").at("waiting") == 3);
+    CHECK(json.at("analyzer").at("online") == true);
+    CHECK(json.at("analyzer").at("states").at("ready") == 2);
     CHECK_FALSE(json.at("analyzer").contains("files"));
 }
 
