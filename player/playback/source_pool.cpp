@@ -70,16 +70,6 @@ void SourcePool::retire(SourceId source) {
     playing_.erase(found);
 }
 
-std::vector<SourceId> SourcePool::retire_all() {
-    std::vector<SourceId> all;
-    for (const auto& [id, playing] : playing_)
-        all.push_back(id);
-    for (const SourceId id : all)
-        retire(id);
-    waiting_.clear();
-    return all;
-}
-
 std::vector<SourceEvent> SourcePool::update() {
     std::erase_if(ending_, [](const auto& source) { return source->has_ended(); });
     std::vector<SourceEvent> events;
@@ -302,25 +292,6 @@ FilmsByDetail SourcePool::films() const {
         ++(detail == Detail::all ? films.all : detail == Detail::still ? films.still : films.fewer);
     }
     return films;
-}
-
-std::vector<SourceState> SourcePool::states() const {
-    std::vector<SourceState> states;
-    for (const auto& [id, playing] : playing_)
-        states.push_back({.path = playing.request.path,
-                          .is_film = playing.request.kind == MediaKind::video,
-                          .detail = playing.source->detail(),
-                          .is_stored = playing.is_stored,
-                          .is_ready = playing.is_told_ready,
-                          .late = playing.source->late()});
-    return states;
-}
-
-std::size_t SourcePool::queue() const {
-    const auto getting_ready = std::ranges::count_if(playing_, [](const auto& entry) {
-        return !entry.second.is_told_ready && !entry.second.is_told_failed;
-    });
-    return waiting_.size() + static_cast<std::size_t>(getting_ready);
 }
 
 void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& events) {

@@ -64,6 +64,10 @@ class CountingScreen final : public Screen {
 
     int height() const override { return screen_.height(); }
 
+    std::uint64_t flips() const override { return screen_.flips(); }
+
+    std::optional<Picture> shown() override { return screen_.shown(); }
+
     bool is_ready() const override { return true; }
 
     bool wants_picture() const override { return wants; }
