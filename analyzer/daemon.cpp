@@ -4,7 +4,6 @@
 #include "base/catalogue/record_json.hpp"
 #include "base/system/error.hpp"
 #include "base/system/journal.hpp"
-#include "base/system/log.hpp"
 #include "base/system/service.hpp"
 
 #include <fcntl.h>
@@ -252,9 +251,7 @@ void Daemon::tell(const MediaRecord& record) {
     if (record.state != MediaState::ready)
         log::write_with(log::Level::warning,
                         fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
-                        {{"MESSAGE_ID", log::file_at_fault},
-                         {"VITRINE_FILE", record.path},
-                         {"VITRINE_STATE", std::string(name_of(record.state))}});
+                        journal_fields(record));
     else if (!record.reason.empty())
         log::warning("ready: '{}': {}", record.path, record.reason);
     else if (!options_.is_once)

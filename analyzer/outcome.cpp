@@ -114,4 +114,10 @@ Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const s
     }
 }
 
+std::vector<log::Field> journal_fields(const MediaRecord& record) {
+    return {{"MESSAGE_ID", log::file_at_fault},
+            {"VITRINE_FILE", record.path},
+            {"VITRINE_STATE", std::string(name_of(record.state))}};
+}
+
 }  // namespace vitrine

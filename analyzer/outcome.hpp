@@ -4,9 +4,11 @@
 #include "analyzer/file_facts.hpp"
 #include "analyzer/schedule.hpp"
 #include "base/catalogue/record.hpp"
+#include "base/system/journal.hpp"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -33,5 +35,8 @@ std::optional<MediaRecord> kept(std::optional<MediaRecord> known, const Outcome&
 /// Never throws for what the child did or said: every end has its record.
 Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
                    const FileFacts& facts);
+
+/// What the journal is told beside the words of a line about a file at fault.
+std::vector<log::Field> journal_fields(const MediaRecord& record);
 
 }  // namespace vitrine

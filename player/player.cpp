@@ -3,7 +3,6 @@
 #include "base/catalogue/catalogue.hpp"
 #include "base/settings/output_words.hpp"
 #include "base/system/journal.hpp"
-#include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "player/display/gl_device.hpp"
 #include "player/display/kms_display.hpp"

@@ -92,16 +92,11 @@ class Appliance:
         draw_media(media)
         self.machine.mount_share()
         self.sh("cp -a --no-preserve=ownership /host/stage/. / && systemd-sysusers && systemd-tmpfiles --create vitrine.conf")
-<<<<<<< HEAD
         self.sh(f"install -o vitrine -g vitrine -m 664 /host/media/* {MEDIA}; umount /host")
         for unit in ("vitrine-analyzer", "vitrine-player"):  # on a busy host minutes pass in the machine
             folder = f"/run/systemd/system/{unit}.service.d"
             self.sh(f"mkdir -p {folder}; printf '[Service]\\nTimeoutStartSec=infinity\\nTimeoutStopSec=600\\nWatchdogSec=600\\n' >{folder}/rig.conf")
         self.sh("systemctl daemon-reload")
-=======
-        self.sh(f"install -o vitrine -g vitrine -m 664 /host/media/* {MEDIA}; umount /host; systemctl daemon-reload")
-        self.set_watchdog(180)  # a picture may take long in an emulated machine on a busy host
->>>>>>> 35e99c3 (control: errors that name odd files are told, one list of modules)
         self.set()
         self.sh("systemctl start vitrine-analyzer")
         self.wait_until_analysed()
