@@ -1,9 +1,9 @@
 #include "base/hints/hint_file.hpp"
 
 #include "base/hints/hint_words.hpp"
+#include "base/settings/toml_table.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <functional>
 #include <initializer_list>
@@ -74,24 +74,24 @@ std::string names_of_keys() {
 
 HintFile read_hints(std::string_view toml, const std::string& source) {
     HintFile file;
-    const auto fault = [&](const toml::source_region& at, const std::string& what) {
-        file.faults.push_back(fmt::format("{}:{}: {}", source, at.begin.line, what));
+    const auto fault = [&](unsigned line, const std::string& what) {
+        file.faults.push_back(fmt::format("{}:{}: {}", source, line, what));
     };
     toml::table root;
     try {
-        root = toml::parse(toml, source);
-    } catch (const toml::parse_error& error) {
-        fault(error.source(), std::string(error.description()));
+        root = toml_table(toml, source);
+    } catch (const TomlError& error) {
+        fault(error.line, error.what());
         return file;
     }
     for (const auto& [name, node] : root) {
         const auto key = std::find_if(keys().begin(), keys().end(),
                                       [&](const Key& known) { return known.name == name.str(); });
         if (key == keys().end())
-            fault(node.source(),
+            fault(node.source().begin.line,
                   fmt::format("there is no key '{}'; there are {}", name.str(), names_of_keys()));
         else if (!key->assign(file.hints, node))
-            fault(node.source(),
+            fault(node.source().begin.line,
                   fmt::format("the value of '{}' is not allowed; it must be {}", name.str(), key->allowed));
     }
     return file;

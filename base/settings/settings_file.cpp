@@ -1,9 +1,9 @@
 #include "base/settings/settings_file.hpp"
 
+#include "base/settings/toml_table.hpp"
 #include "base/system/atomic_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <optional>
 #include <system_error>
@@ -60,9 +60,9 @@ void read_key(const std::string& name, const std::string& section, const toml::n
 void read_settings(std::string_view toml, const std::string& source, Settings& settings) {
     toml::table root;
     try {
-        root = toml::parse(toml, source);
-    } catch (const toml::parse_error& error) {
-        throw SettingsError(fmt::format("{}:{}: {}", source, error.source().begin.line, error.description()));
+        root = toml_table(toml, source);
+    } catch (const TomlError& error) {
+        throw SettingsError(fmt::format("{}:{}: {}", source, error.line, error.what()));
     }
     for (const auto& [section, node] : root) {
         const std::string section_name(section.str());

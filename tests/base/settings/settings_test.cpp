@@ -80,6 +80,12 @@ TEST_CASE("a wrong value names file, line and what is allowed") {
     CHECK(error_of("[show]\nbackground = \"black\"\n").find("#101014") != std::string::npos);
 }
 
+TEST_CASE("a section without a name is an error of the file, not of the program") {
+    Settings settings;
+    CHECK_THROWS_WITH_AS(read_settings("[=show]\n", "a.toml", settings),
+                         "a.toml:1: this is no TOML: a name is missing", SettingsError);
+}
+
 TEST_CASE("a wrong key or section names file, line and the known ones") {
     CHECK(error_of("[layout]\n\nslotz = 3\n")
               .find("wall.toml:3: there is no key 'layout.slotz'; this section has layout.slots") == 0);
