@@ -9,8 +9,17 @@
 #ifdef NDEBUG
 #error "toml++ must not be built with NDEBUG: texts of strangers would be undefined behaviour"
 #endif
-#define TOML_ASSERT(expr)                                                                                    \
-    ((expr) ? static_cast<void>(0) : throw std::invalid_argument("this is no TOML: a name is missing"))
+
+namespace vitrine {
+
+/// What the parser asserts. @throws std::invalid_argument where it does not hold
+constexpr void expect_toml(bool holds) {
+    if (!holds) throw std::invalid_argument("this is no TOML: a name is missing");
+}
+
+}  // namespace vitrine
+
+#define TOML_ASSERT(expr) ::vitrine::expect_toml(static_cast<bool>(expr))
 #include <toml++/toml.h>
 
 namespace vitrine {

@@ -12,6 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
+GIT = ["git", "-c", "safe.directory=*", "-C", ROOT]
 BUILD, OUT = (Path(word) for word in sys.argv[1:])
 NAMES = ("vitrine", "vitrine-analyzer", "vitrine-player")
 # One of each kind, in the package that has to have it; what is in none of them fails the build (dh_missing).
@@ -40,9 +41,9 @@ class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         shutil.rmtree(OUT, ignore_errors=True)
-        before = run("git", "-C", ROOT, "status", "--porcelain")
+        before = run(*GIT, "status", "--porcelain")
         run(ROOT / "packaging/build-packages", "--built", BUILD, OUT)
-        assert run("git", "-C", ROOT, "status", "--porcelain") == before, "the source tree is not as it was"
+        assert run(*GIT, "status", "--porcelain") == before, "the source tree is not as it was"
 
     def test_each_file_is_in_its_package(self):
         for name, files in HELD.items():
@@ -80,5 +81,8 @@ class Packages(unittest.TestCase):
 if __name__ == "__main__":
     if not shutil.which("dh") or not shutil.which("dpkg-buildpackage"):
         print("debhelper is not installed (packaging/dependencies): the packages are NOT built")
+        sys.exit(SKIPPED)
+    if subprocess.run([*GIT, "rev-parse"], capture_output=True).returncode != 0:
+        print("the tree is no clone: the packages, named after its commit, are NOT built")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

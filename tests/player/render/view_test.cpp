@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <initializer_list>
+
 using namespace vitrine;
 
 TEST_CASE("a canvas is what the margins leave, turned with the panel") {
