@@ -33,13 +33,13 @@ def make_media(root):
 
 def overwrite(root):
     """As a file server does it: the same files, other content."""
-    for file in root.iterdir():
+    for file in filter(Path.is_file, root.iterdir()):
         with open(file, "r+b") as open_file:
             open_file.write(os.urandom(file.stat().st_size))
 
 
 def truncate(root):
-    for file in root.iterdir():
+    for file in filter(Path.is_file, root.iterdir()):
         os.truncate(file, 0)
 
 

@@ -43,6 +43,7 @@ TEST_CASE("numbers out of range and text that is no TOML are faults") {
     REQUIRE(broken.faults.size() == 1);
     CHECK(broken.faults[0].starts_with("a:"));
     CHECK(broken.hints == Hints{});
-    CHECK(read_hints("[=show]", "a").faults ==
-          std::vector<std::string>{"a:1: this is no TOML: a name is missing"});
+    const HintFile nameless = read_hints("[=show]", "a");
+    REQUIRE(nameless.faults.size() == 1);
+    CHECK(nameless.faults[0].starts_with("a:1: "));
 }
