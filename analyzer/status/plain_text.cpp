@@ -61,12 +61,10 @@ std::string plain_text(std::string_view bytes) {
     while (!bytes.empty()) {
         const std::size_t length = character(bytes);
         const std::string_view one = bytes.substr(0, length == 0 ? 1 : length);
-        if (length == 0)
+        if (length == 0 || is_direction(one))
             text += replacement;
         else if (is_control(one))
             text += fmt::format("\\x{:02x}", static_cast<unsigned char>(one.back()));
-        else if (is_direction(one))
-            text += replacement;
         else
             text += one;
         bytes.remove_prefix(one.size());

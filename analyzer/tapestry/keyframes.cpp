@@ -227,7 +227,7 @@ std::vector<Keyframes> refined_levels(const Affinity& costs, Keyframes coarsest,
 }
 
 Keyframes uniform_keyframes(int frames, int count) {
-    const int taken = std::min(frames, count);
+    const std::int64_t taken = std::min(frames, count);
     Keyframes keyframes;
     keyframes.reserve(static_cast<std::size_t>(taken));
     for (std::int64_t k = 0; k < taken; ++k)
@@ -247,7 +247,7 @@ Keyframes keyframes_at(std::span<const FrameSignature> frames,
         keyframes.push_back(static_cast<int>(nearest - frames.begin()));
     }
     std::ranges::sort(keyframes);
-    keyframes.erase(std::ranges::unique(keyframes).begin(), keyframes.end());
+    keyframes.erase(std::unique(keyframes.begin(), keyframes.end()), keyframes.end());
     return keyframes;
 }
 

@@ -25,6 +25,7 @@ struct ContentName {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     friend auto operator<=>(const ContentName&, const ContentName&) = default;
 };
 

@@ -84,15 +84,16 @@ HintFile read_hints(std::string_view toml, const std::string& source) {
         fault(error.line, error.what());
         return file;
     }
-    for (const auto& [name, node] : root) {
-        const auto key = std::find_if(keys().begin(), keys().end(),
-                                      [&](const Key& known) { return known.name == name.str(); });
+    for (const auto& [key_name, node] : root) {
+        const std::string_view name = key_name;
+        const auto key =
+            std::find_if(keys().begin(), keys().end(), [&](const Key& known) { return known.name == name; });
         if (key == keys().end())
             fault(node.source().begin.line,
-                  fmt::format("there is no key '{}'; there are {}", name.str(), names_of_keys()));
+                  fmt::format("there is no key '{}'; there are {}", name, names_of_keys()));
         else if (!key->assign(file.hints, node))
             fault(node.source().begin.line,
-                  fmt::format("the value of '{}' is not allowed; it must be {}", name.str(), key->allowed));
+                  fmt::format("the value of '{}' is not allowed; it must be {}", name, key->allowed));
     }
     return file;
 }

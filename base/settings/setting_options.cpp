@@ -18,15 +18,19 @@ constexpr const char* installed_file = VITRINE_SETTINGS_FILE;  // of the build
 void SettingOptions::add_to(CLI::App& app) {
     app.add_option("--config", config_,
                    fmt::format("Settings file (default: {}, where it exists)", installed_file));
-    for (const SettingKey& key : setting_keys())
-        app.add_option("--" + key.name, given_[key.name],
-                       fmt::format("{} (default: {})", key.allowed, key.text(Settings{})))
-            ->group("Settings, as in the file")
-            ->type_name("");
+    for (const SettingKey& key : setting_keys()) {
+        Given& given = given_[key.name];
+        given.option = app.add_option("--" + key.name, given.text,
+                                      fmt::format("{} (default: {})", key.allowed, key.text(Settings{})))
+                           ->group("Settings, as in the file")
+                           ->type_name("");
+    }
 }
 
 void SettingOptions::add_alias(CLI::App& app, const std::string& alias, const std::string& key) {
-    app.add_option("--" + alias, aliased_[key], fmt::format("Short for --{}", key))->type_name("");
+    Given& given = aliased_[key];
+    given.option =
+        app.add_option("--" + alias, given.text, fmt::format("Short for --{}", key))->type_name("");
 }
 
 Settings SettingOptions::settings() const {
@@ -36,8 +40,8 @@ Settings SettingOptions::settings() const {
     else if (std::filesystem::exists(installed_file))
         read_settings_file(installed_file, settings);
     for (const auto* options : {&given_, &aliased_})
-        for (const auto& [name, text] : *options)
-            if (!text.empty()) apply_setting(name, text, settings);
+        for (const auto& [name, given] : *options)
+            if (given.option->count() > 0) apply_setting(name, given.text, settings);
     return settings;
 }
 

@@ -7,7 +7,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace vitrine {
 
@@ -25,9 +26,14 @@ class SettingOptions {
     Settings settings() const;
 
   private:
+    struct Given {
+        const CLI::Option* option = nullptr;
+        std::string text;
+    };
+
     std::string config_;
-    std::map<std::string, std::string> given_;  // key name -> text, empty: not given
-    std::map<std::string, std::string> aliased_;
+    std::map<std::string, Given> given_;  // by the key's name
+    std::map<std::string, Given> aliased_;
 };
 
 }  // namespace vitrine

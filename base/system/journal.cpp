@@ -28,6 +28,7 @@ void write_with(Level level, std::string_view message, const std::vector<Field>&
     if (!for_journal) return write(level, message);
     const std::vector<std::string> entry = journal_entry(level, message, fields);
     std::vector<iovec> parts;
+    parts.reserve(entry.size());
     for (const std::string& part : entry)
         parts.push_back({.iov_base = const_cast<char*>(part.data()), .iov_len = part.size()});
     if (sd_journal_sendv(parts.data(), static_cast<int>(parts.size())) < 0) write(level, message);
