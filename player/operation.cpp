@@ -171,7 +171,8 @@ FileReport Operation::file_report(const std::string& given, const std::string& f
     for (const std::string& name : names)
         if (const std::optional<MediaRecord> record = catalogue.find(name)) return described(*record);
     for (const std::string& name : names)
-        if (::access((root + "/" + name).c_str(), F_OK) == 0) return {.path = name, .state = "new"};
+        if (::access(fmt::format("{}/{}", root, name).c_str(), F_OK) == 0)
+            return {.path = name, .state = "new"};
     return {.path = given, .state = "unknown"};
 }
 
@@ -234,7 +235,7 @@ Controls Operation::controls() {
     };
     controls.pin = [this](const std::string& file, const std::string& folder, bool is_on) {
         require_turns();
-        const std::string path = is_on ? shown_record(file, folder).path : file_report(file, folder).path;
+        std::string path = is_on ? shown_record(file, folder).path : file_report(file, folder).path;
         pin(path, is_on);
         return path;
     };

@@ -9,7 +9,7 @@ namespace vitrine {
 
 namespace fs = std::filesystem;
 
-ProgrammeFollower::ProgrammeFollower(fs::path state)
+ProgrammeFollower::ProgrammeFollower(const fs::path& state)
     : file_(state / "hints.json"), calendar_(state / "catalogue") {}
 
 bool ProgrammeFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {

@@ -16,7 +16,7 @@ namespace vitrine {
 /// now. Logs.
 class ProgrammeFollower {
   public:
-    explicit ProgrammeFollower(std::filesystem::path state);
+    explicit ProgrammeFollower(const std::filesystem::path& state);
 
     void set_records(std::vector<MediaRecord> records) { programme_.set_records(std::move(records)); }
 

@@ -25,6 +25,7 @@ struct TileId {
     std::size_t level = 0;
     int tile = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     friend auto operator<=>(const TileId&, const TileId&) = default;
 };
 
