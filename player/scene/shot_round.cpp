@@ -91,6 +91,7 @@ std::vector<ShotKey> ShotRound::repeated(const std::vector<ShotKey>& keys, const
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<ShotKey> round;
+    round.reserve(places.size());
     for (const auto& [place, key] : places)
         round.push_back(*key);
     return round;

@@ -101,7 +101,8 @@ std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size
     const Between at = between(view.level, tapestry_.levels.size());
     const bool is_still = at.share == 0 && level == at.coarse;
     const auto& bends = tapestry_.levels[std::max(level, at.fine)].keyframes;
-    for (const auto& [tile, middle] : tiles(view, level, left, right)) {
+    for (const auto& [id, middle] : tiles(view, level, left, right)) {
+        const TileId tile = id;
         const double first = static_cast<double>(tile.tile) * tapestry_.tile_width;
         const double last = std::min<double>(first + tapestry_.tile_width, tapestry_.levels[level].width);
         const auto add = [&](double from, double to) {

@@ -298,7 +298,7 @@ std::vector<SourceId> Wall::retire() {
     for (const auto& [source, ready] : sources_) {
         const bool is_coming = incoming_ && find_source(incoming_->wall, source) != nullptr;
         const bool is_wanted = std::any_of(wanted.begin(), wanted.end(),
-                                           [&](const WallShot& shot) { return shot.source == source; });
+                                           [id = source](const WallShot& shot) { return shot.source == id; });
         if (!is_coming && !is_wanted && find_source(shown_, source) == nullptr) retired.push_back(source);
     }
     for (const SourceId source : retired)
