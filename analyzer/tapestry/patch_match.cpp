@@ -122,17 +122,23 @@ void PatchMatch::refresh_row_of_source(int y) {
     }
 }
 
-void PatchMatch::refresh(const RunTasks& run) {
-    const std::vector<int> target_bands = band_borders(of_target_.rows, 0);
-    const std::vector<int> source_bands = band_borders(of_source_.rows, 0);
+void PatchMatch::in_bands(std::uint32_t seed, const RunTasks& run, const BandWork& work) const {
+    const std::vector<int> target_bands = band_borders(of_target_.rows, seed);
+    const std::vector<int> source_bands = band_borders(of_source_.rows, seed);
     const int of_target = static_cast<int>(target_bands.size()) - 1;
     const int all = of_target + static_cast<int>(source_bands.size()) - 1;
     run(all, [&](int task) {
         const bool is_target = task < of_target;
         const std::vector<int>& bands = is_target ? target_bands : source_bands;
         const auto band = static_cast<std::size_t>(is_target ? task : task - of_target);
-        for (int y = bands[band]; y < bands[band + 1]; ++y) {
-            if (is_target)
+        work({.task = task, .is_target = is_target, .first = bands[band], .last = bands[band + 1]});
+    });
+}
+
+void PatchMatch::refresh(const RunTasks& run) {
+    in_bands(0, run, [&](const Band& band) {
+        for (int y = band.first; y < band.last; ++y) {
+            if (band.is_target)
                 refresh_row_of_target(y);
             else
                 refresh_row_of_source(y);
@@ -193,21 +199,14 @@ struct PatchMatch::Sweep {
 };
 
 void PatchMatch::search(int radius, std::uint32_t seed, const RunTasks& run) {
-    const std::vector<int> target_bands = band_borders(of_target_.rows, seed);
-    const std::vector<int> source_bands = band_borders(of_source_.rows, seed);
-    const int of_target = static_cast<int>(target_bands.size()) - 1;
-    const int all = of_target + static_cast<int>(source_bands.size()) - 1;
-    run(all, [&](int task) {
-        const bool is_target = task < of_target;
-        const std::vector<int>& bands = is_target ? target_bands : source_bands;
-        const auto band = static_cast<std::size_t>(is_target ? task : task - of_target);
+    in_bands(seed, run, [&](const Band& band) {
         Sweep{.fields = *this,
-              .is_target = is_target,
-              .first = bands[band],
-              .last = bands[band + 1],
+              .is_target = band.is_target,
+              .first = band.first,
+              .last = band.last,
               .is_forward = seed % 2 == 0,
               .radius = radius,
-              .chance = Chance(seed * 1000U + static_cast<std::uint32_t>(task))}
+              .chance = Chance(seed * 1000U + static_cast<std::uint32_t>(band.task))}
             .run();
     });
 }

@@ -4,6 +4,7 @@
 #include "analyzer/tapestry/run_tasks.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace vitrine {
@@ -92,6 +93,19 @@ class PatchMatch {
 
   private:
     struct Sweep;
+
+    /// Rows [first, last) of one of the fields.
+    struct Band {
+        int task;
+        bool is_target;  // whose field
+        int first;
+        int last;
+    };
+
+    using BandWork = std::function<void(const Band& band)>;
+
+    /// Does the work for both fields, a task a band; where the bands lie follows from the seed.
+    void in_bands(std::uint32_t seed, const RunTasks& run, const BandWork& work) const;
 
     int owner(int x, int y) const { return rules_.owners[place(x, y)]; }
 
