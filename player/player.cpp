@@ -103,7 +103,7 @@ void Player::make_stages() {
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
     }
     give_catalogue();
-    if (options_.tapestry) stages_.front()->show_strip(*options_.tapestry, std::nullopt, std::nullopt);
+    if (options_.tapestry) stages_.front()->show_strip(*options_.tapestry, std::nullopt);
 }
 
 /// While the display is opened, which takes a tenth of a second, the first wall is laid out for the size that

@@ -55,6 +55,7 @@ void Stage::set_catalogue(std::span<const MediaRecord> records, const ShowHints&
         if (options_.folder.empty() || record.path.starts_with(options_.folder + "/"))
             records_.push_back(record);
     show_folder(opened_);
+    if (strip_) strip_->set_catalogue(records_);
 }
 
 void Stage::expect_screen(int width, int height) {

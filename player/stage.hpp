@@ -79,11 +79,9 @@ class Stage {
 
     /// A film's tapestry is shown in place of the wall, which waits meanwhile.
     /// @param directory  of the tapestry
-    /// @param picture    size of the film's picture, px, where it is known
     /// @param patience   without a touch, then the wall comes back; none: never
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
-    void show_strip(const std::filesystem::path& directory, std::optional<Vec2> picture,
-                    std::optional<std::chrono::nanoseconds> patience);
+    void show_strip(const std::filesystem::path& directory, std::optional<std::chrono::nanoseconds> patience);
 
     void set_wishes(const Wishes& wishes) { show_->set_wishes(wishes); }
 
@@ -106,6 +104,8 @@ class Stage {
     bool opens_folder(const Gesture& gesture) const;
     void show_folder(const std::string& folder);
     bool opens_strip(const Gesture& gesture);
+    void show_strip(const std::filesystem::path& directory, std::optional<MediaRecord> film,
+                    std::optional<std::chrono::nanoseconds> patience);
     void show_wall(Renderer& renderer);
     WallStep one_step(Renderer& renderer);
     void fade_in(Frame& frame) const;

@@ -61,8 +61,11 @@ bool Stage::opens_strip(const Gesture& gesture) {
     std::error_code error;
     if (film == records_.end() || !std::filesystem::exists(directory / "index.json", error)) return false;
     try {
-        show_strip(directory, Vec2{static_cast<double>(film->width), static_cast<double>(film->height)},
-                   settings_.input.idle);
+        if (!is_woven_from(read_tapestry(directory), *film)) {
+            log::info("no strip of '{}': it has changed since it was woven", shot->path);
+            return false;
+        }
+        show_strip(directory, *film, settings_.input.idle);
     } catch (const std::exception& failure) {
         log::warning("no strip of '{}': {}", shot->path, failure.what());
         return false;
@@ -70,13 +73,23 @@ bool Stage::opens_strip(const Gesture& gesture) {
     return true;
 }
 
-void Stage::show_strip(const std::filesystem::path& directory, std::optional<Vec2> picture,
+void Stage::show_strip(const std::filesystem::path& directory,
+                       std::optional<std::chrono::nanoseconds> patience) {
+    const Tapestry tapestry = read_tapestry(directory);
+    const auto film = std::ranges::find_if(records_, [&](const MediaRecord& record) {
+        return record.path == tapestry.path && is_woven_from(tapestry, record);
+    });
+    show_strip(directory, film == records_.end() ? std::nullopt : std::optional(*film), patience);
+}
+
+void Stage::show_strip(const std::filesystem::path& directory, std::optional<MediaRecord> film,
                        std::optional<std::chrono::nanoseconds> patience) {
     strip_ = std::make_unique<StripStage>(
-        directory, picture, canvas_,
+        directory, canvas_,
         StripStageOptions{.first_source = (options_.number << number_bits) | strip_bit,
                           .patience = patience,
-                          .awaits_tiles = static_cast<bool>(options_.await_sources)});
+                          .awaits_tiles = static_cast<bool>(options_.await_sources),
+                          .film = std::move(film)});
     came_ = time_;
     fades_ = true;
     log::info("strip of '{}'", strip_->strip().tapestry().path);

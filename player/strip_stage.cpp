@@ -21,25 +21,44 @@ TileId tile_of(std::uint64_t number) {
     return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
 }
 
-Tapestry checked(const std::filesystem::path& directory) {
+/// Its film is the one that the record names, wherever it was when it was woven.
+TapestryStrip strip_of(const std::filesystem::path& directory, Vec2 canvas,
+                       const StripStageOptions& options) {
     Tapestry tapestry = read_tapestry(directory);
     if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
-    return tapestry;
+    Vec2 picture{static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
+    StripSettings settings{.first_source = options.first_source, .patience = options.patience, .shots = {}};
+    if (options.film) {
+        tapestry.path = options.film->path;
+        picture = {static_cast<double>(options.film->width), static_cast<double>(options.film->height)};
+        settings.shots = options.film->shots;
+    }
+    return {std::move(tapestry), picture, canvas, std::move(settings)};
 }
 
-Vec2 picture_of(const std::filesystem::path& directory) {
-    const Tapestry tapestry = read_tapestry(directory);
-    return {static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
+std::shared_ptr<const ZoomMesh> mesh_of(const std::optional<ZoomField>& field, double left,
+                                        bool is_to_finer) {
+    if (!field) return nullptr;
+    return std::make_shared<const ZoomMesh>(zoom_mesh(*field, left, is_to_finer));
 }
 
 }  // namespace
 
-StripStage::StripStage(std::filesystem::path directory, std::optional<Vec2> picture, Vec2 canvas,
-                       const StripStageOptions& options)
+bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
+    return tapestry.bytes == film.bytes && tapestry.mtime_ns == film.mtime_ns;
+}
+
+StripStage::StripStage(std::filesystem::path directory, Vec2 canvas, StripStageOptions options)
     : directory_(std::move(directory)),
-      options_(options),
-      strip_(checked(directory_), picture ? *picture : picture_of(directory_), canvas,
-             {.first_source = options.first_source, .patience = options.patience}) {}
+      options_(std::move(options)),
+      strip_(strip_of(directory_, canvas, options_)) {}
+
+void StripStage::set_catalogue(std::span<const MediaRecord> records) {
+    if (!options_.film) return;
+    const auto film = std::ranges::find(records, options_.film->path, &MediaRecord::path);
+    if (film == records.end() || !is_woven_from(strip_.tapestry(), *film)) return strip_.end();
+    strip_.set_shots(film->shots);
+}
 
 WallStep StripStage::step(std::chrono::nanoseconds now, Renderer& renderer) {
     if (!std::exchange(has_mark_, true))
@@ -58,7 +77,7 @@ WallStep StripStage::step(std::chrono::nanoseconds now, Renderer& renderer) {
 bool StripStage::give_tiles(const std::vector<TileId>& missing, Renderer& renderer) {
     if (options_.awaits_tiles) {
         for (const TileFile& file : files(missing))
-            give({file.number, load_tile(file.file)}, renderer);
+            give(load_tile(file), renderer);
         return !missing.empty();
     }
     const std::vector<LoadedTile> loaded = loader_.take(most_uploads);
@@ -71,10 +90,18 @@ bool StripStage::give_tiles(const std::vector<TileId>& missing, Renderer& render
 
 std::vector<TileFile> StripStage::files(const std::vector<TileId>& tiles) {
     std::vector<TileFile> files;
+    const Tapestry& tapestry = strip_.tapestry();
+    const auto zoom = [&](const TileId& tile, bool is_to_finer) {
+        const std::size_t finer = tile.level + (is_to_finer ? 1 : 0);
+        if (finer >= tapestry.levels.size() || !tapestry.levels[finer].has_zoom) return std::string();
+        return (directory_ / tapestry.zoom_name(tile.level, tile.tile, is_to_finer)).string();
+    };
     for (const TileId& tile : tiles)
         if (!unreadable_.contains(tile))
-            files.push_back({number_of(tile),
-                             (directory_ / strip_.tapestry().tile_name(tile.level, tile.tile)).string()});
+            files.push_back({.number = number_of(tile),
+                             .file = (directory_ / tapestry.tile_name(tile.level, tile.tile)).string(),
+                             .to_coarser = zoom(tile, false),
+                             .to_finer = zoom(tile, true)});
     return files;
 }
 
@@ -87,7 +114,9 @@ void StripStage::give(const LoadedTile& loaded, Renderer& renderer) {
         return;
     }
     renderer.upload(strip_.source_of(tile), loaded.sample);
-    strip_.tile_ready(tile);
+    const double left = static_cast<double>(tile.tile) * strip_.tapestry().tile_width;
+    strip_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
+                             .to_finer = mesh_of(loaded.to_finer, left, true)});
 }
 
 void StripStage::forget_uploads() {

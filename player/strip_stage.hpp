@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace vitrine {
@@ -18,17 +19,19 @@ struct StripStageOptions {
     SourceId first_source = 0;                         // as StripSettings
     std::optional<std::chrono::nanoseconds> patience;  // likewise
     bool awaits_tiles = false;                         // every picture is whole, however long it takes
+    std::optional<MediaRecord> film;                   // what is known of it; none: nothing
 };
+
+/// Whether a tapestry is of the film as it is now.
+bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 
 /// A film's strip with its tiles: read in the background, and given to the renderer a few a frame, so that
 /// neither reading nor uploading holds a frame up.
 class StripStage {
   public:
     /// @param directory  of the tapestry
-    /// @param picture    size of the film's upright picture, px; none: as its tapestry says, about
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
-    StripStage(std::filesystem::path directory, std::optional<Vec2> picture, Vec2 canvas,
-               const StripStageOptions& options);
+    StripStage(std::filesystem::path directory, Vec2 canvas, StripStageOptions options);
 
     void set_canvas(Vec2 canvas) { strip_.set_canvas(canvas); }
 
@@ -37,6 +40,9 @@ class StripStage {
     void source_ready(SourceId source) { strip_.source_ready(source); }
 
     void source_failed(SourceId source) { strip_.source_failed(source); }
+
+    /// What is known of the files is another: where it is another film by now, the strip is over.
+    void set_catalogue(std::span<const MediaRecord> records);
 
     bool is_over() const { return strip_.is_over(); }
 

@@ -1,6 +1,7 @@
 #include "analyzer/weave/film_weave.hpp"
 
 #include "analyzer/weave/picture_file.hpp"
+#include "analyzer/weave/zoom_files.hpp"
 #include "base/catalogue/media_error.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,10 @@ Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film&
             [&](const cv::Mat& columns) { tiles.add(columns); }, settings, run);
         tiles.finish();
         tapestry.levels.push_back(std::move(level));
+        if (i > 0) {
+            write_zoom(directory, tapestry, i, run);
+            tapestry.levels.back().has_zoom = true;
+        }
         tapestry.is_complete = i + 1 == levels.size();
         write_tapestry(directory, tapestry);
     }

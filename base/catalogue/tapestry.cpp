@@ -27,7 +27,8 @@ void require(bool is_so, std::string_view what) {
 }
 
 TapestryLevel to_level(const Json& json) {
-    TapestryLevel level{.width = json.at("width").get<int>(), .keyframes = {}};
+    TapestryLevel level{
+        .width = json.at("width").get<int>(), .keyframes = {}, .has_zoom = json.value("zoom", false)};
     require(level.width > 0 && level.width <= most_width, "a level's width is out of range");
     const Json& keyframes = json.at("keyframes_ns");
     require(!keyframes.empty() && keyframes.size() <= most_keyframes,
@@ -57,6 +58,10 @@ int Tapestry::tiles(std::size_t level) const {
 
 std::string Tapestry::tile_name(std::size_t level, int tile) const {
     return fmt::format("{}/{}/{:06}.jpg", folder, level, tile);
+}
+
+std::string Tapestry::zoom_name(std::size_t level, int tile, bool is_to_finer) const {
+    return fmt::format("{}/{}/{:06}-{}.zoom", folder, level, tile, is_to_finer ? "finer" : "coarser");
 }
 
 double Tapestry::middle(std::size_t level, std::size_t keyframe) const {
@@ -100,7 +105,8 @@ std::string to_json(const Tapestry& tapestry) {
         Json times = Json::array();
         for (const nanoseconds time : level.keyframes)
             times.push_back(time.count());
-        levels.push_back({{"width", level.width}, {"keyframes_ns", std::move(times)}});
+        levels.push_back(
+            {{"width", level.width}, {"zoom", level.has_zoom}, {"keyframes_ns", std::move(times)}});
     }
     const Json json{{"version", version},
                     {"path", tapestry.path},

@@ -13,6 +13,7 @@ namespace vitrine {
 struct TapestryLevel {
     int width = 0;                                    // px of the strip
     std::vector<std::chrono::nanoseconds> keyframes;  // when they are, stream time, in order; at least one
+    bool has_zoom = false;                            // there are zoom fields between it and the level before
 };
 
 /// What a tapestry's folder holds: docs/catalogue.md has the format.
@@ -32,6 +33,9 @@ struct Tapestry {
 
     /// Below the index' folder.
     std::string tile_name(std::size_t level, int tile) const;
+
+    /// Of a tile's zoom field to the level after its own or before it, below the index' folder.
+    std::string zoom_name(std::size_t level, int tile, bool is_to_finer) const;
 
     /// Where a keyframe's middle lies, px of the strip.
     double middle(std::size_t level, std::size_t keyframe) const;

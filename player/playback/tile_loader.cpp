@@ -1,6 +1,7 @@
 #include "player/playback/tile_loader.hpp"
 
 #include "base/media/still_picture.hpp"
+#include "base/system/atomic_file.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -13,9 +14,9 @@ namespace {
 
 constexpr int most_side = 4096;  // px of a tile
 
-}  // namespace
+constexpr std::size_t most_field_bytes = std::size_t{1} << 20;
 
-Sample load_tile(const std::string& file) {
+Sample load_picture(const std::string& file) {
     try {
         const auto picture = std::make_shared<const StillPicture>(load_still(file, most_side, most_side));
         return {.width = picture->width,
@@ -26,6 +27,24 @@ Sample load_tile(const std::string& file) {
     } catch (const std::exception&) {  // a coarser level shows in its place
         return {};
     }
+}
+
+std::optional<ZoomField> load_field(const std::string& file) {
+    if (file.empty()) return std::nullopt;
+    try {
+        return zoom_field_from_bytes(read_file(file, most_field_bytes));
+    } catch (const std::exception&) {  // its tile is left out while one zooms
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+LoadedTile load_tile(const TileFile& tile) {
+    return {.number = tile.number,
+            .sample = load_picture(tile.file),
+            .to_coarser = load_field(tile.to_coarser),
+            .to_finer = load_field(tile.to_finer)};
 }
 
 TileLoader::TileLoader() : thread_([this] { run(); }) {}
@@ -74,7 +93,7 @@ void TileLoader::run() {
         wanted_.pop_back();
         reading_ = file.number;
         lock.unlock();
-        LoadedTile tile{.number = file.number, .sample = load_tile(file.file)};
+        LoadedTile tile = load_tile(file);
         lock.lock();
         reading_.reset();
         loaded_.push_back(std::move(tile));

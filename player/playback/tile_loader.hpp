@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/catalogue/zoom_field.hpp"
 #include "player/playback/sample.hpp"
 
 #include <condition_variable>
@@ -17,15 +18,19 @@ namespace vitrine {
 struct TileFile {
     std::uint64_t number = 0;
     std::string file;
+    std::string to_coarser;  // files of its zoom fields; empty: there is none
+    std::string to_finer;
 };
 
 struct LoadedTile {
     std::uint64_t number = 0;
-    Sample sample;  // without pixels where the file cannot be read
+    Sample sample;                        // without pixels where the file cannot be read
+    std::optional<ZoomField> to_coarser;  // none: likewise, or there is none
+    std::optional<ZoomField> to_finer;
 };
 
-/// The picture of a tile, as it is in its file. Without pixels where it cannot be read.
-Sample load_tile(const std::string& file);
+/// A tile as it is in its files.
+LoadedTile load_tile(const TileFile& tile);
 
 /// Thread-safe. Reads the tiles of a strip on a thread of its own, so that no frame waits for one. Holds back
 /// where they are not taken.

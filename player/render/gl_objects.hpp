@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/geometry/vec2.hpp"
+
 #include <GLES3/gl3.h>
 
 #include <string>
@@ -38,6 +40,10 @@ using GlVertexArray = GlObject<&glGenVertexArrays, &glDeleteVertexArrays>;
 
 /// Throws std::runtime_error with GL's name for the first error since the last call, if there was one.
 void check_gl(const char* what);
+
+inline void set(GLint uniform, Vec2 value) {
+    glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));
+}
 
 /// A compiled and linked pair of shaders (GLSL ES 3.00, without the #version line).
 class Program {

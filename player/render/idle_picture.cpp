@@ -87,10 +87,6 @@ std::vector<GLushort> grid_order() {
     return order;
 }
 
-void set(GLint uniform, Vec2 value) {
-    glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));
-}
-
 }  // namespace
 
 IdlePicture::IdlePicture()

@@ -18,10 +18,6 @@ constexpr double same_size = 0.75;         // canvas px that a picture of the ve
 constexpr double same_place = 1e-3;        // canvas px
 constexpr std::uint64_t kept_unused = 15;  // frames that a cell's vertices outlast their last use
 
-void set(GLint uniform, Vec2 value) {
-    glUniform2f(uniform, static_cast<float>(value.x), static_cast<float>(value.y));
-}
-
 bool is_opaque(const DrawItem& item) {
     return item.alpha >= 1;
 }
@@ -146,12 +142,14 @@ void Renderer::draw(const Frame& frame) {
     const ToNdc moved = seen_from(view, frame.view);
     const std::span<const DrawItem> items = frame.items;
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
-        while (end < items.size() && items[end].alpha == items[begin].alpha)
+        while (end < items.size() && items[end].alpha == items[begin].alpha &&
+               !items[end].zoom == !items[begin].zoom)
             ++end;
         draw_run(items.subspan(begin, end - begin), moved);
     }
     glBindVertexArray(0);
     drop_old_meshes();
+    if (zooms_) zooms_->drop_old();
     check_gl("draw a frame");
 }
 
@@ -168,6 +166,7 @@ bool Renderer::leaves_holes(const Frame& frame) const {
 
 // A run of items of one opacity is one layer of cells, which meet in seams.
 void Renderer::draw_run(std::span<const DrawItem> items, const ToNdc& view) {
+    if (items.front().zoom) return draw_zooms(items, view);
     const auto for_each = [&](auto draw_it) {
         for (const DrawItem& item : items)
             if (has(item.source) && item.alpha > 0) (this->*draw_it)(item, view);
@@ -182,6 +181,15 @@ void Renderer::draw_run(std::span<const DrawItem> items, const ToNdc& view) {
         for_each(&Renderer::draw_fills);
     }
     for_each(&Renderer::draw_fringes);
+}
+
+void Renderer::draw_zooms(std::span<const DrawItem> items, const ToNdc& view) {
+    if (!zooms_) zooms_.emplace();
+    for (const DrawItem& item : items) {
+        if (!has(item.source)) continue;
+        choose_filter(textures_.at(item.source), item, false, false);
+        zooms_->draw(item, view);
+    }
 }
 
 void Renderer::draw_outlines(const DrawItem& item, const ToNdc& view) {

@@ -6,6 +6,7 @@
 #include "player/render/idle_picture.hpp"
 #include "player/render/picture_texture.hpp"
 #include "player/render/view.hpp"
+#include "player/render/zoom_layer.hpp"
 #include "player/scene/frame.hpp"
 
 #include <array>
@@ -101,6 +102,7 @@ class Renderer {
     void give_back(const PictureTexture& texture);
     bool leaves_holes(const Frame& frame) const;
     void draw_run(std::span<const DrawItem> items, const ToNdc& view);
+    void draw_zooms(std::span<const DrawItem> items, const ToNdc& view);
     void draw_outlines(const DrawItem& item, const ToNdc& view);
     void draw_fills(const DrawItem& item, const ToNdc& view);
     void draw_fringes(const DrawItem& item, const ToNdc& view);
@@ -123,7 +125,8 @@ class Renderer {
     std::uint64_t frames_ = 0;
     std::array<std::optional<Programs>, 3> programs_;  // by layout, each made when it is first needed
     IdlePicture idle_;
-    bool is_on_pixels_ = true;  // canvas points of whole numbers are corners of pixels, in this frame
+    std::optional<ZoomLayer> zooms_;  // made when it is first needed
+    bool is_on_pixels_ = true;        // canvas points of whole numbers are corners of pixels, in this frame
     PictureImport import_;
     std::set<SourceId> copied_;  // those whose shared planes could not be read in their place
     std::deque<Lent> lent_;      // the oldest first

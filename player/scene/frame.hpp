@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/layout/cells.hpp"
+#include "player/scene/zoom_mesh.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -15,7 +16,10 @@ using SourceId = std::uint64_t;
 /// One cell of the picture to be drawn, plain data.
 struct DrawItem {
     SourceId source = 0;
-    std::shared_ptr<const Cell> cell;   // shared: a layout's cells are drawn in many frames
+    std::shared_ptr<const Cell> cell;  // shared: a layout's cells are drawn in many frames
+    std::shared_ptr<const ZoomMesh>
+        zoom;                           // in place of a cell: canvas = scale * strip px + offset; shared, too
+    double share = 0;                   // of the way between both places of its points
     Placement placement;                // canvas = source px * scale + offset, at the shot's begin
     Vec2 picture;                       // size of the upright source picture, source px
     Vec2 slide;                         // drift * time into the shot, source px: the texel at canvas point u

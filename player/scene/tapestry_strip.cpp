@@ -20,47 +20,10 @@ constexpr double preview_room = 0.52;  // likewise
 constexpr auto preview_length = 60s;   // that plays, then it begins again
 constexpr auto in_place_length = 4s;   // likewise, within the strip
 constexpr auto own_interval = 12s;     // between two previews that it begins by itself
-constexpr auto appearing = 300ms;      // that what begins to play fades in
-constexpr double blend_begin =
-    0.2;  // of the way from a level to the next: there the finer one begins to be seen
-constexpr double blend_end = 0.8;   // there it is all that is seen
-constexpr double soft_edge = 0.14;  // of the height of what plays in place
-constexpr int edge_points = 6;      // a side, of the soft edge
-constexpr int level_bits = 26;      // a tile's number within its level, in its source's number
+constexpr double shut = 0.75;          // factor of a pinch at the coarsest level that leaves the strip
+constexpr auto lead = 1500ms;          // that what comes next is got ready before it is due
+constexpr int level_bits = 26;         // a tile's number within its level, in its source's number
 constexpr SourceId film_bit = SourceId{1} << 40;
-
-std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
-    const Vec2 right_top{box.max.x, box.min.y};
-    const Vec2 left_bottom{box.min.x, box.max.y};
-    return {{box.min, right_top, box.max}, {box.min, box.max, left_bottom}};
-}
-
-/// A cell that is a box, with clean edges.
-std::shared_ptr<const Cell> box_cell(const Box& box) {
-    return std::make_shared<const Cell>(Cell{.parts = {to_polygon(box)},
-                                             .filler = {},
-                                             .triangles = triangles_of(box),
-                                             .filler_triangles = {},
-                                             .rims = {Rim{}}});
-}
-
-/// A box that fades out over what lies around it.
-std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
-    const Box inner{box.min + Vec2{edge, edge}, box.max - Vec2{edge, edge}};
-    const Polygon corners = to_polygon(inner);
-    Rim rim;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        for (int k = 0; k < edge_points; ++k)
-            rim.outline.push_back(corners[i] + (corners[(i + 1) % corners.size()] - corners[i]) *
-                                                   (static_cast<double>(k) / edge_points));
-    rim.widths.assign(rim.outline.size(), edge);
-    return std::make_shared<const Cell>(Cell{.parts = {corners},
-                                             .filler = {},
-                                             .triangles = triangles_of(inner),
-                                             .filler_triangles = {},
-                                             .rims = {rim},
-                                             .rim_coverage = 1});
-}
 
 std::size_t most_tiles(const Tapestry& tapestry, std::int64_t bytes) {
     const std::int64_t tile = std::int64_t{4} * tapestry.tile_width * tapestry.height;
@@ -108,7 +71,7 @@ void TapestryStrip::take(const Gesture& gesture) {
     switch (gesture.kind) {
     case Gesture::Kind::tap:
         motion_.touch();
-        if (!is_on_strip) return retire(shown_);
+        if (!is_on_strip) return close_or_end(gesture.at);
         play(place().time_at(view(), gesture.at.x));
         return play_in_place(place().time_at(view(), gesture.at.x));
     case Gesture::Kind::hold:
@@ -121,6 +84,10 @@ void TapestryStrip::take(const Gesture& gesture) {
         break;
     case Gesture::Kind::pinch:
         retire(in_place_);
+        pinch_shut(gesture);
+        break;
+    case Gesture::Kind::pinch_end:
+        pinched_ = 1;
         break;
     default:
         break;
@@ -128,9 +95,27 @@ void TapestryStrip::take(const Gesture& gesture) {
     motion_.take(gesture, place());
 }
 
-void TapestryStrip::tile_ready(const TileId& tile) {
-    for (const TileId& gone : cache_.add(tile))
+/// A tap on the preview puts it away, one beside it leaves the strip.
+void TapestryStrip::close_or_end(Vec2 at) {
+    const bool is_on_preview = shown_ && at.x >= preview_.min.x && at.x <= preview_.max.x &&
+                               at.y >= preview_.min.y && at.y <= preview_.max.y;
+    if (!is_on_preview) is_over_ = true;
+    retire(shown_);
+    if (incoming_ && incoming_->follows) retire(incoming_);
+}
+
+/// Fingers that come together where it cannot get any smaller.
+void TapestryStrip::pinch_shut(const Gesture& gesture) {
+    pinched_ = view().level > 0 ? 1 : pinched_ * gesture.factor;
+    if (pinched_ < shut) is_over_ = true;
+}
+
+void TapestryStrip::tile_ready(const TileId& tile, TileZooms zooms) {
+    zooms_[tile] = std::move(zooms);
+    for (const TileId& gone : cache_.add(tile)) {
         retired_.push_back(source_of(gone));
+        zooms_.erase(gone);
+    }
 }
 
 std::vector<SourceId> TapestryStrip::close() {
@@ -138,16 +123,20 @@ std::vector<SourceId> TapestryStrip::close() {
         retire(*playing);
     for (const TileId& tile : cache_.clear())
         retired_.push_back(source_of(tile));
+    zooms_.clear();
     retired_.push_back(mark());
     return std::exchange(retired_, {});
 }
 
 void TapestryStrip::forget_tiles() {
     cache_.clear();
+    zooms_.clear();
 }
 
 void TapestryStrip::source_ready(SourceId source) {
-    if (incoming_ && incoming_->source == source) {
+    if (incoming_ && incoming_->source == source && incoming_->follows) {
+        incoming_->began = nanoseconds(-1);
+    } else if (incoming_ && incoming_->source == source) {
         retire(shown_);
         shown_ = std::exchange(incoming_, std::nullopt);
         shown_->began = nanoseconds(-1);  // with the next picture
@@ -166,18 +155,46 @@ void TapestryStrip::retire(std::optional<Playing>& playing) {
 }
 
 TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds length, double width) {
-    const nanoseconds begin =
-        std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), tapestry_.duration - 1s));
-    const Playing playing{
-        .source = ++last_source_, .begin = begin, .end = std::min(begin + length, tapestry_.duration)};
+    Shot shot{.begin = std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), tapestry_.duration - 1s)),
+              .stored = {}};
+    const Shot* within = shot_at(shot.begin);
+    if (within != nullptr) shot.begin = std::max(shot.begin, within->begin);
+    shot.end = std::min(shot.begin + length, tapestry_.duration);
+    if (within != nullptr && within->stored) {
+        shot.end = std::min(shot.end, within->end);
+        shot.stored = within->stored;
+        shot.stored->begin += shot.begin - within->begin;
+    }
+    const Playing playing{.source = ++last_source_, .begin = shot.begin, .end = shot.end, .began = {}};
     requests_.push_back(
         {.source = playing.source,
          .path = tapestry_.path,
          .kind = MediaKind::video,
-         .shot = {.begin = playing.begin, .end = playing.end},
+         .shot = shot,
          .width = std::max(1, static_cast<int>(std::lround(width))),
          .height = std::max(1, static_cast<int>(std::lround(width * picture_.y / picture_.x)))});
     return playing;
+}
+
+/// The shot that a moment lies in, or the next one: what lies between two of them belongs to neither.
+const Shot* TapestryStrip::shot_at(nanoseconds time) const {
+    const auto found = std::ranges::upper_bound(settings_.shots, time, std::less<>(),
+                                                [](const Shot& shot) { return shot.end; });
+    return found == settings_.shots.end() ? nullptr : &*found;
+}
+
+/// The next stretch of what plays above: got ready in time, shown once the one before has ended.
+void TapestryStrip::play_on(nanoseconds now) {
+    if (!shown_ || !shown_->began || shown_->began->count() < 0) return;
+    const nanoseconds left = *shown_->began + shown_->length() - now;
+    if (left <= lead && !incoming_ && shown_->end < tapestry_.duration - 1s) {
+        incoming_ = stretch(shown_->end, preview_length, preview_.width());
+        incoming_->follows = true;
+    }
+    if (left.count() > 0 || !incoming_ || !incoming_->follows || !incoming_->began) return;
+    retire(shown_);
+    shown_ = std::exchange(incoming_, std::nullopt);
+    shown_->follows = false;
 }
 
 void TapestryStrip::play(nanoseconds from) {
@@ -187,6 +204,9 @@ void TapestryStrip::play(nanoseconds from) {
 
 void TapestryStrip::play_in_place(nanoseconds from) {
     retire(in_place_);
+    const Shot* within = shot_at(from);
+    if (within != nullptr && within->stored && within->end - from < in_place_length)
+        from = std::max(within->begin, within->end - in_place_length);
     in_place_ = stretch(from, in_place_length, brick(from).width());
 }
 
@@ -227,84 +247,11 @@ StripStep TapestryStrip::step(nanoseconds now) {
     motion_.advance(now, here);
     cache_.wish(wanted_tiles(here, view(), motion_.direction(), cache_.most()));
     play_by_itself(now);
+    play_on(now);
     StripStep step{.frame = picture(now), .missing = cache_.missing()};
     step.requests = std::exchange(requests_, {});
     step.retired = std::exchange(retired_, {});
     return step;
-}
-
-Frame TapestryStrip::picture(nanoseconds now) {
-    Frame frame{.canvas = canvas_, .idle = 1, .time = now};
-    const auto coarse = static_cast<std::size_t>(view().level);
-    const double share = view().level - static_cast<double>(coarse);
-    const double alpha = eased((share - blend_begin) / (blend_end - blend_begin));
-    if (!is_whole(share > 0 && alpha >= 1 ? coarse + 1 : coarse)) draw_level(frame, 0, 1);
-    if (alpha < 1) draw_level(frame, coarse, 1);
-    if (alpha > 0) draw_level(frame, coarse + 1, alpha);
-    draw_in_place(frame);
-    draw_preview(frame);
-    if (shown_ && shown_->began) draw_playhead(frame, *shown_);
-    return frame;
-}
-
-/// Whether all that is seen of a level can be drawn.
-bool TapestryStrip::is_whole(std::size_t level) const {
-    return std::ranges::all_of(place().tiles(view(), level, box_.min.x, box_.max.x),
-                               [&](const auto& tile) { return cache_.has(tile.first); });
-}
-
-void TapestryStrip::draw_level(Frame& frame, std::size_t level, double alpha) const {
-    for (const TilePiece& piece : place().pieces(view(), level, box_.min.x, box_.max.x)) {
-        if (!cache_.has(piece.tile)) continue;
-        const double width = (piece.right - piece.left) / (piece.last - piece.first);
-        frame.items.push_back(
-            {.source = source_of(piece.tile),
-             .cell = box_cell({{piece.left, box_.min.y}, {piece.right, box_.max.y}}),
-             .placement = {.scale = 1, .offset = {piece.left - piece.first * width, box_.min.y}},
-             .picture = {width, box_.height()},
-             .alpha = alpha});
-    }
-}
-
-void TapestryStrip::draw_in_place(Frame& frame) {
-    if (!in_place_ || !in_place_->began) return;
-    if (in_place_->began->count() < 0) in_place_->began = frame.time;
-    const nanoseconds local = frame.time - *in_place_->began;
-    const Box at = brick(in_place_->begin);
-    const double alpha =
-        eased(std::chrono::duration<double>(local) / std::chrono::duration<double>(appearing));
-    frame.items.push_back({.source = in_place_->source,
-                           .cell = soft_cell(at, soft_edge * at.height()),
-                           .placement = {.scale = 1, .offset = at.min},
-                           .picture = {at.width(), at.height()},
-                           .local = local,
-                           .alpha = std::min(alpha, 0.999)});
-}
-
-void TapestryStrip::draw_preview(Frame& frame) {
-    if (!shown_ || !shown_->began) return;
-    if (shown_->began->count() < 0) shown_->began = frame.time;
-    frame.items.push_back({.source = shown_->source,
-                           .cell = box_cell(preview_),
-                           .placement = {.scale = 1, .offset = preview_.min},
-                           .picture = {preview_.width(), preview_.height()},
-                           .local = frame.time - *shown_->began,
-                           .alpha = 1});
-}
-
-/// A line through the strip at what plays above it.
-void TapestryStrip::draw_playhead(Frame& frame, const Playing& playing) const {
-    const nanoseconds length = playing.end - playing.begin;
-    const nanoseconds local = frame.time - *playing.began;
-    const double x =
-        std::round(place().canvas_x(view(), playing.begin + (length.count() > 0 ? local % length : local)));
-    const double half = std::max(1.0, std::round(canvas_.y / 720));
-    if (x < box_.min.x || x > box_.max.x) return;
-    frame.items.push_back({.source = mark(),
-                           .cell = box_cell({{x - half, box_.min.y}, {x + half, box_.max.y}}),
-                           .placement = {.scale = 1, .offset = {x - half, box_.min.y}},
-                           .picture = {2 * half, box_.height()},
-                           .alpha = 0.85});
 }
 
 }  // namespace vitrine

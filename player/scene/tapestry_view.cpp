@@ -47,6 +47,20 @@ nanoseconds TapestryPlace::time_of(double level, double x) const {
     return low;
 }
 
+/// Whether the view lies between this level and one next to it, and there are fields in between.
+bool TapestryPlace::goes_over(const TapestryView& view, std::size_t level) const {
+    const Between at = between(view.level, tapestry_.levels.size());
+    return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry_.levels[at.fine].has_zoom;
+}
+
+Placement TapestryPlace::zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const {
+    const Between at = between(view.level, tapestry_.levels.size());
+    const double middle = (box_.min.x + box_.max.x) / 2;
+    const double origin = mesh.coarse_origin + at.share * (mesh.fine_origin - mesh.coarse_origin);
+    return {.scale = scale(),
+            .offset = {middle + scale() * (origin - strip_x(view.level, view.centre)), box_.min.y}};
+}
+
 double TapestryPlace::width(double level) const {
     return scale() * strip_x(level, tapestry_.duration);
 }
@@ -131,11 +145,15 @@ std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& 
                                                             double left, double right) const {
     std::vector<std::pair<TileId, double>> tiles;
     const int count = tapestry_.tiles(level);
-    const auto tile_at = [&](double x) {
-        const double strip = tapestry_.x_at(level, time_at(view, x));
+    const bool is_zoom = goes_over(view, level);
+    const bool is_coarse = static_cast<double>(level) < view.level;
+    const double more = is_zoom && is_coarse ? tapestry_.brick_width : 0;  // px of the strip
+    const double reach = is_zoom && !is_coarse ? brick_width() : 0;        // canvas px
+    const auto tile_at = [&](double x, double by) {
+        const double strip = tapestry_.x_at(level, time_at(view, x)) + by;
         return std::clamp(static_cast<int>(strip / tapestry_.tile_width), 0, count - 1);
     };
-    for (int tile = tile_at(left); tile <= tile_at(right); ++tile) {
+    for (int tile = tile_at(left - reach, -more); tile <= tile_at(right + reach, more); ++tile) {
         const double middle = (tile + 0.5) * tapestry_.tile_width;
         const double x = canvas_x(view, tapestry_.time_at(level, middle));
         tiles.push_back({{level, tile}, x});

@@ -2,6 +2,8 @@
 
 #include "base/catalogue/tapestry.hpp"
 #include "base/geometry/box.hpp"
+#include "player/layout/layout.hpp"
+#include "player/scene/zoom_mesh.hpp"
 
 #include <compare>
 #include <cstddef>
@@ -65,15 +67,24 @@ class TapestryPlace {
     std::vector<TilePiece> pieces(const TapestryView& view, std::size_t level, double left,
                                   double right) const;
 
-    /// The same, whole tiles only: with their middles, canvas px.
+    /// The same, whole tiles only: with their middles, canvas px. Between two levels with zoom fields these
+    /// are all that may reach in, which is those of a brick's width more.
     std::vector<std::pair<TileId, double>> tiles(const TapestryView& view, std::size_t level, double left,
                                                  double right) const;
+
+    /// Where a tile's points are counted from on their way between the levels around the view's, and canvas
+    /// px a px.
+    Placement zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const;
+
+    /// Of a brick, canvas px at a whole level.
+    double brick_width() const { return scale() * tapestry_.brick_width; }
 
     const Box& box() const { return box_; }
 
     double most_level() const { return static_cast<double>(tapestry_.levels.size() - 1); }
 
   private:
+    bool goes_over(const TapestryView& view, std::size_t level) const;
     double strip_x(double level, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_of(double level, double x) const;
 

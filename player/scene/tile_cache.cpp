@@ -43,6 +43,7 @@ std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView&
     const auto last = static_cast<std::size_t>(place.most_level());
     const std::size_t fine = std::min(last, view.level > static_cast<double>(coarse) ? coarse + 1 : coarse);
     Order order(most);
+    const double reach = place.brick_width();  // a zoom needs so much more
     for (const std::size_t level : {coarse, fine})
         order.add(place.tiles(view, level, box.min.x, box.max.x), middle, 0);
     order.add(place.tiles({.centre = view.centre, .level = 0}, 0, box.min.x, box.max.x), middle, 0);
@@ -52,8 +53,10 @@ std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView&
     for (const std::size_t level : {std::min(fine + 1, last), coarse > 0 ? coarse - 1 : 0}) {
         const TapestryView there =
             place.bounded({.centre = view.centre, .level = static_cast<double>(level)});
-        order.add(place.tiles(there, level, box.min.x, box.max.x), middle, direction);
+        order.add(place.tiles(there, level, box.min.x - reach, box.max.x + reach), middle, direction);
     }
+    const TapestryView here{.centre = view.centre, .level = std::round(view.level)};
+    order.add(place.tiles(here, std::min(fine + 1, last), box.min.x - reach, box.max.x + reach), middle, 0);
     return order.take();
 }
 

@@ -5,7 +5,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <set>
+#include <utility>
 
 using namespace vitrine;
 using namespace std::chrono_literals;
@@ -194,6 +197,120 @@ TEST_CASE(
     step = house.run(500ms);
     CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 0);
     CHECK(house.playing.empty());
+}
+
+TEST_CASE("a steady pan never comes to a tile that is not there, though each takes a while") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .shots = {}});
+    std::deque<std::pair<TileId, std::chrono::nanoseconds>> coming;
+    std::chrono::nanoseconds now = 0s;
+    std::size_t missed = 0;
+    const auto step = [&] {
+        const StripStep done = strip.step(now);
+        for (const TileId& tile : done.missing)
+            if (coming.empty()) coming.emplace_back(tile, now + 80ms);  // one after the other
+        if (!coming.empty() && coming.front().second <= now) {
+            strip.tile_ready(coming.front().first);
+            coming.pop_front();
+        }
+        const TapestryPlace place(strip.tapestry(), strip.box());
+        const auto level = static_cast<std::size_t>(std::lround(strip.view().level));
+        for (const auto& [tile, middle] : place.tiles(strip.view(), level, 0, 640))
+            if (std::ranges::count(done.frame.items, strip.source_of(tile), &DrawItem::source) == 0) ++missed;
+        now += frame_time;
+    };
+    for (int k = 0; k < 3; ++k) {
+        strip.take({.kind = Kind::key, .key = Key::nearer});
+        for (int frame = 0; frame < 60; ++frame)
+            step();
+    }
+    for (int frame = 0; frame < 60; ++frame)
+        step();
+    REQUIRE(strip.view().level == 3);
+    missed = 0;
+    const auto begin = strip.view().centre;
+    for (int frame = 0; frame < 240; ++frame) {
+        strip.take({.kind = Kind::drag, .at = {300, 280}, .from = {400, 280}, .moved = {-4, 0}});
+        step();
+    }
+    CHECK(strip.view().centre > begin + 10s);
+    CHECK(missed == 0);
+}
+
+TEST_CASE("what plays is read from the store, shot after shot, where the store has them") {
+    const auto shot = [](std::chrono::nanoseconds begin, std::chrono::nanoseconds end, const char* file) {
+        Shot made{.begin = begin, .end = end, .stored = {}};
+        if (*file != 0) made.stored = StoredShot{.file = file, .begin = 100ms, .width = 160, .height = 90};
+        return made;
+    };
+    House house;
+    house.strip.set_shots({shot(0s, 20s, "a/0.mp4"), shot(21s, 25s, "a/1.mp4"), shot(25s, 60s, "")});
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = {house.x(18s), 280}, .from = {house.x(18s), 280}});
+    StripStep step = house.run(200ms);
+    REQUIRE(house.playing.size() == 2);
+    const ShotRequest above = house.playing[0];
+    CHECK(above.shot.stored->file == "a/0.mp4");
+    CHECK(std::chrono::abs(above.shot.begin - 18s) < 1ms);
+    CHECK(above.shot.stored->begin == 100ms + above.shot.begin);
+    CHECK(above.shot.end == 20s);
+    const ShotRequest in_place = house.playing[1];
+    CHECK(in_place.shot.begin == 16s);  // a loop of two seconds would be too short
+    CHECK(in_place.shot.stored->begin == 16100ms);
+
+    house.run(1s);  // the next shot, past what lies between, is got ready, and comes when this one ends
+    REQUIRE(house.playing.size() == 3);
+    const ShotRequest next = house.playing[2];
+    CHECK(next.shot.begin == 21s);
+    CHECK(next.shot.end == 25s);
+    CHECK(next.shot.stored->file == "a/1.mp4");
+    CHECK(next.shot.stored->begin == 100ms);
+    const auto shows = [&](const StripStep& of, SourceId source) {
+        return std::ranges::count(of.frame.items, source, &DrawItem::source) == 1;
+    };
+    step = house.step();
+    CHECK(shows(step, above.source));
+    CHECK_FALSE(shows(step, next.source));
+    step = house.run(1s);
+    CHECK_FALSE(shows(step, above.source));
+    CHECK(shows(step, next.source));
+}
+
+TEST_CASE("what plays stands at its end until the next shot is ready") {
+    House house;
+    house.strip.set_shots({Shot{.begin = 0s, .end = 3s, .stored = StoredShot{.file = "a/0.mp4"}},
+                           Shot{.begin = 3s, .end = 60s, .stored = StoredShot{.file = "a/1.mp4"}}});
+    house.run(1s);
+    house.strip.take({.kind = Kind::key, .key = Key::select});
+    house.run(100ms);
+    house.strip.take({.kind = Kind::tap, .at = {house.x(1s), 280}, .from = {house.x(1s), 280}});
+    house.run(200ms);
+    house.readies = false;
+    const StripStep step = house.run(4s);
+    const auto plays = std::ranges::find_if(step.frame.items, [&](const DrawItem& item) {
+        return item.cell && bounding_box(item.cell->parts[0]).max.y < house.strip.box().min.y;
+    });
+    REQUIRE(plays != step.frame.items.end());
+    CHECK(std::chrono::abs(plays->local - 2s) < 1ms);
+}
+
+TEST_CASE(
+    "fingers that come together at the coarsest level leave the strip, and a tap beside the preview does") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+    CHECK_FALSE(house.strip.is_over());
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.8});
+    CHECK(house.strip.is_over());
+
+    House other;
+    other.run(1s);
+    other.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    other.run(500ms);
+    other.strip.take({.kind = Kind::tap, .at = {320, 100}, .from = {320, 100}});  // puts the preview away
+    CHECK_FALSE(other.strip.is_over());
+    other.run(500ms);
+    other.strip.take({.kind = Kind::tap, .at = {10, 100}, .from = {10, 100}});
+    CHECK(other.strip.is_over());
 }
 
 TEST_CASE("by itself it goes through the film, nearer and farther, and plays what is in the middle") {

@@ -1,0 +1,105 @@
+#include "player/render/zoom_layer.hpp"
+
+#include <cstddef>
+#include <iterator>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int kept_unused = 120;  // frames that a tile's points outlast their last use
+
+constexpr const char* vertex_shader = R"(
+precision highp float;
+layout(location = 0) in vec4 places;    // px of both strips
+layout(location = 1) in vec3 texel;     // u, v, growth
+uniform vec2 x_axis, y_axis, origin;    // canvas px to GL
+uniform vec2 offset;                    // canvas px
+uniform float scale, share, alpha;
+out highp vec2 uv;
+out mediump float opacity;
+
+void main() {
+    vec2 place = offset + scale * mix(places.xy, places.zw, share);
+    uv = texel.xy;
+    opacity = alpha * (texel.z < 0.0 ? 1.0 : share / mix(texel.z, 1.0, share));
+    gl_Position = vec4(x_axis * place.x + y_axis * place.y + origin, 0.0, 1.0);
+}
+)";
+
+constexpr const char* fragment_shader = R"(
+precision mediump float;
+uniform sampler2D picture;
+in highp vec2 uv;
+in mediump float opacity;
+out vec4 pixel;
+
+void main() {
+    pixel = vec4(texture(picture, uv).rgb, opacity);
+}
+)";
+
+template <typename Numbers> void fill(GLenum target, const GlBuffer& buffer, const Numbers& numbers) {
+    glBindBuffer(target, buffer.id());
+    glBufferData(target, static_cast<GLsizeiptr>(numbers.size() * sizeof(numbers[0])), numbers.data(),
+                 GL_STATIC_DRAW);
+}
+
+void attribute(GLuint place, GLint count, std::size_t offset) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast): GL's way
+    glVertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(ZoomMesh::Vertex),
+                          reinterpret_cast<const void*>(offset));
+    glEnableVertexAttribArray(place);
+}
+
+}  // namespace
+
+ZoomLayer::ZoomLayer()
+    : program_(vertex_shader, fragment_shader),
+      x_axis_(program_.uniform("x_axis")),
+      y_axis_(program_.uniform("y_axis")),
+      origin_(program_.uniform("origin")),
+      offset_(program_.uniform("offset")),
+      scale_(program_.uniform("scale")),
+      share_(program_.uniform("share")),
+      alpha_(program_.uniform("alpha")) {}
+
+void ZoomLayer::draw(const DrawItem& item, const ToNdc& view) {
+    Mesh& drawn = mesh(item.zoom);
+    drawn.unused = 0;
+    if (item.zoom->is_whole && item.alpha >= 1)
+        glDisable(GL_BLEND);
+    else
+        glEnable(GL_BLEND);
+    glBindVertexArray(drawn.array.id());
+    program_.use();
+    set(x_axis_, view.x_axis);
+    set(y_axis_, view.y_axis);
+    set(origin_, view.origin);
+    set(offset_, item.placement.offset);
+    glUniform1f(scale_, static_cast<float>(item.placement.scale));
+    glUniform1f(share_, static_cast<float>(item.share));
+    glUniform1f(alpha_, static_cast<float>(item.alpha));
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.zoom->triangles.size()), GL_UNSIGNED_SHORT,
+                   nullptr);
+}
+
+ZoomLayer::Mesh& ZoomLayer::mesh(const std::shared_ptr<const ZoomMesh>& zoom) {
+    const auto [place, is_new] = meshes_.try_emplace(zoom.get());
+    Mesh& mesh = place->second;
+    if (!is_new) return mesh;
+    mesh.zoom = zoom;
+    glBindVertexArray(mesh.array.id());
+    fill(GL_ARRAY_BUFFER, mesh.vertices, zoom->vertices);
+    fill(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles, zoom->triangles);
+    attribute(0, 4, offsetof(ZoomMesh::Vertex, coarse_x));
+    attribute(1, 3, offsetof(ZoomMesh::Vertex, u));
+    return mesh;
+}
+
+void ZoomLayer::drop_old() {
+    for (auto mesh = meshes_.begin(); mesh != meshes_.end();)
+        mesh = ++mesh->second.unused > kept_unused ? meshes_.erase(mesh) : std::next(mesh);
+}
+
+}  // namespace vitrine

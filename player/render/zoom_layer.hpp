@@ -1,0 +1,46 @@
+#pragma once
+
+#include "player/render/gl_objects.hpp"
+#include "player/render/view.hpp"
+#include "player/scene/frame.hpp"
+
+#include <memory>
+#include <unordered_map>
+
+namespace vitrine {
+
+/// Draws tiles of tapestries on their way from level to level. The graphics card has both places of each
+/// point; a moment in between costs a few numbers. Belongs to a Renderer.
+class ZoomLayer {
+  public:
+    ZoomLayer();
+
+    /// @pre item.zoom; the tile's picture is bound
+    void draw(const DrawItem& item, const ToNdc& view);
+
+    /// To be called once a frame: what has not been drawn for a while goes.
+    void drop_old();
+
+  private:
+    struct Mesh {
+        std::shared_ptr<const ZoomMesh> zoom;  // shared: while it lives no other has its address
+        GlBuffer vertices;
+        GlBuffer triangles;
+        GlVertexArray array;
+        int unused = 0;  // frames
+    };
+
+    Mesh& mesh(const std::shared_ptr<const ZoomMesh>& zoom);
+
+    Program program_;
+    GLint x_axis_;
+    GLint y_axis_;
+    GLint origin_;
+    GLint offset_;
+    GLint scale_;
+    GLint share_;
+    GLint alpha_;
+    std::unordered_map<const ZoomMesh*, Mesh> meshes_;
+};
+
+}  // namespace vitrine
