@@ -1,21 +1,16 @@
 #include "base/media/completeness.hpp"
 
 #include "base/catalogue/media_error.hpp"
-#include "base/system/unique_fd.hpp"
-#include "base/system/written_size.hpp"
+#include "base/media/file_bytes.hpp"
+#include "base/media/gif_extent.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <limits>
-#include <system_error>
 
 namespace vitrine {
 
@@ -27,33 +22,6 @@ constexpr std::uint64_t trailing_zeros = 65'536;  // bytes: padding that a spars
 constexpr std::uint64_t unlimited = std::uint64_t{1}
                                     << 62;  // larger sizes are nonsense: kept from overflowing
 
-class Bytes {
-  public:
-    explicit Bytes(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        struct stat status {};
-
-        if (!fd_.is_open() || ::fstat(fd_.get(), &status) != 0)
-            throw MediaError(MediaState::failed, fmt::format("the file cannot be opened: {}",
-                                                             std::generic_category().message(errno)));
-        size_ = static_cast<std::uint64_t>(status.st_size);
-    }
-
-    std::uint64_t size() const { return size_; }
-
-    std::uint64_t written() const { return written_size(fd_.get()); }
-
-    template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
-        std::array<std::uint8_t, N> bytes{};
-        const ssize_t got = ::pread(fd_.get(), bytes.data(), N, static_cast<off_t>(offset));
-        if (got != static_cast<ssize_t>(N)) return std::nullopt;
-        return bytes;
-    }
-
-  private:
-    UniqueFd fd_;
-    std::uint64_t size_ = 0;
-};
-
 template <std::size_t N>
 std::uint64_t big_endian(const std::array<std::uint8_t, N>& bytes, std::size_t from, int count) {
     std::uint64_t value = 0;
@@ -63,12 +31,20 @@ std::uint64_t big_endian(const std::array<std::uint8_t, N>& bytes, std::size_t f
 }
 
 template <std::size_t N>
+std::uint64_t little_endian(const std::array<std::uint8_t, N>& bytes, std::size_t from, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = count; i > 0; --i)
+        value = value << 8 | bytes[from + i - 1];
+    return value;
+}
+
+template <std::size_t N>
 bool is_name(const std::array<std::uint8_t, N>& bytes, std::size_t from, const char* name) {
     return std::memcmp(bytes.data() + from, name, 4) == 0;
 }
 
 // ISO base media: boxes of size and type follow each other to the end of the file.
-FileExtent iso_extent(const Bytes& file, const char* index) {
+FileExtent iso_extent(const FileBytes& file, const char* index) {
     FileExtent extent{.present = file.size(), .declared = 0, .has_index = false};
     std::uint64_t offset = 0;
     for (int box = 0; box < max_boxes; ++box) {
@@ -92,15 +68,13 @@ FileExtent iso_extent(const Bytes& file, const char* index) {
 }
 
 // RIFF: one or, in long AVI files, several chunks with a size.
-FileExtent riff_extent(const Bytes& file) {
+FileExtent riff_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     std::uint64_t offset = 0;
     for (int chunk = 0; chunk < max_boxes; ++chunk) {
         const auto head = file.at<8>(offset);
         if (!head || !is_name(*head, 0, "RIFF")) return extent;
-        std::uint64_t size = 0;
-        for (std::size_t i = 8; i > 4; --i)
-            size = size << 8 | (*head)[i - 1];
+        const std::uint64_t size = little_endian(*head, 4, 4);
         if (size == 0 || size == std::numeric_limits<std::uint32_t>::max())
             return extent;  // written while recording
         extent.declared = offset + 8 + size;
@@ -110,7 +84,7 @@ FileExtent riff_extent(const Bytes& file) {
 }
 
 // Matroska: the EBML header, then a segment that says its size, or that it does not know it.
-FileExtent matroska_extent(const Bytes& file) {
+FileExtent matroska_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     constexpr std::uint64_t segment = 0x18538067;
     std::uint64_t offset = 0;
@@ -135,7 +109,7 @@ FileExtent matroska_extent(const Bytes& file) {
 }
 
 // PNG: chunks up to IEND; what follows it does not matter.
-FileExtent png_extent(const Bytes& file) {
+FileExtent png_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     std::uint64_t offset = 8;
     for (int chunk = 0; chunk < max_boxes; ++chunk) {
@@ -146,7 +120,11 @@ FileExtent png_extent(const Bytes& file) {
             return extent;
         }
         extent.declared = offset + around + big_endian(*head, 0, 4);
-        if (is_name(*head, 4, "IEND") || extent.declared > file.size()) return extent;
+        if (is_name(*head, 4, "IEND")) return extent;
+        if (extent.declared > file.size()) {
+            extent.declared += around;  // IEND would follow
+            return extent;
+        }
         offset = extent.declared;
     }
     return extent;
@@ -155,7 +133,7 @@ FileExtent png_extent(const Bytes& file) {
 // The numbers of a TIFF file, which says by its first letter in which order their bytes stand.
 class TiffNumbers {
   public:
-    TiffNumbers(const Bytes& file, bool big) : file_(file), big_(big) {}
+    TiffNumbers(const FileBytes& file, bool big) : file_(file), big_(big) {}
 
     /// Nothing where it lies beyond the end. @param count  bytes, up to 8
     std::optional<std::uint64_t> at(std::uint64_t offset, std::uint64_t count) const {
@@ -170,7 +148,7 @@ class TiffNumbers {
     }
 
   private:
-    const Bytes& file_;  // outlives this
+    const FileBytes& file_;  // outlives this
     bool big_;
 };
 
@@ -205,7 +183,7 @@ struct TiffLayout {
 constexpr TiffLayout big_tiff{.directory_at = 8, .number_bytes = 8, .entries_bytes = 8};
 
 // TIFF: the first directory, the lists it points to, and the strips or tiles that these point to.
-FileExtent tiff_extent(const Bytes& file) {
+FileExtent tiff_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     const auto head = file.at<2>(0);
     const TiffNumbers numbers(file, head && (*head)[0] == 'M');
@@ -242,12 +220,34 @@ FileExtent tiff_extent(const Bytes& file) {
     return extent;
 }
 
+// ASF: among the objects of the header one says how long the file is, unless it is sent as it is recorded.
+FileExtent asf_extent(const FileBytes& file) {
+    FileExtent extent{.present = file.size()};
+    constexpr std::array<std::uint8_t, 16> properties{0xa1, 0xdc, 0xab, 0x8c, 0x47, 0xa9, 0xcf, 0x11,
+                                                      0x8e, 0xe4, 0x00, 0xc0, 0x0c, 0x20, 0x53, 0x65};
+    std::uint64_t offset = 30;  // behind the header's own head
+    for (int object = 0; object < 64; ++object) {
+        const auto head = file.at<24>(offset);
+        if (!head) return extent;
+        if (std::equal(properties.begin(), properties.end(), head->begin())) {
+            const auto sizes = file.at<92>(offset);
+            const bool is_live = sizes && ((*sizes)[88] & 1) != 0;
+            if (sizes && !is_live) extent.declared = std::min(little_endian(*sizes, 40, 8), unlimited);
+            return extent;
+        }
+        const std::uint64_t size = little_endian(*head, 16, 8);
+        if (size < 24 || size > unlimited) return extent;
+        offset += size;
+    }
+    return extent;
+}
+
 std::string share(std::uint64_t part, std::uint64_t whole) {
     const auto percent = static_cast<int>(100.0 * static_cast<double>(part) / static_cast<double>(whole));
     return percent == 0 ? "less than 1 %" : fmt::format("{} %", percent);
 }
 
-FileExtent extent_of(const Bytes& file, MediaFormat format) {
+FileExtent extent_of(const FileBytes& file, MediaFormat format) {
     switch (format) {
     case MediaFormat::mp4:
         return iso_extent(file, "moov");
@@ -262,6 +262,10 @@ FileExtent extent_of(const Bytes& file, MediaFormat format) {
         return png_extent(file);
     case MediaFormat::tiff:
         return tiff_extent(file);
+    case MediaFormat::gif:
+        return {.present = file.size(), .declared = gif_end(file)};
+    case MediaFormat::asf:
+        return asf_extent(file);
     default:
         return {.present = file.size()};
     }
@@ -270,11 +274,11 @@ FileExtent extent_of(const Bytes& file, MediaFormat format) {
 }  // namespace
 
 FileExtent file_extent(const std::string& path, MediaFormat format) {
-    return extent_of(Bytes(path), format);
+    return extent_of(FileBytes(path), format);
 }
 
 void require_complete(const std::string& path, MediaFormat format) {
-    const Bytes file(path);
+    const FileBytes file(path);
     const FileExtent extent = extent_of(file, format);
     if (const auto written = file.written(); written + trailing_zeros < file.size())
         throw MediaError(

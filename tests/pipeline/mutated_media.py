@@ -39,16 +39,24 @@ def made(command, path):
     return False
 
 
+def drawn(folder, formats, source, last):
+    seeds = {}
+    for name, options in formats.items():
+        path = Path(folder) / f"seed.{name}"
+        if made(["ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "lavfi", "-i", source, *options, *last, str(path)], path):
+            seeds[name] = path
+    return seeds
+
+
+def draw_films(folder, formats):
+    """@param formats  name -> what ffmpeg is told beside"""
+    return drawn(folder, formats, FILM, ["-g", "5"])
+
+
 def draw_seeds(folder):
     """format -> file, of all that can be drawn here."""
     folder = Path(folder)
-    seeds = {}
-    ffmpeg = ["ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "lavfi", "-i"]
-    for formats, source, last in ((PHOTOS, PICTURE, ["-frames:v", "1"]), (FILMS, FILM, ["-g", "5"])):
-        for name, options in formats.items():
-            path = folder / f"seed.{name}"
-            if made([*ffmpeg, source, *options, *last, str(path)], path):
-                seeds[name] = path
+    seeds = drawn(folder, PHOTOS, PICTURE, ["-frames:v", "1"]) | draw_films(folder, FILMS)
     heic = folder / "seed.heic"
     if "png" in seeds and made(["vips", "heifsave", str(seeds["png"]), str(heic)], heic):
         seeds["heic"] = heic

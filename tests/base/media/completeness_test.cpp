@@ -11,6 +11,7 @@
 #include <string_view>
 
 using namespace vitrine;
+using namespace std::string_literals;
 using namespace std::string_view_literals;
 
 namespace {
@@ -110,4 +111,46 @@ TEST_CASE("a BigTIFF cut before its directory, or inside its pixels, is waited f
     CHECK(refusal_of(whole.substr(0, 90), MediaFormat::tiff) ==
           "the copy is not complete: 75 % of it is here");
     CHECK(refusal_of(front, MediaFormat::tiff) == "the copy is not complete: 36 % of it is here");
+}
+
+TEST_CASE("a PNG is waited for until its end is marked, a few bytes before the end of a chunk too") {
+    constexpr auto head = "\x89PNG\r\n\x1a\n"sv;
+    constexpr auto data = "\0\0\0\x08IDAT........crcs"sv;
+    constexpr auto end = "\0\0\0\0IENDcrcs"sv;
+    const std::string whole = fmt::format("{}{}{}{}", head, data, data, end);
+    CHECK(refusal_of(whole, MediaFormat::png).empty());
+    CHECK(refusal_of(whole + "what follows", MediaFormat::png).empty());
+    for (const std::size_t missing : {12, 13, 15, 20, 32, 40})
+        CHECK(refusal_of(whole.substr(0, whole.size() - missing), MediaFormat::png)
+                  .starts_with("the copy is not complete"));
+}
+
+TEST_CASE("an animated GIF is waited for until its last picture is there, though the first alone is shown") {
+    constexpr auto screen = "GIF89a\x02\0\x02\0\x80\0\0......"sv;  // a table of two colours
+    constexpr auto loops = "!\xff\x0bNETSCAPE2.0\x03\x01\0\0\0"sv;
+    constexpr auto picture = ",\0\0\0\0\x02\0\x02\0\0\x02\x04wxyz\0"sv;
+    const std::string whole = fmt::format("{}{}{}{};", screen, loops, picture, picture);
+    CHECK(refusal_of(whole, MediaFormat::gif).empty());
+    CHECK(refusal_of(whole + "what follows", MediaFormat::gif).empty());
+    const std::size_t in_second = whole.size() - 4;
+    CHECK(refusal_of(whole.substr(0, in_second), MediaFormat::gif).starts_with("the copy is not complete"));
+    const std::size_t before_second_data = whole.size() - 7;  // nothing of its pixels
+    CHECK(refusal_of(whole.substr(0, before_second_data), MediaFormat::gif)
+              .starts_with("the copy is not complete"));
+    CHECK(refusal_of(whole.substr(0, whole.size() - 1), MediaFormat::gif).empty());  // some leave the end out
+    CHECK(refusal_of(std::string(screen) + "nonsense", MediaFormat::gif).empty());   // a decoder's to say
+}
+
+TEST_CASE("an ASF file is as long as its header says, a live one as it is") {
+    const std::string guid = "\xa1\xdc\xab\x8c\x47\xa9\xcf\x11\x8e\xe4\x00\xc0\x0c\x20\x53\x65"s;
+    const auto file = [&](char bytes, char flags) {
+        const std::string size = {104, 0, 0, 0, 0, 0, 0, 0};
+        return std::string(30, 'h') + guid + size + std::string(16, 'i') + bytes + std::string(7, '\0') +
+               std::string(40, 't') + flags + std::string(15, '\0');
+    };
+    CHECK(file(0, 0).size() == 134);
+    CHECK(refusal_of(file(static_cast<char>(134), 2), MediaFormat::asf).empty());
+    CHECK(refusal_of(file(static_cast<char>(200), 2), MediaFormat::asf) ==
+          "the copy is not complete: 67 % of it is here");
+    CHECK(refusal_of(file(static_cast<char>(200), 1), MediaFormat::asf).empty());
 }

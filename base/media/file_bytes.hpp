@@ -1,0 +1,63 @@
+#pragma once
+
+#include "base/catalogue/media_error.hpp"
+#include "base/system/unique_fd.hpp"
+#include "base/system/written_size.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace vitrine {
+
+/// A few bytes here and there of one file, without decoding it.
+class FileBytes {
+  public:
+    /// @throws MediaError failed where it cannot be opened
+    explicit FileBytes(const std::string& path)
+        : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        struct stat status {};
+
+        if (!fd_.is_open() || ::fstat(fd_.get(), &status) != 0)
+            throw MediaError(MediaState::failed, fmt::format("the file cannot be opened: {}",
+                                                             std::generic_category().message(errno)));
+        size_ = static_cast<std::uint64_t>(status.st_size);
+    }
+
+    std::uint64_t size() const { return size_; }
+
+    /// Bytes up to the hole at the end, if there is one.
+    std::uint64_t written() const { return written_size(fd_.get()); }
+
+    /// Nothing where they lie beyond the end.
+    template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
+        std::array<std::uint8_t, N> bytes{};
+        const ssize_t got = ::pread(fd_.get(), bytes.data(), N, static_cast<off_t>(offset));
+        if (got != static_cast<ssize_t>(N)) return std::nullopt;
+        return bytes;
+    }
+
+    /// Up to so many bytes before the end.
+    std::string tail(std::size_t most_bytes) const {
+        std::string bytes(std::min<std::uint64_t>(most_bytes, size_), '\0');
+        const ssize_t got =
+            ::pread(fd_.get(), bytes.data(), bytes.size(), static_cast<off_t>(size_ - bytes.size()));
+        bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        return bytes;
+    }
+
+  private:
+    UniqueFd fd_;
+    std::uint64_t size_ = 0;
+};
+
+}  // namespace vitrine

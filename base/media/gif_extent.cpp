@@ -1,0 +1,50 @@
+#include "base/media/gif_extent.hpp"
+
+namespace vitrine {
+
+namespace {
+
+constexpr int most_parts = 4'000'000;  // of 255 bytes: a gigabyte
+
+/// Bytes of the colour table that a byte of flags promises.
+std::uint64_t table_bytes(std::uint8_t flags) {
+    return (flags & 0x80) != 0 ? std::uint64_t{3} << ((flags & 7) + 1) : 0;
+}
+
+/// Behind the parts that follow each other from here on, each with its length before it; the last is empty.
+/// Beyond the end where that one is missing.
+std::uint64_t behind_parts(const FileBytes& file, std::uint64_t offset) {
+    constexpr std::uint64_t missing = 256;
+    for (int part = 0; part < most_parts; ++part) {
+        const auto length = file.at<1>(offset);
+        if (!length) return std::max(offset, file.size()) + missing;
+        offset += 1 + (*length)[0];
+        if ((*length)[0] == 0) return offset;
+    }
+    return offset;
+}
+
+}  // namespace
+
+std::uint64_t gif_end(const FileBytes& file) {
+    constexpr std::uint8_t extension = 0x21, picture = 0x2c, end = 0x3b;
+    const auto head = file.at<13>(0);
+    if (!head) return 13;
+    std::uint64_t offset = 13 + table_bytes((*head)[10]);
+    for (int block = 0; block < most_parts; ++block) {
+        const auto kind = file.at<1>(offset);
+        if (!kind) return offset;  // the end is not marked: some writers leave that out
+        if ((*kind)[0] == end) return offset + 1;
+        if ((*kind)[0] == extension) {
+            offset = behind_parts(file, offset + 2);
+        } else if ((*kind)[0] == picture) {
+            const auto flags = file.at<1>(offset + 9);
+            offset = behind_parts(file, offset + 11 + (flags ? table_bytes((*flags)[0]) : 0));
+        } else {
+            return 0;
+        }
+    }
+    return 0;
+}
+
+}  // namespace vitrine
