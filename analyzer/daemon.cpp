@@ -1,12 +1,10 @@
 #include "analyzer/daemon.hpp"
 
-#include "base/catalogue/blame.hpp"
-#include "base/catalogue/record_json.hpp"
 #include "base/system/error.hpp"
-#include "base/system/journal.hpp"
-#include "base/system/service.hpp"
+#include "base/system/log.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/epoll.h>
 #include <sys/file.h>
 
@@ -21,13 +19,19 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto remote_rescan = 10s;  // the kernel reports nothing of a network share
-constexpr auto offline_rescan = 5s;  // until the media folder is there
-constexpr auto growth_rest = 500ms;  // between two writings of films whose analysis goes on
-constexpr auto hint_rest = 300ms;    // in which a .vitrine.toml is written to its end
+constexpr auto remote_rescan = 10s;    // the kernel reports nothing of a network share
+constexpr auto offline_rescan = 5s;    // until the media folder is there
+constexpr auto growth_rest = 500ms;    // between two writings of films whose analysis goes on
+constexpr auto tell_rest = 1s;         // between two words to systemd
+constexpr auto unreachable_rest = 1s;  // until what could not be looked at is looked at again
+constexpr auto hint_rest = 300ms;      // in which a .vitrine.toml is written to its end
 
 Schedule::Time now() {
     return EventLoop::Clock::now();
+}
+
+std::string reading_of(const std::string& path) {
+    return fmt::format("'{}' is read", path);
 }
 
 /// The catalogue has one writer.
@@ -53,7 +57,8 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
       schedule_(options.pace),
       follower_(folder_, schedule_),
       hint_files_(folder_, options.state / "hints.json"),
-      status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }) {
+      status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }),
+      thumbnails_(loop, options.thumbnail_child, options.limits, [this] { status_.touch(); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
         if (follower_.read_events(now())) rescan();
         if (follower_.take_hint_news()) hints_.arm(hint_rest);
@@ -69,38 +74,18 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
         store_growth();
     });
     hints_ = loop_.timer([this] { read_hints(); });
+    watchdog_ = loop_.timer([this] { feed_watchdog(); });
+    telling_ = loop_.timer([this] { tell_systemd(); });
     load_catalogue();
     rescan();
     wake_.arm(0s);
-    if (const auto interval = service::watchdog_interval()) {
-        watchdog_ = loop_.timer([this, interval] {
-            service::alive();
-            watchdog_.arm(*interval / 2);
-        });
-        watchdog_.arm(0s);
-    }
+    watchdog_.arm(0s);
 }
 
 Daemon::~Daemon() = default;
 
-void Daemon::load_catalogue() {
-    const auto records = catalogue_.load([](const std::string& file, const std::string& reason) {
-        log::warning("record '{}' unreadable, its file is analysed again: {}", file, reason);
-        std::error_code ignored;  // it is overwritten at the latest
-        fs::remove(file, ignored);
-    });
-    for (const MediaRecord& record : records) {
-        const bool is_waiting = record.state == MediaState::waiting;
-        schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
-                        !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
-        store_.hold(record);
-        states_.hold(record);
-        if (!record.is_complete) growing_.known(record);
-    }
-}
-
 void Daemon::rescan() {
-    const std::vector<std::string> remarks = follower_.rescan(now());
+    const std::vector<std::string> remarks = follower_.rescan(now(), [this] { get_on(); });
     for (const std::string& remark : remarks)
         if (std::find(remarks_.begin(), remarks_.end(), remark) == remarks_.end()) log::warning("{}", remark);
     if (!remarks_.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
@@ -115,6 +100,7 @@ void Daemon::rescan() {
     if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
     if (!is_online()) interval = std::min<std::chrono::milliseconds>(interval, offline_rescan);
     rescan_.arm(interval);
+    pulse_.expect("the media folder is read", now() + interval);
 }
 
 void Daemon::read_hints() {
@@ -124,19 +110,32 @@ void Daemon::read_hints() {
 
 /// Whatever happened ends here: the schedule says what follows.
 void Daemon::advance() {
-    follower_.look_at(schedule_.to_look_at(now()), now());
+    const Schedule::Time begin = now();
+    follower_.look_at(schedule_.to_look_at(begin), begin);
     for (std::vector<Action> actions = schedule_.step(now()); !actions.empty();
          actions = schedule_.step(now()))
         for (const Action& action : actions)
             perform(action);
     if (store_.is_over()) make_room();
-    if (const auto time = schedule_.wake()) wake_.arm(*time - now());
-    service::status(status());
+    wake_at(schedule_.wake(), begin);
+    if (!is_telling_) telling_.arm(tell_rest);
+    is_telling_ = true;
     status_.touch();
-    if (!options_.is_once || !schedule_.is_idle()) return;
+    if (!schedule_.is_idle()) return;
+    if (!options_.is_once) return make_thumbnails();
     store_.sweep();
     status_.write();
     loop_.quit();
+}
+
+/// What was to be looked at and still is could not be reached: it is tried again after a while.
+void Daemon::wake_at(std::optional<Schedule::Time> time, Schedule::Time begin) {
+    const std::string look = "files are looked at";
+    pulse_.came(look);
+    if (!time) return;
+    const Schedule::Time at = *time <= begin ? now() + unreachable_rest : *time;
+    wake_.arm(std::max<Schedule::Time::duration>(at - now(), 0s));
+    pulse_.expect(look, at);
 }
 
 void Daemon::perform(const Action& action) {
@@ -170,11 +169,14 @@ void Daemon::start(const Action& action) {
         return wait("the copy is not complete: parts of the file are still empty");
     std::vector<std::string> command = options_.child;
     command.push_back(folder_.absolute(action.path).string());
+    if (action.is_last_try) command.emplace_back("--as-it-is");
     const ChildLimits limits =
         limits_for(options_.limits, options_.deadline_per_mebibyte, action.facts.bytes);
     log::debug("analysing '{}'", action.path);
     growing_.begin(record_of(action.path, action.facts, MediaState::waiting, ""));
     store_.begin(store_id(action.path, action.facts.bytes, action.facts.mtime_ns));
+    reading_[action.path] = now();
+    pulse_.expect(reading_of(action.path), now() + limits.deadline);
     children_[action.path] = std::make_unique<ChildProcess>(
         loop_, command, limits,
         [this, path = action.path, facts = action.facts, limits](const ChildResult& result) {
@@ -208,6 +210,8 @@ void Daemon::store_growth() {
 void Daemon::finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
                     const ChildLimits& limits) {
     children_.erase(path);
+    reading_.erase(path);
+    pulse_.came(reading_of(path));
     store_.end(store_id(path, facts.bytes, facts.mtime_ns));
     follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
     store_growth();
@@ -239,82 +243,6 @@ void Daemon::answer(Outcome outcome) {
     else if (!told_waiting_.insert(record.path).second)
         return;  // it waits on
     tell(record);
-}
-
-void Daemon::tell(const MediaRecord& record) {
-    ++analysed_;
-    if (options_.is_once) {
-        const Schedule::Counts counts = schedule_.counts();
-        log::info("analysed {} of {}: {}", analysed_,
-                  analysed_ + counts.settling + counts.due + counts.running, record.path);
-    }
-    if (record.state != MediaState::ready)
-        log::write_with(log::Level::warning,
-                        fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
-                        journal_fields(record));
-    else if (!record.reason.empty())
-        log::warning("ready: '{}': {}", record.path, record.reason);
-    else if (!options_.is_once)
-        log::info("ready: '{}'", record.path);
-}
-
-/// A record that was damaged meanwhile is missed until the next start, which finds its file unknown.
-void Daemon::move(const Action& action) {
-    std::optional<MediaRecord> record = stored(action.from);
-    if (!record) return log::warning("renamed without a record: '{}'", action.path);
-    record->path = action.path;
-    store(*record);
-    catalogue_.remove(action.from);
-    store_.release(action.from);
-    states_.release(action.from);
-    std::error_code none;  // only a picture for the status folder
-    fs::rename(thumbnail(action.from), thumbnail(action.path), none);
-    log::info("renamed: '{}' to '{}'", action.from, action.path);
-}
-
-std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
-    try {
-        return catalogue_.find(path);
-    } catch (const std::runtime_error& error) {  // loading one record
-        log::warning("record of '{}' unreadable, ignoring: {}", path, error.what());
-        return std::nullopt;
-    }
-}
-
-/// What brings the player down is not shown, until it changes.
-void Daemon::follow_blame() {
-    const Blame blame = read_blame(options_.catalogue.parent_path());
-    for (const std::string& path : suspects(blame, schedule_.paths_below(""))) {
-        const std::optional<MediaRecord> record = stored(path);
-        if (!record || record->state != MediaState::ready || !is_quarantined(blame, *record)) continue;
-        const FileFacts facts{.bytes = record->bytes, .mtime_ns = record->mtime_ns};
-        store(record_of(path, facts, MediaState::quarantined, brought_the_player_down));
-        log::warning("quarantined: '{}': {}", path, brought_the_player_down);
-    }
-}
-
-/// What lost its place in the store is played from the media folder.
-void Daemon::make_room() {
-    const std::set<std::string> paths = store_.make_room();
-    for (const std::string& path : paths)
-        if (const std::optional<MediaRecord> record = stored(path)) store(*record);
-    if (!paths.empty())
-        log::info("the store is full: {} files lose their place or a part of it", paths.size());
-}
-
-/// A full disk is no reason to stop: the record waits here.
-void Daemon::store(MediaRecord record) {
-    store_.mark_dropped(record);
-    store_.hold(record);
-    states_.hold(record);
-    try {
-        catalogue_.store(record);
-        unsaved_.erase(record.path);
-    } catch (const std::system_error& error) {
-        if (!std::exchange(is_lack_told_, true))
-            log::error("records cannot be stored, trying again: {}", error.what());
-        unsaved_[record.path] = record;
-    }
 }
 
 }  // namespace vitrine

@@ -6,7 +6,9 @@
 #include "analyzer/growing_records.hpp"
 #include "analyzer/hint_files.hpp"
 #include "analyzer/media_folder.hpp"
+#include "analyzer/missing_thumbnails.hpp"
 #include "analyzer/outcome.hpp"
+#include "analyzer/pulse.hpp"
 #include "analyzer/schedule.hpp"
 #include "analyzer/status/status_writer.hpp"
 #include "analyzer/store/store.hpp"
@@ -32,7 +34,9 @@ struct WatchOptions {
     std::filesystem::path catalogue;
     std::filesystem::path store;
     std::filesystem::path state;  // hints.json, status.json, thumbnails/ and wall.jpg
-    std::string status_folder;    // in the root, for its operators; empty: none
+    std::vector<std::string>
+        thumbnail_child;        // likewise of one thumbnail that the status page lacks; may be empty
+    std::string status_folder;  // in the root, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .least_free = least_free_bytes};
     std::vector<std::string> child;    // the command that writes one record; the file's path is appended
     ChildLimits limits;                // the deadline is that of an empty file
@@ -72,6 +76,7 @@ class Daemon {
     StatusReport report() const;
     std::filesystem::path thumbnail(const std::string& path) const;
     void advance();
+    void wake_at(std::optional<Schedule::Time> time, Schedule::Time begin);
     void perform(const Action& action);
     void start(const Action& action);
     void finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
@@ -85,6 +90,10 @@ class Daemon {
     void follow_blame();
     void make_room();
     void tell(const MediaRecord& record);
+    void tell_systemd();
+    void get_on();
+    void feed_watchdog();
+    void make_thumbnails();
 
     EventLoop& loop_;  // outlives this
     WatchOptions options_;
@@ -96,6 +105,7 @@ class Daemon {
     FolderFollower follower_;
     HintFiles hint_files_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
+    std::map<std::string, Schedule::Time> reading_;  // the files of the children, and since when
     GrowingRecords growing_;
     FileStates states_;
     bool is_growth_resting_ = false;              // parts were written a moment ago
@@ -105,7 +115,12 @@ class Daemon {
     std::vector<std::string> remarks_;            // of the last rescan: each is told once
     std::size_t analysed_ = 0;
     StatusWriter status_;
-    EventLoop::Source events_, wake_, rescan_, growth_, hints_, watchdog_;
+    MissingThumbnails thumbnails_;
+    Pulse pulse_;
+    std::optional<Schedule::Time> fed_;  // systemd was told that all is well
+    std::string missed_;                 // why it was not told
+    bool is_telling_ = false;            // systemd is told of the state in a moment
+    EventLoop::Source events_, wake_, rescan_, growth_, hints_, watchdog_, telling_;
 };
 
 }  // namespace vitrine

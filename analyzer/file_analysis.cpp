@@ -5,8 +5,11 @@
 #include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/keeper.hpp"
 #include "analyzer/video/frame_reader.hpp"
+#include "base/catalogue/catalogue.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/media/colour.hpp"
+#include "base/media/media_type.hpp"
+#include "base/media/stream_end.hpp"
 #include "base/system/error.hpp"
 
 #include <sys/stat.h>
@@ -150,6 +153,7 @@ class Analysis {
     }
 
     MediaRecord analysed() {
+        if (!keeping_.takes_cut_streams) require_whole_packets(file_.string(), media_format(file_.string()));
         const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
         if (keeping_.stores)
             keeper_ = std::make_unique<Keeper>(file_.string(), source->info(),
@@ -205,6 +209,22 @@ MediaRecord record_of_file(const fs::path& file, const Settings& settings, const
         if (grown) grown(name(part, file, status, settings));
     };
     return name(Analysis(file, status, settings, keeping, tell).record(), file, status, settings);
+}
+
+bool leave_thumbnail(const fs::path& file, const Settings& settings) {
+    const fs::path place = thumbnail_place(file, settings);
+    const Catalogue catalogue(fs::path(settings.state.directory) / "catalogue");
+    const auto record = catalogue.find(path_in_record(file, settings.media.root));
+    if (!record || record->shots.empty()) return false;
+    Thumbnail thumbnail(place);
+    const std::unique_ptr<FrameSource> source = opened(file, status_of(file), settings);
+    while (const std::optional<VideoFrame> frame = source->next()) {
+        if (frame->time < record->shots.front().begin) continue;
+        thumbnail.saw(*frame);
+        break;
+    }
+    thumbnail.write(*record);
+    return fs::exists(place);
 }
 
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {

@@ -9,10 +9,11 @@
 
 namespace vitrine {
 
-/// What an analysis leaves in the state directory.
+/// What an analysis leaves in the state directory, and what it takes.
 struct Keeping {
     bool stores = false;         // a copy or clips in the store (settings.store), for the player to play from
     bool has_thumbnail = false;  // for the status folder
+    bool takes_cut_streams = false;  // one that breaks off inside a packet was waited for long enough
 };
 
 /// The record of one file as it is now: with its shots, or with the reason why there are none. A film that
@@ -26,6 +27,11 @@ struct Keeping {
 MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings,
                            const Keeping& keeping = {},
                            const std::function<void(const MediaRecord&)>& grown = {});
+
+/// Leaves the thumbnail of a file whose record is in the catalogue.
+/// @return whether there is one now
+/// @throws MediaError where the file cannot be read
+bool leave_thumbnail(const std::filesystem::path& file, const Settings& settings);
 
 /// Writes the sheet that shows how the file's regions came about, as PNG.
 /// @return the record

@@ -26,34 +26,36 @@ void FileStates::hold(const MediaRecord& record) {
     found_[record.path] = {.state = record.state, .reason = record.reason};
 }
 
-FileState FileStates::state_of(const std::string& path, Schedule::Stage stage) const {
+const FileStates::Found* FileStates::found(const std::string& path, Schedule::Stage stage) const {
     using Stage = Schedule::Stage;
-    const auto found = found_.find(path);
-    const auto as_found = [&] {
-        return FileState{
-            .path = path, .state = vitrine::state_of(found->second.state), .reason = found->second.reason};
-    };
-    switch (stage) {
-    case Stage::settling:
-        return {.path = path, .state = FileState::State::copying};
-    case Stage::growing:
-    case Stage::waiting:
-    case Stage::done:
-        if (found != found_.end()) return as_found();
-        [[fallthrough]];
-    case Stage::due:
-        break;
-    }
-    return {.path = path, .state = FileState::State::analysing};
+    if (stage == Stage::settling || stage == Stage::due) return nullptr;
+    const auto known = found_.find(path);
+    return known == found_.end() ? nullptr : &known->second;
+}
+
+FileState::State FileStates::state_of(const Found* found, Schedule::Stage stage) {
+    if (found != nullptr) return vitrine::state_of(found->state);
+    return stage == Schedule::Stage::settling ? FileState::State::copying : FileState::State::analysing;
+}
+
+StateCounts FileStates::counts(const Schedule& schedule) const {
+    StateCounts counts;
+    schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time) {
+        ++counts[state_of(found(path, stage), stage)];
+    });
+    return counts;
 }
 
 std::vector<FileState> FileStates::list(const Schedule& schedule, Schedule::Time clock,
                                         std::chrono::system_clock::time_point now) const {
     std::vector<FileState> states;
     schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time since) {
-        FileState state = state_of(path, stage);
-        state.since = now - std::chrono::duration_cast<std::chrono::system_clock::duration>(clock - since);
-        states.push_back(std::move(state));
+        const Found* known = found(path, stage);
+        const auto ago = std::chrono::duration_cast<std::chrono::system_clock::duration>(clock - since);
+        states.push_back({.path = path,
+                          .state = state_of(known, stage),
+                          .since = now - ago,
+                          .reason = known == nullptr ? "" : known->reason});
     });
     return states;
 }

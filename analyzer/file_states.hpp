@@ -19,6 +19,8 @@ class FileStates {
 
     void release(const std::string& path) { found_.erase(path); }
 
+    StateCounts counts(const Schedule& schedule) const;
+
     /// All files, ordered by path.
     /// @param clock, now  the same moment by two clocks: the schedule's is not one that people read
     std::vector<FileState> list(const Schedule& schedule, Schedule::Time clock,
@@ -30,7 +32,8 @@ class FileStates {
         std::string reason;
     };
 
-    FileState state_of(const std::string& path, Schedule::Stage stage) const;
+    const Found* found(const std::string& path, Schedule::Stage stage) const;
+    static FileState::State state_of(const Found* found, Schedule::Stage stage);
 
     std::map<std::string, Found> found_;
 };

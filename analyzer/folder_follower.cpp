@@ -10,10 +10,11 @@ namespace vitrine {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> FolderFollower::rescan(Schedule::Time now) {
+std::vector<std::string> FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
     is_remote_ = folder_.is_remote();
     unwatched_ = 0;
-    MediaFolder::Listing listing = folder_.list("", [this](const std::string& folder) { watch(folder); });
+    MediaFolder::Listing listing = folder_.list(
+        "", [this](const std::string& folder) { watch(folder); }, attend);
     is_online_ = folder_.device().has_value() && !is_unmounted(listing);
     if (!is_online_) {
         watch_.remove(folder_.root());

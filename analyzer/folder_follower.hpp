@@ -26,7 +26,8 @@ class FolderFollower {
     bool is_online() const { return is_online_; }
 
     /// Reads the whole folder. @return what could not be read, in plain words
-    std::vector<std::string> rescan(Schedule::Time now);
+    /// @param attend  called with each file and folder, for that may take minutes
+    std::vector<std::string> rescan(Schedule::Time now, const MediaFolder::Attend& attend = {});
 
     /// Follows what the kernel has reported. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);

@@ -101,7 +101,10 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings,
     options.child = {"/proc/self/exe", "--config=" + snapshot.path(), "analyze"};
     options.child.emplace_back("--grow");
     if (settings.store.max_bytes > 0) options.child.emplace_back("--keep");
-    if (!settings.status.folder.empty()) options.child.emplace_back("--thumbnail");
+    if (!settings.status.folder.empty()) {
+        options.child.emplace_back("--thumbnail");
+        options.thumbnail_child = {options.child[0], options.child[1], "thumbnail"};
+    }
     options.state = settings.state.directory;
     options.store = std::filesystem::path(settings.state.directory) / "store";
     options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
@@ -163,6 +166,11 @@ int run(int argc, char** argv) {
     analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
     analyze->add_flag("--keep", line.keeping.stores, "Put it into the store, for the player to play from");
     analyze->add_flag("--thumbnail", line.keeping.has_thumbnail, "Leave a thumbnail for the status folder");
+    analyze->add_flag("--as-it-is", line.keeping.takes_cut_streams,
+                      "Do not wait for the rest of a stream that breaks off");
+    CLI::App* thumbnail =
+        app.add_subcommand("thumbnail", "Leave the thumbnail of a file that was analysed before");
+    thumbnail->add_option("FILE", line.file)->required();
     CLI::App* explain = app.add_subcommand("explain", "Draw how the regions of one file came about");
     explain->add_option("FILE", line.file)->required();
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();
@@ -179,13 +187,14 @@ int run(int argc, char** argv) {
                     "Keyframes at equal distances, not by what they show");
     CLI::App* watch = app.add_subcommand("watch", "Keep the catalogue equal to the media folder");
     watch->add_flag("--once", line.is_once, "End as soon as the catalogue is up to date");
-    for (CLI::App* command : {analyze, explain, weave, watch})
+    for (CLI::App* command : {analyze, thumbnail, explain, weave, watch})
         command->fallthrough();
     CLI11_PARSE(app, argc, argv);
 
     const Settings settings = line.options.settings();
     log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
     if (*analyze) return analyze_command(line, settings);
+    if (*thumbnail) return leave_thumbnail(line.file, settings) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (*explain) return explain_command(line, settings);
     if (*weave) return weave_command(line, settings);
     return watch_command(line, settings);

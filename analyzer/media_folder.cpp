@@ -82,6 +82,7 @@ using Directory = std::unique_ptr<DIR, CloseDirectory>;
 /// One reading of a folder with all below it.
 struct Walk {
     const MediaFolder::Enter& enter;
+    const MediaFolder::Attend& attend;
     const std::string& passed_over;
     MediaFolder::Listing listing;
 
@@ -105,6 +106,7 @@ struct Walk {
 
     void visit(int parent, const std::string& folder, const char* name, int depth) {
         const std::string path = folder.empty() ? name : folder + "/" + name;
+        if (attend) attend();
         if (path == passed_over) return;
 
         struct stat status {};
@@ -184,8 +186,9 @@ MediaFolder::Look MediaFolder::look(const std::string& path) const {
     return {.presence = Presence::there, .file = to_file(path, status, AT_FDCWD, absolute(path).c_str())};
 }
 
-MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter) const {
-    Walk walk{.enter = enter, .passed_over = passed_over_, .listing = {}};
+MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter,
+                                       const Attend& attend) const {
+    Walk walk{.enter = enter, .attend = attend, .passed_over = passed_over_, .listing = {}};
     if (has_junk_part(folder) || is_passed_over(folder)) return walk.listing;
     if (enter) enter(folder);
     UniqueFd fd = open(folder, O_RDONLY | O_DIRECTORY);

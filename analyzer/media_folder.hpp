@@ -57,9 +57,12 @@ class MediaFolder {
 
     using Enter = std::function<void(const std::string& folder)>;
 
+    using Attend = std::function<void()>;
+
     /// All files in this folder ("" is the root) and below.
     /// @param enter  called with each folder before it is read, so that a watch set there misses nothing
-    Listing list(const std::string& folder, const Enter& enter = {}) const;
+    /// @param attend  called whenever a file or folder was found
+    Listing list(const std::string& folder, const Enter& enter = {}, const Attend& attend = {}) const;
 
     /// Tells one mounted file system from another at the root; nothing where the root is missing.
     std::optional<std::uint64_t> device() const;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <map>
 #include <string>
 
 namespace vitrine {
@@ -25,6 +27,9 @@ struct FileState {
 
     friend bool operator==(const FileState&, const FileState&) = default;
 };
+
+/// How many files stand where; a state without any may be missing.
+using StateCounts = std::map<FileState::State, std::size_t>;
 
 constexpr const char* name_of(FileState::State state) {
     switch (state) {

@@ -79,7 +79,7 @@ std::vector<StatusEntry> on_page(const StatusReport& report) {
 std::string status_page(const StatusReport& report, const std::vector<StatusEntry>& files,
                         const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock) {
     std::string html(head);
-    html += fmt::format("<h1>{}</h1>\n", html_text(summary(report)));
+    html += fmt::format("<h1>{}</h1>\n", html_text(summary(counts_of(report))));
     if (!report.is_online) html += "<p class=\"remark\">The media folder is not there.</p>\n";
     for (const std::string& remark : report.remarks)
         html += fmt::format("<p class=\"remark\">{}</p>\n", html_text(remark));

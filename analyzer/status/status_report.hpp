@@ -33,6 +33,8 @@ using ClockText = std::function<std::string(std::chrono::system_clock::time_poin
 /// Files on the page at most; status.txt has all.
 constexpr std::size_t most_on_page = 1000;
 
+StateCounts counts_of(const StatusReport& report);
+
 /// "ready, from 08:00 to 18:00", "waiting since 2026-11-21 14:05: half of the picture is missing".
 std::string in_words(const StatusEntry& entry, const ClockText& clock);
 

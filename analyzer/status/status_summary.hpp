@@ -1,12 +1,12 @@
 #pragma once
 
-#include "analyzer/status/status_report.hpp"
+#include "analyzer/status/file_state.hpp"
 
 #include <string>
 
 namespace vitrine {
 
 /// "27 files: 24 ready, 2 waiting, 1 unsupported"
-std::string summary(const StatusReport& report);
+std::string summary(const StateCounts& counts);
 
 }  // namespace vitrine

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -36,7 +35,14 @@ std::string in_words(const StatusEntry& entry, const ClockText& clock) {
     return {};
 }
 
-std::string summary(const StatusReport& report) {
+StateCounts counts_of(const StatusReport& report) {
+    StateCounts counts;
+    for (const StatusEntry& entry : report.files)
+        ++counts[entry.file.state];
+    return counts;
+}
+
+std::string summary(const StateCounts& counts) {
     using State = FileState::State;
     constexpr std::array words{std::pair(State::ready, "ready"),
                                std::pair(State::copying, "copying"),
@@ -45,20 +51,22 @@ std::string summary(const StatusReport& report) {
                                std::pair(State::unsupported, "unsupported"),
                                std::pair(State::failed, "not readable"),
                                std::pair(State::quarantined, "quarantined")};
-    std::string text = fmt::format("{} file{}", report.files.size(), report.files.size() == 1 ? "" : "s");
+    std::size_t all = 0;
+    for (const auto& [state, count] : counts)
+        all += count;
+    std::string text = fmt::format("{} file{}", all, all == 1 ? "" : "s");
     const char* before = ": ";
     for (const auto& [state, word] : words) {
-        const auto count = std::ranges::count_if(
-            report.files, [state = state](const StatusEntry& entry) { return entry.file.state == state; });
-        if (count == 0) continue;
-        text += fmt::format("{}{} {}", before, count, word);
+        const auto found = counts.find(state);
+        if (found == counts.end() || found->second == 0) continue;
+        text += fmt::format("{}{} {}", before, found->second, word);
         before = ", ";
     }
     return text;
 }
 
 std::string status_text(const StatusReport& report, const ClockText& clock) {
-    std::string text = summary(report) + "\n";
+    std::string text = summary(counts_of(report)) + "\n";
     for (const std::string& remark : report.remarks)
         text += plain_text(remark) + "\n";
     text += "\n";

@@ -104,8 +104,13 @@ void StatusWriter::copy_thumbnails(const std::vector<StatusEntry>& files) {
     const std::string ending = ".jpg";
     const fs::path from = state_ / "thumbnails";
     std::set<std::string> wanted;
-    for (const StatusEntry& entry : files)
-        if (entry.file.state == FileState::State::ready) wanted.insert(entry.id + ending);
+    lacking_.clear();
+    for (const StatusEntry& entry : files) {
+        if (entry.file.state != FileState::State::ready) continue;
+        wanted.insert(entry.id + ending);
+        std::error_code missing;
+        if (!fs::exists(from / (entry.id + ending), missing)) lacking_.push_back(entry.file.path);
+    }
     for (const std::string& name : wanted) {
         std::error_code missing;
         const auto time = fs::last_write_time(from / name, missing);

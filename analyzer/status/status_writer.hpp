@@ -34,6 +34,9 @@ class StatusWriter {
     /// Writes at once.
     void write();
 
+    /// Ready files on the page that were without a thumbnail when it was written last.
+    const std::vector<std::string>& lacking() const { return lacking_; }
+
   private:
     void write_folder(const StatusReport& report);
     void copy_thumbnails(const std::vector<StatusEntry>& files);
@@ -48,6 +51,7 @@ class StatusWriter {
     std::optional<EventLoop::Clock::time_point> written_;
     bool is_due_ = false;
     std::string told_;                                               // in status.json
+    std::vector<std::string> lacking_;                               // paths
     std::set<std::string> thumbnails_;                               // ids in the folder
     std::map<std::string, std::filesystem::file_time_type> copied_;  // thumbnails as they were in STATE
     bool has_wall_ = false;

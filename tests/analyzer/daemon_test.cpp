@@ -3,10 +3,13 @@
 #include "tests/temporary_directory.hpp"
 
 #include <fcntl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -28,6 +31,7 @@ constexpr const char* reader = R"(
     crash) kill -SEGV $$ ;;
     fail) echo "no picture in it" >&2; exit 1 ;;
     half) state=waiting ;;
+    cut) state=waiting; [ "$2" != --as-it-is ] || state=ready ;;
     *) state=ready ;;
     esac
     stored=
@@ -44,8 +48,8 @@ constexpr const char* reader = R"(
     first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
     second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
     case "$word" in
-    film) say false "$first"; read -r _ < "$0.gate"; say true "$first,$second" ;;
-    hang) say false "$first"; read -r _ < "$0.gate" ;;
+    film) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done; say true "$first,$second" ;;
+    hang) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done ;;
     shoot) say false "$first"; kill -SEGV $$ ;;
     *) say true "$first" ;;
     esac)";
@@ -100,12 +104,8 @@ struct House {
         return found ? found->shots.size() : 0;
     }
 
-    /// Films of the reader wait here behind their first shot.
-    std::string gate() const {
-        const std::string name = script.string() + ".gate";
-        ::mkfifo(name.c_str(), 0600);
-        return name;
-    }
+    /// Films of the reader wait behind their first shot until there is this file.
+    std::string gate() const { return script.string() + ".gate"; }
 
     std::size_t records() const { return Catalogue(home.path / "catalogue").load().size(); }
 
@@ -189,7 +189,6 @@ TEST_CASE("a film whose analysis was cut off by a restart is analysed anew and s
 
 TEST_CASE("a film that is deleted while it is analysed leaves no record") {
     House house;
-    const std::string gate = house.gate();
     const fs::path film = house.drop("film.mp4", "film\n");
     house.start();
     REQUIRE(house.comes_true([&] { return house.shots("film.mp4") == 1; }));
@@ -199,7 +198,6 @@ TEST_CASE("a film that is deleted while it is analysed leaves no record") {
 
 TEST_CASE("a film that takes too long keeps the shots that are known, one that crashes the reader does not") {
     House house;
-    const std::string gate = house.gate();
     house.drop("slow.mp4", "hang\n");
     house.drop("crash.mp4", "shoot\n");
     house.deadline = 1s;
@@ -415,4 +413,101 @@ TEST_CASE("what the store has lost is made again at the next start, what it gave
     house.start();
     CHECK(house.comes_true([&] { return house.analyses() == 3 && house.has_stored(a); }));
     CHECK_FALSE(house.has_stored(b));
+}
+
+TEST_CASE("a stream that breaks off is taken as it is once it has been waited for long enough") {
+    House house;
+    house.drop("cut.ts", "cut\n");
+    house.start();
+    CHECK(house.becomes("cut.ts", MediaState::ready));
+    CHECK(house.analyses() == 3);  // two retries
+}
+
+TEST_CASE("the status says where the files stand, what is looked at, and what cannot be stored") {
+    House house;
+    house.drop("a.jpg");
+    house.drop("crash.jpg", "crash\n");
+    house.drop("half.jpg", "half\n");
+    house.drop("film \n.mp4", "hang\n");
+    WatchOptions options = house.options();
+    options.pace.first_retry = 1h;
+    options.pace.children = 2;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    CHECK(house.comes_true([&] {
+        return house.daemon->status().starts_with(
+            "4 files: 2 ready, 1 waiting, 1 quarantined; looking at 'film \\x0a.mp4' for ");
+    }));
+    fs::create_directories(house.home.path / "catalogue" / (record_id("b.jpg") + ".json") / "full");
+    house.drop("b.jpg");
+    CHECK(house.comes_true(
+        [&] { return house.daemon->status().ends_with("; 1 record cannot be stored: is the disk full?"); }));
+}
+
+TEST_CASE("systemd hears where the files stand, and again and again that all is well") {
+    House house;
+    const std::string name = (house.home.path / "notify").string();
+    const UniqueFd systemd(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
+    REQUIRE(name.size() < sizeof address.sun_path);
+    std::memcpy(address.sun_path, name.c_str(), name.size() + 1);
+    REQUIRE(::bind(systemd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+    ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
+    ::setenv("WATCHDOG_USEC", "40000", 1);
+    int well = 0;
+    std::string told;
+    const auto listen = [&] {
+        std::array<char, 4096> buffer;
+        for (ssize_t n; (n = ::recv(systemd.get(), buffer.data(), buffer.size(), 0)) > 0;) {
+            const std::string word(buffer.data(), static_cast<std::size_t>(n));
+            well += word == "WATCHDOG=1" ? 1 : 0;
+            if (word.starts_with("STATUS=")) told = word;
+        }
+    };
+    house.drop("a.jpg");
+    house.start();
+    CHECK(house.comes_true([&] {
+        listen();
+        return well >= 3 && told == "STATUS=1 file: 1 ready";
+    }));
+    ::unsetenv("NOTIFY_SOCKET");
+    ::unsetenv("WATCHDOG_USEC");
+}
+
+TEST_CASE("a folder that goes while a file in it is awaited is asked for now and then, not without a pause") {
+    House house;
+    house.drop("a.jpg");
+    WatchOptions options = house.options();
+    options.pace.quiet = 100ms;
+    options.pace.closed_quiet = 100ms;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    fs::rename(house.root, house.home.path / "away");
+    REQUIRE(house.comes_true([&] { return !house.daemon->is_online(); }));
+    int turns = 0;
+    const auto end = EventLoop::Clock::now() + 500ms;
+    while (EventLoop::Clock::now() < end)
+        turns += house.loop.run_once(100ms) ? 1 : 0;
+    CHECK(turns < 20);
+    fs::rename(house.home.path / "away", house.root);
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+}
+
+TEST_CASE("thumbnails that the status page lacks are made when nothing else is to be done, each tried once") {
+    House house;
+    const fs::path maker = house.home.write("thumbnail.sh", "echo \"${1##*/}\" >> \"$0.log\"\n");
+    const auto tried = [&] {
+        std::ifstream log(maker.string() + ".log");
+        return std::string(std::istreambuf_iterator<char>(log), {});
+    };
+    house.drop("a.jpg");
+    house.drop("b.jpg");
+    house.home.write("thumbnails/" + record_id("b.jpg") + ".jpg", "there already");
+    WatchOptions options = house.options();
+    options.status_folder = "_STATUS";
+    options.thumbnail_child = {"/bin/sh", maker.string()};
+    options.rescan = 20ms;
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    CHECK(house.comes_true([&] { return !tried().empty(); }));
+    const auto end = EventLoop::Clock::now() + 200ms;
+    CHECK(house.comes_true([&] { return EventLoop::Clock::now() > end; }));
+    CHECK(tried() == "a.jpg\n");
 }
