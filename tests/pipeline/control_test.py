@@ -43,8 +43,9 @@ class Control(unittest.TestCase):
         self.log = self.folder / "log"
 
     def start(self, *command):
-        child = subprocess.Popen([str(word) for word in command], env=self.environment, stdin=subprocess.DEVNULL,
-                                 stdout=subprocess.DEVNULL, stderr=self.log.open("a"))
+        with self.log.open("a") as log:
+            child = subprocess.Popen([str(word) for word in command], env=self.environment, stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.DEVNULL, stderr=log)
 
         def end():
             child.terminate()

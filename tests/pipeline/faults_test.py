@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """The analyzer killed again and again, and a disk that is full, while files arrive.
 
-    faults_test.py BUILD_DIRECTORY [--kills N] [unittest arguments]
+    faults_test.py BUILD_DIRECTORY [--kills N] [--points N] [unittest arguments]
+
+--kills: how often it is killed. --points: at how many of all the points where room is needed the disk becomes full,
+spread evenly; 0: at each.
 """
+import argparse
 import json
 import os
 import random
-import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,11 +20,16 @@ from pathlib import Path
 
 from drawn_media import png
 
-BUILD = Path(sys.argv[1]).resolve()
-KILLS = int(sys.argv[3]) if sys.argv[2:3] == ["--kills"] else 10
-REST = sys.argv[4:] if sys.argv[2:3] == ["--kills"] else sys.argv[2:]
+parser = argparse.ArgumentParser()
+parser.add_argument("build", type=Path)
+parser.add_argument("--kills", type=int, default=10)
+parser.add_argument("--points", type=int, default=5)
+OPTIONS, REST = parser.parse_known_args()
+BUILD = OPTIONS.build.resolve()
+KILLS = OPTIONS.kills
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
-PATIENCE = 300  # seconds until something that must come is given up
+FULL_DISK = BUILD / "tests" / "pipeline" / "libfull_disk.so"
+PATIENCE = 120  # seconds until something that must come is given up
 
 
 def make_film(path):
@@ -33,25 +42,26 @@ class Faults(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory(prefix="vitrine-faults-")
         self.addCleanup(self.folder.cleanup)
         self.home = Path(self.folder.name)
-        self.root = self.home / "media"
-        self.root.mkdir()
-        self.state = self.home / "state"
+        self.root, self.state = self.home / "disk" / "media", self.home / "disk" / "state"
+        self.root.mkdir(parents=True)
         self.catalogue = self.state / "catalogue"
         self.journal = self.home / "journal"
+        self.counter = self.home / "counter"
 
-    def start(self, most_bytes=None):
-        """@param most_bytes  of any file it writes: beyond, writing fails as on a full disk"""
-        def limit():
-            if most_bytes is not None:
-                resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, resource.RLIM_INFINITY))
+    def full_disk(self, first_to_fail):
+        """The environment of a process with a disk of its own. @param first_to_fail  of its calls for room; 0: none"""
+        self.counter.write_bytes(bytes(8) + first_to_fail.to_bytes(8, "little"))
+        return os.environ | {"LD_PRELOAD": str(FULL_DISK), "FULL_DISK_FOLDER": str(self.home / "disk"), "FULL_DISK_COUNTER": str(self.counter)}
 
-        with open(self.journal, "ab") as journal:  # by another process, whose files have no limit
-            writer = subprocess.Popen(["cat"], stdin=subprocess.PIPE, stdout=journal)
-        self.addCleanup(writer.wait)
-        watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
-                                    "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1"],
-                                   stderr=writer.stdin, preexec_fn=limit, restore_signals=False)
-        writer.stdin.close()
+    def make_room(self):
+        with open(self.counter, "r+b") as counter:
+            counter.write(bytes(16))
+
+    def start(self, environment=None):
+        with open(self.journal, "ab") as journal:
+            watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
+                                        "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1"],
+                                       stderr=journal, env=environment)
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)
         return watcher
@@ -78,7 +88,7 @@ class Faults(unittest.TestCase):
 
     def are_all_ready(self):
         records = self.records()
-        files = {p.name for p in self.root.iterdir()}
+        files = {p.name for p in self.root.iterdir() if p.is_file()}
         return files == records.keys() and all(r["state"] == "ready" and r["complete"] for r in records.values())
 
     def test_killed_at_any_moment_no_record_is_half_and_all_are_ready_in_the_end(self):
@@ -105,29 +115,69 @@ class Faults(unittest.TestCase):
         self.wait(lambda: not list(self.catalogue.glob("*.new")) and not list((self.state / "store").rglob("*.new")), watcher)
         print(f"{KILLS} kills, {len(self.records())} files ready", file=sys.stderr)
 
-    def test_a_full_disk_is_told_outlived_and_made_up_for(self):
+    def test_a_full_disk_is_told_once_and_made_up_for_when_there_is_room(self):
         make_film(self.root / "film.avi")
         png(self.root / "photo.png", 64, 48, lambda x, y: (200, x, y))
-        for most_bytes in (0, 100, 1000):  # the record; the half of it; clips and copies
-            with self.subTest(most_bytes):
-                for file in self.catalogue.glob("*"):
-                    file.unlink()
-                self.journal.unlink(missing_ok=True)
-                watcher = self.start(most_bytes)
-                if most_bytes < 1000:
-                    self.wait(lambda: self.journal.read_text().count("ready: ") >= 2, watcher)
-                    self.assertEqual(self.records(), {})
-                    time.sleep(3)  # of rescans, each of which tries again
-                    self.assertEqual(self.journal.read_text().count("records cannot be stored, trying again"), 1)
-                else:
-                    self.wait(lambda: len(self.records()) == 2, watcher)
-                # There is room again: the one that runs makes up for it.
-                resource.prlimit(watcher.pid, resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
-                self.wait(self.are_all_ready, watcher)
-                self.wait(lambda: most_bytes >= 1000 or "all records are stored again" in self.journal.read_text(), watcher)
-                watcher.terminate()
-                self.assertEqual(watcher.wait(PATIENCE), 0)
-                self.assertEqual([], list(self.catalogue.glob("*.new")))
+        self.catalogue.mkdir(parents=True)
+        (self.catalogue / "writer.lock").touch()  # of an earlier run
+        watcher = self.start(self.full_disk(1))
+        self.wait(lambda: self.journal.exists() and self.journal.read_text().count("ready: ") >= 2, watcher)
+        self.assertEqual(self.records(), {})
+        begin = time.monotonic()
+        self.wait(lambda: time.monotonic() > begin + 3, watcher)  # of rescans, each of which tries again
+        self.assertEqual(self.journal.read_text().count("records cannot be stored, trying again"), 1)
+        self.make_room()
+        self.wait(self.are_all_ready, watcher)
+        self.wait(lambda: "all records are stored again" in self.journal.read_text(), watcher)
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+        self.assertEqual([], list(self.catalogue.glob("*.new")))
+
+    def once(self, full_from):
+        """Until the catalogue is up to date. @param full_from  the call for room that is the first to fail; 0: none
+        -> (exit status, calls for room)"""
+        with open(self.journal, "wb") as journal:
+            done = subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.state),
+                                   "--analyzer.quiet_milliseconds", "50"], env=self.full_disk(full_from), stderr=journal, timeout=PATIENCE)
+        return done.returncode, int.from_bytes(self.counter.read_bytes()[:8], "little")
+
+    def found(self):
+        """path -> what was found out, and the bytes of what is stored of it, which must be there"""
+        found = {}
+        for path, record in self.records().items():
+            stored = [self.state / "store" / shot["stored"]["file"] for shot in record["shots"] if "stored" in shot
+                      and not shot["stored"].get("dropped")]
+            found[path] = (record["state"], record["complete"], len(record["shots"]), [file.stat().st_size for file in stored])
+        return found
+
+    def test_a_disk_that_becomes_full_at_any_point_leaves_nothing_half_and_the_next_start_makes_up_for_it(self):
+        make_film(self.root / "film.avi")
+        (self.root / "08-18 day").mkdir()
+        (self.root / "08-18 day" / ".vitrine.toml").write_text("seconds = 20\n")
+        png(self.root / "08-18 day" / "photo.png", 64, 48, lambda x, y: (200, x, y))
+        code, points = self.once(0)
+        self.assertEqual(code, 0, self.journal.read_text())
+        whole = self.found()
+        self.assertEqual([state for state, *_ in whole.values()], ["ready", "ready"])
+        self.assertGreater(points, 20)
+        step = max(1, points // OPTIONS.points) if OPTIONS.points else 1
+        tried = range(1, points + 1, step)
+        for point in tried:
+            with self.subTest(point=point, of=points):
+                shutil.rmtree(self.state)
+                shutil.rmtree(self.root / "_STATUS", ignore_errors=True)
+                code, _ = self.once(point)
+                self.assertIn(code, (0, 1), self.journal.read_text())
+                for path, (state, _, _, stored) in self.found().items():
+                    self.assertEqual(state, "ready", self.journal.read_text())
+                    self.assertIn(stored, ([], whole[path][3]))
+                self.assertEqual([], list(self.home.rglob("*.new")))
+                code, _ = self.once(0)
+                self.assertEqual(code, 0, self.journal.read_text())
+                self.assertEqual(self.found(), whole)
+                for name in ("index.html", "status.txt"):
+                    self.assertTrue((self.root / "_STATUS" / name).stat().st_size > 0, name)
+        print(f"full at {len(tried)} of {points} points", file=sys.stderr)
 
 
 if __name__ == "__main__":
