@@ -104,8 +104,7 @@ class Stage {
     bool opens_folder(const Gesture& gesture) const;
     void show_folder(const std::string& folder);
     bool opens_strip(const Gesture& gesture);
-    void show_strip(const std::filesystem::path& directory, std::optional<MediaRecord> film,
-                    std::optional<std::chrono::nanoseconds> patience);
+    void show_strip(const std::filesystem::path& directory, StripStageOptions options);
     void show_wall(Renderer& renderer);
     WallStep one_step(Renderer& renderer);
     void fade_in(Frame& frame) const;

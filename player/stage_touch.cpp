@@ -13,6 +13,8 @@ namespace vitrine {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr SourceId strip_bit = SourceId{1} << 47;  // of those of a strip
 constexpr double parted = 1.25;                    // factor of a pinch that opens a strip
 
@@ -65,7 +67,10 @@ bool Stage::opens_strip(const Gesture& gesture) {
             log::info("no strip of '{}': it has changed since it was woven", shot->path);
             return false;
         }
-        show_strip(directory, *film, settings_.input.idle);
+        const auto number = static_cast<std::size_t>(shot->shot);
+        show_strip(directory, {.patience = settings_.input.idle,
+                               .film = *film,
+                               .first_seen = number < film->shots.size() ? film->shots[number].begin : 0ns});
     } catch (const std::exception& failure) {
         log::warning("no strip of '{}': {}", shot->path, failure.what());
         return false;
@@ -79,17 +84,14 @@ void Stage::show_strip(const std::filesystem::path& directory,
     const auto film = std::ranges::find_if(records_, [&](const MediaRecord& record) {
         return record.path == tapestry.path && is_woven_from(tapestry, record);
     });
-    show_strip(directory, film == records_.end() ? std::nullopt : std::optional(*film), patience);
+    show_strip(directory,
+               {.patience = patience, .film = film == records_.end() ? std::nullopt : std::optional(*film)});
 }
 
-void Stage::show_strip(const std::filesystem::path& directory, std::optional<MediaRecord> film,
-                       std::optional<std::chrono::nanoseconds> patience) {
-    strip_ = std::make_unique<StripStage>(
-        directory, canvas_,
-        StripStageOptions{.first_source = (options_.number << number_bits) | strip_bit,
-                          .patience = patience,
-                          .awaits_tiles = static_cast<bool>(options_.await_sources),
-                          .film = std::move(film)});
+void Stage::show_strip(const std::filesystem::path& directory, StripStageOptions options) {
+    options.first_source = (options_.number << number_bits) | strip_bit;
+    options.awaits_tiles = static_cast<bool>(options_.await_sources);
+    strip_ = std::make_unique<StripStage>(directory, canvas_, std::move(options));
     came_ = time_;
     fades_ = true;
     log::info("strip of '{}'", strip_->strip().tapestry().path);

@@ -27,7 +27,11 @@ TapestryStrip strip_of(const std::filesystem::path& directory, Vec2 canvas,
     Tapestry tapestry = read_tapestry(directory);
     if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
     Vec2 picture{static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
-    StripSettings settings{.first_source = options.first_source, .patience = options.patience, .shots = {}};
+    StripSettings settings{.first_source = options.first_source,
+                           .patience = options.patience,
+                           .shots = {},
+                           .plays_at_once = options.film.has_value(),
+                           .first_seen = options.first_seen};
     if (options.film) {
         tapestry.path = options.film->path;
         picture = {static_cast<double>(options.film->width), static_cast<double>(options.film->height)};

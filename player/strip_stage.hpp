@@ -20,6 +20,7 @@ struct StripStageOptions {
     std::optional<std::chrono::nanoseconds> patience;  // likewise
     bool awaits_tiles = false;                         // every picture is whole, however long it takes
     std::optional<MediaRecord> film;                   // what is known of it; none: nothing
+    std::chrono::nanoseconds first_seen{0};            // as StripSettings
 };
 
 /// Whether a tapestry is of the film as it is now.

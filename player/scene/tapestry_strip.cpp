@@ -36,10 +36,11 @@ TapestryStrip::TapestryStrip(Tapestry tapestry, Vec2 picture, Vec2 canvas, const
     : tapestry_(std::move(tapestry)),
       picture_(picture),
       settings_(settings),
-      motion_({}, settings.pace),
+      motion_({.centre = settings.first_seen}, settings.pace),
       cache_(most_tiles(tapestry_, settings.most_tile_bytes)),
       last_source_(settings.first_source | film_bit) {
     lay_out(canvas);
+    if (settings_.plays_at_once) play(settings_.first_seen);
 }
 
 void TapestryStrip::lay_out(Vec2 canvas) {
@@ -158,7 +159,8 @@ TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds leng
     Shot shot{.begin = std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), tapestry_.duration - 1s)),
               .stored = {}};
     const Shot* within = shot_at(shot.begin);
-    if (within != nullptr) shot.begin = std::max(shot.begin, within->begin);
+    if (within != nullptr)
+        shot.begin = std::clamp(shot.begin, within->begin, std::max(within->begin, within->end - 1s));
     shot.end = std::min(shot.begin + length, tapestry_.duration);
     if (within != nullptr && within->stored) {
         shot.end = std::min(shot.end, within->end);
@@ -176,18 +178,21 @@ TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds leng
     return playing;
 }
 
-/// The shot that a moment lies in, or the next one: what lies between two of them belongs to neither.
+/// The shot that a moment lies in, or the next one: what lies between two of them belongs to neither. Behind
+/// the last it is the last; none where they are not known.
 const Shot* TapestryStrip::shot_at(nanoseconds time) const {
     const auto found = std::ranges::upper_bound(settings_.shots, time, std::less<>(),
                                                 [](const Shot& shot) { return shot.end; });
-    return found == settings_.shots.end() ? nullptr : &*found;
+    if (settings_.shots.empty()) return nullptr;
+    return found == settings_.shots.end() ? &settings_.shots.back() : &*found;
 }
 
 /// The next stretch of what plays above: got ready in time, shown once the one before has ended.
 void TapestryStrip::play_on(nanoseconds now) {
     if (!shown_ || !shown_->began || shown_->began->count() < 0) return;
     const nanoseconds left = *shown_->began + shown_->length() - now;
-    if (left <= lead && !incoming_ && shown_->end < tapestry_.duration - 1s) {
+    const nanoseconds end = settings_.shots.empty() ? tapestry_.duration - 1s : settings_.shots.back().end;
+    if (left <= lead && !incoming_ && shown_->end < end) {
         incoming_ = stretch(shown_->end, preview_length, preview_.width());
         incoming_->follows = true;
     }
@@ -202,12 +207,15 @@ void TapestryStrip::play(nanoseconds from) {
     incoming_ = stretch(from, preview_length, preview_.width());
 }
 
+/// Within one shot: what follows it belongs elsewhere on the strip.
 void TapestryStrip::play_in_place(nanoseconds from) {
     retire(in_place_);
-    const Shot* within = shot_at(from);
-    if (within != nullptr && within->stored && within->end - from < in_place_length)
-        from = std::max(within->begin, within->end - in_place_length);
-    in_place_ = stretch(from, in_place_length, brick(from).width());
+    nanoseconds length = in_place_length;
+    if (const Shot* within = shot_at(from); within != nullptr) {
+        length = std::min(length, within->duration());
+        from = std::clamp(from, within->begin, within->end - length);
+    }
+    in_place_ = stretch(from, length, brick(from).width());
 }
 
 /// Where a keyframe's picture is about, of the moment that plays: in the upper row or in the lower one.

@@ -18,7 +18,9 @@ struct StripSettings {
     std::optional<std::chrono::nanoseconds> patience;        // without a touch, then it is over; none: never
     std::int64_t most_tile_bytes = std::int64_t{128} << 20;  // of tiles as textures, RGBA
     StripPace pace;
-    std::vector<Shot> shots;  // of the film, as its record has them; none: they are not known
+    std::vector<Shot> shots;                 // of the film, as its record has them; none: they are not known
+    bool plays_at_once = false;              // what is in the middle at first
+    std::chrono::nanoseconds first_seen{0};  // in the middle at first, as far as the film's ends allow
 };
 
 /// A tile's ways to the levels next to its own; where there are none it is only shown at its own.

@@ -275,6 +275,20 @@ TEST_CASE("what plays is read from the store, shot after shot, where the store h
     CHECK(shows(step, next.source));
 }
 
+TEST_CASE("a strip begins where it was asked for, as far as the film's ends allow") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {200, 360},
+                        {.patience = {}, .shots = {}, .first_seen = 20s});
+    CHECK(strip.step(0s).requests.empty());
+    CHECK(strip.view().level == 0);
+    CHECK(std::chrono::abs(strip.view().centre - 20s) < 1ms);
+    TapestryStrip last(drawn_tapestry(), {160, 90}, {200, 360},
+                       {.patience = {}, .shots = {}, .plays_at_once = true, .first_seen = 55s});
+    const StripStep step = last.step(0s);
+    REQUIRE(step.requests.size() == 1);
+    CHECK(step.requests[0].shot.begin == 55s);
+    CHECK(TapestryPlace(last.tapestry(), last.box()).canvas_x(last.view(), 60s) == doctest::Approx(200));
+}
+
 TEST_CASE("what plays stands at its end until the next shot is ready") {
     House house;
     house.strip.set_shots({Shot{.begin = 0s, .end = 3s, .stored = StoredShot{.file = "a/0.mp4"}},
