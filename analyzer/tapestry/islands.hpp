@@ -12,11 +12,11 @@ namespace vitrine {
 using PlaceGuess = std::function<cv::Point(cv::Point)>;
 
 struct IslandRules {
-    int reach = 48;          // px around the guess, within which the best place is looked for at first
-    int most_way_back = 2;   // px by which there and back may miss the begin
-    int most_bend = 1;       // px by which neighbours may move differently
-    int least_area = 5625;   // px of an island, R; source: Video Tapestries 4.3, where it is not given
-    double most_cost = 900;  // mean squared difference a channel value
+    int reach = 48;           // px around the guess, within which the best place is looked for at first
+    int most_way_back = 4;    // px by which there and back may miss the begin
+    int most_bend = 2;        // px by which neighbours may move differently
+    int least_area = 2812;    // px of an island, R; source: Video Tapestries 4.3, where it is not given
+    double most_cost = 2500;  // mean squared difference a channel value
 };
 
 /// Regions of a picture that another one shows as well.

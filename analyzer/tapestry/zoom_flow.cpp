@@ -19,6 +19,7 @@ constexpr int most_fine = 4096;       // px of the finer strip that are searched
 constexpr int least_part = 64;        // px
 constexpr int sampling = 2;           // px between the pixels of an island that are asked
 constexpr int least_samples = 15;     // of about 60 around a point, by which it belongs to an island
+constexpr int height_squares = 8;     // that the square of the height has of the least island
 constexpr int smoothings = 24;        // rounds
 constexpr double least_slope = 0.02;  // px of the other strip a px, before limits
 constexpr double least_drop = 0.5;    // px between two rows
@@ -113,7 +114,7 @@ void ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& fin
     const cv::Point coarse_begin(part.coarse.start, 0);
     const cv::Point fine_begin(part.fine.start, 0);
     IslandRules rules;
-    rules.least_area = tapestry_.height * tapestry_.height / 4;
+    rules.least_area = tapestry_.height * tapestry_.height / height_squares;
     const Islands islands = find_islands(
         coarse, fine, [&](cv::Point at) { return to_fine(at + coarse_begin) - fine_begin; },
         [&](cv::Point at) { return to_coarse(at + fine_begin) - coarse_begin; }, rules, run);
