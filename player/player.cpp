@@ -30,10 +30,11 @@ constexpr auto busy_pause = 2ms;         // between two looks at a screen whose 
 constexpr auto retry_pause = 1s;         // before another try to open a graphics card
 constexpr auto status_interval = 5s;
 
-KmsOptions kms_options(const Settings& settings, const KmsChoice& choice) {
+KmsOptions kms_options(const Settings& settings, const KmsChoice& choice, SoftwareGl& software) {
     return {.card = choice.card,
             .modes = modes_named(settings.output.mode).value_or(ModeWishes{}),
-            .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best};
+            .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best,
+            .software = &software};
 }
 
 bool is_offscreen(const Settings& settings) {
@@ -118,7 +119,7 @@ void Player::expect_screen() {
 std::unique_ptr<Display> Player::make_display() {
     const ScreenChoice choice = parse_screen(settings_.output.screen);
     if (const auto* kms = std::get_if<KmsChoice>(&choice))
-        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms));
+        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms, software_gl_));
     auto display = std::make_unique<OffscreenDisplay>(std::get<OffscreenChoice>(choice), options_.film,
                                                       static_cast<double>(settings_.output.frame_rate));
     offscreen_ = display.get();
@@ -139,23 +140,38 @@ void Player::open_display() {
         return;
     }
     complaint_.clear();
-    renderer_.emplace(1, 1);
-    const PictureForm form = picture_form(gl_device(), renderer_->reads_shared_planes());
-    sources_.set_form(form);
+    if (gl_ != display_->gl()) make_renderer();
     if (display_->event_fd() >= 0)
         display_events_ =
             loop_.watch(display_->event_fd(), EPOLLIN, [this](std::uint32_t) { display_->dispatch(); });
     log::info("screen: {}", display_->description());
+}
+
+void Player::make_renderer() {
+    drop_renderer();
+    gl_ = display_->gl();
+    gl_->make_current(EGL_NO_SURFACE);
+    renderer_.emplace(1, 1);
+    const PictureForm form = picture_form(gl_device(), renderer_->reads_shared_planes());
+    sources_.set_form(form);
     log::info("films: {}", in_words(form));
 }
 
-void Player::close_display() {
-    for (const auto& stage : stages_) {
-        stage->set_screens({}, now());
+/// What it has made ends in the context that it was made in.
+void Player::drop_renderer() {
+    if (!renderer_) return;
+    gl_->make_current(EGL_NO_SURFACE);
+    for (const auto& stage : stages_)
         stage->forget_uploads();
-    }
-    display_events_ = {};
     renderer_.reset();
+    gl_.reset();
+}
+
+void Player::close_display() {
+    for (const auto& stage : stages_)
+        stage->set_screens({}, now());
+    display_events_ = {};
+    if (gl_ != software_gl_.egl) drop_renderer();  // GL on the card ends with it
     display_.reset();
 }
 

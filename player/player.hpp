@@ -57,6 +57,8 @@ class Player {
   private:
     std::unique_ptr<Display> make_display();
     void open_display();
+    void make_renderer();
+    void drop_renderer();
     void make_stages();
     void expect_screen();
     std::chrono::nanoseconds now() const;
@@ -85,15 +87,17 @@ class Player {
     EventLoop loop_;
     EventLoop::Source interrupted_;  // blocked before any thread starts, which else would be killed by them
     EventLoop::Source terminated_;
-    EventLoop::Source reloaded_;             // SIGHUP: the settings are to be read again
-    EventLoop::Source left_;                 // the terminal: another one is to be in front
-    EventLoop::Source entered_;              // ours is in front again
-    bool is_paced_by_pictures_ = false;      // the clock waits for the sources, not they for the clock
-    std::unique_ptr<Console> console_;       // none: off screen
+    EventLoop::Source reloaded_;         // SIGHUP: the settings are to be read again
+    EventLoop::Source left_;             // the terminal: another one is to be in front
+    EventLoop::Source entered_;          // ours is in front again
+    bool is_paced_by_pictures_ = false;  // the clock waits for the sources, not they for the clock
+    std::unique_ptr<Console> console_;   // none: off screen
+    SoftwareGl software_gl_;
     std::unique_ptr<Display> display_;       // none: no graphics card for now
     OffscreenDisplay* offscreen_ = nullptr;  // display_ where it is one
     std::string complaint_;                  // why there is none, as last told
-    std::optional<Renderer> renderer_;       // where there is a display
+    std::shared_ptr<Egl> gl_;                // of the renderer, shared with the display
+    std::optional<Renderer> renderer_;       // where there is a display, or what draws outlasted one
     CrashNote crash_note_;                   // before the sources, whose files it is told of
     SourcePool sources_;
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first

@@ -28,6 +28,7 @@ using PropertiesHandle = Handle<drmModeObjectProperties, &drmModeFreeObjectPrope
 using PropertyHandle = Handle<drmModePropertyRes, &drmModeFreeProperty>;
 using RequestHandle = Handle<drmModeAtomicReq, &drmModeAtomicFree>;
 using ResourcesHandle = Handle<drmModeRes, &drmModeFreeResources>;
+using VersionHandle = Handle<drmVersion, &drmFreeVersion>;
 
 // libdrm takes a pointer and hands it to the card, which only gives it back.
 void* user_data(std::uint64_t number) {
@@ -150,6 +151,11 @@ Card::Card(const std::filesystem::path& path, KmsApi api)
     }
     std::uint64_t modifiers = 0;
     has_modifiers_ = drmGetCap(fd(), DRM_CAP_ADDFB2_MODIFIERS, &modifiers) == 0 && modifiers == 1;
+}
+
+std::string Card::driver() const {
+    const VersionHandle version(drmGetVersion(fd()));
+    return version ? version->name : "";
 }
 
 std::optional<CardState> Card::state(const std::function<bool(std::uint32_t)>& is_asked) const {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vitrine {
@@ -33,6 +34,9 @@ class Card {
     bool has_modifiers() const { return has_modifiers_; }
 
     const std::filesystem::path& path() const { return path_; }
+
+    /// The kernel's name of its driver: "i915".
+    std::string driver() const;
 
     /// @param is_asked  whether a connector's panel is to be asked afresh, which takes a while, instead of
     /// what

@@ -2,6 +2,8 @@
 
 #include <EGL/egl.h>
 
+#include <memory>
+#include <set>
 #include <string>
 
 struct gbm_device;
@@ -42,6 +44,13 @@ class Egl {
     End end_;  // `leave` where the display is the process's one, which another Egl may use
     EGLConfig config_ = nullptr;
     EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// What draws for cards that leave that to the processor: it has nothing to do with the card and outlasts it,
+/// as making it and compiling its shaders takes the longest part of the time to the first picture.
+struct SoftwareGl {
+    std::shared_ptr<Egl> egl;       // shared: with the displays and who draws; none yet
+    std::set<std::string> drivers;  // of the cards seen so far that it draws for
 };
 
 /// Throws std::runtime_error: what was tried, and EGL's name for why it failed.

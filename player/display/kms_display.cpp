@@ -19,11 +19,23 @@ constexpr int ticks_before_mercy = 15;  // modes that were refused are tried aga
 using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
 
 // Nothing where the card draws in software.
-DeviceHandle open_device(const Card& card) {
+DeviceHandle open_device(const Card& card, SoftwareGl* software) {
+    if (software != nullptr && software->drivers.contains(card.driver())) return nullptr;
     DeviceHandle device(gbm_create_device(card.fd()));
     if (!device) throw_errno("make buffers on '{}'", card.path().string());
     const Egl egl = Egl::on(*device);
-    return is_software(gl_device()) ? nullptr : std::move(device);
+    if (!is_software(gl_device())) return device;
+    if (software != nullptr) software->drivers.insert(card.driver());
+    return nullptr;
+}
+
+// Current from here on.
+std::shared_ptr<Egl> make_gl(gbm_device* device, SoftwareGl* software) {
+    if (device != nullptr) return std::make_shared<Egl>(Egl::on(*device));
+    if (software == nullptr) return std::make_shared<Egl>(Egl::surfaceless());
+    if (!software->egl) software->egl = std::make_shared<Egl>(Egl::surfaceless());
+    software->egl->make_current(EGL_NO_SURFACE);
+    return software->egl;
 }
 
 std::string mode_name(const Output& output) {
@@ -36,9 +48,9 @@ KmsDisplay::KmsDisplay(const KmsOptions& options)
     : is_any_card_(options.card.empty()),
       card_(open_card(options.card, options.api)),
       modes_(options.modes),
-      device_(open_device(card_)),
-      egl_(device_ ? Egl::on(*device_) : Egl::surfaceless()),
-      surface_{.card = card_, .device = device_.get(), .egl = egl_},
+      device_(open_device(card_, options.software)),
+      egl_(make_gl(device_.get(), options.software)),
+      surface_{.card = card_, .device = device_.get(), .egl = *egl_},
       watch_(card_.fd()) {
     look_for_panels(Ask::all);
 }

@@ -22,6 +22,7 @@ struct KmsOptions {
     std::filesystem::path card;  // empty: the first with a panel
     ModeWishes modes;
     KmsApi api = KmsApi::best;
+    SoftwareGl* software = nullptr;  // kept from display to display, outlives them; none: made anew
 };
 
 /// The panels of a graphics card, shown on without a desktop. No panel, panels that come, go or change, and
@@ -46,6 +47,8 @@ class KmsDisplay final : public Display {
 
     std::vector<DisplayEvent> take_events() override { return std::exchange(events_, {}); }
 
+    const std::shared_ptr<Egl>& gl() const override { return egl_; }
+
     std::string description() const override;
 
   private:
@@ -68,7 +71,7 @@ class KmsDisplay final : public Display {
     Card card_;
     ModeWishes modes_;
     Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
-    Egl egl_;
+    std::shared_ptr<Egl> egl_;                        // shared where it draws in software: with SoftwareGl
     KmsSurface surface_;
     PanelWatch watch_;
     bool is_master_ = true;

@@ -37,6 +37,8 @@ class OffscreenDisplay final : public Display {
 
     std::vector<DisplayEvent> take_events() override { return {}; }
 
+    const std::shared_ptr<Egl>& gl() const override { return egl_; }
+
     std::string description() const override;
 
     /// Ends the films, so that the files are whole.

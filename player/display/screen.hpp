@@ -1,9 +1,11 @@
 #pragma once
 
+#include "player/display/egl.hpp"
 #include "player/display/picture.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -77,8 +79,8 @@ class Display {
     virtual int event_fd() const = 0;
     virtual void dispatch() = 0;
 
-    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended, then
-    /// this; another may be made.
+    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended,
+    /// unless gl() is kept for another display, then this; another may be made.
     virtual bool is_gone() const = 0;
 
     /// Whether another program, or another terminal, has the card: nothing is shown on purpose.
@@ -90,6 +92,10 @@ class Display {
 
     /// What has become of it since the last call.
     virtual std::vector<DisplayEvent> take_events() = 0;
+
+    /// What draws. Where it is shared with the displays before and after, what GL has made stays good for
+    /// them.
+    virtual const std::shared_ptr<Egl>& gl() const = 0;
 
     /// For the log: what this is, its modes, its renderer.
     virtual std::string description() const = 0;
