@@ -169,6 +169,16 @@ class Appliance:
     def unplug(self, head=0):
         self.machine.panel(0, 0, head)
 
+    def pull(self):
+        """Takes the only panel off, until the player knows.
+
+        It hears of another panel first: the kernel tells of a change when it has the new description of what is plugged
+        in, of nothing in this case, and only then learns that nothing is plugged in.
+        """
+        begin = self.now()
+        self.unplug()
+        self.wait_for_word("screen: no panel", begin)
+
     def look(self, name, head=0):
         """The scan-out; kept as a PNG for whoever wants to see it."""
         picture = self.machine.picture(head)

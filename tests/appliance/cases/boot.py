@@ -2,8 +2,7 @@
 
 
 def run(box):
-    box.unplug()
-    box.wait_for_word("panel gone from Virtual-1")
+    box.pull()
     box.sh("systemctl enable vitrine-analyzer vitrine-player; sync")
     box.reboot()
     box.wait_until_active("vitrine-player")

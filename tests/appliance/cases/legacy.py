@@ -8,8 +8,7 @@ def run(box):
     box.wait_for_word(r"\(legacy\)")
     box.wait_for_wall("the wall", size=(640, 360))
     box.wait_for_motion("the film to move")
-    box.unplug()
-    box.wait_for_word("panel gone from Virtual-1")
+    box.pull()
     box.panel(800, 480)
     box.wait_for_wall("the wall on another panel", size=(800, 480))
     assert box.pid() == pid, "it is the same process"
