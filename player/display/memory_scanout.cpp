@@ -2,6 +2,7 @@
 
 #include "base/system/error.hpp"
 
+#include <GLES2/gl2ext.h>
 #include <drm_fourcc.h>
 #include <sys/mman.h>
 #include <xf86drmMode.h>
@@ -15,7 +16,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr GLenum bgra = 0x80E1;  // of GL_EXT_read_format_bgra, which Mesa always has
+constexpr GLenum bgra = GL_BGRA_EXT;  // of GL_EXT_read_format_bgra, which Mesa always has
 
 }  // namespace
 

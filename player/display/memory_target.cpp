@@ -1,5 +1,6 @@
 #include "player/display/memory_target.hpp"
 
+#include <GLES2/gl2ext.h>
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -8,19 +9,20 @@ namespace vitrine {
 
 MemoryTarget::Names::Names() {
     glGenFramebuffers(1, &frame_buffer);
-    glGenRenderbuffers(1, &colour);
+    glGenTextures(1, &colours);
 }
 
 MemoryTarget::Names::~Names() {
-    glDeleteRenderbuffers(1, &colour);
+    glDeleteTextures(1, &colours);
     glDeleteFramebuffers(1, &frame_buffer);
 }
 
 MemoryTarget::MemoryTarget(int width, int height) : width_(width), height_(height) {
-    glBindRenderbuffer(GL_RENDERBUFFER, names_.colour);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+    glBindTexture(GL_TEXTURE_2D, names_.colours);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_BGRA_EXT, width_, height_, 0, GL_BGRA_EXT, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, names_.frame_buffer);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names_.colour);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, names_.colours, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error(fmt::format("no picture of {}x{} px in memory", width_, height_));
 }

@@ -9,7 +9,9 @@
 
 namespace vitrine {
 
-/// A picture in memory that GL draws to, 8 bits a channel. Made, used and ended while one context is current.
+/// A picture in memory that GL draws to, 8 bits a channel, blue first: the order of scan-out, and the one in
+/// which Mesa's software renderer draws pictures pixel for pixel at half the cost of any other. Made, used
+/// and ended while one context is current.
 class MemoryTarget {
   public:
     /// The pixels are not defined yet.
@@ -39,7 +41,7 @@ class MemoryTarget {
         ~Names();
 
         GLuint frame_buffer = 0;
-        GLuint colour = 0;
+        GLuint colours = 0;  // a texture
     };
 
     int width_;  // px

@@ -34,7 +34,7 @@ struct FilmPart {
 };
 
 struct FilmOptions {
-    PictureForm form = PictureForm::rgba;
+    PictureForm form = PictureForm::bgra;
     DecoderMap decoders;  // in hardware, by those that they replace
 };
 

@@ -4,18 +4,28 @@
 
 #include <exception>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace vitrine {
 
 namespace {
 
+constexpr std::size_t pixel_bytes = 4;
+
+void swap_red_and_blue(std::span<std::byte> pixels) {
+    for (std::size_t i = 0; i + pixel_bytes <= pixels.size(); i += pixel_bytes)
+        std::swap(pixels[i], pixels[i + 2]);
+}
+
 Sample read(const std::string& file, int width, int height, Colour background) {
-    const auto picture = std::make_shared<const StillPicture>(load_still(file, width, height, background));
+    const auto picture = std::make_shared<StillPicture>(load_still(file, width, height, background));
+    swap_red_and_blue(picture->pixels);
     return {.width = picture->width,
             .height = picture->height,
-            .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
+            .stride = pixel_bytes * static_cast<std::size_t>(picture->width),
             .pixels = picture->pixels,
+            .layout = PixelLayout::bgra,
             .owner = picture};
 }
 

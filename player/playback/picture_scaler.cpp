@@ -58,10 +58,10 @@ std::size_t aligned(std::size_t bytes) {
 Sample empty_picture(PictureMemory& memory, int width, int height, PixelLayout layout) {
     const auto rows = static_cast<std::size_t>(height);
     const auto columns = static_cast<std::size_t>(width);
-    const bool is_rgba = layout == PixelLayout::rgba;
-    const std::size_t stride = aligned(is_rgba ? columns * 4 : columns);
+    const bool is_bgra = layout == PixelLayout::bgra;
+    const std::size_t stride = aligned(is_bgra ? columns * 4 : columns);
     const std::size_t half = aligned((columns + 1) / 2);
-    const std::size_t half_bytes = is_rgba ? 0 : half * ((rows + 1) / 2);
+    const std::size_t half_bytes = is_bgra ? 0 : half * ((rows + 1) / 2);
     const auto block = memory.block(stride * rows + 2 * half_bytes + row_alignment);
     const std::byte* bytes = block.get();
     Sample picture{.width = width,
@@ -70,7 +70,7 @@ Sample empty_picture(PictureMemory& memory, int width, int height, PixelLayout l
                    .pixels = {bytes, stride * rows},
                    .layout = layout,
                    .owner = block};
-    if (is_rgba) return picture;
+    if (is_bgra) return picture;
     picture.chroma[0] = {half, {bytes + stride * rows, half_bytes}};
     picture.chroma[1] = {half, {bytes + stride * rows + half_bytes, half_bytes}};
     return picture;
@@ -126,8 +126,8 @@ std::optional<Sample> PictureScaler::scaled(GstSample* frame, int width, int hei
     const GstVideoFormat format = GST_VIDEO_FRAME_FORMAT(&pixels);
     const bool is_drawable = format == GST_VIDEO_FORMAT_I420 || format == GST_VIDEO_FORMAT_NV12;
     std::optional<Sample> picture;
-    if (form_ == PictureForm::rgba || tones_ || !is_drawable)
-        picture = converted(pixels, width, height, PixelLayout::rgba);
+    if (form_ == PictureForm::bgra || tones_ || !is_drawable)
+        picture = converted(pixels, width, height, PixelLayout::bgra);
     else if (is_far_larger(pixels, width, height))
         picture = converted(pixels, width, height, PixelLayout::i420);
     else
@@ -170,15 +170,15 @@ bool PictureScaler::prepare(const Task& task) {
     const auto format = format_of(task.format);
     if (!format) return false;
     const bool shrinks = task.from_width > task.width || task.from_height > task.height;
-    const bool is_rgba = task.layout == PixelLayout::rgba;
+    const bool is_bgra = task.layout == PixelLayout::bgra;
     scaler_.reset(sws_getContext(task.from_width, task.from_height, *format, task.width, task.height,
-                                 is_rgba ? AV_PIX_FMT_RGBA : AV_PIX_FMT_YUV420P,
+                                 is_bgra ? AV_PIX_FMT_BGRA : AV_PIX_FMT_YUV420P,
                                  shrinks ? SWS_AREA : SWS_BILINEAR, nullptr, nullptr, nullptr));
     if (!scaler_) return false;
     prepared_ = task;
     const int* table = coefficients(colours_.matrix);
     const int range = colours_.is_full_range ? 1 : 0;
-    sws_setColorspaceDetails(scaler_.get(), table, range, table, is_rgba ? 1 : range, 0, 1 << 16,
+    sws_setColorspaceDetails(scaler_.get(), table, range, table, is_bgra ? 1 : range, 0, 1 << 16,
                              1 << 16);  // fails where there is nothing to set between these formats
     return true;
 }
@@ -213,7 +213,7 @@ std::optional<Sample> PictureScaler::converted(const GstVideoFrame& frame, int w
                                GST_VIDEO_FRAME_HEIGHT(&frame), to.data(), to_strides.data());
     if (rows <= 0) return std::nullopt;
     constexpr int channels = 4;
-    if (tones_) tones_->apply({to[0], picture.pixels.size()}, channels, false);
+    if (tones_) tones_->apply({to[0], picture.pixels.size()}, channels, true);
     return picture;
 }
 

@@ -48,7 +48,7 @@ class PictureScaler {
         int from_height = 0;
         int width = 0;
         int height = 0;
-        PixelLayout layout = PixelLayout::rgba;
+        PixelLayout layout = PixelLayout::bgra;
 
         friend bool operator==(const Task&, const Task&) = default;
     };

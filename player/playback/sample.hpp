@@ -14,14 +14,20 @@ namespace vitrine {
 /// How the bytes of a picture lie, 8 bits a channel.
 enum class PixelLayout {
     rgba,  // one plane, opaque
+    bgra,  // likewise, in the order that Mesa's software renderer copies without looking at each pixel
     i420,  // brightness, then two planes of colour differences with half the columns and rows, rounded up
     nv12,  // brightness, then one such plane with both differences side by side
 };
 
+/// Whether the pixels are colours, not brightness and differences.
+inline bool is_rgb(PixelLayout layout) {
+    return layout == PixelLayout::rgba || layout == PixelLayout::bgra;
+}
+
 /// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
-/// colours, if it can from where the decoder left them; RGBA at the very size where the processor does all of
+/// colours, if it can from where the decoder left them; BGRA at the very size where the processor does all of
 /// it.
-enum class PictureForm { rgba, planes, shared };
+enum class PictureForm { bgra, planes, shared };
 
 /// What the brightness and the colour differences of a picture mean.
 struct ColourCode {
@@ -58,7 +64,7 @@ struct Sample {
     std::span<const std::byte> pixels;  // height * stride bytes, lent by `owner`; the brightness of planes
     PixelLayout layout = PixelLayout::rgba;
     std::array<Plane, 2> chroma;              // of i420 both, of nv12 the first
-    ColourCode colours;                       // of all but rgba
+    ColourCode colours;                       // of all but rgba and bgra
     std::shared_ptr<const void> owner;        // shared: the decoder's buffer pool and the renderer's queue
     std::chrono::nanoseconds stream_time{0};  // when in the film
 

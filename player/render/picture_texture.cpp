@@ -1,5 +1,7 @@
 #include "player/render/picture_texture.hpp"
 
+#include <GLES2/gl2ext.h>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -9,7 +11,7 @@ namespace vitrine {
 namespace {
 
 struct PlaneForm {
-    GLenum storage = 0;
+    GLenum storage = 0;  // none: as `format` says, of GL_EXT_texture_format_BGRA8888
     GLenum format = 0;
     int bytes = 0;    // a texel
     int divisor = 1;  // of the picture's width and height, rounded up
@@ -20,6 +22,7 @@ using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
 constexpr int reduction = 4;  // of shared planes, which cells are filled with when blurred
 
 constexpr PlaneForm rgba{GL_RGBA8, GL_RGBA, 4};
+constexpr PlaneForm bgra{0, GL_BGRA_EXT, 4};
 constexpr PlaneForm brightness{GL_R8, GL_RED, 1};
 constexpr PlaneForm one_difference{GL_R8, GL_RED, 1, 2};
 constexpr PlaneForm both_differences{GL_RG8, GL_RG, 2, 2};
@@ -27,6 +30,7 @@ constexpr PlaneForm both_differences{GL_RG8, GL_RG, 2, 2};
 std::size_t plane_count(PixelLayout layout) {
     switch (layout) {
     case PixelLayout::rgba:
+    case PixelLayout::bgra:
         return 1;
     case PixelLayout::nv12:
         return 2;
@@ -38,6 +42,7 @@ std::size_t plane_count(PixelLayout layout) {
 
 PlaneForm form(PixelLayout layout, std::size_t plane) {
     if (layout == PixelLayout::rgba) return rgba;
+    if (layout == PixelLayout::bgra) return bgra;
     if (plane == 0) return brightness;
     return layout == PixelLayout::nv12 ? both_differences : one_difference;
 }
@@ -60,6 +65,17 @@ void upload_plane(const Sample::Plane& plane, const PlaneForm& form, int width, 
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, form.format, GL_UNSIGNED_BYTE, plane.bytes.data());
 }
 
+/// Of the bound texture, for smaller copies too.
+void reserve(const PlaneForm& form, int width, int height) {
+    if (form.storage == 0) {
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(form.format), width, height, 0, form.format,
+                     GL_UNSIGNED_BYTE, nullptr);
+        return;
+    }
+    const int levels = std::bit_width(static_cast<unsigned>(std::max(width, height)));
+    glTexStorage2D(GL_TEXTURE_2D, levels, form.storage, width, height);
+}
+
 }  // namespace
 
 PictureTexture::PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours)
@@ -77,7 +93,7 @@ PictureTexture::PictureTexture(const Sample& sample, const PictureImport& import
       colours_(sample.colours),
       lender_(sample.owner),
       uploads_(1) {
-    assert(sample.shared && layout_ != PixelLayout::rgba);
+    assert(sample.shared && !is_rgb(layout_));
     for (std::size_t i = 0; i < plane_count(layout_); ++i) {
         const PlaneForm plane = form(layout_, i);
         glBindTexture(GL_TEXTURE_2D, planes_[i].id());
@@ -89,12 +105,8 @@ void PictureTexture::make_room() {
     assert(width_ > 0 && height_ > 0);
     for (std::size_t i = 0; i < plane_count(layout_); ++i) {
         const PlaneForm plane = form(layout_, i);
-        const int width = share(width_, plane);
-        const int height = share(height_, plane);
-        const auto levels =
-            static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
         glBindTexture(GL_TEXTURE_2D, planes_[i].id());
-        glTexStorage2D(GL_TEXTURE_2D, levels, plane.storage, width, height);
+        reserve(plane, share(width_, plane), share(height_, plane));
     }
     check_gl("make room for a picture");
 }

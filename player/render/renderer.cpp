@@ -269,7 +269,7 @@ void Renderer::set_texels(const PictureProgram& program, const PictureTexture& t
 /// half of what the picture costs where the processor draws it.
 bool Renderer::is_exact(const PictureTexture& texture, const DrawItem& item) const {
     const Vec2 shown = item.picture * item.placement.scale;
-    return is_on_pixels_ && texture.layout() == PixelLayout::rgba && item.slide == Vec2{} &&
+    return is_on_pixels_ && is_rgb(texture.layout()) && item.slide == Vec2{} &&
            std::abs(shown.x - texture.width()) < same_size &&
            std::abs(shown.y - texture.height()) < same_size;
 }

@@ -123,7 +123,7 @@ class Renderer {
     int height_;
     View view_;
     std::uint64_t frames_ = 0;
-    std::array<std::optional<Programs>, 3> programs_;  // by layout, each made when it is first needed
+    std::array<std::optional<Programs>, 4> programs_;  // by layout, each made when it is first needed
     IdlePicture idle_;
     std::optional<ZoomLayer> zooms_;  // made when it is first needed
     bool is_on_pixels_ = true;        // canvas points of whole numbers are corners of pixels, in this frame

@@ -21,14 +21,21 @@ void main() {
 }
 )";
 
-// What the shaders below get a pixel of the picture with: `picture_at` by the smaller copies that the sampler
-// chooses, `copy_at` by one of them.
+// What the shaders below get a pixel of the picture with: `picture_at` and `opaque_at` by the smaller copies
+// that the sampler chooses, `copy_at` by one of them.
+
+// Mesa's software renderer (22.3) copies whole tiles where a shader does nothing but look up a texel: one
+// that only sets the opacity to 1 has red and blue swapped there, one that rounds is not copied.
 inline constexpr const char* rgba_picture = R"(
-precision mediump float;
-uniform sampler2D picture;
+precision highp float;
+uniform highp sampler2D picture;
 
 vec3 picture_at(highp vec2 uv) {
     return texture(picture, uv).rgb;
+}
+
+vec4 opaque_at(highp vec2 uv) {
+    return texture(picture, uv);
 }
 
 vec3 copy_at(highp vec2 uv, float level) {
@@ -47,6 +54,10 @@ vec3 picture_at(highp vec2 uv) {
     return to_rgb * (vec3(texture(picture, uv).r, texture(blue, uv).r, texture(red, uv).r) - zero);
 }
 
+vec4 opaque_at(highp vec2 uv) {
+    return vec4(picture_at(uv), 1.0);
+}
+
 vec3 copy_at(highp vec2 uv, float level) {
     vec3 coded = vec3(textureLod(picture, uv, level).r, textureLod(blue, uv, level).r, textureLod(red, uv, level).r);
     return to_rgb * (coded - zero);
@@ -63,6 +74,10 @@ vec3 picture_at(highp vec2 uv) {
     return to_rgb * (vec3(texture(picture, uv).r, texture(blue, uv).rg) - zero);
 }
 
+vec4 opaque_at(highp vec2 uv) {
+    return vec4(picture_at(uv), 1.0);
+}
+
 vec3 copy_at(highp vec2 uv, float level) {
     return to_rgb * (vec3(textureLod(picture, uv, level).r, textureLod(blue, uv, level).rg) - zero);
 }
@@ -75,6 +90,7 @@ inline const char* picture_shader(PixelLayout layout) {
     case PixelLayout::nv12:
         return nv12_picture;
     case PixelLayout::rgba:
+    case PixelLayout::bgra:
         break;
     }
     return rgba_picture;
@@ -85,7 +101,7 @@ in highp vec2 uv;
 out vec4 pixel;
 
 void main() {
-    pixel = vec4(picture_at(uv), 1.0);
+    pixel = opaque_at(uv);
 }
 )";
 

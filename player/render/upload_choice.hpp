@@ -12,14 +12,14 @@ namespace vitrine {
 /// @param device               gl_device()
 /// @param reads_shared_planes  whether decoders' pictures can be drawn from where they lie
 inline PictureForm picture_form(std::string_view device, bool reads_shared_planes) {
-    if (is_software(device)) return PictureForm::rgba;
+    if (is_software(device)) return PictureForm::bgra;
     return reads_shared_planes ? PictureForm::shared : PictureForm::planes;
 }
 
 /// For the log.
 inline const char* in_words(PictureForm form) {
     switch (form) {
-    case PictureForm::rgba:
+    case PictureForm::bgra:
         return "scaled by the processor, which draws too";
     case PictureForm::planes:
         return "uploaded as they are decoded, scaled by the graphics card";

@@ -38,7 +38,7 @@ Pixel pixel(const Sample& sample, int x, int y) {
     const std::size_t place = static_cast<std::size_t>(y) * sample.stride + static_cast<std::size_t>(x) * 4;
     const auto channel = [&](std::size_t i) { return std::to_integer<int>(sample.pixels[place + i]); };
     CHECK(channel(3) == 255);
-    return {channel(0), channel(1), channel(2)};
+    return {channel(2), channel(1), channel(0)};
 }
 
 bool is_near(Pixel a, Pixel b, int tolerance) {
@@ -49,7 +49,7 @@ bool is_near(Pixel a, Pixel b, int tolerance) {
 
 }  // namespace
 
-TEST_CASE("a frame of any format becomes RGBA of the size asked for, in its colours to the last pixel") {
+TEST_CASE("a frame of any format becomes BGRA of the size asked for, in its colours to the last pixel") {
     constexpr Pixel orange{200, 120, 40};
     for (const char* format : {"I420", "NV12", "Y42B", "Y444", "I420_10LE", "RGBx"}) {
         for (const char* colorimetry : {"bt601", "bt709"}) {
@@ -57,11 +57,11 @@ TEST_CASE("a frame of any format becomes RGBA of the size asked for, in its colo
             CAPTURE(std::string(format));
             CAPTURE(std::string(colorimetry));
             const auto decoded = frame(format, 320, 180, orange, is_rgb ? "sRGB" : colorimetry);
-            PictureScaler scaler(PictureForm::rgba);
+            PictureScaler scaler(PictureForm::bgra);
             for (const auto& [width, height] : {std::pair{320, 180}, {160, 90}, {117, 71}, {401, 203}}) {
                 const auto picture = scaler.scaled(decoded.get(), width, height, 7ms);
                 REQUIRE(picture);
-                CHECK(picture->layout == PixelLayout::rgba);
+                CHECK(picture->layout == PixelLayout::bgra);
                 CHECK(picture->width == width);
                 CHECK(picture->height == height);
                 CHECK(picture->stream_time == 7ms);
@@ -108,7 +108,7 @@ TEST_CASE("HDR films are as bright as a usual screen shows them, others untouche
         int expected;  // tone_map_test.cpp
     };
 
-    for (const PictureForm form : {PictureForm::rgba, PictureForm::planes}) {
+    for (const PictureForm form : {PictureForm::bgra, PictureForm::planes}) {
         for (const Film& film :
              {Film{"bt2100-pq", 148, 191}, Film{"bt2100-hlg", 191, 191}, Film{"bt709", 148, 148}}) {
             CAPTURE(film.colorimetry);
@@ -123,7 +123,7 @@ TEST_CASE("HDR films are as bright as a usual screen shows them, others untouche
 
 TEST_CASE("the memory of a picture nobody holds any more is used for the next") {
     const auto decoded = frame("I420", 320, 180, {200, 120, 40});
-    PictureScaler scaler(PictureForm::rgba);
+    PictureScaler scaler(PictureForm::bgra);
     auto first = scaler.scaled(decoded.get(), 160, 90, 0ms);
     const auto second = scaler.scaled(decoded.get(), 160, 90, 0ms);
     const std::byte* const place = first->pixels.data();
@@ -135,6 +135,6 @@ TEST_CASE("the memory of a picture nobody holds any more is used for the next") 
 
 TEST_CASE("a picture outlives who made it") {
     const auto decoded = frame("I420", 320, 180, {200, 120, 40});
-    std::optional<Sample> picture = PictureScaler(PictureForm::rgba).scaled(decoded.get(), 160, 90, 0ms);
+    std::optional<Sample> picture = PictureScaler(PictureForm::bgra).scaled(decoded.get(), 160, 90, 0ms);
     CHECK(is_near(pixel(*picture, 80, 45), {200, 120, 40}, 5));
 }

@@ -104,9 +104,9 @@ TEST_CASE("a photo is one picture at the size asked for that stays") {
     const Sample sample = source.frame_at(0s).value();
     CHECK(sample.width == 20);
     CHECK(sample.height == 10);
-    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 0]) > 240);  // red
+    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 2]) > 240);  // red
     CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 3]) == 255);
-    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 15 + 2]) > 240);  // blue
+    CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 15 + 0]) > 240);  // blue
     std::filesystem::remove(folder.path / "photo.bmp");
     CHECK(source.wait_for(1h, patience));
     CHECK(source.frame_at(1h)->pixels.data() == sample.pixels.data());
@@ -123,7 +123,7 @@ TEST_CASE("the background shows half through a half-transparent photo") {
     REQUIRE(source.wait_for(0s, patience));
     const Sample sample = source.frame_at(0s).value();
     const std::size_t middle = 5 * sample.stride + std::size_t{4} * 10;
-    for (const auto& [channel, value] : {std::pair{0, 100}, {1, 150}, {2, 50}, {3, 255}})
+    for (const auto& [channel, value] : {std::pair{2, 100}, {1, 150}, {0, 50}, {3, 255}})
         CHECK(std::abs(std::to_integer<int>(sample.pixels[middle + static_cast<std::size_t>(channel)]) -
                        value) <= 2);
 }

@@ -3,7 +3,25 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+
 using namespace vitrine;
+
+namespace {
+
+/// By how much two pictures of one size differ at most, in a channel of a pixel.
+int farthest(const Picture& a, const Picture& b) {
+    REQUIRE(a.pixels.size() == b.pixels.size());
+    int most = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        most =
+            std::max(most, std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
+    return most;
+}
+
+}  // namespace
 
 TEST_CASE("each cell shows its own source") {
     DrawnWall wall;
@@ -28,6 +46,30 @@ TEST_CASE("a picture stands upright and unmirrored on the wall") {
     CHECK(is_near(at(picture, 10, 10), red));
     CHECK(is_near(at(picture, 90, 10), green));
     CHECK(is_near(at(picture, 10, 90), blue));
+}
+
+TEST_CASE("blue first is drawn as red first, pixel for pixel, in another size, small and blurred") {
+    const auto paint = [](int x, int y) { return y < 150 ? (x < 150 ? red : green) : blue; };
+    for (const double scale : {1.0, 0.8, 1.0 / 3}) {
+        CAPTURE(scale);
+        DrawnWall wall;
+        wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});
+        wall.add(2, filler(box(100, 0, 200, 100)), {100, 0});
+        for (DrawItem& item : wall.frame.items)
+            item.placement.scale = scale, item.picture = {300, 300};
+        Still red_first = still(300, 300, paint);
+        for (const SourceId source : {1, 2})
+            wall.renderer.upload(source, red_first.sample);
+        const Picture expected = wall.shown();
+        Still blue_first = still(300, 300, [&](int x, int y) {
+            const Colour c = paint(x, y);
+            return Colour{c[2], c[1], c[0]};
+        });
+        blue_first.sample.layout = PixelLayout::bgra;
+        for (const SourceId source : {1, 2})
+            wall.renderer.upload(source, blue_first.sample);
+        CHECK(farthest(wall.shown(), expected) <= 2);
+    }
 }
 
 TEST_CASE("a drifting film moves against its drift under its cell") {
@@ -131,7 +173,7 @@ TEST_CASE("a photo shown small is averaged and not picked from") {
 TEST_CASE(
     "pictures are scaled beforehand where the processor draws, and handed to a graphics card as decoded") {
     for (const char* device : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Google SwiftShader"})
-        CHECK(picture_form(device, true) == PictureForm::rgba);
+        CHECK(picture_form(device, true) == PictureForm::bgra);
     for (const char* device :
          {"V3D 4.2", "Mesa Intel(R) UHD Graphics (ADL-N)", "AMD Radeon (radeonsi)", "Mali-G610 (Panfrost)"}) {
         CHECK(picture_form(device, false) == PictureForm::planes);
