@@ -7,6 +7,7 @@
 #include "analyzer/video/frame_reader.hpp"
 #include "base/catalogue/catalogue.hpp"
 #include "base/catalogue/media_error.hpp"
+#include "base/catalogue/screen_note.hpp"
 #include "base/media/colour.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/stream_end.hpp"
@@ -97,8 +98,7 @@ StorePlace store_place(const fs::path& file, const struct stat& status, const Se
     constexpr int most_parts = 4;  // of the store that one clip or copy may take
     return {.store = fs::path(settings.state.directory) / "store",
             .id = store_id(named.path, named.bytes, named.mtime_ns),
-            .clip_side = settings.store.clip_size > 0 ? settings.store.clip_size
-                                                      : clip_side_for(settings.layout.slots),
+            .clip_side = clip_side(settings),
             .most_bytes = static_cast<std::uint64_t>(settings.store.max_bytes) / most_parts,
             .least_free = least_free_bytes};
 }
@@ -201,6 +201,11 @@ class Analysis {
 };
 
 }  // namespace
+
+int clip_side(const Settings& settings) {
+    if (settings.store.clip_size > 0) return settings.store.clip_size;
+    return clip_side_for(settings.layout.slots, noted_screen_side(settings.state.directory));
+}
 
 MediaRecord record_of_file(const fs::path& file, const Settings& settings, const Keeping& keeping,
                            const std::function<void(const MediaRecord&)>& grown) {

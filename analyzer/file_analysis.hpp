@@ -33,6 +33,9 @@ MediaRecord record_of_file(const std::filesystem::path& file, const Settings& se
 /// @throws MediaError where the file cannot be read
 bool leave_thumbnail(const std::filesystem::path& file, const Settings& settings);
 
+/// The longest side of the clips that are made for the store, px: as set, or as the screens need them.
+int clip_side(const Settings& settings);
+
 /// Writes the sheet that shows how the file's regions came about, as PNG.
 /// @return the record
 /// @throws MediaError where there is nothing to show

@@ -108,6 +108,7 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings,
     options.state = settings.state.directory;
     options.store = std::filesystem::path(settings.state.directory) / "store";
     options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
+    options.bounds.clip_side = clip_side(settings);
     options.status_folder = settings.status.folder;
     options.limits.deadline = analyzer.deadline;
     if (memory_can_be_limited)

@@ -263,28 +263,6 @@ bool Player::is_time_to_draw(std::chrono::nanoseconds time) {
     return ready == std::ssize(screens) || (ready > 0 && time > clock_.due() + patience);
 }
 
-void Player::follow_display(std::chrono::nanoseconds time) {
-    if (display_) {
-        give_screens(time);
-        for (const DisplayEvent& event : display_->take_events())
-            log::write(event.is_trouble ? log::Level::warning : log::Level::info, "screen: " + event.text);
-        if (display_->is_gone()) close_display();
-    }
-    if (display_ || EventLoop::Clock::now() < next_try_) return;
-    open_display();
-    if (display_) give_screens(time);
-}
-
-void Player::give_screens(std::chrono::nanoseconds time) {
-    std::vector<std::vector<Screen*>> screens(stages_.size());
-    for (Screen* screen : display_->screens()) {
-        const auto found = stage_of_.find(screen->name());
-        screens[found == stage_of_.end() ? 0 : found->second].push_back(screen);
-    }
-    for (std::size_t i = 0; i < stages_.size(); ++i)
-        stages_[i]->set_screens(std::move(screens[i]), time);
-}
-
 void Player::leave_terminal() {
     if (display_) display_->leave();
     visitors_.leave();

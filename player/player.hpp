@@ -61,6 +61,7 @@ class Player {
     void drop_renderer();
     void make_stages();
     void expect_screen();
+    void note_screens();
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void give_catalogue();
@@ -90,6 +91,7 @@ class Player {
     EventLoop::Source reloaded_;         // SIGHUP: the settings are to be read again
     EventLoop::Source left_;             // the terminal: another one is to be in front
     EventLoop::Source entered_;          // ours is in front again
+    int noted_side_ = 0;                 // px, as the analyzer was told last
     bool is_paced_by_pictures_ = false;  // the clock waits for the sources, not they for the clock
     std::unique_ptr<Console> console_;   // none: off screen
     SoftwareGl software_gl_;

@@ -27,12 +27,14 @@ std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side) {
     return form;
 }
 
-int clip_side_for(int slots) {
-    constexpr double screen = 1920;
-    constexpr double beyond = 4.0 / 3;
+int clip_side_for(int slots, int screen_side) {
+    constexpr int usual_screen = 1920;
+    constexpr int least = 320;
+    const int screen = screen_side > 0 ? screen_side : usual_screen;
+    constexpr double beyond = 1.2;
     constexpr int step = 16;  // px: a macroblock
     const double side = screen * beyond / std::sqrt(std::max(1, slots));
-    return std::clamp(step * static_cast<int>(std::lround(side / step)), 320, static_cast<int>(screen));
+    return std::clamp(step * static_cast<int>(std::lround(side / step)), least, std::max(least, screen));
 }
 
 }  // namespace vitrine

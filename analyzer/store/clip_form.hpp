@@ -18,8 +18,9 @@ struct ClipForm {
 /// @return  nothing where the film is too small for the encoder
 std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side);
 
-/// The longest side of clips where nobody has set it: that of a cell where `slots` shots share a screen 1920
-/// px wide, with a third added as pictures reach beyond their cells; between 320 and 1920 px.
-int clip_side_for(int slots);
+/// The longest side of clips where nobody has set it: that of a cell where `slots` shots share a screen, with
+/// a fifth added as pictures reach beyond their cells; at least 320 px, at most the screen's.
+/// @param screen_side  px of the screen's longest side; 0: not known, taken for 1920
+int clip_side_for(int slots, int screen_side = 0);
 
 }  // namespace vitrine

@@ -16,6 +16,12 @@ std::int64_t nanoseconds_of(const timespec& time) {
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
+bool is_too_small(const MediaRecord& record, const StoredShot& stored, const StoreBounds& bounds) {
+    if (record.kind != MediaKind::video) return false;
+    const int wanted = std::min(std::max(record.width, record.height), bounds.clip_side);
+    return 4 * std::max(stored.width, stored.height) < 3 * wanted;
+}
+
 }  // namespace
 
 Store::Store(fs::path directory, const StoreBounds& bounds)
@@ -24,7 +30,9 @@ Store::Store(fs::path directory, const StoreBounds& bounds)
 bool Store::lacks(const MediaRecord& record) const {
     if (!is_on() || record.state != MediaState::ready) return false;
     return std::any_of(record.shots.begin(), record.shots.end(), [&](const Shot& shot) {
-        return !shot.stored || (!shot.stored->is_dropped && !fs::exists(directory_ / shot.stored->file));
+        if (!shot.stored) return true;
+        return !shot.stored->is_dropped &&
+               (!fs::exists(directory_ / shot.stored->file) || is_too_small(record, *shot.stored, bounds_));
     });
 }
 

@@ -16,6 +16,7 @@ namespace vitrine {
 struct StoreBounds {
     std::uint64_t max_bytes = 0;   // 0: nothing at all
     std::uint64_t least_free = 0;  // bytes that the disk keeps free
+    int clip_side = 0;             // px that clips made now would have; 0: never mind
 };
 
 /// What the daemon knows of the store: which files are there, which of them the records name. It takes out
@@ -27,7 +28,8 @@ class Store {
 
     bool is_on() const { return bounds_.max_bytes > 0; }
 
-    /// Whether a shot of a ready record is not where it should be, so that an analysis would put it there.
+    /// Whether a shot of a ready record is not where it should be, so that an analysis would put it there; or
+    /// was made for a screen so much smaller that it would be seen.
     bool lacks(const MediaRecord& record) const;
 
     /// Marks in a record what has lost its place; to be called before it is written.

@@ -30,8 +30,16 @@ TEST_CASE("a film too small for the encoder has no clips") {
 
 TEST_CASE("the more slots share the screen, the smaller the clips") {
     CHECK(clip_side_for(1) == 1920);
-    CHECK(clip_side_for(4) == 1280);
-    CHECK(clip_side_for(12) == 736);
+    CHECK(clip_side_for(4) == 1152);
+    CHECK(clip_side_for(12) == 672);
     CHECK(clip_side_for(64) == 320);
     CHECK(clip_side_for(0) == 1920);
+}
+
+TEST_CASE("clips are as large as the screens that there are need them") {
+    CHECK(clip_side_for(4, 1280) == 768);
+    CHECK(clip_side_for(9, 1280) == 512);
+    CHECK(clip_side_for(4, 3840) == 2304);
+    CHECK(clip_side_for(1, 3840) == 3840);
+    CHECK(clip_side_for(1, 160) == 320);
 }

@@ -131,3 +131,23 @@ TEST_CASE("a shot that is nowhere in the store, or not where its record says, is
     record.state = MediaState::failed;
     CHECK_FALSE(store.lacks(record));
 }
+
+TEST_CASE("a clip made for a much smaller screen is lacking, unless its film has no more to give") {
+    const Shelf shelf;
+    shelf.put(id_a + "/0-1.mp4");
+    const Store store(shelf.directory, {.max_bytes = 1000, .clip_side = 1280});
+    MediaRecord record = film("a", {id_a + "/0-1.mp4"});
+    record.width = 1080;
+    record.height = 1920;
+    for (const auto& [height, is_lacking] : {std::pair{848, true}, {960, false}, {1280, false}}) {
+        record.shots[0].stored->height = height;
+        CHECK(store.lacks(record) == is_lacking);
+    }
+    record.shots[0].stored->height = 640;
+    record.height = 640;
+    record.width = 360;
+    CHECK_FALSE(store.lacks(record));
+    record.height = 1920;
+    record.shots[0].stored->is_dropped = true;
+    CHECK_FALSE(store.lacks(record));
+}

@@ -5,8 +5,8 @@
 
 A wall of 1280x720 px at 30 pictures a second, of four 720p films and of nine 360p films: processor seconds of this player,
 with and without the drawing (which is the graphics card's work where there is one), and of GStreamer's compositor, ffmpeg's
-xstack and mpv's. The player plays clips of cell size from the analyzer's store, and the films themselves only where there is
-none: both are measured. A peer that is not installed is left out.
+xstack and mpv's. The player plays clips from the analyzer's store, which are made here by the analyzer itself, and the films
+themselves only where there is none: both are measured. A peer that is not installed is left out.
 """
 import os
 import shutil
@@ -15,7 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-BENCH = Path(sys.argv[1]).resolve() / "tests" / "bench" / "playback" / "wall_bench"
+BUILD = Path(sys.argv[1]).resolve()
+BENCH = BUILD / "tests" / "bench" / "playback" / "wall_bench"
 SECONDS = int(sys.argv[2]) if len(sys.argv) > 2 else 10
 WIDTH, HEIGHT, RATE = 1280, 720, 30
 
@@ -41,18 +42,24 @@ ENCODE = ["-pix_fmt", "yuv420p", "-c:v", "libx264", "-preset", "medium"]
 
 def make_films(folder):
     film, small = folder / "720.mp4", folder / "360.mp4"
-    ffmpeg("-f", "lavfi", "-i", "testsrc2=size=1280x720:rate=30", "-vf", "noise=alls=8:allf=t,hue=h=t*20", "-t", 2 * SECONDS,
+    ffmpeg("-f", "lavfi", "-i", "testsrc2=size=1280x720:rate=30", "-vf", "noise=alls=8:allf=t,hue=h=t*20", "-t", SECONDS + 2,
            *ENCODE, "-b:v", "4000k", "-g", 60, "-bf", 2, film)
     ffmpeg("-i", film, "-vf", "scale=640:360", *ENCODE, "-crf", 21, "-g", 60, "-bf", 2, small)
     return film, small
 
 
-def make_clip(folder, film, side):
-    """What the analyzer's store has of a film for a wall of side x side cells."""
-    clip = folder / f"clip{side}.mp4"
-    ffmpeg("-i", film, "-vf", f"scale={WIDTH // side // 2 * 2}:{HEIGHT // side // 2 * 2}", *ENCODE, "-crf", 21, "-tune", "fastdecode",
-           "-g", RATE, "-bf", 0, "-flags", "+cgop", clip)
-    return clip
+def make_clip(folder, film, slots):
+    """What the analyzer keeps of a film in its store where so many shots share the wall."""
+    media, state = folder / f"media{slots}", folder / f"state{slots}"
+    media.mkdir()
+    state.mkdir()
+    (state / "screen").write_text(f"{WIDTH}\n")  # as the player notes it
+    shutil.copy(film, media)
+    cost([BUILD / "analyzer" / "vitrine-analyzer", "watch", "--once", "--media.root", media, "--state.directory", state, "--layout.slots", slots])
+    clips = sorted(state.glob("store/*/*.mp4"), key=lambda clip: clip.stat().st_size)
+    if not clips:
+        sys.exit("the store has no clip of the film")
+    return clips[-1]
 
 
 def places(count):
@@ -118,10 +125,9 @@ def compare(name, film, clip, count):
 def main():
     with tempfile.TemporaryDirectory(prefix="vitrine-bench-") as name:
         film, small = make_films(Path(name))
-        clips = {side: make_clip(Path(name), film, side) for side in (2, 3, 4)}
-        compare("four 720p films", film, clips[2], 4)
-        compare("nine 360p films", small, clips[3], 9)
-        seconds, said = cost(ours("draw", clips[4], 16))
+        compare("four 720p films", film, make_clip(Path(name), film, 4), 4)
+        compare("nine 360p films", small, make_clip(Path(name), small, 9), 9)
+        seconds, said = cost(ours("draw", make_clip(Path(name), film, 16), 16))
         print(f"sixteen clips of the store: {seconds:.2f} processor seconds, {seconds / SECONDS:.2f} cores; {said}")
 
 
