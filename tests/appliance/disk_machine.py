@@ -33,11 +33,3 @@ class DiskMachine(Machine):
             words += ["-drive", f"if=pflash,format=raw,unit=0,readonly=on,file={self.firmware}"]
         return words + ["-netdev", f"user,id=n0,restrict=on,hostfwd=tcp:127.0.0.1:{self.share_port}-:445",
                         "-device", "virtio-net-pci,netdev=n0,romfile="]
-
-    def cut(self):
-        """The power, at once; what the machine had said on its console."""
-        self.qemu.kill()
-        self.qemu.wait()
-        said = (self.folder / "serial.log").read_text(errors="replace")
-        self.stop()
-        return said

@@ -121,7 +121,7 @@ class Machine:
             "-kernel", image / "vmlinuz", "-initrd", image / "initrd",
             "-append", "root=/dev/vda rw console=ttyS0 quiet mitigations=off",
             "-drive", f"file={disk},if=none,id=d0,format=qcow2,cache=unsafe,discard=unmap", "-device", "virtio-blk-pci,drive=d0",
-            "-device", "virtio-rng-pci", "-device", "virtio-serial-pci",
+            "-device", "pcie-root-port,id=port0,chassis=1", "-device", "virtio-rng-pci", "-device", "virtio-serial-pci",
             "-chardev", f"socket,id=agent,path={self.folder / 'agent'},server=on,wait=off",
             "-device", "virtserialport,chardev=agent,name=org.qemu.guest_agent.0",
             "-virtfs", f"local,path={self.share},mount_tag=host,security_model=none,id=fs0",
@@ -172,6 +172,26 @@ class Machine:
         self.sh("umount /host")
 
     # -- what stands around it
+
+    def add_logged_disk(self, disk, log):
+        """Plugs in a raw disk whose writes are kept (write_log.py); the machine can be cut off from then on."""
+        log.write_bytes(b"")
+        file = {"driver": "file", "filename": str(disk), "cache": {"no-flush": True}}
+        self.qmp.ask("blockdev-add", **{"driver": "blklogwrites", "node-name": "logged", "log-sector-size": 512, "log-super-update-interval": 1,
+                                        "file": file, "log": {"driver": "file", "filename": str(log), "cache": {"no-flush": True}}})
+        self.qmp.ask("device_add", driver="virtio-blk-pci", bus="port0", drive="logged", id="logged", **{"write-cache": "on"})
+
+    def said(self):
+        """What the machine has said on its console."""
+        return (self.folder / "serial.log").read_text(errors="replace")
+
+    def cut(self):
+        """The power, at once; what the machine had said on its console."""
+        self.qemu.kill()
+        self.qemu.wait()
+        said = self.said()
+        self.stop()
+        return said
 
     def save(self, name):
         self.qmp_monitor(f"savevm {name}")

@@ -31,13 +31,21 @@ class Picture:
 
     def places_of(self, colour, tolerance=50, step=4):
         """Those of each 4th pixel both ways that are about of a colour."""
-        return [(x, y) for y in range(0, self.height, step) for x in range(0, self.width, step)
-                if all(abs(a - b) < tolerance for a, b in zip(self.at(x, y), colour))]
+        return [(step * x, step * y) for y, row in enumerate(self.rows_of(colour, tolerance, step)) for x, found in enumerate(row) if found]
 
     def share_of(self, colour, tolerance=50, step=4):
         """The share of the picture that is about of a colour."""
-        all_places = len(range(0, self.height, step)) * len(range(0, self.width, step))
-        return len(self.places_of(colour, tolerance, step)) / all_places
+        found = [row.count(1) for row in self.rows_of(colour, tolerance, step)]
+        return sum(found) / (len(found) * len(range(0, self.width, step)))
+
+    def rows_of(self, colour, tolerance, step):
+        """Each 4th pixel both ways: 1 where it is about of a colour, else 0. In few steps of Python: much is waited for this way,
+        beside a machine that needs the processor."""
+        tables = [bytes(abs(value - wanted) < tolerance for value in range(256)) for wanted in colour]
+        for y in range(0, self.height, step):
+            row = self.pixels[y * self.width * 3:(y + 1) * self.width * 3]
+            near = [int.from_bytes(row[channel::3 * step].translate(table), "big") for channel, table in enumerate(tables)]
+            yield (near[0] & near[1] & near[2]).to_bytes(len(range(0, self.width, step)), "big")
 
     def save(self, path):
         """As PNG."""

@@ -1,0 +1,131 @@
+"""The power goes while files arrive, are written over and go, at 60 moments, or as many as VITRINE_RIG_CUTS says.
+
+The machine's data are on a disk whose writes are kept, so that the disk can be had as a cut at any moment would have left it: with
+all that was flushed, and any part of what was not. Of each the file system is in order again after its journal, every record
+is whole, those that the analyzer had told of are there, and the analyzer starts with it.
+"""
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import time
+
+from appliance import MEDIA
+from image import run as tool
+from machine import wait_for
+from write_log import Replay
+
+STATE = "/var/lib/vitrine"
+SIZE = 192 << 20  # bytes of the disk
+LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 60))
+CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 60))
+STARTS = max(4, CUTS // 10)  # cuts after which the analyzer is started, too
+# What has come is flushed, so that a record of it must not go either.
+ARRIVALS = f"""
+cp -p {MEDIA}/red.png /tmp/one.png; cp -p {MEDIA}/blue.png /tmp/two.png; cd {MEDIA}; i=0
+while :; do
+    i=$((i + 1))
+    cp /tmp/one.png stays-$i.png; sync stays-$i.png .
+    if [ $((i % 2)) = 0 ]; then cat /tmp/one.png >over.png; else cat /tmp/two.png >over.png; fi
+    cp /tmp/two.png goes-$i.png; rm -f goes-$((i - 2)).png
+    sleep 1
+done
+"""
+
+
+def run(box):
+    folder = box.pictures
+    disk, log = folder / "data.raw", folder / "writes.log"
+    with disk.open("wb") as file:
+        file.truncate(SIZE)
+    tool("/sbin/mke2fs", "-q", "-t", "ext4", "-E", "lazy_itable_init=0,lazy_journal_init=0,nodiscard", disk)
+    shutil.copy(disk, folder / "begin.raw")
+    begin, promises = fill(box, disk, log)
+    try:
+        cut(folder, begin, promises)
+    finally:
+        for file in (disk, log, folder / "begin.raw", folder / "cut.raw"):
+            file.unlink(missing_ok=True)
+
+
+def fill(box, disk, log):
+    """Lets files arrive; where the log stood when all was in place, and when each promise was heard: {name: bytes}."""
+    box.machine.add_logged_disk(disk, log)
+    wait_for("the disk", lambda: box.sh("test -b /dev/vdb && echo there", fails=True))
+    box.sh(f"systemctl stop vitrine-player vitrine-analyzer; mount /dev/vdb /mnt; cp -a {STATE} /mnt/state; cp -a {MEDIA} /mnt/media; "
+           f"mount --bind /mnt/state {STATE}; mount --bind /mnt/media {MEDIA}; sync; systemctl start vitrine-analyzer vitrine-player")
+    begin = log.stat().st_size
+    box.sh(f"cat >/run/arrivals <<'END'\n{ARRIVALS}END")
+    box.sh("systemd-run --quiet --unit=told sh -c 'journalctl -f -n 0 -o cat -u vitrine-analyzer >/dev/ttyS0'; sleep 1; "
+           "systemd-run --quiet --unit=arrivals --uid=vitrine --gid=vitrine sh /run/arrivals")
+    promises, end = {}, time.monotonic() + LENGTH
+    while time.monotonic() < end or len(promises) < 5:
+        said = box.machine.said()
+        for name in re.findall(r"ready: '(stays-\d+\.png)'\r?\n", said):
+            promises.setdefault(name, log.stat().st_size)
+        assert time.monotonic() < end + 600, f"next to nothing was analysed: {sorted(promises)}"
+        time.sleep(0.02)
+    box.look("when the power went")
+    box.machine.cut()
+    return begin, promises
+
+
+def cut(folder, begin, promises):
+    seed = int(os.environ.get("VITRINE_RIG_SEED", time.time()))
+    chance = random.Random(seed)
+    with (folder / "writes.log").open("rb") as log, (folder / "begin.raw").open("r+b") as whole:
+        replay = Replay(log, whole)
+        first = next(i for i, entry in enumerate(replay.entries) if entry.end > begin)
+        moments = sorted(chance.randint(first, len(replay.entries)) for _ in range(CUTS))
+        print(f"{len(replay.entries) - first} writes, {len(promises)} promises, {CUTS} cuts, VITRINE_RIG_SEED={seed}", flush=True)
+        kept = []
+        for number, moment in enumerate(moments):
+            left = replay.go_to(moment, True, chance)
+            shutil.copy(folder / "begin.raw", folder / "cut.raw")
+            with (folder / "cut.raw").open("r+b") as disk:
+                for entry in left:
+                    replay.write(disk, entry)
+            due = {name for name, place in promises.items() if moment > 0 and place <= replay.entries[moment - 1].end}
+            starts = number % max(1, CUTS // STARTS) == 0
+            kept.append(check(folder, due, f"cut after write {moment}", starts))
+    print(f"every file system in order, {min(kept)} to {max(kept)} records kept, none lost, none half written; the analyzer started "
+          f"after {len(range(0, CUTS, max(1, CUTS // STARTS)))} of the cuts")
+
+
+def check(folder, due, what, starts):
+    """How many records there are after a cut."""
+    image = folder / "cut.raw"
+    mended = subprocess.run(["/sbin/e2fsck", "-p", image], capture_output=True, text=True)
+    assert mended.returncode in (0, 1), f"{what}: {mended.stdout}{mended.stderr}"
+    looked = subprocess.run(["/sbin/e2fsck", "-f", "-n", image], capture_output=True, text=True)
+    assert looked.returncode == 0, f"{what}: {looked.stdout}{looked.stderr}"
+    found = folder / "found"
+    shutil.rmtree(found, ignore_errors=True)
+    found.mkdir()
+    tool("/sbin/debugfs", "-R", f"rdump /state /media {found}", image)
+    paths = set()
+    for file in (found / "state/catalogue").glob("*.json"):
+        try:
+            record = json.loads(file.read_text())
+        except ValueError as error:
+            raise AssertionError(f"{what}: half a record, {file.name}: {error}") from error
+        if record["state"] == "ready":
+            paths.add(record["path"])
+    assert not due - paths, f"{what}: lost {sorted(due - paths)}"
+    if starts:
+        start(folder, found, what)
+    shutil.rmtree(found)
+    return len(paths)
+
+
+def start(folder, found, what):
+    """The analyzer, here, with what the cut has left."""
+    done = subprocess.run([folder.parent / "build/analyzer/vitrine-analyzer", "watch", "--once", "--media.root", found / "media",
+                           "--state.directory", found / "state", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_cascade", ""],
+                          capture_output=True, text=True, timeout=600)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0 and "unreadable" not in said and "no sense" not in said, f"{what}: {said[-3000:]}"
+    left = [str(file) for file in found.rglob("*.new")]
+    assert not left, f"{what}: left half written: {left}"
