@@ -154,6 +154,14 @@ ChildProcess::~ChildProcess() {
     ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG);  // else our own parent reaps it
 }
 
+void ChildProcess::pause() {
+    if (pid_ >= 0) ::kill(-pid_, SIGSTOP);
+}
+
+void ChildProcess::go_on() {
+    if (pid_ >= 0) ::kill(-pid_, SIGCONT);
+}
+
 void ChildProcess::stop() {
     kill(ChildResult::End::stopped);
 }

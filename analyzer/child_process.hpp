@@ -64,6 +64,10 @@ class ChildProcess {
     /// Kills what still runs, without waiting for it.
     ~ChildProcess();
 
+    /// It stands still until go_on(); its deadline does not.
+    void pause();
+    void go_on();
+
     /// Kills it; `ended` follows from the loop.
     void stop();
 

@@ -24,6 +24,7 @@ constexpr auto offline_rescan = 5s;    // until the media folder is there
 constexpr auto growth_rest = 500ms;    // between two writings of films whose analysis goes on
 constexpr auto tell_rest = 1s;         // between two words to systemd
 constexpr auto unreachable_rest = 1s;  // until what could not be looked at is looked at again
+constexpr auto weave_deadline = 48h;   // it does nothing that could hang, but all others go first
 constexpr auto hint_rest = 300ms;      // in which a .vitrine.toml is written to its end
 
 Schedule::Time now() {
@@ -45,6 +46,18 @@ UniqueFd lock_of(const fs::path& catalogue) {
     throw_errno("another vitrine-analyzer writes the catalogue '{}'", catalogue.string());
 }
 
+WeaveOptions weave_options(const WatchOptions& options) {
+    constexpr int niceness = 19;
+    ChildLimits limits = options.limits;
+    limits.deadline = weave_deadline;
+    limits.niceness = niceness;
+    return {.root = options.root,
+            .state = options.state,
+            .bounds = options.tapestries,
+            .command = options.weave,
+            .limits = limits};
+}
+
 }  // namespace
 
 Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
@@ -57,6 +70,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
       schedule_(options.pace),
       follower_(folder_, schedule_),
       hint_files_(folder_, options.state / "hints.json"),
+      weaver_(loop, weave_options(options)),
       status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }),
       thumbnails_(loop, options.thumbnail_child, options.limits, [this] { status_.touch(); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
@@ -95,6 +109,7 @@ void Daemon::rescan() {
     if (unsaved_.empty() && std::exchange(is_lack_told_, false)) log::info("all records are stored again");
     follow_blame();
     store_.sweep();
+    weaver_.sweep(schedule_.paths_below(""));
     read_hints();
     std::chrono::milliseconds interval = options_.rescan;
     if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
@@ -116,6 +131,7 @@ void Daemon::advance() {
          actions = schedule_.step(now()))
         for (const Action& action : actions)
             perform(action);
+    weaver_.advance(is_online() && schedule_.is_idle() && !options_.is_once);
     if (store_.is_over()) make_room();
     wake_at(schedule_.wake(), begin);
     if (!is_telling_) telling_.arm(tell_rest);
@@ -154,6 +170,7 @@ void Daemon::perform(const Action& action) {
         growing_.end(action.path);
         store_.release(action.path);
         states_.release(action.path);
+        weaver_.release(action.path);
         told_waiting_.erase(action.path);
         return catalogue_.remove(action.path);
     }
@@ -213,6 +230,7 @@ void Daemon::finish(const std::string& path, const FileFacts& facts, const Child
     reading_.erase(path);
     pulse_.came(reading_of(path));
     store_.end(store_id(path, facts.bytes, facts.mtime_ns));
+    weaver_.analysed(path);
     follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
     store_growth();
     answer(outcome_of(result, limits, path, facts));

@@ -13,6 +13,7 @@
 #include "analyzer/status/status_writer.hpp"
 #include "analyzer/store/store.hpp"
 #include "analyzer/store/store_place.hpp"
+#include "analyzer/weaver.hpp"
 #include "base/catalogue/catalogue.hpp"
 #include "base/system/event_loop.hpp"
 #include "base/system/unique_fd.hpp"
@@ -38,7 +39,9 @@ struct WatchOptions {
         thumbnail_child;        // likewise of one thumbnail that the status page lacks; may be empty
     std::string status_folder;  // in the root, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .least_free = least_free_bytes};
-    std::vector<std::string> child;    // the command that writes one record; the file's path is appended
+    std::vector<std::string> child;  // the command that writes one record; the file's path is appended
+    std::vector<std::string> weave;  // the command that weaves a tapestry; see WeaveOptions
+    StoreBounds tapestries{.max_bytes = 0, .least_free = least_free_bytes};
     ChildLimits limits;                // the deadline is that of an empty file
     double deadline_per_mebibyte = 0;  // seconds
     Pace pace;
@@ -104,6 +107,7 @@ class Daemon {
     Schedule schedule_;
     FolderFollower follower_;
     HintFiles hint_files_;
+    Weaver weaver_;
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
     std::map<std::string, Schedule::Time> reading_;  // the files of the children, and since when
     GrowingRecords growing_;

@@ -25,6 +25,7 @@ void Daemon::load_catalogue() {
                         !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
         store_.hold(record);
         states_.hold(record);
+        weaver_.hold(record);
         if (!record.is_complete) growing_.known(record);
     }
 }
@@ -34,10 +35,12 @@ void Daemon::move(const Action& action) {
     std::optional<MediaRecord> record = stored(action.from);
     if (!record) return log::warning("renamed without a record: '{}'", action.path);
     record->path = action.path;
+    weaver_.move(action.from, action.path);
     store(*record);
     catalogue_.remove(action.from);
     store_.release(action.from);
     states_.release(action.from);
+    weaver_.release(action.from);
     std::error_code none;  // only a picture for the status folder
     fs::rename(thumbnail(action.from), thumbnail(action.path), none);
     log::info("renamed: '{}' to '{}'", action.from, action.path);
@@ -78,6 +81,7 @@ void Daemon::store(MediaRecord record) {
     store_.mark_dropped(record);
     store_.hold(record);
     states_.hold(record);
+    weaver_.hold(record);
     try {
         catalogue_.store(record);
         unsaved_.erase(record.path);

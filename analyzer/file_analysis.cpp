@@ -4,10 +4,13 @@
 #include "analyzer/explain_file.hpp"
 #include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/keeper.hpp"
+#include "analyzer/store/tapestry_state.hpp"
 #include "analyzer/video/frame_reader.hpp"
+#include "analyzer/weave/kept_frames.hpp"
 #include "base/catalogue/catalogue.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/catalogue/screen_note.hpp"
+#include "base/catalogue/tapestry.hpp"
 #include "base/media/colour.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/stream_end.hpp"
@@ -41,13 +44,6 @@ AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
     return settings;
 }
 
-std::string path_in_record(const fs::path& file, const fs::path& root) {
-    const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
-        (fs::absolute(root) / "").lexically_normal());
-    const bool is_inside = !relative.empty() && *relative.begin() != ".." && relative != ".";
-    return is_inside ? relative.string() : file.string();
-}
-
 struct stat status_of(const fs::path& file) {
     struct stat status {};
 
@@ -65,7 +61,7 @@ std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& sta
 /// Path, bytes and mtime are the same in all that is said of a file.
 MediaRecord name(MediaRecord record, const fs::path& file, const struct stat& status,
                  const Settings& settings) {
-    record.path = path_in_record(file, settings.media.root);
+    record.path = record_path(file, settings.media.root);
     record.bytes = static_cast<std::uint64_t>(status.st_size);
     record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
     return record;
@@ -105,7 +101,7 @@ StorePlace store_place(const fs::path& file, const struct stat& status, const Se
 
 fs::path thumbnail_place(const fs::path& file, const Settings& settings) {
     return fs::path(settings.state.directory) / "thumbnails" /
-           (record_id(path_in_record(file, settings.media.root)) + ".jpg");
+           (record_id(record_path(file, settings.media.root)) + ".jpg");
 }
 
 /// What a film that broke off keeps; the last shot ends where the damage begins, or earlier.
@@ -136,6 +132,7 @@ class Analysis {
             const bool is_kept = error.state() == MediaState::failed && !known_.shots.empty();
             if (!is_kept) return without_shots(error.state(), error.what());
             known_ = known_part(std::move(known_), error);
+            if (frames_) frames_->finish(known_.duration, content());
             if (keeper_) keeper_->complete(known_);
             return known_;
         } catch (const std::bad_alloc&) {
@@ -158,16 +155,31 @@ class Analysis {
         if (keeping_.stores)
             keeper_ = std::make_unique<Keeper>(file_.string(), source->info(),
                                                store_place(file_, status_, settings_));
+        if (keeping_.has_frames && source->info().kind == MediaKind::video) keep_frames();
         AttendedSource attended(
             *source, [this] { tell_kept(); },
             [this](const VideoFrame& frame) {
                 if (thumbnail_) thumbnail_->saw(frame);
+                if (frames_) frames_->saw(frame);
             });
         MediaRecord record = analyze(attended, analysis_settings(settings_.analyzer), {},
                                      [this](const MediaRecord& part) { grow(part); });
         if (thumbnail_) thumbnail_->write(record);
+        if (frames_) frames_->finish(record.duration, content());
         if (keeper_) keeper_->complete(record);
         return record;
+    }
+
+    FilmContent content() const {
+        const MediaRecord named = name({}, file_, status_, settings_);
+        return {.bytes = named.bytes, .mtime_ns = named.mtime_ns};
+    }
+
+    void keep_frames() {
+        const MediaRecord named = name({}, file_, status_, settings_);
+        const fs::path folder = tapestry_folder(settings_.state.directory, named.path);
+        if (tapestry_state(folder, named.bytes, named.mtime_ns) != TapestryState::lacking) return;
+        frames_.emplace(folder, tapestry_share(static_cast<std::uint64_t>(settings_.tapestry.max_bytes)));
     }
 
     void grow(const MediaRecord& part) {
@@ -198,6 +210,7 @@ class Analysis {
     MediaRecord known_;  // of a film, with the shots so far
     std::unique_ptr<Keeper> keeper_;
     std::optional<Thumbnail> thumbnail_;
+    std::optional<KeptFrames> frames_;
 };
 
 }  // namespace
@@ -219,7 +232,7 @@ MediaRecord record_of_file(const fs::path& file, const Settings& settings, const
 bool leave_thumbnail(const fs::path& file, const Settings& settings) {
     const fs::path place = thumbnail_place(file, settings);
     const Catalogue catalogue(fs::path(settings.state.directory) / "catalogue");
-    const auto record = catalogue.find(path_in_record(file, settings.media.root));
+    const auto record = catalogue.find(record_path(file, settings.media.root));
     if (!record || record->shots.empty()) return false;
     Thumbnail thumbnail(place);
     const std::unique_ptr<FrameSource> source = opened(file, status_of(file), settings);

@@ -14,6 +14,7 @@ struct Keeping {
     bool stores = false;         // a copy or clips in the store (settings.store), for the player to play from
     bool has_thumbnail = false;  // for the status folder
     bool takes_cut_streams = false;  // one that breaks off inside a packet was waited for long enough
+    bool has_frames = false;  // for the film's tapestry (settings.tapestry), where that is still to be woven
 };
 
 /// The record of one file as it is now: with its shots, or with the reason why there are none. A film that

@@ -1,5 +1,6 @@
 #include "analyzer/daemon.hpp"
 #include "analyzer/file_analysis.hpp"
+#include "analyzer/store/tapestry_state.hpp"
 #include "analyzer/weave_file.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/catalogue/record_json.hpp"
@@ -105,6 +106,14 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings,
         options.child.emplace_back("--thumbnail");
         options.thumbnail_child = {options.child[0], options.child[1], "thumbnail"};
     }
+    options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
+    if (settings.tapestry.max_bytes > 0 && !line.is_once) options.child.emplace_back("--frames");
+    options.weave = {"/proc/self/exe",
+                     "--config=" + snapshot.path(),
+                     "weave",
+                     "--resume",
+                     fmt::format("--threads={}", (cores + 1) / 2),
+                     fmt::format("--most-bytes={}", tapestry_share(options.tapestries.max_bytes))};
     options.state = settings.state.directory;
     options.store = std::filesystem::path(settings.state.directory) / "store";
     options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
@@ -166,6 +175,7 @@ int run(int argc, char** argv) {
     analyze->add_option("FILE", line.file)->required();
     analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
     analyze->add_flag("--keep", line.keeping.stores, "Put it into the store, for the player to play from");
+    analyze->add_flag("--frames", line.keeping.has_frames, "Keep a film's frames for its tapestry");
     analyze->add_flag("--thumbnail", line.keeping.has_thumbnail, "Leave a thumbnail for the status folder");
     analyze->add_flag("--as-it-is", line.keeping.takes_cut_streams,
                       "Do not wait for the rest of a stream that breaks off");
@@ -177,7 +187,8 @@ int run(int argc, char** argv) {
     explain->add_option("-o,--output", line.sheet, "The sheet, a PNG")->capture_default_str();
     CLI::App* weave = app.add_subcommand("weave", "Weave the tapestry of one film");
     weave->add_option("FILE", line.weave.file)->required();
-    weave->add_option("-o,--output", line.weave.directory, "A folder for tiles and index [FILE.tapestry]");
+    CLI::Option* folder = weave->add_option("-o,--output", line.weave.directory,
+                                            "A folder for tiles and index [FILE.tapestry]");
     weave->add_option("--sheet", line.weave.sheet, "A PNG of all levels below each other");
     weave->add_option("--levels", line.weave.levels, "How many levels at most, the coarsest first")
         ->check(CLI::Range(1, 32))
@@ -186,6 +197,11 @@ int run(int argc, char** argv) {
                       "A file with the coarsest level's times, seconds, one a line");
     weave->add_flag("--uniform", line.weave.is_uniform,
                     "Keyframes at equal distances, not by what they show");
+    weave->add_flag("--resume", line.weave.resumes, "Go on where an earlier weaving into the folder ended")
+        ->needs(folder);
+    weave->add_option("--most-bytes", line.weave.most_bytes, "Bytes of the tapestry at most, about [any]");
+    weave->add_option("--threads", line.weave.threads, "At the same time [one a core]")
+        ->check(CLI::Range(0, 256));
     CLI::App* watch = app.add_subcommand("watch", "Keep the catalogue equal to the media folder");
     watch->add_flag("--once", line.is_once, "End as soon as the catalogue is up to date");
     for (CLI::App* command : {analyze, thumbnail, explain, weave, watch})

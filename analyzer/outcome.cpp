@@ -38,6 +38,8 @@ std::string last_line(const std::string& text) {
     return text.substr(begin, std::min(end - begin + 1, max_reason));
 }
 
+}  // namespace
+
 std::string reason_of(const ChildResult& result, const ChildLimits& limits) {
     switch (result.end) {
     case ChildResult::End::late:
@@ -54,8 +56,6 @@ std::string reason_of(const ChildResult& result, const ChildLimits& limits) {
     const std::string line = last_line(result.complaint);
     return line.empty() ? fmt::format("the reader gave up without a reason ({})", result.code) : line;
 }
-
-}  // namespace
 
 MediaRecord record_of(const std::string& path, const FileFacts& facts, MediaState state, std::string reason) {
     return {.path = path,

@@ -32,6 +32,9 @@ std::optional<MediaRecord> growth_of(const std::string& line, const std::string&
 /// where that is of other content or has no shot.
 std::optional<MediaRecord> kept(std::optional<MediaRecord> known, const Outcome& outcome);
 
+/// Why a child did not do what it was for, in the operator's words.
+std::string reason_of(const ChildResult& result, const ChildLimits& limits);
+
 /// Never throws for what the child did or said: every end has its record.
 Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
                    const FileFacts& facts);

@@ -2,6 +2,7 @@
 
 #include "base/settings/settings.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -15,6 +16,9 @@ struct WeaveRequest {
     int levels = 32;
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
+    bool resumes = false;          // the pyramid: an earlier weaving is gone on with, where it was cut off
+    std::uint64_t most_bytes = 0;  // of the pyramid, about; 0: any
+    int threads = 0;               // 0: one a core
 };
 
 /// Weaves the tapestry of one film, into a folder or as a sheet.

@@ -1,5 +1,6 @@
 #include "player/stage.hpp"
 
+#include "base/catalogue/tapestry.hpp"
 #include "base/system/log.hpp"
 #include "player/scene/compose.hpp"
 
@@ -58,8 +59,7 @@ bool Stage::opens_strip(const Gesture& gesture) {
     const auto shot = show_->shot_at(gesture.at);
     if (!shot) return false;
     const auto film = std::ranges::find(records_, shot->path, &MediaRecord::path);
-    const auto directory =
-        std::filesystem::path(settings_.state.directory) / "tapestry" / record_id(shot->path);
+    const auto directory = tapestry_folder(settings_.state.directory, shot->path);
     std::error_code error;
     if (film == records_.end() || !std::filesystem::exists(directory / "index.json", error)) return false;
     try {

@@ -1,112 +1,87 @@
 #include "analyzer/weave/candidates.hpp"
 
+#include "analyzer/tapestry/as_index.hpp"
+#include "analyzer/weave/picture_file.hpp"
 #include "base/system/error.hpp"
 
-#include <fcntl.h>
 #include <opencv2/imgproc.hpp>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <stdexcept>
 #include <string>
 
 namespace vitrine {
 
 namespace {
 
-constexpr std::chrono::milliseconds shortest_interval{
-    500};                                        // 2 frames a second; source: Video Tapestries 4.1
-constexpr std::size_t most_candidates = 14'400;  // two hours of them
-constexpr int brick_height = 100;                // px: a tapestry of 150
-constexpr double least_shape = 0.4;              // width to height
-constexpr double most_shape = 3;
+constexpr std::int64_t most_entries = 20'000;
+constexpr std::int64_t most_jpeg_bytes = 1 << 20;
+constexpr int most_side = 4096;    // px
+constexpr double enlargement = 2;  // bricks are small for detectors
 
-UniqueFd nameless_file(const std::filesystem::path& directory) {
-    std::string name = (directory / "frames-XXXXXX").string();
-    UniqueFd file(::mkostemp(name.data(), O_CLOEXEC));
-    if (!file.is_open()) throw_errno("make a file in '{}'", directory.string());
-    if (::unlink(name.c_str()) < 0) throw_errno("unlink '{}'", name);
-    return file;
-}
-
-/// The middle of a frame that has the shape of a brick.
-cv::Rect cut_to(cv::Size frame, cv::Size brick) {
-    const double scale = std::min(static_cast<double>(frame.width) / brick.width,
-                                  static_cast<double>(frame.height) / brick.height);
-    const cv::Size part(std::clamp(static_cast<int>(std::lround(brick.width * scale)), 1, frame.width),
-                        std::clamp(static_cast<int>(std::lround(brick.height * scale)), 1, frame.height));
-    return {{(frame.width - part.width) / 2, (frame.height - part.height) / 2}, part};
-}
-
-FrameSignature signature_of(const VideoFrame& frame) {
-    cv::Mat small;
-    cv::resize(frame.picture, small, {FrameSignature::width, FrameSignature::height}, 0, 0, cv::INTER_AREA);
-    FrameSignature signature{.time = frame.time};
-    std::copy_n(small.ptr<std::uint8_t>(), signature.pixels.size(), signature.pixels.begin());
-    return signature;
+void require(bool is_so) {
+    if (!is_so) throw std::runtime_error("this is no file of a film's frames");
 }
 
 }  // namespace
 
-cv::Size brick_for(cv::Size frame) {
-    const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, least_shape, most_shape);
-    return {2 * static_cast<int>(std::lround(brick_height * shape / 2)), brick_height};
-}
-
-Candidates::Candidates(cv::Size brick, const std::filesystem::path& directory, FaceDetector* faces)
-    : brick_(brick), file_(nameless_file(directory)), detector_(faces), interval_(shortest_interval) {}
-
-void Candidates::push(const VideoFrame& frame) {
-    if (!kept_.empty() && frame.time < due_) return;
-    due_ = frame.time + interval_;
-    const cv::Rect part = cut_to(frame.picture.size(), brick_);
-    cv::Mat picture;
-    cv::resize(frame.picture(part), picture, brick_, 0, 0, cv::INTER_AREA);
-    const std::size_t bytes = picture.total() * picture.elemSize();
-    const auto offset = static_cast<off_t>(slots_ * static_cast<std::int64_t>(bytes));
-    const ssize_t written = ::pwrite(file_.get(), picture.data, bytes, offset);
-    if (written < 0) throw_errno("write a frame");
-    if (static_cast<std::size_t>(written) != bytes)
-        throw std::system_error(ENOSPC, std::generic_category(), "write a frame");
-    Kept kept{.slot = slots_++, .faces = {}};
-    if (detector_ != nullptr) {
-        const double scale = static_cast<double>(brick_.width) / part.width;
-        for (const Face& face : detector_->detect(frame.picture)) {
-            const Box box = moved(face.box, {-1.0 * part.x, -1.0 * part.y});
-            const cv::Point2d corner(box.min.x * scale, box.min.y * scale);
-            const cv::Point2d other(box.max.x * scale, box.max.y * scale);
-            const cv::Rect seen = cv::Rect(cv::Point(corner), cv::Point(other)) & cv::Rect({}, brick_);
-            if (!seen.empty()) kept.faces.push_back(seen);
-        }
+Candidates::Candidates(UniqueFd file, FaceDetector* faces) : file_(std::move(file)), detector_(faces) {
+    const off_t size = ::lseek(file_.get(), 0, SEEK_END);
+    if (size < 0) throw_errno("look at a file of frames");
+    CandidateFileEnd end;
+    require(size >= static_cast<off_t>(sizeof end));
+    const std::int64_t end_offset = size - static_cast<std::int64_t>(sizeof end);
+    read(&end, sizeof end, end_offset);
+    require(end.mark == CandidateFileEnd::usual_mark && end.entries > 0 && end.entries <= most_entries);
+    require(end.entries_offset >= 0 && end.entries_offset <= end_offset);
+    require(end_offset - end.entries_offset == end.entries * std::int64_t{sizeof(CandidateEntry)});
+    require(end.brick_width > 0 && end.brick_width <= most_side && end.brick_height > 0 &&
+            end.brick_height <= most_side);
+    brick_ = {end.brick_width, end.brick_height};
+    duration_ = std::chrono::nanoseconds(end.duration_ns);
+    content_ = end.content;
+    for (std::int64_t i = 0; i < end.entries; ++i) {
+        CandidateEntry entry;
+        read(&entry, sizeof entry, end.entries_offset + i * std::int64_t{sizeof entry});
+        require(entry.offset >= 0 && entry.bytes > 0 && entry.bytes <= most_jpeg_bytes);
+        require(signatures_.empty() || entry.time_ns > signatures_.back().time.count());
+        signatures_.push_back({.time = std::chrono::nanoseconds(entry.time_ns), .pixels = entry.signature});
+        kept_.push_back({.offset = entry.offset, .bytes = entry.bytes});
     }
-    kept_.push_back(std::move(kept));
-    signatures_.push_back(signature_of(frame));
-    if (kept_.size() >= most_candidates) thin();
+    faces_.resize(kept_.size());
 }
 
-/// Every other one goes, and from now on they come half as often.
-void Candidates::thin() {
-    for (std::size_t i = 1; 2 * i < kept_.size(); ++i) {
-        kept_[i] = std::move(kept_[2 * i]);
-        signatures_[i] = signatures_[2 * i];
-    }
-    kept_.resize((kept_.size() + 1) / 2);
-    signatures_.resize(kept_.size());
-    interval_ *= 2;
-    due_ = signatures_.back().time + interval_;
-}
-
-Keyframe Candidates::keyframe(int number) const {
-    const Kept& kept = kept_[static_cast<std::size_t>(number)];
-    Keyframe keyframe{.picture = cv::Mat(brick_, CV_8UC3), .faces = kept.faces};
-    const std::size_t bytes = keyframe.picture.total() * keyframe.picture.elemSize();
-    const ssize_t got = ::pread(file_.get(), keyframe.picture.data, bytes,
-                                static_cast<off_t>(kept.slot * static_cast<std::int64_t>(bytes)));
+void Candidates::read(void* into, std::size_t bytes, std::int64_t offset) const {
+    const ssize_t got = ::pread(file_.get(), into, bytes, offset);
     if (got < 0) throw_errno("read a frame");
     if (static_cast<std::size_t>(got) != bytes)
         throw std::system_error(EIO, std::generic_category(), "read a frame");
+}
+
+Keyframe Candidates::keyframe(int number) const {
+    const Kept& kept = kept_[as_index(number)];
+    std::string jpeg(static_cast<std::size_t>(kept.bytes), '\0');
+    read(jpeg.data(), jpeg.size(), kept.offset);
+    Keyframe keyframe{.picture = from_jpeg(jpeg), .faces = {}};
+    if (keyframe.picture.size() != brick_) throw std::runtime_error("a kept frame has another size");
+    auto& faces = faces_[as_index(number)];
+    if (!faces) faces = faces_in(keyframe.picture);
+    keyframe.faces = *faces;
     return keyframe;
+}
+
+std::vector<cv::Rect> Candidates::faces_in(const cv::Mat& picture) const {
+    std::vector<cv::Rect> faces;
+    if (detector_ == nullptr) return faces;
+    cv::Mat large;
+    cv::resize(picture, large, {}, enlargement, enlargement, cv::INTER_CUBIC);
+    for (const Face& face : detector_->detect(large)) {
+        const cv::Point2d corner(face.box.min.x / enlargement, face.box.min.y / enlargement);
+        const cv::Point2d other(face.box.max.x / enlargement, face.box.max.y / enlargement);
+        const cv::Rect seen = cv::Rect(cv::Point(corner), cv::Point(other)) & cv::Rect({}, brick_);
+        if (!seen.empty()) faces.push_back(seen);
+    }
+    return faces;
 }
 
 }  // namespace vitrine

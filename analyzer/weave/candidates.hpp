@@ -3,52 +3,54 @@
 #include "analyzer/saliency/face_detector.hpp"
 #include "analyzer/tapestry/brickwork.hpp"
 #include "analyzer/tapestry/frame_signature.hpp"
-#include "analyzer/video/video_frame.hpp"
+#include "analyzer/weave/candidate_file.hpp"
 #include "base/system/unique_fd.hpp"
 
-#include <filesystem>
+#include <chrono>
+#include <optional>
 #include <vector>
 
 namespace vitrine {
 
-/// The frames of a film that may become keyframes, two a second: small signatures in memory, pictures of a
-/// brick's size in a file without a name. A film beyond two hours gets them less often.
+/// The frames of a film that may become keyframes, as CandidateWriter has left them. Their signatures are in
+/// memory, 25 MB for two hours; their pictures stay in the file.
 class Candidates {
   public:
-    /// @param brick      px that they are kept in; what does not fit its shape is cut off at both sides
-    /// @param directory  where there is room for the pictures
-    /// @param faces      outlives this; null: none are looked for
-    Candidates(cv::Size brick, const std::filesystem::path& directory, FaceDetector* faces);
+    /// @param faces  outlives this; null: none are looked for
+    /// @throws std::runtime_error where it is no such file or ends too early, std::system_error
+    Candidates(UniqueFd file, FaceDetector* faces);
 
-    /// @param frame  later than the last
-    void push(const VideoFrame& frame);
-
+    /// In time order, at least one.
     const std::vector<FrameSignature>& signatures() const { return signatures_; }
 
     cv::Size brick() const { return brick_; }
 
-    /// @throws std::system_error where the file cannot be read
+    /// Of the film.
+    std::chrono::nanoseconds duration() const { return duration_; }
+
+    const FilmContent& content() const { return content_; }
+
+    /// Faces are looked for when a frame is first asked for: most frames of a long film never are.
+    /// @throws std::system_error, std::runtime_error where the file cannot be read
     Keyframe keyframe(int number) const;
 
   private:
     struct Kept {
-        std::int64_t slot = 0;  // of the file
-        std::vector<cv::Rect> faces;
+        std::int64_t offset = 0;
+        std::int64_t bytes = 0;
     };
 
-    void thin();
+    void read(void* into, std::size_t bytes, std::int64_t offset) const;
+    std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
 
-    cv::Size brick_;
     UniqueFd file_;
     FaceDetector* detector_;  // lent
-    std::chrono::nanoseconds interval_;
-    std::chrono::nanoseconds due_{0};
-    std::int64_t slots_ = 0;
+    cv::Size brick_;
+    std::chrono::nanoseconds duration_{0};
+    FilmContent content_;
     std::vector<FrameSignature> signatures_;
     std::vector<Kept> kept_;
+    mutable std::vector<std::optional<std::vector<cv::Rect>>> faces_;  // as far as they were looked for
 };
-
-/// The brick for frames of a size: 100 px tall, its width even and within [0.4, 3] times that.
-cv::Size brick_for(cv::Size frame);
 
 }  // namespace vitrine

@@ -1,6 +1,8 @@
 #include "analyzer/weave/film_weave.hpp"
 
-#include "analyzer/weave/picture_file.hpp"
+#include "analyzer/tapestry/as_index.hpp"
+#include "analyzer/weave/candidate_writer.hpp"
+#include "analyzer/weave/level_files.hpp"
 #include "analyzer/weave/zoom_files.hpp"
 #include "base/catalogue/media_error.hpp"
 
@@ -17,45 +19,6 @@ namespace {
 
 constexpr int tile_file_width = 512;  // px
 
-/// Cuts a strip that comes in columns into files.
-class TileWriter {
-  public:
-    TileWriter(const fs::path& directory, const Tapestry& tapestry, std::size_t level)
-        : directory_(directory), tapestry_(tapestry), level_(level) {}
-
-    void add(const cv::Mat& columns) {
-        if (pending_.empty())
-            pending_ = columns.clone();
-        else
-            cv::hconcat(pending_, columns, pending_);
-        while (pending_.cols >= tapestry_.tile_width) {
-            write(pending_.colRange(0, tapestry_.tile_width).clone());
-            pending_ = pending_.colRange(tapestry_.tile_width, pending_.cols).clone();
-        }
-    }
-
-    void finish() {
-        if (!pending_.empty()) write(pending_);
-    }
-
-  private:
-    void write(const cv::Mat& tile) { write_jpeg(directory_ / tapestry_.tile_name(level_, next_++), tile); }
-
-    const fs::path& directory_;  // both outlive the writer
-    const Tapestry& tapestry_;
-    std::size_t level_;
-    int next_ = 0;
-    cv::Mat pending_;
-};
-
-/// A name of its own for each weaving, so that readers of the one before lose nothing.
-std::string new_folder(const fs::path& directory) {
-    for (int number = 1;; ++number) {
-        std::string name = fmt::format("tiles-{}", number);
-        if (fs::create_directories(directory / name)) return name;
-    }
-}
-
 void remove_other_tiles(const fs::path& directory, const std::string& kept) {
     std::vector<fs::path> others;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory))
@@ -69,21 +32,74 @@ Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
     return {.keyframes = static_cast<int>(keyframes.size()), .brick = brick};
 }
 
+TapestryLevel level_of(const Keyframes& keyframes, const Brickwork& brickwork, const Candidates& candidates) {
+    TapestryLevel level{.width = brickwork.width(), .keyframes = {}};
+    for (const int frame : keyframes)
+        level.keyframes.push_back(candidates.signatures()[as_index(frame)].time);
+    return level;
+}
+
+/// How many levels an earlier weaving into the same folder of tiles has finished.
+std::size_t levels_woven(const fs::path& directory, const Tapestry& tapestry) {
+    std::error_code error;
+    if (!fs::exists(directory / "index.json", error)) return 0;
+    try {
+        const Tapestry before = read_tapestry(directory);
+        const bool is_same = before.folder == tapestry.folder && before.bytes == tapestry.bytes &&
+                             before.mtime_ns == tapestry.mtime_ns;
+        return is_same ? before.levels.size() : 0;
+    } catch (const std::runtime_error&) {  // loading one record: it is woven anew
+        return 0;
+    }
+}
+
+std::uint64_t bytes_in(const fs::path& folder) {
+    std::uint64_t bytes = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    return bytes;
+}
+
+/// Whether a level of that width may be begun, by what the levels so far, at least one, have taken.
+bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t most_bytes) {
+    if (most_bytes == 0) return true;
+    double columns = 0;
+    for (const TapestryLevel& level : tapestry.levels)
+        columns += level.width;
+    return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(most_bytes);
+}
+
+/// The newest level of the tapestry: its tiles, its zoom fields, then the index that names them.
+void write_level(const fs::path& directory, const Tapestry& tapestry, const Film& film,
+                 const Keyframes& keyframes, const RetargetSettings& settings, const RunTasks& run) {
+    const Candidates& candidates = *film.candidates;
+    const std::size_t number = tapestry.levels.size() - 1;
+    const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
+    LevelFiles files(directory, tapestry, number, brickwork);
+    weave_level(
+        brickwork, [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); },
+        [&](const cv::Mat& columns, const WovenSoFar& done) { files.add(columns, done); }, settings, run,
+        files.done());
+    files.finish();
+    if (number > 0) write_zoom(directory, tapestry, number, run);
+    write_tapestry(directory, tapestry);
+    files.remove_note();
+}
+
 }  // namespace
 
-Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* faces) {
-    std::optional<VideoFrame> frame = source.next();
-    if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
-    const cv::Size size = frame->picture.size();
-    Film film{.candidates = std::make_unique<Candidates>(brick_for(size), directory, faces)};
-    nanoseconds last{-1};
-    for (; frame; frame = source.next()) {
-        if (frame->time <= last || frame->picture.size() != size) continue;  // of a broken stream
-        film.candidates->push(*frame);
-        last = frame->time;
-    }
-    film.duration = std::max(source.info().duration, last + nanoseconds(1));
+Film film_of(UniqueFd frames, FaceDetector* faces) {
+    Film film{.candidates = std::make_unique<Candidates>(std::move(frames), faces)};
+    film.duration = film.candidates->duration();
     return film;
+}
+
+Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* faces) {
+    CandidateWriter writer(nameless_file(directory));
+    while (const std::optional<VideoFrame> frame = source.next())
+        writer.push(*frame);
+    if (writer.is_empty()) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
+    return film_of(writer.finish(source.info().duration, {}), faces);
 }
 
 std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
@@ -97,34 +113,33 @@ std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const Weav
     return keyframe_levels(costs, settings);
 }
 
-Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film& film,
-                       const std::vector<Keyframes>& levels, const RetargetSettings& settings,
-                       const RunTasks& run) {
+std::string new_tile_folder(const fs::path& directory) {
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("tiles-{}", number);
+        if (fs::create_directories(directory / name)) return name;
+    }
+}
+
+Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film& film, const WeavePlan& plan,
+                       const PyramidSettings& settings, const RunTasks& run) {
     const Candidates& candidates = *film.candidates;
     tapestry.duration = film.duration;
-    tapestry.folder = new_folder(directory);
+    tapestry.folder = plan.folder;
+    tapestry.height = tapestry_height(brickwork_of(plan.levels[0], candidates.brick()));
     tapestry.tile_width = tile_file_width;
     tapestry.brick_width = candidates.brick().width;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        const Brickwork brickwork = brickwork_of(levels[i], candidates.brick());
-        TapestryLevel level{.width = brickwork.width(), .keyframes = {}};
-        for (const int frame : levels[i])
-            level.keyframes.push_back(candidates.signatures()[static_cast<std::size_t>(frame)].time);
-        fs::create_directories(directory / tapestry.folder / fmt::format("{}", i));
-        tapestry.height = tapestry_height(brickwork);
-        TileWriter tiles(directory, tapestry, i);
-        weave_level(
-            brickwork, [&](int k) { return candidates.keyframe(levels[i][static_cast<std::size_t>(k)]); },
-            [&](const cv::Mat& columns) { tiles.add(columns); }, settings, run);
-        tiles.finish();
-        tapestry.levels.push_back(std::move(level));
-        if (i > 0) {
-            write_zoom(directory, tapestry, i, run);
-            tapestry.levels.back().has_zoom = true;
-        }
-        tapestry.is_complete = i + 1 == levels.size();
-        write_tapestry(directory, tapestry);
+    const std::size_t woven = levels_woven(directory, tapestry);
+    for (std::size_t i = 0; i < plan.levels.size(); ++i) {
+        const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
+        if (i > 0 && !has_room(tapestry, bytes_in(directory / tapestry.folder), brickwork.width(),
+                               settings.most_bytes))
+            break;
+        tapestry.levels.push_back(level_of(plan.levels[i], brickwork, candidates));
+        tapestry.levels.back().has_zoom = i > 0;
+        if (i >= woven) write_level(directory, tapestry, film, plan.levels[i], settings.retarget, run);
     }
+    tapestry.is_complete = true;
+    write_tapestry(directory, tapestry);
     remove_other_tiles(directory, tapestry.folder);
     return tapestry;
 }

@@ -4,6 +4,7 @@
 #include "analyzer/tapestry/weave.hpp"
 #include "analyzer/video/frame_source.hpp"
 #include "analyzer/weave/candidates.hpp"
+#include "analyzer/weave/weave_plan.hpp"
 #include "base/catalogue/tapestry.hpp"
 
 #include <filesystem>
@@ -26,6 +27,9 @@ struct Film {
     std::chrono::nanoseconds duration{0};
 };
 
+/// A film whose frames were kept. @throws as Candidates
+Film film_of(UniqueFd frames, FaceDetector* faces);
+
 /// Reads a film to its end.
 /// @param directory  takes a nameless file of the frames while they are needed
 /// @throws MediaError where it is broken or holds no picture
@@ -34,14 +38,23 @@ Film gathered(FrameSource& source, const std::filesystem::path& directory, FaceD
 std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
                                         const RunTasks& run);
 
+/// How a pyramid is written.
+struct PyramidSettings {
+    RetargetSettings retarget;
+    std::uint64_t most_bytes = 0;  // of its tiles, about: a level that would go beyond is not begun; 0: any
+};
+
+/// A folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
+std::string new_tile_folder(const std::filesystem::path& directory);
+
 /// Weaves all levels into a folder: tiles, and the index anew after each level, so that the coarsest can be
-/// shown while the finest is made. The tiles of an earlier weaving go last, when nothing names them any more.
+/// shown while the finest is made. Goes on where an earlier weaving into the same tile folder was cut off;
+/// what comes of it does not depend on that. The tiles of other weavings go last, when nothing names them.
 /// @param tapestry  path, bytes and mtime_ns of the film
 /// @return          the index
 /// @throws std::system_error, std::runtime_error; they name the file
 Tapestry write_pyramid(const std::filesystem::path& directory, Tapestry tapestry, const Film& film,
-                       const std::vector<Keyframes>& levels, const RetargetSettings& settings,
-                       const RunTasks& run);
+                       const WeavePlan& plan, const PyramidSettings& settings, const RunTasks& run);
 
 /// Draws the levels below each other, each around the middle of the one above, with lines from where a
 /// level's part begins and ends to the same times in the level above. Source: Video Tapestries, figure 6.

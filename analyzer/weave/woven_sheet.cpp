@@ -55,7 +55,7 @@ cv::Mat woven_part(const Film& film, const Keyframes& keyframes, const Part& par
     cv::Mat strip;
     weave_level(
         brickwork, [&](int k) { return film.candidates->keyframe(keyframes[as_index(first + k)]); },
-        [&](const cv::Mat& columns) {
+        [&](const cv::Mat& columns, const WovenSoFar&) {
             if (strip.empty())
                 strip = columns.clone();
             else

@@ -28,6 +28,14 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
            std::equal(before.shots.begin(), before.shots.end(), after.shots.begin(), is_same);
 }
 
+std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root) {
+    const std::filesystem::path relative =
+        std::filesystem::absolute(file).lexically_normal().lexically_relative(
+            (std::filesystem::absolute(root) / "").lexically_normal());
+    const bool is_inside = !relative.empty() && *relative.begin() != ".." && relative != ".";
+    return is_inside ? relative.string() : file.string();
+}
+
 std::string record_id(const std::string& path) {
     return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(path.data(), path.size())));
 }

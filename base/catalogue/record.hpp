@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,10 @@ Box core(const MediaRecord& record, const Shot& shot);
 /// Whether `after` says of the same content all that `before` says, and at most further shots behind. Where
 /// they are stored does not count.
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
+
+/// The path by which the record of a file names it: relative to the media root where it lies in there, else
+/// as it is given.
+std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root);
 
 /// Names the file's record: 16 hex digits, the same for the same path.
 std::string record_id(const std::string& path);

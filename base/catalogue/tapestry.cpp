@@ -1,5 +1,6 @@
 #include "base/catalogue/tapestry.hpp"
 
+#include "base/catalogue/record.hpp"
 #include "base/system/atomic_file.hpp"
 
 #include <fmt/format.h>
@@ -152,6 +153,10 @@ Tapestry read_tapestry(const std::filesystem::path& directory) {
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("read '{}': {}", file.string(), error.what()));
     }
+}
+
+std::filesystem::path tapestry_folder(const std::filesystem::path& state, const std::string& path) {
+    return state / "tapestry" / record_id(path);
 }
 
 void write_tapestry(const std::filesystem::path& directory, const Tapestry& tapestry) {

@@ -53,6 +53,9 @@ Tapestry tapestry_from_json(std::string_view json);
 /// The index in a tapestry's folder. @throws std::system_error, std::runtime_error; both name the file
 Tapestry read_tapestry(const std::filesystem::path& directory);
 
+/// Where the tapestry of the film of that record is. @param path  as its record names it
+std::filesystem::path tapestry_folder(const std::filesystem::path& state, const std::string& path);
+
 /// Replaces the index by write, fsync and rename. @throws std::system_error
 void write_tapestry(const std::filesystem::path& directory, const Tapestry& tapestry);
 

@@ -284,6 +284,9 @@ std::vector<SettingKey> make_keys() {
                          std::int64_t{1} << 50),
                      whole(
                          "store.clip_size", [](S& s) -> int& { return s.store.clip_size; }, 0, 4096),
+                     bytes(
+                         "tapestry.max_bytes", [](S & s) -> auto& { return s.tapestry.max_bytes; },
+                         std::int64_t{1} << 50),
                      text(
                          "status.folder", [](S & s) -> auto& { return s.status.folder; },
                          "the name of a folder, or nothing", is_folder_name),

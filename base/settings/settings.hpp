@@ -22,6 +22,10 @@ struct Settings {
         int clip_size = 0;  // px, longest side of a clip; 0: as layout.slots makes cells
     } store;
 
+    struct Tapestry {
+        std::int64_t max_bytes = std::int64_t{2} << 30;  // of all films' together; 0: none are woven
+    } tapestry;
+
     struct Status {
         std::string folder = "_STATUS";  // in the media folder, for its operators; empty: none
     } status;

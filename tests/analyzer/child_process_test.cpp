@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 
 using namespace vitrine;
 using namespace std::chrono_literals;
+namespace fs = std::filesystem;
 using End = ChildResult::End;
 
 namespace {
@@ -149,6 +151,37 @@ TEST_CASE("a child that is stopped says so, and one that is dropped is killed") 
     while (::waitpid(-1, nullptr, 0) > 0) {
     }
     CHECK(errno == ECHILD);
+}
+
+TEST_CASE("a child that is paused stands still until it goes on, and can be killed meanwhile") {
+    const TemporaryDirectory home;
+    const std::string marks = (home.path / "marks").string();
+    const auto marked = [&] { return fs::exists(marks) ? fs::file_size(marks) : 0; };
+    EventLoop loop;
+    std::optional<ChildResult> result;
+    ChildProcess child(loop, {"/bin/sh", "-c", "while sleep 0.01; do echo >> " + marks + "; done"}, {},
+                       [&](const ChildResult& ended) { result = ended; });
+    const auto grows = [&](std::uintmax_t beyond) {
+        const auto end = EventLoop::Clock::now() + 60s;
+        while (marked() <= beyond && EventLoop::Clock::now() < end)
+            loop.run_once(10ms);
+        return marked() > beyond;
+    };
+    REQUIRE(grows(2));
+    child.pause();
+    for (int i = 0; i < 5; ++i)
+        loop.run_once(10ms);  // what it was just doing
+    const auto before = marked();
+    for (int i = 0; i < 20; ++i)
+        loop.run_once(10ms);
+    CHECK(marked() == before);
+    child.go_on();
+    CHECK(grows(before));
+    child.pause();
+    child.stop();
+    while (!result)
+        loop.run_once(1s);
+    CHECK(result->end == End::stopped);
 }
 
 TEST_CASE("a program that is not there fails like any other") {

@@ -3,12 +3,19 @@
 #include "analyzer/analyze.hpp"
 #include "analyzer/explain/canvas.hpp"
 #include "analyzer/video/frame_reader.hpp"
+#include "analyzer/weave/film_weave.hpp"
+#include "analyzer/weave/kept_frames.hpp"
+#include "base/catalogue/tapestry.hpp"
+#include "tests/analyzer/video/drawn_film.hpp"
+#include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -67,4 +74,36 @@ TEST_CASE("a photo is looked at with twice the pixels of a film's frame, for its
     const Photo photo;
     const auto source = open_media(photo.path, 320);
     CHECK(source->next()->picture.size() == cv::Size(640, 384));
+}
+
+TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where that is lacking") {
+    const TemporaryDirectory folder;
+    const std::string film = written(folder, {.caps = "format=I420,width=64,height=48",
+                                              .picture = std::vector<std::uint8_t>(64 * 48 * 3 / 2, 90)});
+    Settings settings = settings_without_faces("min_area");
+    settings.media.root = folder.path;
+    settings.state.directory = folder.path / "state";
+    const fs::path kept = tapestry_folder(settings.state.directory, "film");
+
+    (void)record_of_file(film, settings);
+    CHECK_FALSE(kept_frames(kept));
+    const MediaRecord record = record_of_file(film, settings, {.has_frames = true});
+    REQUIRE(record.state == MediaState::ready);
+    const Film frames = film_of(std::move(*kept_frames(kept)), nullptr);
+    CHECK(frames.candidates->signatures().size() == 1);
+    CHECK(frames.candidates->content() == FilmContent{.bytes = record.bytes, .mtime_ns = record.mtime_ns});
+    CHECK(frames.duration == record.duration);
+
+    remove_kept_frames(kept);
+    write_tapestry(kept, {.path = "film",
+                          .bytes = record.bytes,
+                          .mtime_ns = record.mtime_ns,
+                          .is_complete = true,
+                          .folder = "tiles-1",
+                          .height = 150,
+                          .tile_width = 512,
+                          .brick_width = 178,
+                          .levels = {}});
+    (void)record_of_file(film, settings, {.has_frames = true});
+    CHECK_FALSE(kept_frames(kept));
 }

@@ -60,7 +60,7 @@ class Faults(unittest.TestCase):
     def start(self, environment=None):
         with open(self.journal, "ab") as journal:
             watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
-                                        "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1"],
+                                        "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1", "--tapestry.max_bytes", "0"],
                                        stderr=journal, env=environment)
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)

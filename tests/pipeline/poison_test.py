@@ -47,7 +47,8 @@ class Poison(unittest.TestCase):
         with open(self.journal, "ab") as journal:
             watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory",
                                         str(self.home / "state"), "--analyzer.quiet_milliseconds", "100",
-                                        "--analyzer.deadline_seconds", str(deadline), "--analyzer.memory_mebibytes", "1024"],
+                                        "--analyzer.deadline_seconds", str(deadline), "--analyzer.memory_mebibytes", "1024",
+                                        "--tapestry.max_bytes", "0"],
                                        env=environment, stderr=journal)
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)

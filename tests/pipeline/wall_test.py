@@ -104,7 +104,8 @@ class Wall(unittest.TestCase):
         self.root.mkdir()
 
     def settings(self):
-        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "200"]
+        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "200",
+                "--tapestry.max_bytes", "0"]
 
     def analyse(self):
         subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)

@@ -61,7 +61,7 @@ class Watch(unittest.TestCase):
 
     def settings(self):
         return ["--media.root", str(self.root), "--state.directory", str(self.state),
-                "--analyzer.quiet_milliseconds", "300"]
+                "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
 
     def start(self):
         watcher = subprocess.Popen([ANALYZER, "watch", *self.settings()])

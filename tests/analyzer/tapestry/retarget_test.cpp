@@ -78,13 +78,36 @@ TEST_CASE("a level is woven to its end, of one keyframe too") {
         int columns = 0;
         weave_level(
             brickwork, [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); },
-            [&](const cv::Mat& part) {
+            [&](const cv::Mat& part, const WovenSoFar&) {
                 CHECK(part.rows == 30);
                 columns += part.cols;
             },
             {.quality = TileQuality::on_demand});
         CHECK(columns == brickwork.width());
     }
+}
+
+TEST_CASE("a level that was cut off goes on with the same columns") {
+    const Brickwork brickwork{.keyframes = 9, .brick = {200, 20}};
+    const auto keyframe = [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); };
+    const RetargetSettings quick{.quality = TileQuality::on_demand};
+    std::vector<cv::Mat> parts;
+    std::vector<WovenSoFar> places;
+    weave_level(
+        brickwork, keyframe,
+        [&](const cv::Mat& part, const WovenSoFar& done) {
+            parts.push_back(part.clone());
+            places.push_back(done);
+        },
+        quick);
+    REQUIRE(parts.size() == 2);
+    REQUIRE(places[0].tiles == 1);
+    std::vector<cv::Mat> rest;
+    weave_level(
+        brickwork, keyframe, [&](const cv::Mat& part, const WovenSoFar&) { rest.push_back(part.clone()); },
+        quick, run_in_order, places[0]);
+    REQUIRE(rest.size() == 1);
+    CHECK(cv::norm(rest[0], parts[1], cv::NORM_INF) == 0);
 }
 
 }  // namespace vitrine

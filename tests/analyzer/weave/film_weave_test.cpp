@@ -1,16 +1,21 @@
 #include "analyzer/weave/film_weave.hpp"
 
+#include "analyzer/weave/level_files.hpp"
 #include "analyzer/weave/picture_file.hpp"
 #include "analyzer/weave/threads.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/media/still_picture.hpp"
+#include "base/system/atomic_file.hpp"
+#include "tests/analyzer/weave/drawn_source.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
 #include <atomic>
+#include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -18,47 +23,14 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// A ball that crosses one scene after another; or nothing at all.
-class DrawnSource : public FrameSource {
-  public:
-    DrawnSource(cv::Size size, int frames, bool is_black)
-        : size_(size), frames_(frames), is_black_(is_black) {
-        info_.kind = MediaKind::video;
-        info_.width = size.width;
-        info_.height = size.height;
-        info_.duration = milliseconds(100) * frames;
-    }
-
-    const MediaInfo& info() const override { return info_; }
-
-    std::optional<VideoFrame> next() override {
-        if (next_ == frames_) return std::nullopt;
-        VideoFrame frame{.picture = cv::Mat(size_, CV_8UC3, cv::Scalar::all(0)),
-                         .time = milliseconds(100) * next_};
-        if (!is_black_) {
-            const int scene = next_ / 40;
-            frame.picture.setTo(cv::Scalar(scene * 70 % 256, 120, 60));
-            cv::circle(frame.picture, {next_ * 7 % size_.width, size_.height / 2}, size_.height / 5,
-                       cv::Scalar(20, 220, 240), cv::FILLED);
-        }
-        ++next_;
-        return frame;
-    }
-
-  private:
-    cv::Size size_;
-    int frames_;
-    bool is_black_;
-    int next_ = 0;
-    MediaInfo info_;
-};
-
 const RetargetSettings quick{.quality = TileQuality::on_demand};
 
 Tapestry woven(const TemporaryDirectory& folder, FrameSource& source, int most_levels) {
     const Film film = gathered(source, folder.path, nullptr);
     const auto levels = chosen_keyframes(*film.candidates, {.most_levels = most_levels}, run_in_order);
-    return write_pyramid(folder.path, {.path = "drawn"}, film, levels, quick, run_in_order);
+    return write_pyramid(folder.path, {.path = "drawn"}, film,
+                         {.folder = new_tile_folder(folder.path), .levels = levels}, {.retarget = quick},
+                         run_in_order);
 }
 
 /// Every tile is there, is a picture, and all together are as wide as the level.
@@ -148,22 +120,101 @@ TEST_CASE("the sheet shows the levels below each other") {
     CHECK(cv::mean(sheet.rowRange(155, 205))[1] > 240);
 }
 
-TEST_CASE("a film beyond two hours keeps fewer frames a second, and no more memory") {
+TEST_CASE("a weaving that was cut off leaves what is whole, and is gone on with to the same tapestry") {
     const TemporaryDirectory folder;
-    Candidates candidates({4, 4}, folder.path, nullptr);
-    const cv::Mat picture(4, 4, CV_8UC3, cv::Scalar::all(9));
-    for (int i = 0; i < 40'000; ++i)
-        candidates.push({.picture = picture, .time = milliseconds(500) * i});
-    const auto& frames = candidates.signatures();
+    DrawnSource source({64, 48}, 46, false);
+    const Film film = gathered(source, folder.path, nullptr);
+    const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
+    const auto weave = [&](const std::filesystem::path& into, const RunTasks& run) {
+        return write_pyramid(into, {.path = "drawn", .bytes = 7}, film, plan, {.retarget = quick}, run);
+    };
+    int runs = 0;
+    const auto counted = [&](int count, const std::function<void(int)>& task) {
+        ++runs;
+        run_in_order(count, task);
+    };
+    const Tapestry whole = weave(folder.path / "whole", counted);
+    const int all = std::exchange(runs, 0);
+    CHECK_THROWS_WITH(weave(folder.path / "cut",
+                            [&](int count, const std::function<void(int)>& task) {
+                                if (runs > all / 2) throw std::runtime_error("killed");
+                                counted(count, task);
+                            }),
+                      "killed");
 
-    CHECK(frames.size() > 7000);
-    CHECK(frames.size() <= 14'400);
-    bool is_even = true;
-    for (std::size_t i = 1; i < frames.size(); ++i)
-        is_even &= frames[i].time - frames[i - 1].time == milliseconds(2000);
-    CHECK(is_even);
-    CHECK(cv::norm(candidates.keyframe(static_cast<int>(frames.size()) - 1).picture, picture, cv::NORM_INF) ==
-          0);
+    const Tapestry part = read_tapestry(folder.path / "cut");
+    REQUIRE(part.levels.size() < 3);
+    REQUIRE(part.levels.size() > 0);
+    CHECK_FALSE(part.is_complete);
+    check_tiles(folder.path / "cut", part);
+    const auto first = folder.path / "cut" / part.tile_name(0, 0);
+    std::filesystem::last_write_time(first, {});
+    runs = 0;
+    CHECK(to_json(weave(folder.path / "cut", counted)) == to_json(whole));
+    CHECK(runs < all);
+    CHECK(std::filesystem::last_write_time(first) == std::filesystem::file_time_type{});
+    for (std::size_t level = 0; level < 3; ++level)
+        CHECK(read_file(folder.path / "cut" / whole.tile_name(level, 0)) ==
+              read_file(folder.path / "whole" / whole.tile_name(level, 0)));
+}
+
+TEST_CASE("a tapestry that may take few bytes has its coarse levels only") {
+    const TemporaryDirectory folder;
+    DrawnSource source({64, 48}, 46, false);
+    const Film film = gathered(source, folder.path, nullptr);
+    const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
+    const auto levels = [&](std::uint64_t most_bytes) {
+        return write_pyramid(folder.path, {}, film, plan, {.retarget = quick, .most_bytes = most_bytes},
+                             run_in_order)
+            .levels.size();
+    };
+    CHECK(levels(1) == 1);
+    CHECK(levels(1 << 20) == 3);
+}
+
+TEST_CASE("a level has the same files wherever its weaving is cut off") {
+    const Brickwork brickwork{.keyframes = 60, .brick = {100, 8}};
+    const std::vector<TileSpan> spans = tile_spans(brickwork.width());
+    REQUIRE(spans.size() > 6);
+    cv::Mat strip(12, brickwork.width(), CV_8UC3);
+    cv::randu(strip, 0, 255);
+    Tapestry tapestry{.folder = "tiles-1", .height = 12, .tile_width = 128, .brick_width = 100, .levels = {}};
+    tapestry.levels.push_back({.width = brickwork.width(), .keyframes = {}});
+    /// Hands over the tiles up to so many as weave_level() does.
+    const auto weave = [&](const std::filesystem::path& folder, std::size_t until) {
+        LevelFiles files(folder, tapestry, 0, brickwork);
+        const std::size_t from = files.done().tiles;
+        if (from > 0) {
+            const cv::Mat border = strip.colRange(spans[from].from, spans[from].from + tile_overlap);
+            CHECK(cv::norm(files.done().border, border, cv::NORM_INF) == 0);
+        }
+        for (std::size_t i = from; i < until; ++i) {
+            const bool is_last = i + 1 == spans.size();
+            const int to = is_last ? spans[i].to : spans[i].to - tile_overlap;
+            files.add(strip.colRange(spans[i].from, to),
+                      {.tiles = i + 1, .border = strip.colRange(to, spans[i].to).clone()});
+        }
+        if (until < spans.size()) return from;
+        files.finish();
+        files.remove_note();
+        return from;
+    };
+    const TemporaryDirectory whole;
+    (void)weave(whole.path, spans.size());
+    for (const std::size_t cut : {1, 4, 6}) {
+        CAPTURE(cut);
+        const TemporaryDirectory folder;
+        (void)weave(folder.path, cut);
+        CHECK(weave(folder.path, spans.size()) == cut / 4 * 4);
+        int files = 0;
+        for (int tile = 0; tile < tapestry.tiles(0); ++tile)
+            CHECK(read_file(folder.path / tapestry.tile_name(0, tile)) ==
+                  read_file(whole.path / tapestry.tile_name(0, tile)));
+        for ([[maybe_unused]] const auto& file :
+             std::filesystem::directory_iterator(folder.path / "tiles-1/0"))
+            ++files;
+        CHECK(files == tapestry.tiles(0));
+    }
 }
 
 TEST_CASE("a picture that cannot be written is named") {

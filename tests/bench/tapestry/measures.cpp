@@ -111,7 +111,7 @@ cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
     cv::Mat strip;
     weave_level(
         level.brickwork, [&](int k) { return level.keyframes[static_cast<std::size_t>(k)]; },
-        [&](const cv::Mat& columns) {
+        [&](const cv::Mat& columns, const WovenSoFar&) {
             if (strip.empty())
                 strip = columns.clone();
             else

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""The daemon weaves the tapestry of each film, in its own time, and goes on where it was stopped.
+
+    tapestry_test.py BUILD_DIRECTORY [unittest arguments]
+
+Draws its own film: tall and short, so that there are two levels of few tiles.
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+BUILD = Path(sys.argv[1]).resolve()
+ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
+PATIENCE = 900  # seconds until something that must come is given up: what is waited for lets all others go first
+
+
+def make_film(path):
+    """Thirty seconds, a new colour every second and a bar that moves."""
+    colours = ["red", "navy", "gray", "olive", "teal", "maroon"] * 5
+    takes = [f"color={colour}:size=40x100:rate=10:duration=1,drawbox=x='mod(t*20\\,30)':y={10 + 2 * i}:w=10:h=20:c=white:t=fill[v{i}]"
+             for i, colour in enumerate(colours)]
+    joined = "".join(f"[v{i}]" for i in range(len(takes))) + f"concat=n={len(takes)}"
+    subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", "-filter_complex", ";".join([*takes, joined]), "-c:v", "mpeg4", "-g", "10",
+                    str(path)], check=True)
+
+
+class Tapestry(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="vitrine-tapestry-")
+        self.addCleanup(self.folder.cleanup)
+        self.root = Path(self.folder.name) / "media"
+        self.state = Path(self.folder.name) / "state"
+        self.root.mkdir()
+
+    def start(self, *more):
+        journal = open(self.state.parent / "journal", "ab")
+        watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
+                                    "--analyzer.quiet_milliseconds", "100", "--store.max_bytes", "0", "--analyzer.rescan_seconds", "1",
+                                    "--log.level", "debug", *more], stderr=journal)
+        journal.close()
+        self.addCleanup(watcher.wait)
+        self.addCleanup(watcher.kill)
+        return watcher
+
+    def folder_of(self, path):
+        for file in (self.state / "catalogue").glob("*.json"):
+            if json.loads(file.read_text())["path"] == path:
+                return self.state / "tapestry" / file.stem
+        return None
+
+    def index(self, path):
+        folder = self.folder_of(path)
+        try:
+            return json.loads((folder / "index.json").read_text()) if folder else None
+        except FileNotFoundError:
+            return None
+
+    def wait_for(self, condition):
+        end = time.monotonic() + PATIENCE
+        while not condition():
+            self.assertLess(time.monotonic(), end, (self.state.parent / "journal").read_text())
+            time.sleep(0.05)
+
+    def levels(self, path):
+        return len((self.index(path) or {"levels": []})["levels"])
+
+    def woven(self, path):
+        return (self.index(path) or {"complete": False})["complete"]
+
+    def tiles(self, path):
+        folder = self.folder_of(path)
+        return {file.relative_to(folder): file for file in folder.rglob("*.jpg")}
+
+    def weaver(self, daemon):
+        """The daemon's weaving child, or None."""
+        children = subprocess.run(["ps", "-o", "pid=,ni=,args=", "--ppid", str(daemon.pid)], capture_output=True, text=True, check=False).stdout
+        for line in children.splitlines():
+            pid, niceness, args = line.split(None, 2)
+            if " weave " in args:
+                return int(pid), int(niceness)
+        return None
+
+    def test_a_film_is_woven_over_a_kill_and_its_tapestry_goes_with_it(self):
+        make_film(self.root / "film.mp4")
+        daemon = self.start()
+        self.wait_for(lambda: self.levels("film.mp4") == 1)
+        self.assertFalse(self.woven("film.mp4"))
+        before = {name: (file.stat().st_ino, file.stat().st_mtime_ns) for name, file in self.tiles("film.mp4").items() if name.parts[1] == "0"}
+        self.assertTrue((self.folder_of("film.mp4") / "frames").is_file())
+        pid, niceness = self.weaver(daemon)
+        self.assertEqual(niceness, os.getpriority(os.PRIO_PROCESS, 0) + 19 if os.getpriority(os.PRIO_PROCESS, 0) <= 0 else 19)
+        daemon.send_signal(signal.SIGKILL)
+        daemon.wait()
+        self.wait_for(lambda: not Path(f"/proc/{pid}").exists() or "Z" in Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1][:3])
+
+        daemon = self.start()
+        self.wait_for(lambda: self.woven("film.mp4"))
+        self.wait_for(lambda: self.weaver(daemon) is None)
+        index = self.index("film.mp4")
+        self.assertEqual(index["path"], "film.mp4")
+        self.assertGreaterEqual(len(index["levels"]), 2)
+        self.assertEqual(index["folder"], "tiles-1")
+        for level, its in enumerate(index["levels"]):
+            self.assertTrue(all(after > time for time, after in zip(its["keyframes_ns"], its["keyframes_ns"][1:])))
+            for tile in range((its["width"] + index["tile_width"] - 1) // index["tile_width"]):
+                self.assertIn(Path(f"tiles-1/{level}/{tile:06}.jpg"), self.tiles("film.mp4"))
+        for name, was in before.items():
+            file = self.folder_of("film.mp4") / name
+            self.assertEqual((file.stat().st_ino, file.stat().st_mtime_ns), was, "a level that was there was woven again")
+        self.assertEqual(sorted(file.name for file in self.folder_of("film.mp4").iterdir()), ["index.json", "tiles-1"])
+        self.assertNotIn("not woven", (self.state.parent / "journal").read_text())
+
+        folder = self.folder_of("film.mp4")
+        (self.root / "film.mp4").unlink()
+        self.wait_for(lambda: not folder.exists())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[2:]])
