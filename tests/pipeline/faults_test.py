@@ -78,8 +78,8 @@ class Faults(unittest.TestCase):
             found[record["path"]] = record
         return found
 
-    def wait(self, condition, watcher=None):
-        end = time.monotonic() + PATIENCE
+    def wait(self, condition, watcher=None, patience=PATIENCE):
+        end = time.monotonic() + patience
         while not condition():
             self.assertLess(time.monotonic(), end, f"{self.records().keys()}\n{self.journal.read_text()[-3000:]}")
             if watcher:
@@ -101,15 +101,16 @@ class Faults(unittest.TestCase):
                 (self.root / f"film {kill}.avi").write_bytes(source.read_bytes())
             else:
                 png(self.root / f"photo {kill}.png", 64, 48, lambda x, y: (kill % 256, x, y))
-            end = time.monotonic() + rng.uniform(0.02, 1.5)
-            while time.monotonic() < end:
+            ready = self.journal.read_text().count("ready: ") if kill % 2 else None  # killed about when a record is written
+            end = time.monotonic() + (PATIENCE if kill % 2 else rng.uniform(0.02, 1.5))
+            while time.monotonic() < end and ready in (None, self.journal.read_text().count("ready: ")):
                 self.records()
-                time.sleep(0.01)
+                time.sleep(rng.uniform(0.001, 0.02))
             watcher.kill()
             watcher.wait()
             self.records()
         watcher = self.start()
-        self.wait(self.are_all_ready, watcher)
+        self.wait(self.are_all_ready, watcher, PATIENCE + 10 * KILLS)
         self.assertNotIn("unreadable", self.journal.read_text())
         # What the killed left half written is gone once it has been looked for.
         self.wait(lambda: not list(self.catalogue.glob("*.new")) and not list((self.state / "store").rglob("*.new")), watcher)

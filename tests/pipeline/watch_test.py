@@ -63,8 +63,8 @@ class Watch(unittest.TestCase):
         return ["--media.root", str(self.root), "--state.directory", str(self.state),
                 "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
 
-    def start(self):
-        watcher = subprocess.Popen([ANALYZER, "watch", *self.settings()])
+    def start(self, *options):
+        watcher = subprocess.Popen([ANALYZER, "watch", *self.settings(), *options])
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)
         return watcher
@@ -252,6 +252,15 @@ class Watch(unittest.TestCase):
         (self.root / "b.png").unlink()
         self.until("the wall", lambda _: (status / "wall.jpg").exists() and "wall.jpg" in "".join(lines("index.html")))
         self.assertEqual(self.records(), {}, "what is in the status folder is never looked at")
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_thumbnails_of_files_that_were_looked_at_before_there_was_a_status_folder_are_made(self):
+        (self.root / "a.png").write_bytes(png(64))
+        subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--status.folder", ""], check=True, timeout=PATIENCE)
+        self.assertFalse((self.state / "thumbnails").exists())
+        watcher = self.start("--analyzer.rescan_seconds", "1")
+        self.until("its thumbnail", lambda _: len(list((self.root / "_STATUS" / "thumbnails").glob("*.jpg"))) == 1)
         watcher.terminate()
         self.assertEqual(watcher.wait(PATIENCE), 0)
 
