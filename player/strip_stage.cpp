@@ -37,7 +37,7 @@ TapestryStrip strip_of(const std::filesystem::path& directory, Vec2 canvas,
         picture = {static_cast<double>(options.film->width), static_cast<double>(options.film->height)};
         settings.shots = options.film->shots;
     }
-    return {std::move(tapestry), picture, canvas, std::move(settings)};
+    return {std::move(tapestry), picture, canvas, settings};
 }
 
 std::shared_ptr<const ZoomMesh> mesh_of(const std::optional<ZoomField>& field, double left,

@@ -47,8 +47,8 @@ template <typename Numbers> void fill(GLenum target, const GlBuffer& buffer, con
 
 void attribute(GLuint place, GLint count, std::size_t offset) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast): GL's way
-    glVertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(ZoomMesh::Vertex),
-                          reinterpret_cast<const void*>(offset));
+    const auto* begin = reinterpret_cast<const void*>(offset);
+    glVertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(ZoomMesh::Vertex), begin);
     glEnableVertexAttribArray(place);
 }
 

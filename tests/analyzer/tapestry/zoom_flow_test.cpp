@@ -30,6 +30,7 @@ struct Levels {
         tapestry.tile_width = 128;
         tapestry.brick_width = brick.width;
         std::vector<int> all;
+        all.reserve(finer_keyframes);
         for (int k = 0; k < finer_keyframes; ++k)
             all.push_back(k);
         coarse = strip_of(kept);
@@ -40,6 +41,7 @@ struct Levels {
 
     static std::vector<std::chrono::nanoseconds> times(const std::vector<int>& keyframes) {
         std::vector<std::chrono::nanoseconds> times;
+        times.reserve(keyframes.size());
         for (const int k : keyframes)
             times.push_back(std::chrono::seconds(k) + std::chrono::milliseconds(500));
         return times;

@@ -19,8 +19,9 @@ inline Tapestry drawn_tapestry(int levels = 4) {
         const int count = 4 << level;
         TapestryLevel one{.width = (count + 1) * tapestry.brick_width / 2, .keyframes = {}};
         const int finest = 4 << (levels - 1);
+        const int step = finest / count;
         for (int k = 0; k < count; ++k) {
-            const double at = (k * (finest / count) + 0.5) / finest;
+            const double at = (k * step + 0.5) / finest;
             one.keyframes.emplace_back(static_cast<std::int64_t>(at * at * 60e9));
         }
         tapestry.levels.push_back(std::move(one));
