@@ -118,11 +118,6 @@ void Daemon::rescan() {
     pulse_.expect("the media folder is read", now() + interval);
 }
 
-void Daemon::read_hints() {
-    if (is_online()) hint_files_.read(schedule_.paths_below(""));
-    status_.touch();
-}
-
 /// Whatever happened ends here: the schedule says what follows.
 void Daemon::advance() {
     const Schedule::Time begin = now();
@@ -172,6 +167,7 @@ void Daemon::perform(const Action& action) {
         states_.release(action.path);
         weaver_.release(action.path);
         told_waiting_.erase(action.path);
+        heard_.erase(action.path);
         return catalogue_.remove(action.path);
     }
 }
@@ -185,6 +181,7 @@ void Daemon::start(const Action& action) {
     if (!action.is_last_try && folder_.ends_in_hole(action.path))
         return wait("the copy is not complete: parts of the file are still empty");
     std::vector<std::string> command = options_.child;
+    if (store_.is_on() && is_to_be_heard(action.path)) command.emplace_back("--sound");
     command.push_back(folder_.absolute(action.path).string());
     if (action.is_last_try) command.emplace_back("--as-it-is");
     const ChildLimits limits =

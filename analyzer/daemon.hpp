@@ -76,6 +76,8 @@ class Daemon {
     void load_catalogue();
     void rescan();
     void read_hints();
+    bool is_to_be_heard(const std::string& path) const;
+    void want_sounds();
     StatusReport report() const;
     std::filesystem::path thumbnail(const std::string& path) const;
     void advance();
@@ -108,6 +110,8 @@ class Daemon {
     FolderFollower follower_;
     HintFiles hint_files_;
     Weaver weaver_;
+    std::set<std::string>
+        heard_;  // files that are to be heard, of which it was seen whether their sound is kept
     std::map<std::string, std::unique_ptr<ChildProcess>> children_;
     std::map<std::string, Schedule::Time> reading_;  // the files of the children, and since when
     GrowingRecords growing_;

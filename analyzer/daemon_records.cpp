@@ -41,7 +41,9 @@ void Daemon::move(const Action& action) {
     store_.release(action.from);
     states_.release(action.from);
     weaver_.release(action.from);
-    std::error_code none;  // only a picture for the status folder
+    heard_.erase(action.from);
+    hints_.arm(std::chrono::seconds(0));  // the new name may say something else
+    std::error_code none;                 // only a picture for the status folder
     fs::rename(thumbnail(action.from), thumbnail(action.path), none);
     log::info("renamed: '{}' to '{}'", action.from, action.path);
 }

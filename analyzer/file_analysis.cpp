@@ -152,9 +152,7 @@ class Analysis {
     MediaRecord analysed() {
         if (!keeping_.takes_cut_streams) require_whole_packets(file_.string(), media_format(file_.string()));
         const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
-        if (keeping_.stores)
-            keeper_ = std::make_unique<Keeper>(file_.string(), source->info(),
-                                               store_place(file_, status_, settings_));
+        if (keeping_.stores) keeper_ = std::make_unique<Keeper>(file_.string(), source->info(), place());
         if (keeping_.has_frames && source->info().kind == MediaKind::video) keep_frames();
         AttendedSource attended(
             *source, [this] { tell_kept(); },
@@ -180,6 +178,12 @@ class Analysis {
         const fs::path folder = tapestry_folder(settings_.state.directory, named.path);
         if (tapestry_state(folder, named.bytes, named.mtime_ns) != TapestryState::lacking) return;
         frames_.emplace(folder, tapestry_share(static_cast<std::uint64_t>(settings_.tapestry.max_bytes)));
+    }
+
+    StorePlace place() const {
+        StorePlace place = store_place(file_, status_, settings_);
+        place.wants_sound = keeping_.has_sound;
+        return place;
     }
 
     void grow(const MediaRecord& part) {

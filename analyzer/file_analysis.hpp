@@ -12,6 +12,7 @@ namespace vitrine {
 /// What an analysis leaves in the state directory, and what it takes.
 struct Keeping {
     bool stores = false;         // a copy or clips in the store (settings.store), for the player to play from
+    bool has_sound = false;      // of a film, in the store too
     bool has_thumbnail = false;  // for the status folder
     bool takes_cut_streams = false;  // one that breaks off inside a packet was waited for long enough
     bool has_frames = false;  // for the film's tapestry (settings.tapestry), where that is still to be woven

@@ -176,6 +176,7 @@ int run(int argc, char** argv) {
     analyze->add_flag("--grow", line.is_growing, "Print each shot as it is found, the whole record last");
     analyze->add_flag("--keep", line.keeping.stores, "Put it into the store, for the player to play from");
     analyze->add_flag("--frames", line.keeping.has_frames, "Keep a film's frames for its tapestry");
+    analyze->add_flag("--sound", line.keeping.has_sound, "Put the sound of a film into the store, too");
     analyze->add_flag("--thumbnail", line.keeping.has_thumbnail, "Leave a thumbnail for the status folder");
     analyze->add_flag("--as-it-is", line.keeping.takes_cut_streams,
                       "Do not wait for the rest of a stream that breaks off");

@@ -154,6 +154,11 @@ Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {
     return answer == Answer::waiting ? Verdict::give_up : Verdict::store;
 }
 
+void Schedule::again(const std::string& path) {
+    const auto found = entries_.find(path);
+    if (found != entries_.end() && found->second.phase == Phase::done) enter(path, found->second, Phase::due);
+}
+
 std::vector<std::string> Schedule::to_look_at(Time now) const {
     std::vector<std::string> paths;
     for (auto it = looks_.begin(); it != looks_.end() && it->first <= now; ++it)

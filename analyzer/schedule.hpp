@@ -99,6 +99,9 @@ class Schedule {
 
     Verdict finished(const std::string& path, Answer answer, Time now);
 
+    /// A file whose record stands is analysed once more, for there is more to be known of it.
+    void again(const std::string& path);
+
     /// Files whose time has come to be looked at, each to be answered by saw() or gone().
     std::vector<std::string> to_look_at(Time now) const;
 

@@ -54,8 +54,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
       console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
       crash_note_(settings.state.directory),
-      sources_({.media = settings.media.root, .store = settings.state.directory + "/store"},
-               source_options(settings, !is_paced_by_pictures_)),
+      sources_(media_places(settings), source_options(settings, !is_paced_by_pictures_)),
       programme_(settings.state.directory),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
@@ -78,6 +77,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
                                             .clock = clock_,
                                             .give_catalogue = [this] { give_catalogue(); },
                                             .reload = [this] { reload(); }});
+    if (!is_paced_by_pictures_ && !settings.output.sound.empty())
+        sound_.emplace(media_places(settings), alsa_sink(settings.output.sound));
     if (!settings.status.folder.empty() && !options.rehearsal)
         wall_picture_.emplace(std::filesystem::path(settings.state.directory) / "wall.jpg");
     sources_.before_opening([this](const std::string& path) {
@@ -228,6 +229,7 @@ void Player::tick() {
     operation_->look(time);
     if (!display_ || display_->screens().empty()) {
         clock_.skip_to(time);
+        hear(time);
         return tick_.arm(invisible_pause);
     }
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
@@ -239,6 +241,7 @@ void Player::tick() {
     hand_out(sources_.update());
     for (const auto& stage : stages_)
         if (!stage->screens().empty()) stage->show(time, *renderer_);
+    hear(time);
     take_wall_picture(time);
     tell_items();
     if (is_paced_by_pictures_)

@@ -9,6 +9,7 @@
 #include "player/frame_clock.hpp"
 #include "player/operation.hpp"
 #include "player/playback/source_pool.hpp"
+#include "player/playback/wall_sound.hpp"
 #include "player/programme_follower.hpp"
 #include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
@@ -70,6 +71,7 @@ class Player {
     void take(const Screen& screen, InputEvent event);
     void tick();
     void take_wall_picture(std::chrono::nanoseconds time);
+    void hear(std::chrono::nanoseconds time);
     bool is_time_to_draw(std::chrono::nanoseconds time);
     void follow_display(std::chrono::nanoseconds time);
     void close_display();
@@ -102,6 +104,7 @@ class Player {
     std::optional<Renderer> renderer_;       // where there is a display, or what draws outlasted one
     CrashNote crash_note_;                   // before the sources, whose files it is told of
     SourcePool sources_;
+    std::optional<WallSound> sound_;               // none: nothing is ever heard
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first
     std::vector<std::unique_ptr<Stage>> stages_;
     std::optional<Operation> operation_;

@@ -59,6 +59,10 @@ SourceOptions source_options(const Settings& settings, bool keeps_time) {
             .keeps_time = keeps_time};
 }
 
+MediaPlaces media_places(const Settings& settings) {
+    return {.media = settings.media.root, .store = settings.state.directory + "/store"};
+}
+
 View view_of(const Settings& settings, int width, int height) {
     const Margins margins = margins_named(settings.output.margins).value_or(Margins{});
     const auto pixels = [](const ScreenLength& length, int side) {

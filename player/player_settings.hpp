@@ -2,6 +2,7 @@
 
 #include "base/settings/settings.hpp"
 #include "player/layout/plan.hpp"
+#include "player/playback/media_places.hpp"
 #include "player/playback/shot_source.hpp"
 #include "player/render/view.hpp"
 #include "player/scene/panning_wall.hpp"
@@ -18,6 +19,8 @@ PanSettings pan_settings(const Settings& settings);
 
 /// @param keeps_time  pictures are shown at their time, late or not, instead of each exactly
 SourceOptions source_options(const Settings& settings, bool keeps_time);
+
+MediaPlaces media_places(const Settings& settings);
 
 /// How a canvas lies on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);

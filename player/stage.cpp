@@ -145,11 +145,13 @@ void Stage::carry_out(const WallStep& step, Renderer& renderer) {
     for (const ShotRequest& request : step.requests) {
         log::debug("source {}: '{}'", request.source, request.path);
         sources_.request(request);
+        note_film(request);
     }
     for (const SourceId source : step.retired) {
         sources_.retire(source);
         renderer.forget(source);
         uploaded_.erase(source);
+        films_.erase(source);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "player/layout/planner.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/hearing.hpp"
 #include "player/scene/show.hpp"
 #include "player/strip_stage.hpp"
 
@@ -83,7 +84,11 @@ class Stage {
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
     void show_strip(const std::filesystem::path& directory, std::optional<std::chrono::nanoseconds> patience);
 
-    void set_wishes(const Wishes& wishes) { show_->set_wishes(wishes); }
+    void set_wishes(const Wishes& wishes);
+
+    /// The shots on its screens, by the last show(), that are to be heard by what names and folders say;
+    /// none while the wall is paused.
+    std::vector<AudibleShot> audible() const;
 
     /// What is on the wall by the last show().
     const Frame& frame() const { return frame_; }
@@ -113,6 +118,7 @@ class Stage {
     void take_layout();
     void take_layout(Layout layout);
     void ask(const WallPlan& wall);
+    void note_film(const ShotRequest& request);
     void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer);
     bool upload(const Frame& frame, Renderer& renderer);
 
@@ -123,8 +129,10 @@ class Stage {
     std::unique_ptr<Show> show_;
     Gestures gestures_;
     ShowHints hints_;
-    std::vector<MediaRecord> records_;  // of its folder
-    std::string opened_;                // the folder that a visitor looks into; empty: none
+    std::vector<MediaRecord> records_;       // of its folder
+    std::map<SourceId, AudibleShot> films_;  // those that were asked for
+    bool is_paused_ = false;
+    std::string opened_;  // the folder that a visitor looks into; empty: none
     std::chrono::nanoseconds touched_{0};
     std::unique_ptr<StripStage> strip_;  // in place of the wall; none: the wall is shown
     Frame behind_;                       // what was shown before the strip

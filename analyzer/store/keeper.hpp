@@ -11,7 +11,8 @@
 
 namespace vitrine {
 
-/// Puts one file into the store while it is analysed: a film as clips of its shots, a photo as a copy.
+/// Puts one file into the store while it is analysed: a film as clips of its shots and, where
+/// it is to be heard, its sound, a photo as a copy.
 class Keeper {
   public:
     /// @param media  what the analysis knows of the file before its first frame

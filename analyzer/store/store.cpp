@@ -36,18 +36,30 @@ bool Store::lacks(const MediaRecord& record) const {
     });
 }
 
+bool Store::lacks_sound(const MediaRecord& record) const {
+    if (!is_on() || record.kind != MediaKind::video || record.state != MediaState::ready ||
+        !record.is_complete)
+        return false;
+    if (!record.sound) return record.reason.empty();  // else what was known of it was all that could be
+    return !record.sound->is_dropped && !record.sound->file.empty() &&
+           !fs::exists(directory_ / record.sound->file);
+}
+
 void Store::mark_dropped(MediaRecord& record) const {
     for (Shot& shot : record.shots)
         if (shot.stored && dropped_.contains(shot.stored->file)) shot.stored->is_dropped = true;
+    if (record.sound && dropped_.contains(record.sound->file)) record.sound->is_dropped = true;
 }
 
 void Store::hold(const MediaRecord& record) {
     std::set<std::string>& names = named_[record.path];
     names.clear();
-    for (const Shot& shot : record.shots) {
-        if (!shot.stored || shot.stored->is_dropped || !names.insert(shot.stored->file).second) continue;
-        if (!files_.contains(shot.stored->file)) look_at(shot.stored->file);
-    }
+    for (const Shot& shot : record.shots)
+        if (shot.stored && !shot.stored->is_dropped) names.insert(shot.stored->file);
+    if (record.sound && !record.sound->is_dropped && !record.sound->file.empty())
+        names.insert(record.sound->file);
+    for (const std::string& name : names)
+        if (!files_.contains(name)) look_at(name);
     if (names.empty()) named_.erase(record.path);
 }
 

@@ -32,6 +32,9 @@ class Store {
     /// was made for a screen so much smaller that it would be seen.
     bool lacks(const MediaRecord& record) const;
 
+    /// Whether the sound of a ready film is not where it should be, were it to be heard.
+    bool lacks_sound(const MediaRecord& record) const;
+
     /// Marks in a record what has lost its place; to be called before it is written.
     void mark_dropped(MediaRecord& record) const;
 

@@ -16,6 +16,7 @@ struct StorePlace {
     int clip_side = 640;           // px, longest side of a clip
     std::uint64_t most_bytes = 0;  // of one clip or copy
     std::uint64_t least_free = 0;  // bytes that the disk must keep free
+    bool wants_sound = false;      // of a film
 };
 
 /// Whether the disk has more free than it must keep.

@@ -62,6 +62,7 @@ struct MediaRecord {
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
+    std::optional<StoredSound> sound;      // of a film that is to be heard; nothing: not kept
 
     friend bool operator==(const MediaRecord&, const MediaRecord&) = default;
 };

@@ -92,6 +92,18 @@ StoredShot to_stored(const Json& json) {
     return stored;
 }
 
+Json to_object(const StoredSound& sound) {
+    return {{"file", sound.file}, {"dropped", sound.is_dropped}};
+}
+
+StoredSound to_sound(const Json& json) {
+    StoredSound sound{.file = json.at("file").get<std::string>(),
+                      .is_dropped = json.at("dropped").get<bool>()};
+    if (!sound.file.empty() && !is_store_name(sound.file))
+        throw std::runtime_error("record: the sound's 'file' names none of the store");
+    return sound;
+}
+
 Json to_object(const Shot& shot) {
     Json polygon = Json::array();
     for (const Vec2& corner : shot.region.polygon)
@@ -137,6 +149,7 @@ MediaRecord to_record(const Json& json) {
     if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
     for (const Json& shot : json.at("shots"))
         record.shots.push_back(to_shot(shot));
+    if (json.contains("sound")) record.sound = to_sound(json["sound"]);
     return record;
 }
 
@@ -170,6 +183,7 @@ std::string to_json(const MediaRecord& record) {
               {"height", record.height},
               {"duration_ns", record.duration.count()},
               {"shots", shots}};
+    if (record.sound) json["sound"] = to_object(*record.sound);
     if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -19,6 +19,14 @@ struct StoredShot {
     friend bool operator==(const StoredShot&, const StoredShot&) = default;
 };
 
+/// Where the analyzer keeps the sound of a film that is to be heard, its times those of the film.
+struct StoredSound {
+    std::string file;         // in the store: ID/NAME; empty: the film has none that can be heard
+    bool is_dropped = false;  // it lost its place to others, or was too large for one
+
+    friend bool operator==(const StoredSound&, const StoredSound&) = default;
+};
+
 /// The folder of the store that holds one content of one file: 16 hex digits.
 /// @param path  in the record
 std::string store_id(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <span>
 
 namespace vitrine {
 
@@ -42,14 +43,34 @@ constexpr std::array rows{
     DecoderRow{"video/x-raw", nullptr, nullptr},
 };
 
-}  // namespace
+constexpr std::array sounds{
+    DecoderRow{"audio/mpeg,mpegversion=(int){2,4}", "aacparse", "avdec_aac"},
+    DecoderRow{"audio/mpeg,mpegversion=(int)1", "mpegaudioparse", "mpg123audiodec"},
+    DecoderRow{"audio/x-opus", "opusparse", "opusdec"},
+    DecoderRow{"audio/x-vorbis", nullptr, "vorbisdec"},
+    DecoderRow{"audio/x-flac", "flacparse", "flacdec"},
+    DecoderRow{"audio/x-ac3", "ac3parse", "avdec_ac3"},
+    DecoderRow{"audio/x-eac3", "ac3parse", "avdec_eac3"},
+    DecoderRow{"audio/x-alac", nullptr, "avdec_alac"},
+    DecoderRow{"audio/x-raw", nullptr, nullptr},
+};
 
-std::optional<DecoderRow> decoder_for(const GstCaps* stream) {
-    for (const DecoderRow& row : rows) {
+std::optional<DecoderRow> row_for(std::span<const DecoderRow> table, const GstCaps* stream) {
+    for (const DecoderRow& row : table) {
         const GstPtr<GstCaps> wanted(gst_caps_from_string(row.caps));
         if (gst_caps_can_intersect(stream, wanted.get())) return row;
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DecoderRow> decoder_for(const GstCaps* stream) {
+    return row_for(rows, stream);
+}
+
+std::optional<DecoderRow> sound_decoder_for(const GstCaps* stream) {
+    return row_for(sounds, stream);
 }
 
 const char* demuxer_for(MediaFormat container) {

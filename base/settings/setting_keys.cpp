@@ -268,6 +268,9 @@ void append_player_keys(std::vector<SettingKey>& keys) {
             choice("output.decoders", [](S & s) -> auto& { return s.output.decoders; },
                    {"auto", "processor"}),
             choice("output.api", [](S & s) -> auto& { return s.output.api; }, {"best", "legacy"}),
+            text(
+                "output.sound", [](S & s) -> auto& { return s.output.sound; },
+                "a device of ALSA like \"default\", or nothing", [](const std::string&) { return true; }),
         });
 }
 

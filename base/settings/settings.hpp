@@ -99,6 +99,7 @@ struct Settings {
         int frame_rate = 30;
         std::string decoders = "auto";  // auto or processor
         std::string api = "best";       // best or legacy
+        std::string sound = "default";  // a device of ALSA; empty: nothing is heard
     } output;
 };
 

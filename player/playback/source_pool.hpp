@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/playback/governor.hpp"
+#include "player/playback/media_places.hpp"
 #include "player/playback/shot_source.hpp"
 #include "player/playback/watchdog.hpp"
 #include "player/scene/frame.hpp"
@@ -25,12 +26,6 @@ struct SourceEvent {
     SourceId source = 0;
     std::optional<std::string> failure;  // in plain words; none: it is ready
     std::string unstored;  // the file of the media folder that it is read from; empty: the store
-};
-
-/// Where the files lie.
-struct MediaPlaces {
-    std::string media;  // the media folder
-    std::string store;  // of the analyzer; a shot that it has is played from there
 };
 
 /// How many films show less than all of their pictures.

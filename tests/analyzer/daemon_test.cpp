@@ -25,6 +25,11 @@ constexpr auto patience = 60s;  // until something that must come is given up
 
 /// Says that a file is ready, unless its first line is a command that misbehaves.
 constexpr const char* reader = R"(
+    sound=
+    if [ "$1" = --sound ]; then
+        shift
+        sound=',"sound":{"file":"","dropped":false}'
+    fi
     read -r word name < "$1" || true
     echo "$1" >> "$0.log"
     case "$word" in
@@ -43,7 +48,7 @@ constexpr const char* reader = R"(
     fi
     say() {
         echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
-             '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']}'
+             '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']'"$sound"'}'
     }
     first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
     second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
@@ -510,4 +515,31 @@ TEST_CASE("thumbnails that the status page lacks are made when nothing else is t
     const auto end = EventLoop::Clock::now() + 200ms;
     CHECK(house.comes_true([&] { return EventLoop::Clock::now() > end; }));
     CHECK(tried() == "a.jpg\n");
+}
+
+TEST_CASE("a film is asked for its sound where names or folders say so, be it afterwards") {
+    House house;
+    house.most_stored = 1000;
+    house.drop("sound at once.mp4");
+    house.drop("later/a.mp4");
+    house.drop("later/mute b.mp4");
+    house.start();
+    const auto has_sound = [&](const std::string& path) {
+        const auto record = house.record(path);
+        return record && record->sound.has_value();
+    };
+    CHECK(house.comes_true([&] { return house.records() == 3 && has_sound("sound at once.mp4"); }));
+    CHECK_FALSE(has_sound("later/a.mp4"));
+
+    house.drop("later/.vitrine.toml", "sound = true\n");
+
+    CHECK(house.comes_true([&] { return has_sound("later/a.mp4"); }));
+    CHECK(house.shots("later/a.mp4") == 1);
+    CHECK_FALSE(has_sound("later/mute b.mp4"));
+    CHECK(house.analyses() == 4);
+
+    fs::rename(house.root / "later/mute b.mp4", house.root / "later/b.mp4");
+
+    CHECK(house.comes_true([&] { return has_sound("later/b.mp4"); }));
+    CHECK(house.analyses() == 5);
 }

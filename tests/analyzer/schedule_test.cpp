@@ -303,3 +303,15 @@ TEST_CASE(
     CHECK(bench.finish("other") == Verdict::store);
     CHECK(bench.after(0s) == Actions{Bench::start("long", grown_more)});
 }
+
+TEST_CASE("a file of which more is to be known is analysed again, without a look at it before") {
+    Bench bench;
+    bench.settle("a", small);
+    bench.schedule.again("a");
+    CHECK(bench.after(0s) == Actions{Bench::start("a", small)});
+    bench.schedule.again("a");  // it is being analysed anyway
+    CHECK(bench.finish("a") == Verdict::store);
+    CHECK(bench.after(0s).empty());
+    bench.schedule.again("nobody");
+    CHECK(bench.after(1h).empty());
+}

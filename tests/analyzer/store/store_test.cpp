@@ -151,3 +151,37 @@ TEST_CASE("a clip made for a much smaller screen is lacking, unless its film has
     record.shots[0].stored->is_dropped = true;
     CHECK_FALSE(store.lacks(record));
 }
+
+TEST_CASE("a film's sound is held like its shots, and named when it has lost its place") {
+    const Shelf shelf;
+    shelf.put(id_a + "/0-1.mp4", 0, 10);
+    shelf.put(id_a + "/sound", 50, 10);
+    Store store(shelf.directory, {.max_bytes = 15});
+    MediaRecord record = film("a", {id_a + "/0-1.mp4"});
+    record.sound = StoredSound{.file = id_a + "/sound"};
+    store.hold(record);
+    CHECK(store.make_room() == std::set<std::string>{"a"});
+    CHECK(shelf.has(id_a + "/0-1.mp4"));
+    CHECK_FALSE(shelf.has(id_a + "/sound"));
+    store.mark_dropped(record);
+    CHECK(record.sound->is_dropped);
+    CHECK_FALSE(record.shots.front().stored->is_dropped);
+}
+
+TEST_CASE("a film lacks its sound where none was looked for, or what was kept is not there") {
+    const Shelf shelf;
+    const Store store(shelf.directory, {.max_bytes = 1000});
+    MediaRecord record = film("a", {});
+    CHECK(store.lacks_sound(record));
+    record.sound = StoredSound{.file = id_a + "/sound"};
+    CHECK(store.lacks_sound(record));
+    shelf.put(id_a + "/sound");
+    CHECK_FALSE(store.lacks_sound(record));
+    record.sound = StoredSound{};  // it has none
+    CHECK_FALSE(store.lacks_sound(record));
+    record.sound = StoredSound{.file = id_b + "/sound", .is_dropped = true};
+    CHECK_FALSE(store.lacks_sound(record));
+    record = film("a", {});
+    record.is_complete = false;
+    CHECK_FALSE(store.lacks_sound(record));
+}

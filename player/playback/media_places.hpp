@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace vitrine {
+
+/// Where the files lie.
+struct MediaPlaces {
+    std::string media;  // the media folder
+    std::string store;  // of the analyzer; a shot that it has is played from there
+};
+
+}  // namespace vitrine

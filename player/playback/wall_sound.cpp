@@ -1,0 +1,82 @@
+#include "player/playback/wall_sound.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vitrine {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::nanoseconds most_apart = 80ms;  // of picture and sound
+constexpr std::size_t most_ending = 4;                 // more of them only where a device does not answer
+constexpr std::size_t most_told = 1000;
+
+}  // namespace
+
+void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseconds moment) {
+    look_after();
+    std::vector<AudibleShot> sound(shots.begin(), shots.end());
+    std::erase_if(failed_, [&](SourceId source) {
+        return std::ranges::find(shots, source, &AudibleShot::source) == shots.end();
+    });
+    std::erase_if(sound, [&](const AudibleShot& shot) {
+        return shot.duration() <= 0ns || failed_.contains(shot.source);
+    });
+    const AudibleShot* one = heard_one(sound, heard());
+    const auto origin = one ? moment - one->local : 0ns;
+    if (now_ &&
+        (!one || one->source != now_->shot.source || std::chrono::abs(origin - now_->origin) > most_apart))
+        leave();
+    if (one && !now_ && ending_.size() < most_ending) start(*one, origin);
+}
+
+/// What the store has is preferred; it may have lost it since.
+void WallSound::start(const AudibleShot& shot, std::chrono::nanoseconds origin) {
+    const bool is_kept = shot.stored && !shot.stored->is_dropped;
+    if (is_kept && shot.stored->file.empty()) {
+        failed_.insert(shot.source);
+        return tell_once(fmt::format("'{}' has no sound that could be heard", shot.path), false);
+    }
+    const std::string copy = is_kept ? places_.store + "/" + shot.stored->file : "";
+    const bool is_stored = is_kept && ::access(copy.c_str(), R_OK) == 0;
+    if (!is_stored)
+        tell_once(fmt::format("not in the store, heard from the media folder: '{}'", shot.path), false);
+    const SoundPart part{.file = is_stored ? copy : places_.media + "/" + shot.path,
+                         .begin = shot.begin,
+                         .end = shot.end,
+                         .origin = origin};
+    now_.emplace(
+        Playing{.shot = shot, .origin = origin, .sound = std::make_unique<FilmSound>(part, make_sink_)});
+}
+
+void WallSound::leave() {
+    now_->sound->leave();
+    ending_.push_back(std::move(now_->sound));
+    now_.reset();
+}
+
+void WallSound::look_after() {
+    std::erase_if(ending_, [](const auto& sound) { return sound->has_ended(); });
+    if (!now_) return;
+    if (now_->sound->is_heard()) complaint_.clear();
+    if (!now_->sound->has_ended()) return;
+    failed_.insert(now_->shot.source);
+    const std::optional<FilmSound::Failure> failure = now_->sound->failure();
+    if (failure && failure->is_of_film)
+        tell_once(fmt::format("'{}' is not heard: {}", now_->shot.path, failure->text), true);
+    else if (failure && complaint_ != failure->text)
+        events_.push_back({.text = complaint_ = failure->text, .is_trouble = true});
+    now_.reset();
+}
+
+void WallSound::tell_once(const std::string& text, bool is_trouble) {
+    if (told_.size() >= most_told) told_.clear();
+    if (told_.insert(text).second) events_.push_back({.text = text, .is_trouble = is_trouble});
+}
+
+}  // namespace vitrine

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/catalogue/record.hpp"
+#include "player/scene/frame.hpp"
+
+#include <chrono>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace vitrine {
+
+/// A shot of a film that is on the wall and may be heard.
+struct AudibleShot {
+    SourceId source = 0;
+    std::string path;                   // relative to the media root
+    std::chrono::nanoseconds begin{0};  // half-open [begin, end) in the film
+    std::chrono::nanoseconds end{0};
+    std::optional<StoredSound> stored;
+    std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
+    double area = 0;                    // of its picture on the wall, canvas px squared
+
+    std::chrono::nanoseconds duration() const { return end - begin; }
+};
+
+/// Which one of several is heard, for two at once are understood by nobody: the one that is heard already,
+/// unless another is at least twice as large, as one that a visitor has tapped; else the largest.
+/// @param heard  the source that is heard
+/// @return none of those given: nothing
+const AudibleShot* heard_one(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
+
+}  // namespace vitrine
