@@ -29,6 +29,7 @@ constexpr auto invisible_pause = 200ms;  // between two looks at a screen that i
 constexpr auto busy_pause = 2ms;         // between two looks at a screen whose flip is under way
 constexpr auto retry_pause = 1s;         // before another try to open a graphics card
 constexpr auto status_interval = 5s;
+constexpr auto old_picture_patience = 4s;  // then it gives way to a wall that is not whole
 
 KmsOptions kms_options(const Settings& settings, const KmsChoice& choice, SoftwareGl& software) {
     return {.card = choice.card,
@@ -53,6 +54,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       entered_(loop_.signal(Console::enter_signal, [this] { come_to_terminal(); })),
       is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
       console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
+      keeper_(service::held(KmsDisplay::keeper_name)),
       crash_note_(settings.state.directory),
       sources_(media_places(settings), source_options(settings, !is_paced_by_pictures_)),
       programme_(settings.state.directory),
@@ -120,7 +122,7 @@ void Player::expect_screen() {
 std::unique_ptr<Display> Player::make_display() {
     const ScreenChoice choice = parse_screen(settings_.output.screen);
     if (const auto* kms = std::get_if<KmsChoice>(&choice))
-        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms, software_gl_));
+        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms, software_gl_), keeper_);
     auto display = std::make_unique<OffscreenDisplay>(std::get<OffscreenChoice>(choice), options_.film,
                                                       static_cast<double>(settings_.output.frame_rate));
     offscreen_ = display.get();
@@ -239,8 +241,9 @@ void Player::tick() {
     visitors_.hand_out(display_->screens(), start_,
                        [this](const Screen& screen, InputEvent event) { take(screen, event); });
     hand_out(sources_.update());
+    const bool waits = display_->has_old_picture() && time < old_picture_patience;
     for (const auto& stage : stages_)
-        if (!stage->screens().empty()) stage->show(time, *renderer_);
+        if (!stage->screens().empty()) stage->show(time, *renderer_, waits);
     hear(time);
     take_wall_picture(time);
     tell_items();
@@ -266,20 +269,6 @@ bool Player::is_time_to_draw(std::chrono::nanoseconds time) {
     return ready == std::ssize(screens) || (ready > 0 && time > clock_.due() + patience);
 }
 
-void Player::leave_terminal() {
-    if (display_) display_->leave();
-    visitors_.leave();
-    log::info("screen: left to another terminal");
-    if (console_) console_->leave();
-}
-
-void Player::come_to_terminal() {
-    if (console_) console_->enter();
-    visitors_.come_back();
-    log::info("screen: back from another terminal");
-    if (display_) display_->take_back();
-}
-
 void Player::hand_out(const std::vector<SourceEvent>& events) {
     for (const SourceEvent& event : events)
         for (const auto& stage : stages_)
@@ -302,6 +291,7 @@ void Player::tell() {
 }
 
 void Player::finish() {
+    if (display_ && console_ && display_->keep_picture()) console_->keep();
     crash_note_.end();
     service::stopping();
     log::info("{} pictures shown, {} late; {} pictures of films were late", clock_.pictures(), clock_.late(),

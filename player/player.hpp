@@ -97,6 +97,7 @@ class Player {
     bool is_paced_by_pictures_ = false;  // the clock waits for the sources, not they for the clock
     std::unique_ptr<Console> console_;   // none: off screen
     SoftwareGl software_gl_;
+    UniqueFd keeper_;                        // of the card, by the process before; until a display takes it
     std::unique_ptr<Display> display_;       // none: no graphics card for now
     OffscreenDisplay* offscreen_ = nullptr;  // display_ where it is one
     std::string complaint_;                  // why there is none, as last told

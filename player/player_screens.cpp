@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-// Which screens which stages have.
+// Which screens which stages have, and the terminal below them.
 
 namespace vitrine {
 
@@ -44,6 +44,20 @@ void Player::note_screens() {
     } catch (const std::system_error& error) {
         log::warning("the analyzer is not told how large the screens are: {}", error.what());
     }
+}
+
+void Player::leave_terminal() {
+    if (display_) display_->leave();
+    visitors_.leave();
+    log::info("screen: left to another terminal");
+    if (console_) console_->leave();
+}
+
+void Player::come_to_terminal() {
+    if (console_) console_->enter();
+    visitors_.come_back();
+    log::info("screen: back from another terminal");
+    if (display_) display_->take_back();
 }
 
 }  // namespace vitrine

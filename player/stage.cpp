@@ -105,7 +105,7 @@ void Stage::tell(const SourceEvent& event) {
     show_->source_failed(event.source, time_);
 }
 
-void Stage::show(std::chrono::nanoseconds now, Renderer& renderer) {
+void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
     time_ = now - hidden_ - away_;
     take_gestures(now);
     if (strip_ && strip_->is_over()) show_wall(renderer);
@@ -114,7 +114,7 @@ void Stage::show(std::chrono::nanoseconds now, Renderer& renderer) {
     fade_in(step.frame);
     step.frame.time = now - hidden_;
     frame_ = std::move(step.frame);
-    draw(frame_, now, renderer);
+    draw(frame_, now, renderer, waits_for_wall);
 }
 
 WallStep Stage::one_step(Renderer& renderer) {
@@ -195,7 +195,7 @@ Picture Stage::picture(int longest, Renderer& renderer) const {
     return picture;
 }
 
-void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer) {
+void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
     if (options_.await_sources) sources_.wait_for(frame, source_patience);
     sources_.advance(frame);
     const bool is_new = upload(frame, renderer);
@@ -207,6 +207,7 @@ void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer)
         drawn_ = frame;
         ++picture_;
     }
+    if (waits_for_wall && is_idle) return;
     for (Screen* screen : screens_) {
         std::uint64_t& shown = shown_[screen];
         if (!screen->is_ready() || (shown == picture_ && !screen->wants_picture())) continue;

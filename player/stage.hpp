@@ -73,7 +73,8 @@ class Stage {
     void tell(const SourceEvent& event);
 
     /// One picture on every screen that can take one and does not show it already.
-    void show(std::chrono::nanoseconds now, Renderer& renderer);
+    /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
+    void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall = false);
 
     /// Another renderer is used from now on: it has none of the pictures.
     void forget_uploads();
@@ -119,7 +120,7 @@ class Stage {
     void take_layout(Layout layout);
     void ask(const WallPlan& wall);
     void note_film(const ShotRequest& request);
-    void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer);
+    void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
     bool upload(const Frame& frame, Renderer& renderer);
 
     const Settings& settings_;  // outlives this

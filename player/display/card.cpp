@@ -21,6 +21,7 @@ namespace {
 
 using BlobHandle = Handle<drmModePropertyBlobRes, &drmModeFreePropertyBlob>;
 using ConnectorHandle = Handle<drmModeConnector, &drmModeFreeConnector>;
+using CrtcHandle = Handle<drmModeCrtc, &drmModeFreeCrtc>;
 using EncoderHandle = Handle<drmModeEncoder, &drmModeFreeEncoder>;
 using PlaneHandle = Handle<drmModePlane, &drmModeFreePlane>;
 using PlanesHandle = Handle<drmModePlaneRes, &drmModeFreePlaneResources>;
@@ -139,6 +140,7 @@ std::optional<Card> try_card(const std::filesystem::path& file, KmsApi api, std:
 Card::Card(const std::filesystem::path& path, KmsApi api)
     : path_(path), fd_(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)) {
     if (!fd_.is_open()) throw_errno("open graphics card '{}'", path.string());
+    frame_buffers_ = std::make_unique<FrameBuffers>(fd(), UniqueFd());
     if (!has_connectors(fd()))
         throw std::runtime_error(
             fmt::format("graphics card '{}' has no connector to show on", path.string()));
@@ -177,6 +179,21 @@ OutputProperties Card::properties(const Output& output) const {
     return {.connector = property_ids(fd(), output.connector, DRM_MODE_OBJECT_CONNECTOR),
             .crtc = property_ids(fd(), output.crtc, DRM_MODE_OBJECT_CRTC),
             .plane = property_ids(fd(), output.plane, DRM_MODE_OBJECT_PLANE)};
+}
+
+void Card::set_keeper(UniqueFd keeper) {
+    frame_buffers_ = std::make_unique<FrameBuffers>(fd(), std::move(keeper));
+}
+
+std::vector<std::uint32_t> Card::shown() const {
+    std::vector<std::uint32_t> numbers;
+    const ResourcesHandle resources(drmModeGetResources(fd()));
+    if (!resources) return numbers;
+    for (const std::uint32_t id : list(resources->crtcs, resources->count_crtcs)) {
+        const CrtcHandle crtc(drmModeGetCrtc(fd(), id));
+        if (crtc && crtc->buffer_id != 0) numbers.push_back(crtc->buffer_id);
+    }
+    return numbers;
 }
 
 int Card::commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_t user) const {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "player/display/atomic_request.hpp"
+#include "player/display/frame_buffers.hpp"
 #include "player/display/kms_state.hpp"
 
 #include "base/system/unique_fd.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +48,15 @@ class Card {
 
     OutputProperties properties(const Output& output) const;
 
+    /// The pictures that it is told of.
+    FrameBuffers& frame_buffers() const { return *frame_buffers_; }
+
+    /// From here on pictures are told to it through this opening. @pre there are none yet
+    void set_keeper(UniqueFd keeper);
+
+    /// The numbers of those that are on its outputs now.
+    std::vector<std::uint32_t> shown() const;
+
     /// @param flags  DRM_MODE_ATOMIC_*, DRM_MODE_PAGE_FLIP_EVENT
     /// @param user   comes back with the event
     /// @return 0, or the errno why nothing has changed
@@ -67,6 +78,7 @@ class Card {
   private:
     std::filesystem::path path_;
     UniqueFd fd_;
+    std::unique_ptr<FrameBuffers> frame_buffers_;
     bool is_atomic_ = false;
     bool has_modifiers_ = false;
 };

@@ -27,6 +27,10 @@ class Console {
     /// After enter_signal, before the graphics card is taken back.
     void enter();
 
+    /// The last picture stays when this ends, and with it graphics mode: with its text the kernel would show
+    /// the console, whoever has the card. As after a crash it helps itself when somebody switches.
+    void keep() { terminal_.reset(); }
+
     /// False between the two.
     bool is_in_front() const { return is_in_front_; }
 

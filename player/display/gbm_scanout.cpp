@@ -3,9 +3,8 @@
 #include "base/system/error.hpp"
 
 #include <drm_fourcc.h>
-#include <xf86drmMode.h>
 
-#include <array>
+#include <cstddef>
 #include <memory>
 
 namespace vitrine {
@@ -14,16 +13,16 @@ namespace {
 
 // The card's number for a buffer, which ends with the buffer.
 struct FrameBuffer {
-    FrameBuffer(int card, std::uint32_t number) : fd(card), id(number) {}
+    FrameBuffer(FrameBuffers& of, std::uint32_t number) : all(of), id(number) {}
 
     FrameBuffer(const FrameBuffer&) = delete;
     FrameBuffer& operator=(const FrameBuffer&) = delete;
     FrameBuffer(FrameBuffer&&) = delete;
     FrameBuffer& operator=(FrameBuffer&&) = delete;
 
-    ~FrameBuffer() { drmModeRmFB(fd, id); }
+    ~FrameBuffer() { all.remove(id); }
 
-    int fd;
+    FrameBuffers& all;  // outlives this
     std::uint32_t id;
 };
 
@@ -33,30 +32,23 @@ void end_frame_buffer(gbm_bo*, void* data) {
 
 // Modifiers are named only where both sides know them: some cards refuse even "unknown".
 std::unique_ptr<FrameBuffer> announce(const Card& card, gbm_bo& buffer) {
-    std::array<std::uint32_t, 4> handles{};
-    std::array<std::uint32_t, 4> strides{};
-    std::array<std::uint32_t, 4> offsets{};
-    std::array<std::uint64_t, 4> modifiers{};
     const std::uint64_t modifier = gbm_bo_get_modifier(&buffer);
+    BufferForm form{.width = gbm_bo_get_width(&buffer),
+                    .height = gbm_bo_get_height(&buffer),
+                    .format = GBM_FORMAT_XRGB8888,
+                    .is_modifier_named = card.has_modifiers() && modifier != DRM_FORMAT_MOD_INVALID};
     const int planes = gbm_bo_get_plane_count(&buffer);
     for (int i = 0; i < planes && i < 4; ++i) {
         const auto plane = static_cast<std::size_t>(i);
-        handles[plane] = gbm_bo_get_handle_for_plane(&buffer, i).u32;
-        strides[plane] = gbm_bo_get_stride_for_plane(&buffer, i);
-        offsets[plane] = gbm_bo_get_offset(&buffer, i);
-        modifiers[plane] = modifier;
+        form.handles[plane] = gbm_bo_get_handle_for_plane(&buffer, i).u32;
+        form.pitches[plane] = gbm_bo_get_stride_for_plane(&buffer, i);
+        form.offsets[plane] = gbm_bo_get_offset(&buffer, i);
+        form.modifiers[plane] = modifier;
     }
-    const std::uint32_t width = gbm_bo_get_width(&buffer);
-    const std::uint32_t height = gbm_bo_get_height(&buffer);
-    std::uint32_t id = 0;
-    const bool is_named = card.has_modifiers() && modifier != DRM_FORMAT_MOD_INVALID;
-    const int result = is_named ? drmModeAddFB2WithModifiers(card.fd(), width, height, GBM_FORMAT_XRGB8888,
-                                                             handles.data(), strides.data(), offsets.data(),
-                                                             modifiers.data(), &id, DRM_MODE_FB_MODIFIERS)
-                                : drmModeAddFB2(card.fd(), width, height, GBM_FORMAT_XRGB8888, handles.data(),
-                                                strides.data(), offsets.data(), &id, 0);
-    if (result != 0) throw_errno("'{}' takes no buffer of {}x{} px", card.path().string(), width, height);
-    return std::make_unique<FrameBuffer>(card.fd(), id);
+    const std::uint32_t id = card.frame_buffers().add(form);
+    if (id == 0)
+        throw_errno("'{}' takes no buffer of {}x{} px", card.path().string(), form.width, form.height);
+    return std::make_unique<FrameBuffer>(card.frame_buffers(), id);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "player/display/kms_display.hpp"
 
 #include "base/system/error.hpp"
+#include "base/system/service.hpp"
 #include "player/display/gl_device.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace vitrine {
 namespace {
 
 constexpr int ticks_before_asking = 5;  // of 2 s: panels that are dark while others are lit
+constexpr int ticks_with_old_pictures = 5;
 constexpr int ticks_before_mercy = 15;  // modes that were refused are tried again
 
 using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
@@ -38,21 +40,36 @@ std::shared_ptr<Egl> make_gl(gbm_device* device, SoftwareGl* software) {
     return software->egl;
 }
 
+// Where systemd holds descriptors over a restart, pictures are told to the card through one of them.
+Card with_keeper(Card card, UniqueFd& left) {
+    if (!service::is_told()) return card;
+    const int known = left.get();
+    UniqueFd keeper = keeper_of(card.fd(), std::move(left));
+    if (keeper.is_open() && keeper.get() != known) service::hold(KmsDisplay::keeper_name, keeper.get());
+    card.set_keeper(std::move(keeper));
+    return card;
+}
+
 std::string mode_name(const Output& output) {
     return fmt::format("{}x{}", output.mode.hdisplay, output.mode.vdisplay);
 }
 
 }  // namespace
 
-KmsDisplay::KmsDisplay(const KmsOptions& options)
+KmsDisplay::KmsDisplay(const KmsOptions& options, UniqueFd& left)
     : is_any_card_(options.card.empty()),
-      card_(open_card(options.card, options.api)),
+      card_(with_keeper(open_card(options.card, options.api), left)),
       modes_(options.modes),
       device_(open_device(card_, options.software)),
       egl_(make_gl(device_.get(), options.software)),
       surface_{.card = card_, .device = device_.get(), .egl = *egl_},
       watch_(card_.fd()) {
     look_for_panels(Ask::all);
+}
+
+// Else what holds the keeper would hold a card that is not used any more.
+KmsDisplay::~KmsDisplay() {
+    if (!is_kept_) service::forget(keeper_name);
 }
 
 std::span<Screen* const> KmsDisplay::screens() {
@@ -78,6 +95,7 @@ void KmsDisplay::dispatch() {
 
 void KmsDisplay::on_tick() {
     ++ticks_;
+    if (ticks_ >= ticks_with_old_pictures) let_old_pictures_go();
     if (is_left_ || is_gone_) return;
     if (!is_master_ && card_.take_over()) set_master(true);
     for (const auto& screen : lit_)
@@ -174,8 +192,15 @@ void KmsDisplay::refuse(const KmsScreen& screen) {
 
 void KmsDisplay::tell_shown(const KmsScreen& screen) {
     const auto since = std::chrono::steady_clock::now() - screen.awaited_since();
+    let_old_pictures_go();
     tell(fmt::format("first picture on {} after {} ms", screen.name(),
                      std::chrono::ceil<std::chrono::milliseconds>(since).count()));
+}
+
+void KmsDisplay::let_old_pictures_go() {
+    if (!has_old_picture()) return;
+    const bool are_all = ticks_ >= ticks_with_old_pictures;
+    card_.frame_buffers().let_go(are_all ? std::vector<std::uint32_t>{} : card_.shown());
 }
 
 void KmsDisplay::set_master(bool is_master) {

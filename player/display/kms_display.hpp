@@ -30,7 +30,16 @@ struct KmsOptions {
 class KmsDisplay final : public Display {
   public:
     /// @throws std::runtime_error, std::system_error: no card to show on, or it cannot be drawn on
-    explicit KmsDisplay(const KmsOptions& options);
+    /// @param left  the keeper that an earlier run left (frame_buffers.hpp): taken once there is a card
+    KmsDisplay(const KmsOptions& options, UniqueFd& left);
+    KmsDisplay(const KmsDisplay&) = delete;
+    KmsDisplay& operator=(const KmsDisplay&) = delete;
+    KmsDisplay(KmsDisplay&&) = delete;
+    KmsDisplay& operator=(KmsDisplay&&) = delete;
+    ~KmsDisplay() override;
+
+    /// What the keeper is called where it is held meanwhile.
+    static constexpr const char* keeper_name = "card";
 
     std::span<Screen* const> screens() override;
 
@@ -41,6 +50,10 @@ class KmsDisplay final : public Display {
     bool is_gone() const override { return is_gone_; }
 
     bool is_away() const override { return is_left_ || !is_master_; }
+
+    bool has_old_picture() const override { return card_.frame_buffers().has_old(); }
+
+    bool keep_picture() override { return is_kept_ = card_.frame_buffers().keep(); }
 
     void leave() override;
     void take_back() override;
@@ -61,6 +74,7 @@ class KmsDisplay final : public Display {
     void follow(const std::vector<Output>& outputs, const CardState& state);
     void light(const Output& output, const CardState& state, const std::vector<Output>& all);
     void take_outcomes();
+    void let_old_pictures_go();
     void refuse(const KmsScreen& screen);
     void tell_shown(const KmsScreen& screen);
     void set_master(bool is_master);
@@ -68,7 +82,7 @@ class KmsDisplay final : public Display {
     void tell(std::string text, bool is_trouble = false);
 
     bool is_any_card_;  // none was named
-    Card card_;
+    Card card_;         // with the keeper
     ModeWishes modes_;
     Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
     std::shared_ptr<Egl> egl_;                        // shared where it draws in software: with SoftwareGl
@@ -77,6 +91,7 @@ class KmsDisplay final : public Display {
     bool is_master_ = true;
     bool is_left_ = false;
     bool is_gone_ = false;
+    bool is_kept_ = false;  // the picture, over the end of this
     bool is_told_dark_ = false;
     bool looks_again_ = false;  // for panels, before the next picture
     int ticks_ = 0;

@@ -23,7 +23,7 @@ constexpr GLenum bgra = GL_BGRA_EXT;  // of GL_EXT_read_format_bgra, which Mesa 
 // A buffer that the card calls dumb: mapped for as long as it lives, so also after the card has gone.
 class MemoryScanout::Buffer {
   public:
-    Buffer(const Card& card, int width, int height) : card_(card.fd()) {
+    Buffer(const Card& card, int width, int height) : card_(card.fd()), frame_buffers_(card.frame_buffers()) {
         try {
             make(card, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
         } catch (const std::runtime_error&) {
@@ -48,11 +48,12 @@ class MemoryScanout::Buffer {
         constexpr std::uint32_t bits = 32;
         if (drmModeCreateDumbBuffer(card_, width, height, bits, 0, &handle_, &pitch_, &size_) != 0)
             throw_errno("make a buffer of {}x{} px on '{}'", width, height, card.path().string());
-        const std::array<std::uint32_t, 4> handles{handle_};
-        const std::array<std::uint32_t, 4> pitches{pitch_};
-        const std::array<std::uint32_t, 4> offsets{};
-        if (drmModeAddFB2(card_, width, height, DRM_FORMAT_XRGB8888, handles.data(), pitches.data(),
-                          offsets.data(), &frame_buffer_, 0) != 0)
+        frame_buffer_ = frame_buffers_.add({.width = width,
+                                            .height = height,
+                                            .format = DRM_FORMAT_XRGB8888,
+                                            .handles = {handle_},
+                                            .pitches = {pitch_}});
+        if (frame_buffer_ == 0)
             throw_errno("'{}' takes no buffer of {}x{} px", card.path().string(), width, height);
         std::uint64_t offset = 0;
         if (drmModeMapDumbBuffer(card_, handle_, &offset) != 0)
@@ -65,11 +66,12 @@ class MemoryScanout::Buffer {
 
     void end() {
         if (pixels_ != MAP_FAILED) ::munmap(pixels_, size_);
-        if (frame_buffer_ != 0) drmModeRmFB(card_, frame_buffer_);
+        if (frame_buffer_ != 0) frame_buffers_.remove(frame_buffer_);
         if (handle_ != 0) drmModeDestroyDumbBuffer(card_, handle_);
     }
 
     int card_;
+    FrameBuffers& frame_buffers_;  // outlives this
     std::uint32_t handle_ = 0;
     std::uint32_t pitch_ = 0;  // bytes a row
     std::uint64_t size_ = 0;

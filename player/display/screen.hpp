@@ -90,6 +90,12 @@ class Display {
     virtual void leave() = 0;
     virtual void take_back() = 0;
 
+    /// Whether it shows a picture of an earlier run, which stays until one is presented.
+    virtual bool has_old_picture() const { return false; }
+
+    /// The program ends in order: what is shown stays for the next one. False: it cannot.
+    virtual bool keep_picture() { return false; }
+
     /// What has become of it since the last call.
     virtual std::vector<DisplayEvent> take_events() = 0;
 

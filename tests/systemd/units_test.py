@@ -48,6 +48,7 @@ class Units(unittest.TestCase):
     def test_the_screen_is_never_given_up(self):
         player = dict(assignments("vitrine-player.service"))
         self.assertEqual((player["Restart"], player["StartLimitIntervalSec"]), ("always", "0"))
+        self.assertEqual(player["FileDescriptorStoreMax"], "1")  # of the card, with the last picture
 
     def test_both_are_watched_and_told_when_settings_change(self):
         for unit in MOST:

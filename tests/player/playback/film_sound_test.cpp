@@ -19,6 +19,8 @@ namespace {
 constexpr nanoseconds window = 40ms;
 constexpr nanoseconds alignment = 20ms;  // of one piece to the next: some containers count roughly
 constexpr nanoseconds tolerance = 100ms;
+constexpr nanoseconds seam = 250ms;  // within it some decoders give nothing yet
+constexpr int silence = -1;
 
 nanoseconds now() {
     return std::chrono::steady_clock::now().time_since_epoch();
@@ -107,6 +109,7 @@ TEST_CASE("what is heard belongs to the picture's time, loop after loop") {
         int right = 0;
         for (const auto& [local, second] : heard) {
             if (is_near_a_change(part, local) || local < heard.begin()->first + 200ms) continue;
+            if (second == silence && local % part.duration() < seam) continue;
             CAPTURE(local.count());
             CHECK(second == in_part(part, local) / nanoseconds(1s));
             ++right;
