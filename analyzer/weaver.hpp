@@ -28,6 +28,7 @@ class Weaver {
     Weaver(EventLoop& loop, WeaveOptions options);
     Weaver(const Weaver&) = delete;
     Weaver& operator=(const Weaver&) = delete;
+    ~Weaver() = default;
 
     /// See Tapestries.
     void hold(const MediaRecord& record);

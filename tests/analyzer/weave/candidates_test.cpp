@@ -24,9 +24,11 @@ using std::chrono::seconds;
 TEST_CASE("a film beyond the most frames keeps fewer a second, and no more memory") {
     const TemporaryDirectory folder;
     CandidateWriter writer(nameless_file(folder.path), 100);
-    for (int i = 0; i < 280; ++i)
+    for (int i = 0; i < 280; ++i) {
+        const int grey = i / 2;
         writer.push(
-            {.picture = cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(i / 2)), .time = milliseconds(500) * i});
+            {.picture = cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(grey)), .time = milliseconds(500) * i});
+    }
     const Film film = film_of(writer.finish(seconds(1), {}), nullptr);
     const auto& frames = film.candidates->signatures();
 
