@@ -41,7 +41,7 @@ TEST_CASE("a zoom field is read as it was written") {
 
 TEST_CASE("what is no zoom field is refused") {
     const std::string bytes = to_bytes(drawn());
-    const auto refused = [](std::string some) {
+    const auto refused = [](const std::string& some) {
         try {
             (void)zoom_field_from_bytes(some);
         } catch (const std::runtime_error&) {

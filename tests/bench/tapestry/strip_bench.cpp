@@ -175,9 +175,10 @@ int main() {
         bench.run(2s);
         bench.key(key);
         bench.scene = 0;
-        print("  its first frame", cost(1, [&] { bench.step(); }), one);
-        print(key == Key::nearer ? "step to a finer level, each of its 37 frames"
-                                 : "step to a coarser level, each of its 37 frames",
+        bench.step();  // with which it begins, at the level that it leaves
+        print("first frame between two levels", cost(1, [&] { bench.step(); }), one);
+        print(key == Key::nearer ? "step to a finer level, each of its others"
+                                 : "step to a coarser level, each of its others",
               cost(36, [&] { bench.step(); }), one);
         fmt::print("{:<44} CPU {:6.2f} ms\n", "  of which where everything is", bench.scene / 36);
     }
