@@ -56,12 +56,12 @@ def fill(box, disk, log):
     wait_for("the disk", lambda: box.sh("test -b /dev/vdb && echo there", fails=True))
     box.sh(f"systemctl stop vitrine-player vitrine-analyzer; mount /dev/vdb /mnt; cp -a {STATE} /mnt/state; cp -a {MEDIA} /mnt/media; "
            f"mount --bind /mnt/state {STATE}; mount --bind /mnt/media {MEDIA}; sync; systemctl start vitrine-analyzer vitrine-player")
-    begin = log.stat().st_size
+    begin, there = log.stat().st_size, box.sh(f"ls {MEDIA}").split()
     box.sh(f"cat >/run/arrivals <<'END'\n{ARRIVALS}END")
     box.sh("systemd-run --quiet --unit=told sh -c 'journalctl -f -n 0 -o cat -u vitrine-analyzer >/dev/ttyS0'; sleep 1; "
            "systemd-run --quiet --unit=arrivals --uid=vitrine --gid=vitrine sh /run/arrivals")
-    promises, end = {}, time.monotonic() + LENGTH
-    while time.monotonic() < end or len(promises) < 5:
+    promises, end = {name: begin for name in there}, time.monotonic() + LENGTH
+    while time.monotonic() < end or len(promises) < len(there) + 5:
         said = box.machine.said()
         for name in re.findall(r"ready: '(stays-\d+\.png)'\r?\n", said):
             promises.setdefault(name, log.stat().st_size)
