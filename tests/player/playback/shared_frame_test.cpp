@@ -115,7 +115,7 @@ TEST_CASE("HDR films are not shared, as only the processor changes their tones, 
     const auto toned = PictureScaler(PictureForm::shared).scaled(decoded(hdr).get(), width, height, 0ms);
     REQUIRE(toned);
     CHECK_FALSE(toned->shared);
-    CHECK(toned->layout == PixelLayout::rgba);
+    CHECK(toned->layout == PixelLayout::bgra);
 
     const auto planes = PictureScaler(PictureForm::planes).scaled(decoded(plain).get(), width, height, 0ms);
     REQUIRE(planes);
