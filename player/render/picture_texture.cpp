@@ -72,7 +72,7 @@ void reserve(const PlaneForm& form, int width, int height) {
                      GL_UNSIGNED_BYTE, nullptr);
         return;
     }
-    const int levels = std::bit_width(static_cast<unsigned>(std::max(width, height)));
+    const auto levels = static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
     glTexStorage2D(GL_TEXTURE_2D, levels, form.storage, width, height);
 }
 
