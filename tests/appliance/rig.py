@@ -45,6 +45,8 @@ def guarded(machine, pictures, work):
         raise
     except Exception:
         traceback.print_exc()
+        if machine.qemu.poll() is not None:
+            sys.exit(1)  # it was cut off, and there is nobody to ask
         for unit in ("vitrine-analyzer", "vitrine-player"):
             print(f"--- {unit}", *(f"{at:.3f} {line}" for at, line in box.journal(unit)[-60:]), sep="\n")
         print("--- kernel", machine.sh("dmesg | tail -20"), f"--- the panels: {pictures}", sep="\n")

@@ -56,7 +56,7 @@ def fill(box, disk, log):
     wait_for("the disk", lambda: box.sh("test -b /dev/vdb && echo there", fails=True))
     box.sh(f"systemctl stop vitrine-player vitrine-analyzer; mount /dev/vdb /mnt; cp -a {STATE} /mnt/state; cp -a {MEDIA} /mnt/media; "
            f"mount --bind /mnt/state {STATE}; mount --bind /mnt/media {MEDIA}; sync; systemctl start vitrine-analyzer vitrine-player")
-    begin, there = log.stat().st_size, box.sh(f"ls {MEDIA}").split()
+    begin, there = log.stat().st_size, box.sh(f"cd {MEDIA}; ls *.png *.mp4").split()
     box.sh(f"cat >/run/arrivals <<'END'\n{ARRIVALS}END")
     box.sh("systemd-run --quiet --unit=told sh -c 'journalctl -f -n 0 -o cat -u vitrine-analyzer >/dev/ttyS0'; sleep 1; "
            "systemd-run --quiet --unit=arrivals --uid=vitrine --gid=vitrine sh /run/arrivals")
@@ -127,5 +127,5 @@ def start(folder, found, what):
                           capture_output=True, text=True, timeout=600)
     said = done.stdout + done.stderr
     assert done.returncode == 0 and "unreadable" not in said and "no sense" not in said, f"{what}: {said[-3000:]}"
-    left = [str(file) for file in found.rglob("*.new")]
+    left = [str(file) for folder in ("catalogue", "store") for file in (found / "state" / folder).rglob("*.new")]
     assert not left, f"{what}: left half written: {left}"
