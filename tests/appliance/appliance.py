@@ -128,8 +128,11 @@ class Appliance:
         self.sh(f"mkdir -p {folder}; printf '[Service]\\nWatchdogSec={seconds}\\n' >{folder}/rig.conf; systemctl daemon-reload")
 
     def restart(self, **changes):
+        """With a panel; until the new process has a picture, for until then there is the old one's."""
         self.set(**changes)
+        begin = self.now()
         self.sh("systemctl restart vitrine-player")
+        self.wait_for_word("first picture on", begin)
 
     def pid(self):
         pid = int(self.sh("systemctl show -p MainPID --value vitrine-player"))
