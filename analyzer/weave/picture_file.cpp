@@ -1,5 +1,6 @@
 #include "analyzer/weave/picture_file.hpp"
 
+#include "base/media/still_picture.hpp"
 #include "base/system/atomic_file.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ std::runtime_error failure(const char* what) {
 
 /// @param encode  is given the picture, where its bytes and their number go; 0 where it worked
 template <typename Encode> std::string encoded(const cv::Mat& bgr, const Encode& encode) {
-    if (vips_init("vitrine") != 0) throw failure("encode a picture");
+    init_vips();
     cv::Mat rgb;
     cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
     const VipsPicture image(
@@ -48,7 +49,7 @@ template <typename Encode> std::string encoded(const cv::Mat& bgr, const Encode&
 }
 
 cv::Mat decoded(std::string_view bytes) {
-    if (vips_init("vitrine") != 0) throw failure("decode a picture");
+    init_vips();
     const VipsPicture image(vips_image_new_from_buffer(bytes.data(), bytes.size(), "", nullptr));
     if (!image) throw failure("decode a picture");
     std::size_t count = 0;

@@ -40,8 +40,7 @@ template <typename T> using VipsPtr = std::unique_ptr<T, VipsUnref>;
 void start_vips() {
     static std::once_flag once;
     std::call_once(once, [] {
-        if (vips_init("vitrine") != 0)
-            throw std::runtime_error(fmt::format("start libvips: {}", vips_error_buffer()));
+        init_vips();
         vips_block_untrusted_set(TRUE);  // only loaders that are fuzzed: no SVG, PDF, ImageMagick
         vips_cache_set_max(0);           // no file is read twice
         vips_concurrency_set(1);
@@ -232,6 +231,14 @@ auto with_still(const std::string& path, int max_width, int max_height, const Us
 }
 
 }  // namespace
+
+void init_vips() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        if (vips_init("vitrine") != 0)
+            throw std::runtime_error(fmt::format("start libvips: {}", vips_error_buffer()));
+    });
+}
 
 StillPicture load_still(const std::string& path, int max_width, int max_height, Colour background) {
     return with_still(path, max_width, max_height,

@@ -6,6 +6,10 @@
 
 namespace vitrine {
 
+/// Starts libvips, which must not be started by two threads at once; from any thread, as often as one likes.
+/// @throws std::runtime_error where it cannot
+void init_vips();
+
 /// Reads a photo (of an animation or of several pages the first picture), no larger than max_width x
 /// max_height and never enlarged. Memory follows the size asked for where the format allows it (JPEG, PNG,
 /// TIFF, WebP).

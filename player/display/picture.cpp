@@ -1,5 +1,6 @@
 #include "player/display/picture.hpp"
 
+#include "base/media/still_picture.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/handle.hpp"
 
@@ -38,7 +39,7 @@ namespace {
 
 /// Without its alpha.
 ImageHandle colours(const Picture& picture, const std::filesystem::path& path) {
-    if (vips_init("vitrine") != 0) throw_vips(path);
+    init_vips();
 
     const ImageHandle whole(vips_image_new_from_memory(picture.pixels.data(), picture.pixels.size(),
                                                        picture.width, picture.height, 4, VIPS_FORMAT_UCHAR));
@@ -70,7 +71,7 @@ void save_jpeg(const Picture& picture, const std::filesystem::path& path) {
 
 Picture drawn_svg(const std::string& svg, int width, int height) {
     const std::filesystem::path name = "drawing";
-    if (vips_init("vitrine") != 0) throw_vips(name);
+    init_vips();
     VipsImage* made = nullptr;
     if (vips_thumbnail_buffer(const_cast<char*>(svg.data()), svg.size(), &made, width, "height", height,
                               "size", VIPS_SIZE_FORCE, nullptr) != 0)
