@@ -154,6 +154,7 @@ struct PatchMatch::Sweep {
     int last;
     bool is_forward;
     int radius;
+    int near_enough;
     Chance chance;
 
     MatchField& field() const { return is_target ? fields.of_target_ : fields.of_source_; }
@@ -174,7 +175,7 @@ struct PatchMatch::Sweep {
 
     void visit(int x, int y) {
         Match& best = field().at(x, y);
-        if (best.x < 0) return;
+        if (best.x < 0 || best.cost == 0) return;
         const int step = is_forward ? -1 : 1;
         if (x + step >= 0 && x + step < field().columns) {
             const Match& beside = field().at(x + step, y);
@@ -184,8 +185,13 @@ struct PatchMatch::Sweep {
             const Match& above = field().at(x, y + step);
             if (above.x >= 0) offer(best, x, y, above.x, above.y - step);
         }
-        for (int reach = radius; reach > 0; reach /= 2)
-            offer(best, x, y, best.x + chance.within(reach), best.y + chance.within(reach));
+        if (best.cost < near_enough) return;
+        for (int reach = radius; reach > 0; reach /= 2) {
+            Match found = best;
+            found.cost -= near_enough / 2;
+            offer(found, x, y, best.x + chance.within(reach), best.y + chance.within(reach));
+            if (found.x != best.x || found.y != best.y) best = found;
+        }
     }
 
     void run() {
@@ -198,7 +204,7 @@ struct PatchMatch::Sweep {
     }
 };
 
-void PatchMatch::search(int radius, std::uint32_t seed, const RunTasks& run) {
+void PatchMatch::search(int radius, std::uint32_t seed, const RunTasks& run, int near_enough) {
     in_bands(seed, run, [&](const Band& band) {
         Sweep{.fields = *this,
               .is_target = band.is_target,
@@ -206,9 +212,31 @@ void PatchMatch::search(int radius, std::uint32_t seed, const RunTasks& run) {
               .last = band.last,
               .is_forward = seed % 2 == 0,
               .radius = radius,
+              .near_enough = near_enough,
               .chance = Chance(seed * 1000U + static_cast<std::uint32_t>(band.task))}
             .run();
     });
+}
+
+void PatchMatch::share() {
+    const auto at = [](int x, int y, int cost) {
+        return Match{.x = static_cast<std::int16_t>(x), .y = static_cast<std::int16_t>(y), .cost = cost};
+    };
+    for (int y = 0; y < of_source_.rows; ++y) {
+        for (int x = 0; x < of_source_.columns; ++x) {
+            const Match& match = of_source_.at(x, y);
+            if (match.x < 0) continue;
+            Match& back = of_target_.at(match.x, match.y);
+            if (match.cost < back.cost) back = at(x, y, match.cost);
+        }
+    }
+    for (int y = 0; y < of_target_.rows; ++y) {
+        for (int x = 0; x < of_target_.columns; ++x) {
+            const Match& match = of_target_.at(x, y);
+            Match& back = of_source_.at(match.x, match.y);
+            if (back.x >= 0 && match.cost < back.cost) back = at(x, y, match.cost);
+        }
+    }
 }
 
 void PatchMatch::search_everywhere() {

@@ -73,7 +73,13 @@ class PatchMatch {
 
     /// One sweep over both fields: each patch tries what its neighbours have found, and some more within
     /// `radius` px of its own. No cost rises, where it was up to date. What it gives follows from the seed.
-    void search(int radius, std::uint32_t seed, const RunTasks& run);
+    /// @param near_enough  what costs less tries only its neighbours' finds, and nothing far is taken for
+    /// half
+    ///                     of it less: neighbours stay together, and a sweep is sooner done
+    void search(int radius, std::uint32_t seed, const RunTasks& run, int near_enough = 0);
+
+    /// Each field takes what the other one found: a pair costs the same both ways.
+    void share();
 
     /// Every patch is compared with every other: for tests.
     void search_everywhere();

@@ -9,6 +9,8 @@ namespace vitrine {
 
 namespace {
 
+constexpr int near_enough = 1000;  // squared grey levels of a patch: 2.6 a channel value
+
 /// Matches of a field, spread over a larger or smaller one.
 ///
 /// @param growth        of the picture whose patches are matched
@@ -60,6 +62,28 @@ void Synthesis::match_by_place() {
     matches_.refresh(run_);
 }
 
+void Synthesis::match_kept(const KeptRows& kept) {
+    constexpr int half = patch_side / 2;
+    const int shift = window_.rules.target_x;
+    MatchField& of_target = matches_.of_target();
+    for (int y = 0; y < of_target.rows; ++y)
+        for (int x = 0; x < of_target.columns; ++x)
+            of_target.at(x, y) = {.x = static_cast<std::int16_t>(x + shift),
+                                  .y = static_cast<std::int16_t>(kept.at(x + half, y + half) - half)};
+    MatchField& of_source = matches_.of_source();
+    for (int x = 0; x < of_source.columns; ++x) {
+        const int column = std::clamp(x + half - shift, 0, kept.columns - 1);
+        int row = 0;
+        for (int y = 0; y < of_source.rows; ++y) {
+            while (row + 1 < kept.height && kept.at(column, row + 1) <= y + half)
+                ++row;
+            of_source.at(x, y) = {.x = static_cast<std::int16_t>(x - shift),
+                                  .y = static_cast<std::int16_t>(row - half)};
+        }
+    }
+    matches_.refresh(run_);
+}
+
 void Synthesis::match_like(const Synthesis& other) {
     const cv::Size2d source = growth(other.window_.picture, window_.picture);
     const cv::Size2d target = growth(other.target_, target_);
@@ -68,10 +92,11 @@ void Synthesis::match_like(const Synthesis& other) {
     matches_.refresh(run_);
 }
 
-double Synthesis::step(int radius, std::uint32_t seed, float most_votes) {
-    matches_.search(radius, seed, run_);
+double Synthesis::step(int radius, std::uint32_t seed) {
+    matches_.search(radius, seed, run_, near_enough);
+    matches_.share();
     const double energy = matches_.energy();
-    take_votes(most_votes);
+    take_votes();
     matches_.refresh(run_);
     return energy;
 }
@@ -94,8 +119,8 @@ double Synthesis::exact_energy() {
     return matches_.energy();
 }
 
-void Synthesis::take_votes(float most_votes) {
-    vitrine::take_votes(matches_, window_.picture, window_.rules, target_, most_votes, run_);
+void Synthesis::take_votes() {
+    vitrine::take_votes(matches_, window_.picture, window_.rules, target_, run_);
     fix_known();
 }
 

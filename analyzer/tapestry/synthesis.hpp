@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/tapestry/brickwork.hpp"
+#include "analyzer/tapestry/carve.hpp"
 #include "analyzer/tapestry/patch_match.hpp"
 
 #include <memory>
@@ -27,13 +28,16 @@ class Synthesis {
     /// Each patch matched with the one at the same share of width and height.
     void match_by_place();
 
+    /// Each patch matched with the one at the same column from which it was kept, or next to which it was
+    /// lost.
+    void match_kept(const KeptRows& kept);
+
     /// Matches of a synthesis of another size, of the same tile.
     void match_like(const Synthesis& other);
 
     /// One round: a search of `radius` px, then the target that costs least for what it found.
-    /// @param most_votes  of take_votes(); with a limit the energy may rise
     /// @return the energy before the target changed
-    double step(int radius, std::uint32_t seed, float most_votes = 0);
+    double step(int radius, std::uint32_t seed);
 
     /// After a step: the energy of the target as it is, with matches as they are.
     double energy();
@@ -46,7 +50,7 @@ class Synthesis {
     double exact_energy();
 
     /// The target that follows from the matches alone.
-    void take_votes(float most_votes = 0);
+    void take_votes();
 
     cv::Mat picture() const { return target_.bgr(); }
 

@@ -14,10 +14,11 @@ struct Ballot {
     const PatchImage& source;
     const PatchRules& rules;
     PatchImage& target;
-    const std::vector<float>& shares;  // a patch of the target: what a unit of weight counts
+    float share;  // what a unit of weight of the source counts
     int first;
     int last;
     std::vector<float> sums;
+    std::vector<float> shares_of_run;  // what each value of a run counts
 };
 
 /// Of a value that is not negative; lround() would keep the loop from being vectorised.
@@ -32,36 +33,85 @@ struct Ballot {
            static_cast<std::size_t>(x);
 }
 
-[[gnu::always_inline]] inline void add_patch(Ballot& ballot, int source_x, int source_y, int target_x,
-                                             int target_y, float weight) {
-    const int from = std::max(0, ballot.first - target_y);
-    const int to = std::min(patch_side, ballot.last - target_y);
-    for (int y = from; y < to; ++y) {
-        const std::uint8_t* values = ballot.source.at(source_x, source_y + y);
-        float* sums =
-            &ballot.sums[static_cast<std::size_t>(target_y + y - ballot.first) * ballot.target.stride() +
-                         4 * static_cast<std::size_t>(target_x)];
-        for (int i = 0; i < patch_row_bytes; ++i)
-            sums[i] += weight * static_cast<float>(values[i]);
+/// Patches side by side in one picture that are matched with patches side by side in the other: all of them
+/// vote at once.
+struct Run {
+    int source_x;
+    int source_y;
+    int target_x;
+    int target_y;
+    int length;  // patches
+};
+
+/// @param weights  what each patch of the run counts, then patch_side - 1 zeros
+[[gnu::always_inline]] inline void add_run(Ballot& ballot, const Run& run, const float* weights) {
+    const int width = run.length + patch_side - 1;
+    float covering = 0;
+    for (int i = 0; i < width; ++i) {
+        covering += weights[i];
+        std::fill_n(ballot.shares_of_run.begin() + 4 * i, 4, covering);
+        if (i >= patch_side - 1) covering -= weights[i - patch_side + 1];
     }
+    const int from = std::max(0, ballot.first - run.target_y);
+    const int to = std::min(patch_side, ballot.last - run.target_y);
+    const float* shares = ballot.shares_of_run.data();
+    for (int y = from; y < to; ++y) {
+        const std::uint8_t* values = ballot.source.at(run.source_x, run.source_y + y);
+        float* sums =
+            &ballot.sums[static_cast<std::size_t>(run.target_y + y - ballot.first) * ballot.target.stride() +
+                         4 * static_cast<std::size_t>(run.target_x)];
+        for (int i = 0; i < 4 * width; ++i)
+            sums[i] += shares[i] * static_cast<float>(values[i]);
+    }
+}
+
+/// How many matches from (x, y) on go on side by side.
+[[gnu::always_inline]] inline int run_length(const MatchField& field, int x, int y) {
+    const Match& begin = field.at(x, y);
+    int length = 1;
+    while (x + length < field.columns && field.at(x + length, y).x == begin.x + length &&
+           field.at(x + length, y).y == begin.y)
+        ++length;
+    return length;
 }
 
 [[gnu::always_inline]] inline void count(Ballot& ballot) {
     const MatchField& of_target = ballot.matches.of_target();
     const MatchField& of_source = ballot.matches.of_source();
+    std::vector<float> ones(static_cast<std::size_t>(of_target.columns + patch_side), 1);
     for (int y = std::max(0, ballot.first - patch_side + 1); y < std::min(ballot.last, of_target.rows); ++y) {
-        for (int x = 0; x < of_target.columns; ++x) {
+        for (int x = 0; x < of_target.columns;) {
             const Match& match = of_target.at(x, y);
-            add_patch(ballot, match.x, match.y, x, y, 1);
+            const Run run{.source_x = match.x,
+                          .source_y = match.y,
+                          .target_x = x,
+                          .target_y = y,
+                          .length = run_length(of_target, x, y)};
+            std::fill_n(ones.begin() + run.length, patch_side - 1, 0.F);
+            add_run(ballot, run, ones.data());
+            std::fill_n(ones.begin() + run.length, patch_side - 1, 1.F);
+            x += run.length;
         }
     }
+    std::vector<float> weights(static_cast<std::size_t>(of_source.columns + patch_side), 0);
     for (int y = 0; y < of_source.rows; ++y) {
-        for (int x = 0; x < of_source.columns; ++x) {
+        for (int x = 0; x < of_source.columns;) {
             const Match& match = of_source.at(x, y);
-            if (match.x < 0 || match.y + patch_side <= ballot.first || match.y >= ballot.last) continue;
-            const float weight = ballot.rules.weights[index(of_source, x, y)];
-            add_patch(ballot, x, y, match.x, match.y,
-                      weight * ballot.shares[index(of_target, match.x, match.y)]);
+            const int length = match.x < 0 ? 1 : run_length(of_source, x, y);
+            if (match.x >= 0 && match.y + patch_side > ballot.first && match.y < ballot.last) {
+                for (int i = 0; i < length; ++i)
+                    weights[static_cast<std::size_t>(i)] =
+                        ballot.share * static_cast<float>(ballot.rules.weights[index(of_source, x + i, y)]);
+                std::fill_n(weights.begin() + length, patch_side - 1, 0.F);
+                add_run(ballot,
+                        {.source_x = x,
+                         .source_y = y,
+                         .target_x = match.x,
+                         .target_y = match.y,
+                         .length = length},
+                        weights.data());
+            }
+            x += length;
         }
     }
     for (int y = ballot.first; y < ballot.last; ++y) {
@@ -83,30 +133,13 @@ __attribute__((target("avx2"))) void count_avx2(Ballot& ballot) {
 }
 #endif
 
-/// What a unit of weight of the source counts, in votes of the target's own, for each patch of the target.
-std::vector<float> shares_of(const PatchMatch& matches, const PatchRules& rules, float most_votes) {
-    const MatchField& of_target = matches.of_target();
-    const MatchField& of_source = matches.of_source();
-    const auto usual = static_cast<float>(static_cast<double>(of_target.matches.size()) /
-                                          std::max(1.0, matches.source_weight()));
-    std::vector<float> shares(of_target.matches.size(), usual);
-    if (most_votes <= 0) return shares;
-    std::vector<float> votes(of_target.matches.size(), 0);
-    for (std::size_t i = 0; i < of_source.matches.size(); ++i) {
-        const Match& match = of_source.matches[i];
-        if (match.x >= 0)
-            votes[index(of_target, match.x, match.y)] += usual * static_cast<float>(rules.weights[i]);
-    }
-    for (std::size_t i = 0; i < shares.size(); ++i)
-        if (votes[i] > most_votes) shares[i] *= most_votes / votes[i];
-    return shares;
-}
-
 }  // namespace
 
 void take_votes(const PatchMatch& matches, const PatchImage& source, const PatchRules& rules,
-                PatchImage& target, float most_votes, const RunTasks& run) {
-    const std::vector<float> shares = shares_of(matches, rules, most_votes);
+                PatchImage& target, const RunTasks& run) {
+    // What a unit of weight of the source counts, in votes of the target's own.
+    const auto share = static_cast<float>(static_cast<double>(matches.of_target().matches.size()) /
+                                          std::max(1.0, matches.source_weight()));
     run((target.height() + band_rows - 1) / band_rows, [&](int band) {
         const int first = band * band_rows;
         const int last = std::min(first + band_rows, target.height());
@@ -114,10 +147,11 @@ void take_votes(const PatchMatch& matches, const PatchImage& source, const Patch
                       .source = source,
                       .rules = rules,
                       .target = target,
-                      .shares = shares,
+                      .share = share,
                       .first = first,
                       .last = last,
-                      .sums = std::vector<float>(static_cast<std::size_t>(last - first) * target.stride())};
+                      .sums = std::vector<float>(static_cast<std::size_t>(last - first) * target.stride()),
+                      .shares_of_run = std::vector<float>(4 * static_cast<std::size_t>(target.width()))};
 #if defined(__x86_64__)
         if (__builtin_cpu_supports("avx2")) {
             count_avx2(ballot);

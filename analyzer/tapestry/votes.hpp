@@ -8,12 +8,8 @@ namespace vitrine {
 /// say, weighted as the energy weighs them.
 /// Source: Simakov et al. 2008, the update step for eq. 1. Rounding to whole grey levels keeps it the least.
 ///
-/// @param target      changed in place
-/// @param most_votes  what all of the source's patches that are matched with one of the target count together
-/// at
-///                    most, in votes of the target's own; 0: no limit, the least energy. With a limit, what
-///                    found no place leaves no trace of a single patch that stands alone
+/// @param target  changed in place
 void take_votes(const PatchMatch& matches, const PatchImage& source, const PatchRules& rules,
-                PatchImage& target, float most_votes, const RunTasks& run);
+                PatchImage& target, const RunTasks& run);
 
 }  // namespace vitrine
