@@ -1,5 +1,5 @@
 // Coarse to fine: at half the size the height is carved away and what that tore is mended in many rounds;
-// then the matches are carried to full size. Squeezing in many small steps at an eighth of the size, as
+// then the matches are carried to full size. Squeezing in many small steps at a sixth of the size, as
 // Simakov et al. do, merges what repeats, but whole figures with it, and never comes as near to the source.
 
 #include "analyzer/tapestry/retarget.hpp"

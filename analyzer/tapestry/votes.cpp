@@ -49,7 +49,7 @@ struct Run {
     float covering = 0;
     for (int i = 0; i < width; ++i) {
         covering += weights[i];
-        std::fill_n(ballot.shares_of_run.begin() + 4 * i, 4, covering);
+        std::fill_n(&ballot.shares_of_run[4 * static_cast<std::size_t>(i)], 4, covering);
         if (i >= patch_side - 1) covering -= weights[i - patch_side + 1];
     }
     const int from = std::max(0, ballot.first - run.target_y);
