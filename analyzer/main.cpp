@@ -81,11 +81,12 @@ int explain_command(const CommandLine& line, const Settings& settings) {
 int weave_command(const CommandLine& line, const Settings& settings) {
     keep_freed_memory();
     WeaveRequest request = line.weave;
-    if (request.directory.empty() && request.sheet.empty())
+    if (request.directory.empty() && request.sheet.empty() && request.zoom.empty())
         request.directory = request.file.filename().string() + ".tapestry";
     const std::string made = weave_file(request, settings);
+    const std::filesystem::path& sheet = request.sheet.empty() ? request.zoom : request.sheet;
     log::info("'{}': {}, woven into '{}'", request.file.string(), made,
-              (request.directory.empty() ? request.sheet : request.directory).string());
+              (request.directory.empty() ? sheet : request.directory).string());
     return EXIT_SUCCESS;
 }
 
@@ -191,6 +192,8 @@ int run(int argc, char** argv) {
     CLI::Option* folder = weave->add_option("-o,--output", line.weave.directory,
                                             "A folder for tiles and index [FILE.tapestry]");
     weave->add_option("--sheet", line.weave.sheet, "A PNG of all levels below each other");
+    weave->add_option("--zoom", line.weave.zoom,
+                      "A PNG of the zoom between the two coarsest levels: faded, bent, synthesised");
     weave->add_option("--levels", line.weave.levels, "How many levels at most, the coarsest first")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();

@@ -5,6 +5,7 @@
 #include "analyzer/weave/film_weave.hpp"
 #include "analyzer/weave/kept_frames.hpp"
 #include "analyzer/weave/picture_file.hpp"
+#include "analyzer/weave/strip_zoom.hpp"
 #include "analyzer/weave/threads.hpp"
 #include "base/catalogue/media_error.hpp"
 #include "base/catalogue/record.hpp"
@@ -86,12 +87,14 @@ class Weaving {
     }
 
     std::string once() {
+        const fs::path& sheet = request_.sheet.empty() ? request_.zoom : request_.sheet;
         const fs::path directory =
-            request_.directory.empty() ? fs::absolute(request_.sheet).parent_path() : request_.directory;
+            request_.directory.empty() ? fs::absolute(sheet).parent_path() : request_.directory;
         fs::create_directories(directory);
         const Film film = gathered(*opened(request_, settings_), directory, faces_.get());
         const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);
         if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
+        if (!request_.zoom.empty()) draw_zoom(film, levels);
         if (!request_.directory.empty())
             write_pyramid(request_.directory, head_, film,
                           {.folder = new_tile_folder(request_.directory), .levels = levels}, pyramid_, run_);
@@ -119,6 +122,13 @@ class Weaving {
     static std::string in_words(const std::vector<Keyframes>& levels) {
         return fmt::format("{} levels, {} to {} keyframes", levels.size(), levels.front().size(),
                            levels.back().size());
+    }
+
+    void draw_zoom(const Film& film, const std::vector<Keyframes>& levels) const {
+        if (levels.size() < 2)
+            throw std::runtime_error(
+                fmt::format("'{}': there is no zoom, as it has one level only", request_.file.string()));
+        write_png(request_.zoom, drawn_zoom(woven_pair(film, levels, {}, run_), run_));
     }
 
     std::optional<Film> film_of_kept() {

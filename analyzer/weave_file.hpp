@@ -13,6 +13,7 @@ struct WeaveRequest {
     std::filesystem::path file;
     std::filesystem::path directory;  // for the pyramid; empty: none
     std::filesystem::path sheet;      // a PNG; empty: none
+    std::filesystem::path zoom;       // likewise, of the zoom between the two coarsest levels
     int levels = 32;
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
@@ -21,7 +22,7 @@ struct WeaveRequest {
     int threads = 0;               // 0: one a core
 };
 
-/// Weaves the tapestry of one film, into a folder or as a sheet.
+/// Weaves the tapestry of one film, into a folder or as sheets.
 /// @return what was made, for the log
 /// @throws std::exception that names the file
 std::string weave_file(const WeaveRequest& request, const Settings& settings);

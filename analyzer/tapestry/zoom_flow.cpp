@@ -110,12 +110,12 @@ cv::Point ZoomFlow::to_coarse(cv::Point at) const {
     return {at.x + static_cast<int>(std::lround(way)), at.y};
 }
 
-void ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine, const RunTasks& run) {
+Islands ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine, const RunTasks& run) {
     const cv::Point coarse_begin(part.coarse.start, 0);
     const cv::Point fine_begin(part.fine.start, 0);
     IslandRules rules;
     rules.least_area = tapestry_.height * tapestry_.height / height_squares;
-    const Islands islands = find_islands(
+    Islands islands = find_islands(
         coarse, fine, [&](cv::Point at) { return to_fine(at + coarse_begin) - fine_begin; },
         [&](cv::Point at) { return to_coarse(at + fine_begin) - coarse_begin; }, rules, run);
     const auto nearest = [&](const Grid& grid, cv::Point at) {
@@ -140,6 +140,7 @@ void ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& fin
     }
     add(coarse_, std::move(of_coarse));
     add(fine_, std::move(of_fine));
+    return islands;
 }
 
 /// Each point goes with the island that has most of what is around it.

@@ -36,8 +36,9 @@ class ZoomFlow {
     std::vector<Part> parts() const;
 
     /// @param coarse, fine  CV_8UC3, the part's columns of both strips
-    void match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine,
-               const RunTasks& run = run_in_order);
+    /// @return              places count from the part's begin
+    Islands match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine,
+                  const RunTasks& run = run_in_order);
 
     /// Once all parts have been matched: what lies between islands.
     void fill();

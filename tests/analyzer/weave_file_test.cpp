@@ -59,6 +59,20 @@ TEST_CASE("a film is woven of the times chosen by hand") {
     CHECK(fs::file_size(folder.path / "out" / tapestry.tile_name(0, 0)) > 1000);
 }
 
+TEST_CASE("a film of one level has no zoom, and says so") {
+    if (!fs::exists(nasa)) {
+        MESSAGE("not here: ", nasa.string());
+        return;
+    }
+    const TemporaryDirectory folder;
+    const fs::path times = folder.write("times", "0\n4\n");
+    CHECK_THROWS_WITH(
+        weave_file({.file = nasa, .zoom = folder.path / "zoom.png", .levels = 1, .times = times},
+                   without_faces()),
+        doctest::Contains("one level only"));
+    CHECK_FALSE(fs::exists(folder.path / "zoom.png"));
+}
+
 TEST_CASE(
     "a weaving that is resumed needs no film where its frames were kept, and cleans up when it is done") {
     const TemporaryDirectory folder;

@@ -1,6 +1,6 @@
 #include "analyzer/tapestry/zoom_flow.hpp"
 
-#include "tests/analyzer/tapestry/drawn_keyframes.hpp"
+#include "tests/analyzer/tapestry/drawn_levels.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,44 +9,8 @@
 namespace vitrine {
 namespace {
 
-const cv::Size brick{120, 50};
-constexpr int finer_keyframes = 8;
-const std::vector<int> kept{0, 3, 4, 7};  // of the finer level: each stays in its row
-
-cv::Mat strip_of(const std::vector<int>& keyframes) {
-    const Brickwork brickwork{.keyframes = static_cast<int>(keyframes.size()), .brick = brick};
-    cv::Mat strip(brickwork.height(), brickwork.width(), CV_8UC3, cv::Scalar::all(128));
-    for (int k = 0; k < brickwork.keyframes; ++k)
-        drawn_keyframe(brick, static_cast<unsigned>(keyframes[static_cast<std::size_t>(k)]))
-            .picture.copyTo(strip(brickwork.place(k)));
-    return strip;
-}
-
-/// Two levels of bricks as they are, not retargeted: 300 and 540 px wide.
-struct Levels {
-    Levels() {
-        tapestry.duration = std::chrono::seconds(finer_keyframes);
-        tapestry.height = 2 * brick.height;
-        tapestry.tile_width = 128;
-        tapestry.brick_width = brick.width;
-        std::vector<int> all;
-        all.reserve(finer_keyframes);
-        for (int k = 0; k < finer_keyframes; ++k)
-            all.push_back(k);
-        coarse = strip_of(kept);
-        fine = strip_of(all);
-        tapestry.levels = {{.width = coarse.cols, .keyframes = times(kept)},
-                           {.width = fine.cols, .keyframes = times(all)}};
-    }
-
-    static std::vector<std::chrono::nanoseconds> times(const std::vector<int>& keyframes) {
-        std::vector<std::chrono::nanoseconds> times;
-        times.reserve(keyframes.size());
-        for (const int k : keyframes)
-            times.push_back(std::chrono::seconds(k) + std::chrono::milliseconds(500));
-        return times;
-    }
-
+/// The flow between them.
+struct Levels : DrawnLevels {
     ZoomFlow flow() const {
         ZoomFlow flow(tapestry, 1);
         for (const ZoomFlow::Part& part : flow.parts())
@@ -70,10 +34,6 @@ struct Levels {
         return {field.point(column, row) + Vec2{1.0 * tile * tapestry.tile_width, 0},
                 field.place(column, row), field.growths[field.number(column, row)]};
     }
-
-    Tapestry tapestry;
-    cv::Mat coarse;
-    cv::Mat fine;
 };
 
 }  // namespace
@@ -83,10 +43,10 @@ TEST_CASE("what both levels show keeps its shape and moves from the one place to
     const ZoomFlow flow = levels.flow();
 
     CHECK(flow.matched() > 0.5);
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-        const double way = (kept[k] - static_cast<double>(k)) * brick.width / 2.0;
+    for (std::size_t k = 0; k < levels.kept.size(); ++k) {
+        const double way = (levels.kept[k] - static_cast<double>(k)) * levels.brick.width / 2.0;
         const double middle = levels.tapestry.middle(0, k);
-        const double y = brick.height * (k % 2 == 0 ? 0.5 : 1.5);
+        const double y = levels.brick.height * (k % 2 == 0 ? 0.5 : 1.5);
         const auto there = levels.at(flow, middle, y, true);
         CHECK(there.place.x - there.point.x == doctest::Approx(way).epsilon(0.01));
         CHECK(std::abs(there.place.y - there.point.y) < 1);
@@ -126,7 +86,7 @@ TEST_CASE("a zoom's ends are the strips' ends, and no point is farther off than 
                     const double coarse = is_to_finer ? here : there;
                     const double fine = is_to_finer ? there : here;
                     const double expected = tapestry.x_at(0, tapestry.time_at(1, fine));
-                    CHECK(std::abs(coarse - expected) <= brick.width + 0.2);
+                    CHECK(std::abs(coarse - expected) <= levels.brick.width + 0.2);
                 }
             }
         }
