@@ -1,5 +1,6 @@
 #include "player/render/idle_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -7,8 +8,8 @@ namespace vitrine {
 
 namespace {
 
-constexpr int columns = 80;
-constexpr int rows = 50;
+constexpr int columns = 40;
+constexpr int rows = 25;
 constexpr double period =
     3600;  // s, after which the lights stand as at the start: a float keeps its precision
 
@@ -112,7 +113,10 @@ IdlePicture::IdlePicture()
     check_gl("make the idle picture");
 }
 
-void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity) const {
+void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity,
+                       double top, double bottom) const {
+    const int first = std::clamp(static_cast<int>(std::floor(top / canvas.y * rows)), 0, rows);
+    const int last = std::clamp(static_cast<int>(std::ceil(bottom / canvas.y * rows)), first, rows);
     const double seconds = std::chrono::duration<double>(time).count();
     program_.use();
     set(x_axis_, view.x_axis);
@@ -122,7 +126,10 @@ void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds 
     glUniform1f(seconds_, static_cast<float>(std::fmod(seconds, period)));
     glUniform1f(opacity_, static_cast<float>(opacity));
     glBindVertexArray(grid_.id());
-    glDrawElements(GL_TRIANGLES, columns * rows * 6, GL_UNSIGNED_SHORT, nullptr);
+    const std::size_t begin = static_cast<std::size_t>(first) * columns * 6 * sizeof(GLushort);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast): GL's way
+    const auto* order = reinterpret_cast<const void*>(begin);
+    glDrawElements(GL_TRIANGLES, columns * (last - first) * 6, GL_UNSIGNED_SHORT, order);
 }
 
 }  // namespace vitrine

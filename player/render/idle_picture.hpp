@@ -14,11 +14,13 @@ class IdlePicture {
   public:
     IdlePicture();
 
-    /// Fills the canvas.
+    /// Fills the canvas, or as much of it as the scissor lets through.
     ///
     /// @param time     moves the lights; equal times give equal pictures
     /// @param opacity  over what is there, in [0, 1]
-    void draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity) const;
+    /// @param top      canvas px; nothing is seen above, nor below `bottom`
+    void draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity, double top,
+              double bottom) const;
 
   private:
     Program program_;

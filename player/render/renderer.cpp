@@ -133,10 +133,7 @@ void Renderer::draw(const Frame& frame) {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const ToNdc view = to_ndc(frame.canvas, view_.rotation);
-    if (const double idle = leaves_holes(frame) ? 1 : frame.idle; idle > 0) {
-        glEnable(GL_BLEND);
-        idle_.draw(frame.canvas, view, frame.time, idle);
-    }
+    draw_idle(frame, view);
     is_on_pixels_ = is_whole(frame.view.x) && is_whole(frame.view.y) &&
                     frame.canvas == canvas_size(width_, height_, view_);
     const ToNdc moved = seen_from(view, frame.view);

@@ -101,6 +101,8 @@ class Renderer {
     void replace(SourceId source, PictureTexture texture);
     void give_back(const PictureTexture& texture);
     bool leaves_holes(const Frame& frame) const;
+    void draw_idle(const Frame& frame, const ToNdc& view);
+    void set_scissor(const Box& part, const ToNdc& view) const;
     void draw_run(std::span<const DrawItem> items, const ToNdc& view);
     void draw_zooms(std::span<const DrawItem> items, const ToNdc& view);
     void draw_outlines(const DrawItem& item, const ToNdc& view);

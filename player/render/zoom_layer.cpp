@@ -27,7 +27,18 @@ void main() {
 }
 )";
 
-constexpr const char* fragment_shader = R"(
+constexpr const char* whole_shader = R"(
+precision mediump float;
+uniform sampler2D picture;
+in highp vec2 uv;
+out vec4 pixel;
+
+void main() {
+    pixel = texture(picture, uv);
+}
+)";
+
+constexpr const char* blended_shader = R"(
 precision mediump float;
 uniform sampler2D picture;
 in highp vec2 uv;
@@ -54,32 +65,36 @@ void attribute(GLuint place, GLint count, std::size_t offset) {
 
 }  // namespace
 
-ZoomLayer::ZoomLayer()
-    : program_(vertex_shader, fragment_shader),
-      x_axis_(program_.uniform("x_axis")),
-      y_axis_(program_.uniform("y_axis")),
-      origin_(program_.uniform("origin")),
-      offset_(program_.uniform("offset")),
-      scale_(program_.uniform("scale")),
-      share_(program_.uniform("share")),
-      alpha_(program_.uniform("alpha")) {}
+ZoomLayer::MeshProgram::MeshProgram(const char* fragment_shader)
+    : program(vertex_shader, fragment_shader),
+      x_axis(program.uniform("x_axis")),
+      y_axis(program.uniform("y_axis")),
+      origin(program.uniform("origin")),
+      offset(program.uniform("offset")),
+      scale(program.uniform("scale")),
+      share(program.uniform("share")),
+      alpha(program.uniform("alpha")) {}
+
+ZoomLayer::ZoomLayer() : whole_(whole_shader), blended_(blended_shader) {}
 
 void ZoomLayer::draw(const DrawItem& item, const ToNdc& view) {
     Mesh& drawn = mesh(item.zoom);
     drawn.unused = 0;
-    if (item.zoom->is_whole && item.alpha >= 1)
+    const bool is_whole = item.zoom->is_whole && item.alpha >= 1;
+    if (is_whole)
         glDisable(GL_BLEND);
     else
         glEnable(GL_BLEND);
     glBindVertexArray(drawn.array.id());
-    program_.use();
-    set(x_axis_, view.x_axis);
-    set(y_axis_, view.y_axis);
-    set(origin_, view.origin);
-    set(offset_, item.placement.offset);
-    glUniform1f(scale_, static_cast<float>(item.placement.scale));
-    glUniform1f(share_, static_cast<float>(item.share));
-    glUniform1f(alpha_, static_cast<float>(item.alpha));
+    const MeshProgram& program = is_whole ? whole_ : blended_;
+    program.program.use();
+    set(program.x_axis, view.x_axis);
+    set(program.y_axis, view.y_axis);
+    set(program.origin, view.origin);
+    set(program.offset, item.placement.offset);
+    glUniform1f(program.scale, static_cast<float>(item.placement.scale));
+    glUniform1f(program.share, static_cast<float>(item.share));
+    glUniform1f(program.alpha, static_cast<float>(item.alpha));
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.zoom->triangles.size()), GL_UNSIGNED_SHORT,
                    nullptr);
 }

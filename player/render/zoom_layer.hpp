@@ -30,16 +30,23 @@ class ZoomLayer {
         int unused = 0;  // frames
     };
 
+    struct MeshProgram {
+        explicit MeshProgram(const char* fragment_shader);
+
+        Program program;
+        GLint x_axis;
+        GLint y_axis;
+        GLint origin;
+        GLint offset;
+        GLint scale;
+        GLint share;
+        GLint alpha;  // -1: it draws whole
+    };
+
     Mesh& mesh(const std::shared_ptr<const ZoomMesh>& zoom);
 
-    Program program_;
-    GLint x_axis_;
-    GLint y_axis_;
-    GLint origin_;
-    GLint offset_;
-    GLint scale_;
-    GLint share_;
-    GLint alpha_;
+    MeshProgram whole_;    // lets nothing through
+    MeshProgram blended_;  // as much as each point says
     std::unordered_map<const ZoomMesh*, Mesh> meshes_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/geometry/box.hpp"
 #include "player/layout/cells.hpp"
 #include "player/scene/zoom_mesh.hpp"
 
@@ -33,6 +34,7 @@ struct Frame {
     Vec2 canvas;  // px
     Vec2 view;    // the canvas point that is shown at the top left, px: a wall that is wider passes by
     std::vector<DrawItem> items;
+    std::vector<Box> covered;          // canvas px: what items cover whole, if all can be drawn
     double idle = 0;                   // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };

@@ -69,11 +69,16 @@ void TapestryStrip::draw_levels(Frame& frame) const {
     const double share = view().level - static_cast<double>(coarse);
     if (share > 0 && tapestry_.levels[coarse + 1].has_zoom) {
         if (!is_whole(coarse)) draw_level(frame, 0, 1);
+        if (goes_over_whole(coarse)) cover(frame);
         draw_zoom(frame, coarse, true);
         return draw_zoom(frame, coarse + 1, false);
     }
     const double alpha = eased((share - blend_begin) / (blend_end - blend_begin));
-    if (!is_whole(share > 0 && alpha >= 1 ? coarse + 1 : coarse)) draw_level(frame, 0, 1);
+    const bool has_all = is_whole(share > 0 && alpha >= 1 ? coarse + 1 : coarse);
+    if (has_all)
+        cover(frame);
+    else
+        draw_level(frame, 0, 1);
     if (alpha < 1) draw_level(frame, coarse, 1);
     if (alpha > 0) draw_level(frame, coarse + 1, alpha);
 }
@@ -118,6 +123,20 @@ bool TapestryStrip::is_whole(std::size_t level) const {
                                [&](const auto& tile) { return cache_.has(tile.first); });
 }
 
+/// Whether all that is seen of a level can be drawn on its way to the finer one.
+bool TapestryStrip::goes_over_whole(std::size_t coarse) const {
+    return std::ranges::all_of(place().tiles(view(), coarse, box_.min.x, box_.max.x), [&](const auto& tile) {
+        return cache_.has(tile.first) && zoom_of(tile.first, true) != nullptr;
+    });
+}
+
+/// The strip is drawn whole: all of its box that the film reaches.
+void TapestryStrip::cover(Frame& frame) const {
+    const double left = place().canvas_x(view(), 0ns);
+    const double right = place().canvas_x(view(), tapestry_.duration);
+    frame.covered.push_back(intersection(box_, {{left, box_.min.y}, {right, box_.max.y}}));
+}
+
 void TapestryStrip::draw_level(Frame& frame, std::size_t level, double alpha) const {
     for (const TilePiece& piece : place().pieces(view(), level, box_.min.x, box_.max.x)) {
         if (!cache_.has(piece.tile)) continue;
@@ -151,6 +170,7 @@ void TapestryStrip::draw_preview(Frame& frame) {
     if (shown_->began->count() < 0) shown_->began = frame.time;
     nanoseconds local = frame.time - *shown_->began;
     if (incoming_ && incoming_->follows) local = std::min(local, shown_->length() - 1ns);  // it waits
+    frame.covered.push_back(preview_);
     frame.items.push_back({.source = shown_->source,
                            .cell = box_cell(preview_),
                            .placement = {.scale = 1, .offset = preview_.min},

@@ -123,6 +123,8 @@ class TapestryStrip {
     void draw_zoom(Frame& frame, std::size_t level, bool is_to_finer) const;
     const ZoomMesh* zoom_of(const TileId& tile, bool is_to_finer) const;
     bool is_whole(std::size_t level) const;
+    bool goes_over_whole(std::size_t coarse) const;
+    void cover(Frame& frame) const;
     void draw_in_place(Frame& frame);
     void draw_preview(Frame& frame);
     void draw_playhead(Frame& frame, const Playing& playing) const;

@@ -116,3 +116,38 @@ TEST_CASE("the idle picture is nowhere black and moves") {
     CHECK(darkest > 20);
     CHECK(changed > 320 * 180 / 10);
 }
+
+TEST_CASE("below what items cover whole no idle picture is drawn, and all around it as ever") {
+    for (const Rotation rotation : {Rotation::none, Rotation::right, Rotation::half, Rotation::left}) {
+        CAPTURE(static_cast<int>(rotation));
+        const bool is_upright = rotation == Rotation::none || rotation == Rotation::half;
+        const Vec2 canvas = is_upright ? Vec2{200, 100} : Vec2{100, 200};
+        DrawnWall wall(207, 111, {.rotation = rotation, .left = 4, .top = 5, .right = 3, .bottom = 6});
+        wall.frame = {.canvas = canvas, .idle = 1, .time = 77s};
+        wall.add(1, cell(box(10, 20, 90, 60.5)), {10, 20});
+        wall.renderer.upload(1, plain(red).sample);
+        const Picture expected = wall.shown();
+        wall.frame.covered = {{{10, 20}, {90, 60.5}}};
+        CHECK(wall.shown().pixels == expected.pixels);
+
+        wall.frame.items.clear();
+        wall.add(1, cell(box(10, 70, 90, 90)), {10, 70});
+        const Picture elsewhere = wall.shown();
+        int black = 0;
+        for (int y = 0; y < 111; ++y)
+            for (int x = 0; x < 207; ++x)
+                black += at(elsewhere, x, y) == Colour{0, 0, 0};
+        CHECK(black >= 207 * 111 - 200 * 100 + 80 * 40);
+        CHECK(black <= 207 * 111 - 200 * 100 + 80 * 41);
+    }
+}
+
+TEST_CASE("where an item has no picture yet, the idle picture is drawn below it, covered or not") {
+    DrawnWall wall;
+    wall.frame.idle = 1;
+    wall.add_two();
+    wall.frame.covered = {{{0, 0}, {200, 100}}};
+    wall.renderer.forget(2);
+    const Colour c = at(wall.shown(), 150, 50);
+    CHECK(c[0] + c[1] + c[2] > 20);
+}

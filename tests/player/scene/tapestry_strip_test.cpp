@@ -94,6 +94,43 @@ TEST_CASE("a strip is covered by its tiles in every frame, whatever one does") {
     check(30s);
 }
 
+TEST_CASE("what a frame says is covered is covered, by the strip and by the film that plays above it") {
+    House house;
+    int covered = 0;
+    int playing = 0;
+    const auto check = [&](std::chrono::nanoseconds duration) {
+        for (const auto end = house.now + duration; house.now < end;) {
+            const Frame frame = house.step().frame;
+            for (const Box& box : frame.covered) {
+                ++covered;
+                playing += box == house.strip.preview();
+                double reached = box.min.x;
+                for (const DrawItem& item : frame.items) {
+                    const Box drawn = bounding_box(item.cell->parts[0]);
+                    if (item.alpha >= 1 && drawn.min.x <= reached + 1e-6 && drawn.min.y <= box.min.y &&
+                        drawn.max.y >= box.max.y)
+                        reached = std::max(reached, drawn.max.x);
+                }
+                REQUIRE(reached >= box.max.x - 1e-6);
+            }
+        }
+    };
+    CHECK(house.step().frame.covered.empty());  // no tile is there yet
+    check(200ms);
+    CHECK(covered > 0);
+    CHECK(playing == 0);
+    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+    check(2s);
+    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    check(2s);
+    for (int k = 0; k < 20; ++k) {
+        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+        check(40ms);
+    }
+    CHECK(playing > 100);
+}
+
 TEST_CASE("a notch of the wheel is one level in 0.6 seconds, about the pointer") {
     House house;
     house.step();
