@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,19 +25,22 @@ class CrashNote {
 
     bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
 
-    /// Takes them out of what is shown; tells of each once.
-    void leave_out_poison(std::vector<MediaRecord>& records);
+    /// Takes out what is not to be shown: what is quarantined, of which it tells once each, and of those that
+    /// may have caused the last crash all but one at a time, so that a further one shows whose it is.
+    void hold_back(std::vector<MediaRecord>& records);
 
     /// To be called before the file is opened.
     void open(const MediaRecord& record, Time now);
 
     /// @param records  of the catalogue, ordered by path; a file without one is not noted
     void open(const std::string& path, const std::vector<MediaRecord>& records, Time now);
-    void keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now);
+    bool keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now);
 
     /// What is still open, to be called now and then. A run of ten minutes forgives all that is not
     /// quarantined.
-    void keep(const std::set<ContentName>& open, Time now);
+    ///
+    /// @return  whether something that was held back need not be any longer
+    bool keep(const std::set<ContentName>& open, Time now);
 
     /// The run ends as it should.
     void end();
@@ -44,6 +48,8 @@ class CrashNote {
   private:
     void count_crash();
     void forgive();
+    std::chrono::seconds opening_time(const ContentName& name) const;
+    bool end_trial(Time now);
     void write();
 
     std::filesystem::path state_;
@@ -51,8 +57,11 @@ class CrashNote {
     PlayingNote note_;                    // as it is on the disk
     std::map<ContentName, Time> opened_;  // what is open
     Time start_{};                        // of the first call
-    std::set<std::string> told_;          // quarantined files, by path
-    bool is_active_ = true;               // no other player has this state directory, and it can be written
+    std::set<ContentName> suspects_;      // that are held back, and the one on trial
+    std::optional<ContentName> on_trial_;
+    std::optional<Time> trial_begin_;  // when it was first opened
+    std::set<std::string> told_;       // quarantined files, by path
+    bool is_active_ = true;            // no other player has this state directory, and it can be written
 };
 
 }  // namespace vitrine

@@ -65,7 +65,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       tick_(loop_.timer([this] { tick(); })),
       told_(loop_.timer([this] { tell(); })),
       noted_(loop_.timer([this] {
-          crash_note_.keep(sources_.open_files(), follower_.records(), EventLoop::Clock::now());
+          if (crash_note_.keep(sources_.open_files(), follower_.records(), EventLoop::Clock::now()))
+              give_catalogue();
           noted_.arm(status_interval);
       })) {
     if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
@@ -203,7 +204,7 @@ void Player::follow(const CatalogueChange& change) {
 void Player::give_catalogue() {
     std::vector<MediaRecord> records =
         options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
-    crash_note_.leave_out_poison(records);
+    crash_note_.hold_back(records);
     programme_.set_records(operation_ ? operation_->wanted(records) : std::move(records));
     next_look_ = 0ns;
     follow_programme(0ns);

@@ -59,6 +59,13 @@ Blame blame_after(const Blame& before, const PlayingNote& crashed) {
             (known == before.end() ? 0 : known->second) + (was_opening ? opening_points : playing_points);
         after[name] = std::min(points, most_blame);
     }
+    const auto is_new = [&](const auto& entry) {
+        const auto known = before.find(entry.first);
+        return entry.second == most_blame && (known == before.end() || known->second < most_blame);
+    };
+    if (std::ranges::count_if(after, is_new) > 1)
+        for (auto& entry : after)
+            if (is_new(entry)) entry.second = most_blame - 1;
     return after;
 }
 

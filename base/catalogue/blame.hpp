@@ -45,8 +45,11 @@ struct PlayingNote {
 using Blame = std::map<ContentName, int>;
 
 /// A content with so many points is quarantined: it was being opened in two crashes in a row, or played in
-/// four.
+/// four, and was the only one of which that is true.
 constexpr int most_blame = 4;
+
+/// With fewer, but so many, it is a suspect.
+constexpr int least_suspicion = 2;
 
 /// The reason that its record gets.
 constexpr const char* brought_the_player_down = "it brought the player down, again and again";
@@ -54,7 +57,8 @@ constexpr const char* brought_the_player_down = "it brought the player down, aga
 bool is_quarantined(const Blame& blame, const MediaRecord& record);
 
 /// Those that were being opened are to blame, where there were any, else all that played. Who had no part in
-/// the last crash is forgiven the one before, unless quarantined.
+/// the last crash is forgiven the one before, unless quarantined. Where several would be quarantined at once
+/// it is not known whose fault it is: they stay suspects.
 Blame blame_after(const Blame& before, const PlayingNote& crashed);
 
 /// Those of the paths that anything is known of.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Films that crash, hang or eat the memory of whoever decodes them, in the folder of `vitrine-analyzer watch`.
+"""Films that crash, hang or eat the memory of whoever decodes them, in the folder of `vitrine-analyzer watch` and on the wall.
 
     poison_test.py BUILD_DIRECTORY SYSTEM_PLUGINS [unittest arguments]
 
@@ -7,6 +7,7 @@ The decoder that does it is a plugin of the tests (poison/plugin.cpp); SYSTEM_PL
 """
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,7 @@ from drawn_media import png
 
 BUILD = Path(sys.argv[1]).resolve()
 PLUGINS = sys.argv[2]
-ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
+ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 PATIENCE = 300  # seconds until something that must come is given up
 DEADLINE = 6  # seconds of a child that reads poison
 KINDS = {"aborts": 100, "sleeps": 104, "allocates": 108, "spins": 112}  # by the width of the picture
@@ -38,21 +39,27 @@ class Poison(unittest.TestCase):
         self.root.mkdir()
         self.journal = self.home / "journal"
 
-    def start(self, deadline=PATIENCE):
+    def run_poisoned(self, *command):
         environment = os.environ | {
             "GST_PLUGIN_PATH": f"{PLUGINS}:{BUILD / 'tests' / 'pipeline'}",  # the last of a name is taken
             "GST_PLUGIN_SYSTEM_PATH": str(self.home / "none"), "GST_REGISTRY": str(self.home / "registry")}
         # An address sanitizer reserves more than any limit: there the poison is stopped by it instead.
         environment["ASAN_OPTIONS"] = environment.get("ASAN_OPTIONS", "") + ":hard_rss_limit_mb=1500:abort_on_error=1"
         with open(self.journal, "ab") as journal:
-            watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory",
-                                        str(self.home / "state"), "--analyzer.quiet_milliseconds", "100",
-                                        "--analyzer.deadline_seconds", str(deadline), "--analyzer.memory_mebibytes", "1024",
-                                        "--tapestry.max_bytes", "0"],
-                                       env=environment, stderr=journal)
-        self.addCleanup(watcher.wait)
-        self.addCleanup(watcher.kill)
-        return watcher
+            process = subprocess.Popen([*command, "--media.root", str(self.root), "--state.directory", str(self.home / "state")],
+                                       env=environment, stdout=subprocess.DEVNULL, stderr=journal)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def start(self, deadline=PATIENCE):
+        return self.run_poisoned(ANALYZER, "watch", "--analyzer.quiet_milliseconds", "100", "--analyzer.deadline_seconds", str(deadline),
+                                 "--analyzer.memory_mebibytes", "1024", "--tapestry.max_bytes", "0")
+
+    def analyse_in_health(self):
+        with open(self.journal, "ab") as journal:
+            subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.home / "state"),
+                            "--analyzer.quiet_milliseconds", "0", "--store.max_bytes", "0"], check=True, stderr=journal)
 
     def records(self):
         found = {}
@@ -72,6 +79,9 @@ class Poison(unittest.TestCase):
 
     def lines(self, word):
         return [line for line in self.journal.read_text().splitlines() if word in line]
+
+    def lines_after(self, first, word):
+        return [line for line in self.journal.read_text().split(first)[-1].splitlines() if word in line]
 
     def test_poison_is_tried_once_more_then_quarantined_and_hurts_nothing_else(self):
         png(self.root / "good.png", 64, 48, lambda x, y: (200, 100, 50))
@@ -105,6 +115,27 @@ class Poison(unittest.TestCase):
         # Once it is another content, it is.
         png(self.root / "aborts.avi", 32, 32, lambda x, y: (20, 200, 50))
         self.wait(lambda r: r["aborts.avi"]["state"] == "ready")
+
+    def test_what_brings_the_player_down_twice_is_quarantined_and_what_plays_beside_it_is_not(self):
+        for name in ("a", "b", "z"):
+            png(self.root / f"{name}.png", 64, 48, lambda x, y: (200, 100, 50))
+        make_film(self.root / "film.avi", KINDS["aborts"])
+        self.analyse_in_health()  # so that nobody knows until it is shown
+        self.assertEqual({record["state"] for record in self.records().values()}, {"ready"})
+
+        def play():
+            return self.run_poisoned(PLAYER, "--pace", "realtime", "--output.screen", "offscreen:160x90", "--output.frame_rate", "5")
+
+        for _ in range(2):
+            self.assertEqual(play().wait(PATIENCE), -signal.SIGABRT, self.journal.read_text())
+        player = play()
+        self.wait(lambda _: self.lines("quarantined: 'film.avi'"))
+        self.wait(lambda _: all(self.lines_after("quarantined: 'film.avi'", f"{name}.png'") for name in "abz"))
+        player.terminate()
+        self.assertEqual(player.wait(PATIENCE), 0)
+        self.analyse_in_health()
+        self.assertEqual({path: record["state"] for path, record in self.records().items()},
+                         {"a.png": "ready", "b.png": "ready", "film.avi": "quarantined", "z.png": "ready"})
 
 
 if __name__ == "__main__":

@@ -37,7 +37,82 @@ void run(const std::filesystem::path& state, bool crashes, std::chrono::seconds 
     ::waitpid(player, &status, 0);
 }
 
+/// A player that opens all that is not held back, until everything has been open for a while; it is killed
+/// when it opens `poison`, or, where `is_killed`, after its first openings. @return  whether it was
+bool show(const std::filesystem::path& state, const std::vector<MediaRecord>& all, const std::string& poison,
+          bool is_killed = false) {
+    const pid_t player = ::fork();
+    if (player == 0) {
+        CrashNote note(state);
+        std::set<ContentName> open;
+        for (auto now = noon; now < noon + 5min; now += 5s) {
+            std::vector<MediaRecord> shown = all;
+            note.hold_back(shown);
+            for (const MediaRecord& record : shown) {
+                if (!open.insert(content_name(record)).second) continue;
+                note.open(record, now);
+                if (record.path == poison) ::kill(::getpid(), SIGKILL);
+            }
+            if (is_killed) ::kill(::getpid(), SIGKILL);
+            note.keep(open, now);
+        }
+        note.end();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(player, &status, 0);
+    return WIFSIGNALED(status);
+}
+
+std::vector<std::string> quarantined(const std::filesystem::path& state,
+                                     const std::vector<MediaRecord>& all) {
+    std::vector<std::string> found;
+    const CrashNote note(state);
+    for (const MediaRecord& record : all)
+        if (note.is_quarantined(record)) found.push_back(record.path);
+    return found;
+}
+
+const std::vector<MediaRecord> four{
+    {.path = "a.png"}, {.path = "b.avi"}, {.path = "c.png"}, {.path = "d.mp4"}};
+
 }  // namespace
+
+TEST_CASE("of four files that are opened together the second crash shows which one brings the player down") {
+    for (const MediaRecord& poison : four) {
+        CAPTURE(poison.path);
+        const TemporaryDirectory state;
+        CHECK(show(state.path, four, poison.path));
+        CHECK(quarantined(state.path, four).empty());
+        CHECK(show(state.path, four, poison.path));
+        CHECK(quarantined(state.path, four) == std::vector{poison.path});
+        CHECK_FALSE(show(state.path, four, poison.path));
+    }
+}
+
+TEST_CASE("a player that somebody kills twice loses one of its files at most") {
+    const TemporaryDirectory state;
+    CHECK(show(state.path, four, "", true));
+    CHECK(show(state.path, four, "", true));
+    CHECK(quarantined(state.path, four).size() <= 1);
+}
+
+TEST_CASE("after a crash all files are shown again, one after the other") {
+    const TemporaryDirectory state;
+    CHECK(show(state.path, four, "", true));
+    CrashNote note(state.path);
+    std::set<ContentName> open;
+    std::vector<std::size_t> counts;
+    for (auto now = noon; now < noon + 1min; now += 10s) {
+        std::vector<MediaRecord> shown = four;
+        note.hold_back(shown);
+        for (const MediaRecord& record : shown)
+            if (open.insert(content_name(record)).second) note.open(record, now);
+        counts.push_back(open.size());
+        note.keep(open, now + 10s);
+    }
+    CHECK(counts == std::vector<std::size_t>{1, 2, 3, 4, 4, 4});
+}
 
 TEST_CASE("a film that brings the player down twice when it is opened is quarantined, and no other") {
     const TemporaryDirectory state;

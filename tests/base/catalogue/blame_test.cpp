@@ -47,6 +47,15 @@ TEST_CASE("a content that played in four crashes in a row is quarantined, not on
     CHECK(blame.at(film) == 1);
 }
 
+TEST_CASE(
+    "where several contents would be quarantined at once they stay suspects, and the next crash decides") {
+    Blame blame = crashes(2, {.opening = {film, photo, third}});
+    CHECK(blame == Blame{{film, 3}, {photo, 3}, {third, 3}});
+    blame = blame_after(blame, {.opening = {photo}, .playing = {film}});
+    CHECK(blame == Blame{{photo, most_blame}});
+    CHECK(blame_after(blame, {.opening = {photo, film}}).at(film) == 2);
+}
+
 TEST_CASE("one that is quarantined stays so whoever crashes next") {
     Blame blame = crashes(2, {.opening = {film}});
     blame = blame_after(blame, {.opening = {photo}});
