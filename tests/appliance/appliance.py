@@ -91,7 +91,7 @@ class Appliance:
         media.mkdir()
         draw_media(media)
         self.machine.mount_share()
-        self.sh("cp -a --no-preserve=ownership /host/stage/. / && systemd-sysusers && systemd-tmpfiles --create vitrine.conf")
+        self.sh("cp -a --no-preserve=ownership /host/stage/. / && systemd-sysusers && systemd-tmpfiles --create vitrine.conf && systemctl reload dbus")
         self.sh(f"install -o vitrine -g vitrine -m 664 /host/media/* {MEDIA}; umount /host")
         for unit in ("vitrine-analyzer", "vitrine-player"):  # on a busy host minutes pass in the machine
             folder = f"/run/systemd/system/{unit}.service.d"
@@ -130,18 +130,18 @@ class Appliance:
     def restart(self, **changes):
         """With a panel; until the new process has a picture, for until then there is the old one's."""
         self.set(**changes)
-        begin = self.now()
         self.sh("systemctl restart vitrine-player")
-        self.wait_for_word("first picture on", begin)
+        self.wait_for_word("first picture on", pid=self.pid())
 
     def pid(self):
         pid = int(self.sh("systemctl show -p MainPID --value vitrine-player"))
         assert pid > 0, "the player is not running"
         return pid
 
-    def journal(self, unit="vitrine-player", since=0.0):
-        """What a unit last said, from a moment of the guest's monotonic clock on: [(seconds, words)]."""
-        lines = self.sh(f"journalctl -b -q -u {unit} -o short-monotonic --no-hostname -n 200").splitlines()
+    def journal(self, unit="vitrine-player", since=0.0, pid=None):
+        """What a unit, or one process of it, last said, from a moment of the guest's monotonic clock on: [(seconds, words)]."""
+        whose = f"-u {unit}" + (f" _PID={pid}" if pid else "")
+        lines = self.sh(f"journalctl -b -q {whose} -o short-monotonic --no-hostname -n 200").splitlines()
         found = [re.match(r"\[\s*([\d.]+)\] [^:]+: (.*)", line) for line in lines]
         return [(float(line[1]), line[2]) for line in found if line and float(line[1]) >= since]
 
@@ -149,10 +149,10 @@ class Appliance:
         """The guest's monotonic clock, in seconds."""
         return float(self.sh("cut -d' ' -f1 /proc/uptime"))
 
-    def wait_for_word(self, pattern, since=0.0):
-        """Until the player's journal, from a moment on, has a line with a pattern; the match."""
+    def wait_for_word(self, pattern, since=0.0, pid=None):
+        """Until the player's journal, from a moment on or of one process, has a line with a pattern; the match."""
         def said():
-            return next((found for _, line in self.journal(since=since) if (found := re.search(pattern, line))), None)
+            return next((found for _, line in self.journal(since=since, pid=pid) if (found := re.search(pattern, line))), None)
 
         return wait_for(f"the player to say '{pattern}'", said)
 

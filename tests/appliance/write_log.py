@@ -60,13 +60,13 @@ class Replay:
         """How many of the first `number` entries are sure to be on the disk."""
         return next((i for i in range(number, 0, -1) if self.entries[i - 1].flags & FLUSH), 0)
 
-    def go_to(self, number, volatile, chance):
-        """The power goes after so many entries: all is there that was flushed, and of the rest, which `volatile` gets on top
-        of it, whatever the disk happened to have written by then."""
+    def go_to(self, number, chance):
+        """The power goes after so many entries: all is there that was flushed; of the rest, that which the disk happened to
+        have written by then."""
         flushed = self.last_flush(number)
         for entry in self.entries[self.done:flushed]:
             self.write(self.disk, entry)
         self.disk.flush()
         self.done = max(self.done, flushed)
         most = chance.random()  # how much of its cache a disk has written differs
-        return [entry for entry in self.entries[flushed:number] if entry.flags & FUA or chance.random() < most] if volatile else []
+        return [entry for entry in self.entries[flushed:number] if entry.flags & FUA or chance.random() < most]

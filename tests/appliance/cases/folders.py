@@ -1,5 +1,6 @@
 """Two panels, each with the wall of a folder of its own."""
 from appliance import MEDIA
+from machine import wait_for
 
 FOLDERS = {"hall": ["blue.png", "magenta.mp4"], "lobby": ["red.png", "green.png"]}
 
@@ -12,6 +13,7 @@ def run(box):
 
     for head, (folder, files) in enumerate(FOLDERS.items()):
         names = {file.split(".")[0] for file in files}
-        picture = box.wait_for_wall(f"the wall of the {folder}", head=head, files=names)
-        assert box.files_in(picture) == names, f"the wall of the {folder} shows {box.files_in(picture)}"
+        # Until its own first picture a panel shows what it showed before: the wall of all files.
+        wait_for(f"the {folder} alone", lambda: box.files_in(box.machine.picture(head)) == names)
+        box.wait_for_wall(f"the wall of the {folder}", head=head, files=names)
     box.wait_for_motion("the film to move in the hall")

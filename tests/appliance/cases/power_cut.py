@@ -7,7 +7,6 @@ is whole, those that the analyzer had told of are there, and the analyzer starts
 import json
 import os
 import random
-import re
 import shutil
 import subprocess
 import time
@@ -15,6 +14,7 @@ import time
 from appliance import MEDIA
 from image import run as tool
 from machine import wait_for
+from power import promised, start_arrivals
 from write_log import Replay
 
 STATE = "/var/lib/vitrine"
@@ -22,17 +22,6 @@ SIZE = 192 << 20  # bytes of the disk
 LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 30))
 CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 40))
 STARTS = max(4, CUTS // 10)  # cuts after which the analyzer is started, too
-# What has come is flushed, so that a record of it must not go either.
-ARRIVALS = f"""
-cp -p {MEDIA}/red.png /tmp/one.png; cp -p {MEDIA}/blue.png /tmp/two.png; cd {MEDIA}; i=0
-while :; do
-    i=$((i + 1))
-    cp /tmp/one.png stays-$i.png; sync stays-$i.png .
-    if [ $((i % 2)) = 0 ]; then cat /tmp/one.png >over.png; else cat /tmp/two.png >over.png; fi
-    cp /tmp/two.png goes-$i.png; rm -f goes-$((i - 2)).png
-    sleep 1
-done
-"""
 
 
 def run(box):
@@ -57,13 +46,10 @@ def fill(box, disk, log):
     box.sh(f"systemctl stop vitrine-player vitrine-analyzer; mount /dev/vdb /mnt; cp -a {STATE} /mnt/state; cp -a {MEDIA} /mnt/media; "
            f"mount --bind /mnt/state {STATE}; mount --bind /mnt/media {MEDIA}; sync; systemctl start vitrine-analyzer vitrine-player")
     begin, there = log.stat().st_size, box.sh(f"cd {MEDIA}; ls *.png *.mp4").split()
-    box.sh(f"cat >/run/arrivals <<'END'\n{ARRIVALS}END")
-    box.sh("systemd-run --quiet --unit=told sh -c 'journalctl -f -n 0 -o cat -u vitrine-analyzer >/dev/ttyS0'; sleep 1; "
-           "systemd-run --quiet --unit=arrivals --uid=vitrine --gid=vitrine sh /run/arrivals")
+    start_arrivals(box)
     promises, end = {name: begin for name in there}, time.monotonic() + LENGTH
     while time.monotonic() < end or len(promises) < len(there) + 5:
-        said = box.machine.said()
-        for name in re.findall(r"ready: '(stays-\d+\.png)'\r?\n", said):
+        for name in promised(box.machine.said()):
             promises.setdefault(name, log.stat().st_size)
         assert time.monotonic() < end + 600, f"next to nothing was analysed: {sorted(promises)}"
         time.sleep(0.02)
@@ -82,7 +68,7 @@ def cut(folder, begin, promises):
         print(f"{len(replay.entries) - first} writes, {len(promises)} promises, {CUTS} cuts, VITRINE_RIG_SEED={seed}", flush=True)
         kept = []
         for number, moment in enumerate(moments):
-            left = replay.go_to(moment, True, chance)
+            left = replay.go_to(moment, chance)
             shutil.copy(folder / "begin.raw", folder / "cut.raw")
             with (folder / "cut.raw").open("r+b") as disk:
                 for entry in left:
