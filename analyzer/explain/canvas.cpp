@@ -1,5 +1,7 @@
 #include "analyzer/explain/canvas.hpp"
 
+#include "base/media/still_picture.hpp"
+
 #include <fmt/format.h>
 #include <glib.h>
 #include <opencv2/imgproc.hpp>
@@ -69,9 +71,7 @@ double descent(const std::string& line, double size) {
 }  // namespace
 
 Canvas::Canvas(int width, int height, Ink background) : picture_(height, width, CV_8UC3, bgr(background)) {
-    if (vips_init("vitrine") != 0) {
-        throw std::runtime_error(fmt::format("start libvips: {}", vips_error_buffer()));
-    }
+    init_vips();
 }
 
 void Canvas::fill(const Box& box, Ink colour) {

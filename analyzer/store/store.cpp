@@ -1,5 +1,7 @@
 #include "analyzer/store/store.hpp"
 
+#include "analyzer/store/disk_use.hpp"
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -11,10 +13,6 @@ namespace vitrine {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::int64_t nanoseconds_of(const timespec& time) {
-    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
 
 bool is_too_small(const MediaRecord& record, const StoredShot& stored, const StoreBounds& bounds) {
     if (record.kind != MediaKind::video) return false;
@@ -71,8 +69,7 @@ void Store::look_at(const std::string& name) {
     struct stat status {};
 
     if (::stat((directory_ / name).c_str(), &status) < 0 || !S_ISREG(status.st_mode)) return;
-    files_[name] = {.bytes = static_cast<std::uint64_t>(status.st_size),
-                    .used_ns = std::max(nanoseconds_of(status.st_atim), nanoseconds_of(status.st_mtim))};
+    files_[name] = {.bytes = static_cast<std::uint64_t>(status.st_size), .used_ns = used_ns(status)};
 }
 
 void Store::list() {
@@ -132,14 +129,7 @@ std::uint64_t Store::excess() const {
     std::uint64_t bytes = 0;
     for (const auto& [name, file] : files_)
         bytes += file.bytes;
-    return std::max(bytes > bounds_.max_bytes ? bytes - bounds_.max_bytes : 0, std::min(bytes, lack()));
-}
-
-/// Bytes that the disk has too few of.
-std::uint64_t Store::lack() const {
-    std::error_code error;
-    const fs::space_info space = fs::space(directory_, error);
-    return error || space.available >= bounds_.least_free ? 0 : bounds_.least_free - space.available;
+    return excess_bytes(bytes, bounds_.max_bytes, directory_, bounds_.least_free);
 }
 
 std::set<std::string> Store::names() const {

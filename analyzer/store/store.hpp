@@ -68,7 +68,6 @@ class Store {
     void list();
     void take_out(const std::string& name);
     std::uint64_t excess() const;
-    std::uint64_t lack() const;
     std::set<std::string> names() const;
     bool is_busy(const std::string& name) const;
 

@@ -1,5 +1,6 @@
 #include "analyzer/store/tapestries.hpp"
 
+#include "analyzer/store/disk_use.hpp"
 #include "analyzer/store/tapestry_state.hpp"
 #include "base/catalogue/tapestry.hpp"
 #include "base/system/atomic_file.hpp"
@@ -15,10 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::int64_t nanoseconds_of(const timespec& time) {
-    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
-
 std::uint64_t bytes_in(const fs::path& folder) {
     std::uint64_t bytes = 0;
     std::error_code error;
@@ -30,11 +27,11 @@ std::uint64_t bytes_in(const fs::path& folder) {
 }
 
 /// When the index was last read or written; without one, never.
-std::int64_t used_ns(const fs::path& folder) {
+std::int64_t index_used_ns(const fs::path& folder) {
     struct stat status {};
 
     if (::stat((folder / "index.json").c_str(), &status) < 0) return 0;
-    return std::max(nanoseconds_of(status.st_atim), nanoseconds_of(status.st_mtim));
+    return used_ns(status);
 }
 
 /// What is found last goes first: without its index a tapestry is none.
@@ -137,7 +134,7 @@ std::vector<std::string> Tapestries::make_room(const std::string& busy) {
     if (bytes == 0) return {};
     std::vector<std::pair<std::int64_t, std::string>> oldest;
     for (const auto& [path, content] : held_)
-        if (path != busy && content.bytes > 0) oldest.emplace_back(used_ns(folder(path)), path);
+        if (path != busy && content.bytes > 0) oldest.emplace_back(index_used_ns(folder(path)), path);
     std::ranges::sort(oldest);
     std::vector<std::string> lost;
     for (const auto& [used, path] : oldest) {
@@ -158,11 +155,7 @@ std::uint64_t Tapestries::excess() const {
     std::uint64_t bytes = 0;
     for (const auto& [path, content] : held_)
         bytes += content.bytes;
-    std::error_code error;
-    const fs::space_info space = fs::space(state_, error);
-    const std::uint64_t lack =
-        error || space.available >= bounds_.least_free ? 0 : bounds_.least_free - space.available;
-    return std::max(bytes > bounds_.max_bytes ? bytes - bounds_.max_bytes : 0, std::min(bytes, lack));
+    return excess_bytes(bytes, bounds_.max_bytes, state_, bounds_.least_free);
 }
 
 void Tapestries::note(const std::string& path, const Content& content) const {
