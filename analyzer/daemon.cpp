@@ -104,9 +104,7 @@ void Daemon::rescan() {
         if (std::find(remarks_.begin(), remarks_.end(), remark) == remarks_.end()) log::warning("{}", remark);
     if (!remarks_.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
     remarks_ = remarks;
-    for (const auto& [path, record] : std::exchange(unsaved_, {}))
-        store(record);
-    if (unsaved_.empty() && std::exchange(is_lack_told_, false)) log::info("all records are stored again");
+    store_again();
     follow_blame();
     store_.sweep();
     weaver_.sweep(schedule_.paths_below(""));
@@ -161,14 +159,13 @@ void Daemon::perform(const Action& action) {
         return move(action);
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
-        unsaved_.erase(action.path);
         growing_.end(action.path);
         store_.release(action.path);
         states_.release(action.path);
         weaver_.release(action.path);
         told_waiting_.erase(action.path);
         heard_.erase(action.path);
-        return catalogue_.remove(action.path);
+        return remove_record(action.path);
     }
 }
 

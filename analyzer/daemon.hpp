@@ -65,7 +65,7 @@ class Daemon {
     bool is_online() const { return follower_.is_online(); }
 
     /// Whether the folder was there and every record is on the disk.
-    bool is_up_to_date() const { return is_online() && unsaved_.empty(); }
+    bool is_up_to_date() const { return is_online() && unsaved_.empty() && unremoved_.empty(); }
 
     std::string status() const;
 
@@ -92,6 +92,8 @@ class Daemon {
     void move(const Action& action);
     std::optional<MediaRecord> stored(const std::string& path) const;
     void store(MediaRecord record);
+    void remove_record(const std::string& path);
+    void store_again();
     void follow_blame();
     void make_room();
     void tell(const MediaRecord& record);
@@ -118,6 +120,7 @@ class Daemon {
     FileStates states_;
     bool is_growth_resting_ = false;              // parts were written a moment ago
     std::map<std::string, MediaRecord> unsaved_;  // the disk was full: stored again at the next rescan
+    std::set<std::string> unremoved_;             // paths of records, likewise
     bool is_lack_told_ = false;                   // of room on the disk
     std::set<std::string> told_waiting_;          // files whose waiting was told: once is enough
     std::vector<std::string> remarks_;            // of the last rescan: each is told once

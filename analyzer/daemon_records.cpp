@@ -37,7 +37,7 @@ void Daemon::move(const Action& action) {
     record->path = action.path;
     weaver_.move(action.from, action.path);
     store(*record);
-    catalogue_.remove(action.from);
+    remove_record(action.from);
     store_.release(action.from);
     states_.release(action.from);
     weaver_.release(action.from);
@@ -84,6 +84,7 @@ void Daemon::store(MediaRecord record) {
     store_.hold(record);
     states_.hold(record);
     weaver_.hold(record);
+    unremoved_.erase(record.path);
     try {
         catalogue_.store(record);
         unsaved_.erase(record.path);
@@ -92,6 +93,27 @@ void Daemon::store(MediaRecord record) {
             log::error("records cannot be stored, trying again: {}", error.what());
         unsaved_[record.path] = record;
     }
+}
+
+/// Nor is a disk that takes nothing at all.
+void Daemon::remove_record(const std::string& path) {
+    unsaved_.erase(path);
+    try {
+        catalogue_.remove(path);
+    } catch (const fs::filesystem_error& error) {
+        if (!std::exchange(is_lack_told_, true))
+            log::error("records cannot be removed, trying again: {}", error.what());
+        unremoved_.insert(path);
+    }
+}
+
+void Daemon::store_again() {
+    for (const auto& [path, record] : std::exchange(unsaved_, {}))
+        store(record);
+    for (const std::string& path : std::exchange(unremoved_, {}))
+        remove_record(path);
+    if (unsaved_.empty() && unremoved_.empty() && std::exchange(is_lack_told_, false))
+        log::info("all records are stored again");
 }
 
 }  // namespace vitrine

@@ -244,6 +244,24 @@ TEST_CASE("a record that cannot be stored is missed") {
     CHECK(house.comes_true([&] { return house.analyses() == 1 && !house.daemon->is_up_to_date(); }));
 }
 
+TEST_CASE("a record that cannot be removed is tried again") {
+    House house;
+    house.rescan = 50ms;
+    house.drop("a.jpg");
+    house.drop("b.jpg");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    REQUIRE(house.becomes("b.jpg", MediaState::ready));
+    const fs::path record = house.home.path / "catalogue" / (record_id("a.jpg") + ".json");
+    fs::remove(record);
+    fs::create_directories(record / "full");
+    fs::remove(house.root / "a.jpg");
+    CHECK(house.comes_true([&] { return !house.daemon->is_up_to_date(); }));
+    fs::remove(record / "full");
+    CHECK(house.comes_true([&] { return house.daemon->is_up_to_date(); }));
+    CHECK_FALSE(fs::exists(record));
+}
+
 TEST_CASE("replaced is analysed again, deleted is gone, renamed and moved keep their analysis") {
     House house;
     house.drop("a.jpg");
