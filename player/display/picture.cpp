@@ -64,9 +64,12 @@ void save_jpeg(const Picture& picture, const std::filesystem::path& path) {
     constexpr int quality = 80;
     const ImageHandle image = colours(picture, path);
     const std::filesystem::path beside = unfinished(path);
-    if (vips_jpegsave(image.get(), beside.c_str(), "Q", quality, "strip", TRUE, nullptr) != 0)
+    if (vips_jpegsave(image.get(), beside.c_str(), "Q", quality, "strip", TRUE, nullptr) != 0) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
         throw_vips(path);
-    std::filesystem::rename(beside, path);
+    }
+    publish_file(beside, path);
 }
 
 Picture drawn_svg(const std::string& svg, int width, int height) {

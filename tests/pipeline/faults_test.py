@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The analyzer killed again and again, and a disk that is full, while files arrive.
+"""The analyzer killed again and again while files arrive, and both programs on a disk that is full.
 
     faults_test.py BUILD_DIRECTORY [--kills N] [--points N] [unittest arguments]
 
@@ -27,7 +27,7 @@ parser.add_argument("--points", type=int, default=5)
 OPTIONS, REST = parser.parse_known_args()
 BUILD = OPTIONS.build.resolve()
 KILLS = OPTIONS.kills
-ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
+ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 FULL_DISK = BUILD / "tests" / "pipeline" / "libfull_disk.so"
 PATIENCE = 120  # seconds until something that must come is given up
 
@@ -179,6 +179,37 @@ class Faults(unittest.TestCase):
                 for name in ("index.html", "status.txt"):
                     self.assertTrue((self.root / "_STATUS" / name).stat().st_size > 0, name)
         print(f"full at {len(tried)} of {points} points", file=sys.stderr)
+
+    def play(self, full_from):
+        """Until all is on the wall and what the player writes now and then was due. -> calls for room"""
+        with open(self.journal, "wb") as journal:
+            player = subprocess.Popen([PLAYER, "--pace", "realtime", "--media.root", str(self.root), "--state.directory", str(self.state),
+                                       "--metrics.file", str(self.state / "vitrine.prom"), "--output.screen", "offscreen:160x90",
+                                       "--output.frame_rate", "5"], env=self.full_disk(full_from), stderr=journal, stdout=subprocess.DEVNULL)
+        self.addCleanup(player.wait)
+        self.addCleanup(player.kill)
+        self.wait(lambda: "wall of 2 items" in self.journal.read_text(), player)
+        begin = time.monotonic()
+        self.wait(lambda: time.monotonic() > begin + 7, player)
+        player.terminate()
+        self.assertEqual(player.wait(PATIENCE), 0, self.journal.read_text())
+        return int.from_bytes(self.counter.read_bytes()[:8], "little")
+
+    def test_a_player_whose_disk_is_full_shows_what_there_is(self):
+        make_film(self.root / "film.avi")
+        png(self.root / "photo.png", 64, 48, lambda x, y: (200, x, y))
+        self.assertEqual(self.once(0)[0], 0, self.journal.read_text())
+        points = self.play(0)
+        self.assertGreater(points, 3)
+        for name in ("wall.jpg", "screen", "vitrine.prom"):
+            self.assertTrue((self.state / name).exists(), f"{name}: {self.journal.read_text()}")
+            (self.state / name).unlink()
+        for point in sorted({1, points // 2, points}):
+            with self.subTest(point=point, of=points):
+                self.play(point)
+                for line in set(self.journal.read_text().splitlines()):
+                    self.assertLessEqual(self.journal.read_text().count(line), 3, "said again and again")
+                self.assertEqual([], [file for file in self.state.rglob("*.new")] + list(self.state.glob("playing*")))
 
 
 if __name__ == "__main__":
