@@ -192,6 +192,23 @@ TEST_CASE("a small photo is not enlarged") {
     CHECK(is_upright(picture));
 }
 
+TEST_CASE("a photo whose header says that it is enormous is refused before it is decoded") {
+    const TempFolder folder;
+    const std::string path = folder / "enormous.jpg";
+    write(path, 80, 60);
+    std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t frame = bytes.find("\xFF\xC0");
+    REQUIRE(frame != std::string::npos);
+    constexpr std::size_t height_at = 5;  // behind the marker, its length and the depth
+    file.seekp(static_cast<std::streamoff>(frame + height_at));
+    file.write("\x9C\x40\x9C\x40", 4);  // 40,000 px
+    file.close();
+    CHECK_THROWS_WITH_AS(load_still(path, 400, 400),
+                         "the picture is too large: 40000 x 40000 px; up to 200 megapixels are shown",
+                         MediaError);
+}
+
 TEST_CASE("the background shows through what is transparent") {
     const TempFolder folder;
     write(folder / "clear.png", 40, 20, 0);

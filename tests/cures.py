@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Each cure of docs/testing.md's table of defects is taken out of the tree, and its test must fail.
+
+    cures.py [PRESET [NAME...]]      PRESET: of a build that is there and up to date (dev)
+
+Works on this tree, which must be as committed, and puts everything back; the build is behind afterwards by what was put
+back. A cure that stands no longer where it stood, and a test that passes without it, are failures.
+"""
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+TREE = Path(__file__).resolve().parents[1]
+
+
+@dataclass
+class Cure:
+    name: str
+    file: str
+    cure: str
+    without: str
+    test: str  # of ctest: TARGET.FILE
+
+
+CURES = [
+    Cure("a TV that was off", "player/display/output_state.cpp",
+         "    needs_mode_ = error != 0;", "    needs_mode_ = false;", "display_test.output_state_test"),
+    Cure("a frozen flip", "player/display/output_state.cpp",
+         "    if (!flip_since_ || now - *flip_since_ <= flip_patience) return false;\n    start_over();", "    return now < Time{};",
+         "display_test.output_state_test"),
+    Cure("half a photo", "base/media/still_picture.cpp",
+         "    require_complete(path, format);\n", "", "media_test.still_picture_test"),
+    Cure("a copy under way", "analyzer/schedule.cpp",
+         "if (!is_same || entry.facts.blocks != facts.blocks) return changed(", "if (false) return changed(",
+         "analyzer_test.schedule_test"),
+    Cure("files that no event told of", "analyzer/daemon.cpp",
+         "    rescan_.arm(interval);", "", "analyzer_test.daemon_test"),
+    Cure("a file replaced on the disk", "analyzer/schedule.cpp",
+         "        if (!is_same) return changed(path, entry, facts, delay, now);\n        entry.facts = facts;", "        entry.facts = facts;",
+         "analyzer_test.schedule_test"),
+    Cure("a file deleted while it plays", "player/scene/assemblage.cpp",
+         "            slot = {};\n", "", "scene_test.assemblage_test"),
+    Cure("a file replaced while it plays", "player/scene/assemblage.cpp",
+         "            put(slot, key);\n            due_.reset();\n", "", "scene_test.assemblage_test"),
+    Cure("an empty file", "base/media/media_type.cpp",
+         '    if (head.empty()) throw MediaError(MediaState::waiting, "the file is empty");', "", "media_test.media_type_test"),
+    Cure("a child that hangs", "analyzer/child_process.cpp",
+         "    deadline_.arm(limits.deadline);", "", "analyzer_test.child_process_test"),
+    Cure("a picture too large", "base/media/still_picture.cpp",
+         "    require_within_limits(info);\n    return info;", "    return info;", "media_test.still_picture_test"),
+    Cure("pictures kept for ever", "player/scene/wall.cpp",
+         "        if (!is_coming && !is_wanted && find_source(shown_, source) == nullptr) retired.push_back(source);\n",
+         "        (void)is_coming, (void)is_wanted;\n", "scene_test.wall_test"),
+    Cure("gaps in loops", "player/playback/film_loop.cpp",
+         "is_playing() && seek(GST_SEEK_FLAG_SEGMENT, from_)", "is_playing() && seek(GST_SEEK_FLAG_SEGMENT | GST_SEEK_FLAG_FLUSH, from_)",
+         "playback_test.film_loop_test"),
+    Cure("black before the next picture", "player/scene/wall.cpp",
+         "    if (incoming_ && incoming_->has_layout && !is_fading()) prepare(step, now);\n    step.frame = picture(now);",
+         "    if (incoming_ && incoming_->has_layout && !is_fading()) { shown_.clear(); prepare(step, now); }\n    step.frame = picture(now);",
+         "scene_test.wall_test"),
+    Cure("a photo's orientation", "base/media/still_picture.cpp",
+         '"size", VIPS_SIZE_DOWN,', '"size", VIPS_SIZE_DOWN, "no_rotate", TRUE,', "media_test.still_picture_test"),
+    Cure("a film's orientation", "player/playback/film_loop.cpp",
+         "videoflip video-direction=auto", "videoflip video-direction=identity", "playback_test.film_loop_test"),
+    Cure("a corner of an I-Region", "player/layout/cells.cpp",
+         "        shown[i] = union_of(rounded, {to_grid(regions[i])});", "        shown[i] = rounded, (void)regions;", "layout_test.cells_test"),
+    Cure("a clock before the files", "player/calendar.cpp",
+         "    if (now < earliest_.time() && !fs::exists(set_by_network, missing)) return std::nullopt;\n", "    (void)missing;\n",
+         "player_test.calendar_test"),
+    Cure("junk names", "analyzer/media_folder.cpp",
+         "(lower.starts_with('.') && !begins_with_period(name)) || ", "(lower.empty() && !begins_with_period(name)) || ", "analyzer_test.media_folder_test"),
+    Cure("a player that stands still", "player/control/health.cpp",
+         "    if (!is_dark && !has_flipped) return false;\n", "    (void)is_dark, (void)has_flipped;\n", "control_test.health_test"),
+    Cure("a film that stands still", "player/playback/watchdog.cpp",
+         "    if (now - *starved_ < patience) return Verdict::fine;", "    return Verdict::fine;", "upkeep_test.watchdog_test"),
+    Cure("a file that brings the player down", "base/catalogue/blame.cpp",
+         "constexpr int opening_points = 2;", "constexpr int opening_points = 0;", "player_test.crash_note_test"),
+    Cure("blame of others", "player/crash_note.cpp",
+         "    if (suspects_.empty()) return;\n    const auto is_suspect", "    return;\n    const auto is_suspect", "player_test.crash_note_test"),
+]
+
+
+def run(*command):
+    return subprocess.run([str(word) for word in command], cwd=TREE, text=True, errors="replace", capture_output=True)
+
+
+def failing_tests(cure, preset):
+    """Builds and tests; the lines of ctest that say so, or None where it does not compile."""
+    built = run("cmake", "--build", "--preset", preset, "--target", cure.test.split(".")[0])
+    if built.returncode != 0:
+        print(built.stdout[-3000:])
+        return None
+    tested = run("ctest", "--preset", preset, "-R", f"^{cure.test}$", "--no-tests=error", "--timeout", "300")
+    return [line for line in tested.stdout.splitlines() if "***" in line]
+
+
+def tried(cure, preset):
+    """Whether its test fails without the cure."""
+    file = TREE / cure.file
+    text = file.read_text()
+    if text.count(cure.cure) != 1:
+        print(f"{cure.name}: its cure stands in {cure.file} {text.count(cure.cure)} times")
+        return False
+    try:
+        file.write_text(text.replace(cure.cure, cure.without))
+        failing = failing_tests(cure, preset)
+    finally:
+        file.write_text(text)
+    if failing is None:
+        print(f"{cure.name}: does not compile without the cure")
+    else:
+        print(f"{cure.name}: " + (f"{cure.test} fails" if failing else f"{cure.test} PASSES without the cure"), flush=True)
+    return bool(failing)
+
+
+def main():
+    if run("git", "status", "--porcelain", "--untracked-files=no").stdout:
+        sys.exit("the tree is not as committed")
+    preset, names = (sys.argv[1:2] or ["dev"])[0], sys.argv[2:]
+    chosen = [cure for cure in CURES if not names or cure.name in names]
+    proven = [cure for cure in chosen if tried(cure, preset)]
+    print(f"{len(proven)} of {len(chosen)} proven")
+    sys.exit(len(proven) != len(chosen))
+
+
+if __name__ == "__main__":
+    main()
