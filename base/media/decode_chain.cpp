@@ -5,6 +5,7 @@
 #include "base/media/decode_chain.hpp"
 
 #include "base/media/decoder_table.hpp"
+#include "base/media/film_elements.hpp"
 #include "base/system/log.hpp"
 
 #include <fmt/format.h>
@@ -38,17 +39,8 @@ constexpr const char* not_linkable = "the film is damaged: its pictures cannot b
 
 constexpr const char* own_words = "vitrine-reason";  // on messages of ours, whose text is for the operator
 
-// An error message of ours, as an element would post it: exceptions must not cross GStreamer's threads.
-void post_error(GstElement* element, GstStreamError code, const std::string& text) {
-    gst_element_message_full_with_details(element, GST_MESSAGE_ERROR, GST_STREAM_ERROR, code,
-                                          g_strdup(text.c_str()), nullptr, __FILE__, __func__, __LINE__,
-                                          gst_structure_new_empty(own_words));  // which it takes
-}
-
-bool is_own(GstMessage* message) {
-    const GstStructure* details = nullptr;  // lent by the message
-    gst_message_parse_error_details(message, &details);
-    return details && gst_structure_has_name(details, own_words);
+void post_own(GstElement* element, GstStreamError code, const std::string& text) {
+    post_error(element, code, text, own_words);
 }
 
 // What the libraries' errors mean to who put the film there.
@@ -85,32 +77,24 @@ std::string codec_name(const GstCaps* caps) {
     return name ? name.get() : "unknown";
 }
 
-GstElement* add_to(GstBin* bin, const char* factory) {
-    const GstPtr<GstElement> element = make_element(factory);
-    GstElement* const held = element.get();  // by the bin
-    gst_bin_add(bin, held);
-    return held;
-}
-
 }  // namespace
 
 void DecodeChain::Links::pad_added(GstElement* demuxer, GstPad* pad, gpointer self) {
     try {
         static_cast<Links*>(self)->add_stream(demuxer, pad);
     } catch (const std::exception& error) {
-        post_error(demuxer, GST_STREAM_ERROR_FAILED, error.what());
+        post_own(demuxer, GST_STREAM_ERROR_FAILED, error.what());
     }
 }
 
 void DecodeChain::Links::no_more_pads(GstElement* demuxer, gpointer self) {
     const auto* links = static_cast<const Links*>(self);
-    if (!links->linked) post_error(demuxer, GST_STREAM_ERROR_CODEC_NOT_FOUND, links->why_nothing());
+    if (!links->linked) post_own(demuxer, GST_STREAM_ERROR_CODEC_NOT_FOUND, links->why_nothing());
 }
 
 void DecodeChain::Links::add_stream(GstElement* demuxer, GstPad* pad) {
-    GstPtr<GstCaps> caps(gst_pad_get_current_caps(pad));
-    if (!caps) caps.reset(gst_pad_query_caps(pad, nullptr));
-    if (linked || !caps || gst_caps_is_empty(caps.get()) || gst_caps_is_any(caps.get())) return;
+    const GstPtr<GstCaps> caps = stream_caps(pad);
+    if (linked || !caps) return;
     const std::string_view name = gst_structure_get_name(gst_caps_get_structure(caps.get(), 0));
     if (name.starts_with("audio/")) has_sound = true;
     if (!name.starts_with("video/") && !name.starts_with("image/")) return;
@@ -120,7 +104,7 @@ void DecodeChain::Links::add_stream(GstElement* demuxer, GstPad* pad) {
         return;
     }
     link_decoder(pad, *row);
-    if (!linked) post_error(demuxer, GST_STREAM_ERROR_FAILED, not_linkable);
+    if (!linked) post_own(demuxer, GST_STREAM_ERROR_FAILED, not_linkable);
 }
 
 void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
@@ -128,7 +112,8 @@ void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
     for (const char* factory : {row.decoder, row.parser}) {  // from the back, so that data finds its way
         if (!factory) continue;
         const auto other = options.instead.find(factory);
-        GstElement* element = add_to(bin, other == options.instead.end() ? factory : other->second.c_str());
+        GstElement* element =
+            add_element(bin, other == options.instead.end() ? factory : other->second.c_str());
         if (factory == row.decoder) limit_threads(element, options.max_threads);
         if (!gst_element_link(element, last) || !gst_element_sync_state_with_parent(element)) return;
         last = element;
@@ -144,28 +129,23 @@ std::string DecodeChain::Links::why_nothing() const {
 }
 
 DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, DecodeOptions options)
-    : format_(media_format(path)), tail_(std::move(tail)), links_(std::make_unique<Links>()) {
-    if (kind_of(format_) != MediaKind::video)
-        throw MediaError(MediaState::unsupported, "this is a picture, not a film");
-    start_gstreamer();
-    pipeline_.reset(gst_pipeline_new(nullptr));
-    gst_object_ref_sink(pipeline_.get());
+    : tail_(std::move(tail)), links_(std::make_unique<Links>()) {
+    FilmBegin begin = begin_film(path);
+    format_ = begin.format;
+    pipeline_ = std::move(begin.pipeline);
     bus_.reset(gst_element_get_bus(pipeline_.get()));
     GstBin* bin = GST_BIN(pipeline_.get());
-    GstElement* source = add_to(bin, "filesrc");
-    GstElement* demuxer = add_to(bin, demuxer_for(format_));
-    GstElement* deinterlace = add_to(bin, "deinterlace");
+    GstElement* deinterlace = add_element(bin, "deinterlace");
     gst_bin_add(bin, tail_.get());
-    g_object_set(source, "location", path.c_str(), nullptr);
     gst_util_set_object_arg(G_OBJECT(deinterlace), "fields", "top");  // a frame a frame, not one a field
-    if (!gst_element_link(source, demuxer) || !gst_element_link(deinterlace, tail_.get()))
+    if (!gst_element_link(deinterlace, tail_.get()))
         throw std::runtime_error(
             "the tail of a decode chain cannot be linked: it needs a pad 'sink' for raw video");
     links_->bin = bin;
     links_->deinterlace = deinterlace;
     links_->options = std::move(options);
-    g_signal_connect(demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
-    g_signal_connect(demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
+    g_signal_connect(begin.demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
+    g_signal_connect(begin.demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
 }
 
 DecodeChain::~DecodeChain() {
@@ -197,7 +177,7 @@ MediaError media_error(GstMessage* message) {
     GError* raw = nullptr;
     gst_message_parse_error(message, &raw, nullptr);
     const GstPtr<GError> error(raw);
-    if (!is_own(message)) {
+    if (!is_marked(message, own_words)) {
         log::debug("film not read: {}", raw->message);
         return in_plain_words(raw);
     }

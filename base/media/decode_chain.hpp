@@ -65,7 +65,7 @@ class DecodeChain {
   private:
     struct Links;
 
-    MediaFormat format_;
+    MediaFormat format_{};
     GstPtr<GstElement> pipeline_;
     GstPtr<GstElement> tail_;
     GstPtr<GstBus> bus_;

@@ -39,7 +39,7 @@ class SoundChain {
   private:
     struct Links;
 
-    MediaFormat format_;
+    MediaFormat format_{};
     GstPtr<GstElement> pipeline_;
     GstPtr<GstElement> tail_;
     GstPtr<GstBus> bus_;
