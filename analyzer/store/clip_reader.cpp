@@ -6,8 +6,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::chrono::seconds patience{20};  // with a film that does not go on
-constexpr int frames_ahead = 4;               // decoded while earlier ones are coded
+constexpr int frames_ahead = 4;  // decoded while earlier ones are coded
 
 GstPtr<GstElement> tail_for(const ClipForm& form, bool is_toned) {
     start_gstreamer();
@@ -26,7 +25,7 @@ ClipReader::ClipReader(const std::string& film, const ClipForm& form)
     : tones_(ToneMap::of(form.colours)),
       chain_(film, tail_for(form, tones_.has_value())),
       sink_(gst_bin_get_by_name(GST_BIN(chain_.tail()), "pictures")) {
-    chain_.preroll(patience);
+    chain_.preroll();
     gst_element_set_state(chain_.pipeline(), GST_STATE_PLAYING);
 }
 
@@ -46,17 +45,12 @@ GstPtr<GstSample> ClipReader::toned(GstPtr<GstSample> sample) const {
 }
 
 std::optional<ClipFrame> ClipReader::next() {
-    constexpr auto deadline = static_cast<GstClockTime>(std::chrono::nanoseconds(patience).count());
-    GstAppSink* sink = GST_APP_SINK(sink_.get());
-    while (GstPtr<GstSample> sample{gst_app_sink_try_pull_sample(sink, deadline)}) {
+    while (GstPtr<GstSample> sample = chain_.pull(GST_APP_SINK(sink_.get()))) {
         const std::chrono::nanoseconds time = times_.of(sample.get());
         if (time <= last_) continue;  // each moment once, as in the analysis
         last_ = time;
         return ClipFrame{.sample = tones_ ? toned(std::move(sample)) : std::move(sample), .time = time};
     }
-    chain_.throw_pending_error();
-    if (!gst_app_sink_is_eos(sink))
-        throw MediaError(MediaState::failed, "the film cannot be read: it does not go on");
     return std::nullopt;
 }
 

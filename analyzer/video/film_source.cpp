@@ -126,7 +126,7 @@ FilmSource::FilmSource(const std::string& path, int analysis_size, Colour backgr
       background_(background) {
     require_complete(path, chain_.format());
     extent_known_ = file_extent(path, chain_.format()).declared > 0;
-    chain_.preroll(stall_deadline);
+    chain_.preroll();
     read_geometry(analysis_size);
     info_.kind = MediaKind::video;
     info_.duration = chain_.duration();
@@ -159,7 +159,7 @@ void FilmSource::read_geometry(int analysis_size) {
 
 std::optional<VideoFrame> FilmSource::next() {
     while (!ended_) {
-        const GstPtr<GstSample> sample = next_sample();
+        const GstPtr<GstSample> sample = chain_.pull(GST_APP_SINK(sink_.get()));
         if (!sample) break;
         const nanoseconds time = times_.of(sample.get());
         if (time <= last_) continue;  // each moment once: broken files repeat time stamps
@@ -168,17 +168,6 @@ std::optional<VideoFrame> FilmSource::next() {
     }
     if (!ended_) finish();
     return std::nullopt;
-}
-
-GstPtr<GstSample> FilmSource::next_sample() {
-    constexpr auto deadline = std::chrono::nanoseconds(stall_deadline).count();
-    GstAppSink* sink = GST_APP_SINK(sink_.get());
-    GstPtr<GstSample> sample(gst_app_sink_try_pull_sample(sink, static_cast<GstClockTime>(deadline)));
-    if (sample) return sample;
-    chain_.throw_pending_error();
-    if (!gst_app_sink_is_eos(sink))
-        throw MediaError(MediaState::failed, "the film cannot be read: it does not go on");
-    return nullptr;
 }
 
 VideoFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {

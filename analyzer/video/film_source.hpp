@@ -15,7 +15,6 @@
 namespace vitrine {
 
 /// Limits of a film.
-constexpr std::chrono::seconds stall_deadline{20};
 constexpr int max_film_side = 16'384;                 // px
 constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
 
@@ -32,7 +31,6 @@ class FilmSource : public FrameSource {
 
   private:
     void read_geometry(int analysis_size);
-    GstPtr<GstSample> next_sample();
     VideoFrame frame_of(GstSample* sample, std::chrono::nanoseconds time) const;
     void finish();
 

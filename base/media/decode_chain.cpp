@@ -7,6 +7,7 @@
 #include "base/media/decoder_table.hpp"
 #include "base/media/film_elements.hpp"
 #include "base/system/log.hpp"
+#include "base/system/stall.hpp"
 
 #include <fmt/format.h>
 #include <gst/pbutils/pbutils.h>
@@ -36,6 +37,9 @@ struct DecodeChain::Links {
 namespace {
 
 constexpr const char* not_linkable = "the film is damaged: its pictures cannot be decoded";
+
+constexpr std::chrono::seconds longest_stall{20};
+constexpr GstClockTime look_interval = GST_SECOND;
 
 constexpr const char* own_words = "vitrine-reason";  // on messages of ours, whose text is for the operator
 
@@ -152,14 +156,23 @@ DecodeChain::~DecodeChain() {
     if (pipeline_) gst_element_set_state(pipeline_.get(), GST_STATE_NULL);  // ends every thread
 }
 
-void DecodeChain::preroll(std::chrono::nanoseconds deadline) {
+void DecodeChain::preroll() {
     gst_element_set_state(pipeline_.get(), GST_STATE_PAUSED);  // a failure comes as a message
-    const GstPtr<GstMessage> message(
-        gst_bus_timed_pop_filtered(bus_.get(), static_cast<GstClockTime>(deadline.count()),
-                                   static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_ASYNC_DONE)));
-    if (!message)
-        throw MediaError(MediaState::failed, "the film does not start: no picture within the time allowed");
+    constexpr auto awaited = static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_ASYNC_DONE);
+    GstPtr<GstMessage> message;
+    for (Stall stall(longest_stall); !message && !stall.has_come();)
+        message.reset(gst_bus_timed_pop_filtered(bus_.get(), look_interval, awaited));
+    if (!message) throw MediaError(MediaState::failed, "the film does not start: no picture comes");
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
+}
+
+GstPtr<GstSample> DecodeChain::pull(GstAppSink* sink) {
+    for (Stall stall(longest_stall); !stall.has_come();) {
+        if (GstPtr<GstSample> sample{gst_app_sink_try_pull_sample(sink, look_interval)}) return sample;
+        throw_pending_error();
+        if (gst_app_sink_is_eos(sink)) return nullptr;
+    }
+    throw MediaError(MediaState::failed, "the film cannot be read: it does not go on");
 }
 
 std::chrono::nanoseconds DecodeChain::duration() const {

@@ -53,8 +53,13 @@ class DecodeChain {
     MediaFormat format() const { return format_; }
 
     /// Goes to PAUSED and waits until the first frame stands in the sink.
-    /// @throws MediaError where the film cannot be played, or not within `deadline`
-    void preroll(std::chrono::nanoseconds deadline);
+    /// @throws MediaError where the film cannot be played, or stalls
+    void preroll();
+
+    /// The next sample of an appsink in the tail; none at the film's end.
+    /// @throws MediaError where the film fails on the way, or stalls: for 20 s nothing comes and next to
+    /// nothing is computed. How long a slow machine may take is for others to say
+    GstPtr<GstSample> pull(GstAppSink* sink);
 
     /// What the container declares, zero where it does not. Known once prerolled.
     std::chrono::nanoseconds duration() const;

@@ -78,7 +78,7 @@ TEST_CASE("every frame of a film arrives at its stream time") {
     const TempFolder folder;
     const std::string path = drawn_film(folder, "x264enc bframes=2 key-int-max=10 ! mp4mux", "film.mp4");
     DecodeChain chain(path, frames_tail());
-    chain.preroll(deadline);
+    chain.preroll();
     CHECK(chain.duration() == 1200ms);
     gst_element_set_state(chain.pipeline(), GST_STATE_PLAYING);
 
@@ -93,7 +93,7 @@ TEST_CASE("a segment seek gives the frames of the segment and says when it is do
     const TempFolder folder;
     const std::string path = drawn_film(folder, "x264enc key-int-max=10 ! mp4mux", "film.mp4");
     DecodeChain chain(path, frames_tail());
-    chain.preroll(deadline);
+    chain.preroll();
     const auto flags =
         static_cast<GstSeekFlags>(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT | GST_SEEK_FLAG_ACCURATE);
     REQUIRE(gst_element_seek(chain.pipeline(), 1.0, GST_FORMAT_TIME, flags, GST_SEEK_TYPE_SET,
@@ -120,7 +120,7 @@ TEST_CASE("a file of sound only is refused in those words") {
     run(fmt::format("audiotestsrc num-buffers=20 ! vorbisenc ! matroskamux ! filesink location={}", path));
     DecodeChain chain(path, frames_tail());
     try {
-        chain.preroll(deadline);
+        chain.preroll();
         FAIL("a film without pictures was accepted");
     } catch (const MediaError& error) {
         CHECK(error.state() == MediaState::unsupported);

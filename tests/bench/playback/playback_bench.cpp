@@ -61,7 +61,7 @@ double pss_mebibytes() {
 double decode_alone(const std::string& path, Film& film) {
     start_gstreamer();
     DecodeChain chain(path, make_bin("fakesink name=end sync=false"));
-    chain.preroll(std::chrono::seconds(20));
+    chain.preroll();
     film.duration = chain.duration();
     const GstPtr<GstElement> sink(gst_bin_get_by_name(GST_BIN(chain.tail()), "end"));
     const GstPtr<GstPad> pad(gst_element_get_static_pad(sink.get(), "sink"));
