@@ -3,6 +3,7 @@
 
     image_rig.py make PACKAGES WORK   builds the disk of Debian's and Vitrine's packages
     image_rig.py first_boot WORK      what the first boot does; leaves a running appliance as a snapshot
+    image_rig.py uefi WORK            a new disk booted by UEFI's firmware instead of the BIOS
     image_rig.py share WORK           uploads by smbclient: at once, slowly, cut off, over what is there
     image_rig.py power_cut WORK       kills the machine while files arrive, VITRINE_RIG_CUTS times (2)
 
@@ -30,6 +31,7 @@ DISK_SIZE = "6G"
 PASSWORD = "correct horse"
 BOOT_AT = "@@2M"  # the boot partition in the disk, for mtools
 SETUP = "/run/setup"
+FIRMWARE = [Path("/usr/share/ovmf/OVMF.fd"), Path("/usr/share/OVMF/OVMF_CODE.fd")]
 BUILDER = Path(__file__).resolve().parents[2] / "packaging/build-image"
 
 
@@ -98,6 +100,7 @@ def first_boot(work):
 
     def look(box):
         box.wait_until_active("vitrine-player")
+        box.wait_for_word("first picture on")
         box.look("nothing to show")
         check_system(box)
         leave(box, "share-password.txt", PASSWORD)
@@ -113,6 +116,26 @@ def first_boot(work):
         box.machine.save(SNAPSHOT)
 
     guarded(DiskMachine(disk), work / "first_boot", look)
+
+
+def uefi(work):
+    firmware = next((file for file in FIRMWARE if file.exists()), None)
+    if not firmware:
+        raise NotHere("not installed: ovmf")
+    disk = work / "uefi.qcow2"
+    disk.unlink(missing_ok=True)
+    run("qemu-img", "create", "-q", "-f", "qcow2", "-F", "raw", "-b", work / "appliance.img", disk, DISK_SIZE)
+
+    def look(box):
+        assert box.sh("test -d /sys/firmware/efi && echo yes", fails=True) == "yes", "it was not booted by UEFI"
+        box.wait_until_active("vitrine-player")
+        box.wait_for_word("first picture on")
+        box.look("booted by UEFI")
+
+    try:
+        guarded(DiskMachine(disk, firmware=firmware), work / "uefi", look)
+    finally:
+        disk.unlink()
 
 
 def check_password_is_taken(box):
@@ -228,7 +251,7 @@ def main():
         work = Path(sys.argv[2]).resolve()
         if not (work / "appliance.img").exists():
             skip("no image was built")
-        {"first_boot": first_boot, "share": share, "power_cut": power_cut}[sys.argv[1]](work)
+        {"first_boot": first_boot, "uefi": uefi, "share": share, "power_cut": power_cut}[sys.argv[1]](work)
     except NotHere as why:
         skip(why)
 
