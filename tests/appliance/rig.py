@@ -21,6 +21,10 @@ from machine import Machine
 
 SKIPPED = 77
 SNAPSHOT = "wall"
+# Name, state, and where in the kernel: who waits for whom in a player that stands still.
+THREADS = """for task in /proc/$(pidof -s vitrine-player)/task/*; do
+    echo "$(cat $task/comm) $(cut -d')' -f2 $task/stat | cut -d' ' -f2) $(head -n 2 $task/stack | tr '\\n' ' ')"
+done 2>&1 || true"""
 
 
 def skip(why):
@@ -49,7 +53,7 @@ def guarded(machine, pictures, work):
             sys.exit(1)  # it was cut off, and there is nobody to ask
         for unit in ("vitrine-analyzer", "vitrine-player"):
             print(f"--- {unit}", *(f"{at:.3f} {line}" for at, line in box.journal(unit)[-60:]), sep="\n")
-        print("--- kernel", machine.sh("dmesg | tail -20"), f"--- the panels: {pictures}", sep="\n")
+        print("--- the player's threads", machine.sh(THREADS), "--- kernel", machine.sh("dmesg | tail -20"), f"--- the panels: {pictures}", sep="\n")
         box.look("failed")
         sys.exit(1)
     finally:
