@@ -25,8 +25,9 @@ FilmBegin begin_film(const std::string& path) {
 
 GstElement* add_element(GstBin* bin, const char* factory) {
     const GstPtr<GstElement> element = make_element(factory);
-    gst_bin_add(bin, element.get());
-    return element.get();
+    GstElement* const held = element.get();  // by the bin
+    gst_bin_add(bin, held);
+    return held;
 }
 
 GstPtr<GstCaps> stream_caps(GstPad* pad) {
