@@ -142,7 +142,9 @@ void BusObject::open() {
     sd_bus* bus = nullptr;
     bus_checked(sd_bus_open_system(&bus), "reach the system bus");
     bus_.reset(bus);
-    bus_checked(sd_bus_attach_event(bus, loop_.get(), 0), "wait for the system bus");
+    // All that was asked is answered before another picture, which on a slow machine takes its time.
+    bus_checked(sd_bus_attach_event(bus, loop_.get(), SD_EVENT_PRIORITY_IMPORTANT),
+                "wait for the system bus");
     sd_bus_slot* slot = nullptr;
     bus_checked(sd_bus_add_object_vtable(bus, &slot, path, name, methods.data(), this),
                 "be on the system bus");
