@@ -30,7 +30,7 @@ def files(box):
 def run(box):
     box.sh("useradd -m guest; useradd -m -G vitrine-admin keeper")
     box.set_watchdog(30)
-    box.restart(layout__slots=3, show__dwell_seconds=3600, show__order="name")
+    box.restart(layout__slots=3, show__dwell_seconds=3600, show__order="name", output__frame_rate=1)  # which leaves time for others
     first = wait_for("three files on the wall", lambda: len(files(box)) == 3 and files(box))
 
     said = status(box)
