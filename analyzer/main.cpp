@@ -81,12 +81,9 @@ int explain_command(const CommandLine& line, const Settings& settings) {
 int weave_command(const CommandLine& line, const Settings& settings) {
     keep_freed_memory();
     WeaveRequest request = line.weave;
-    if (request.directory.empty() && request.sheet.empty() && request.zoom.empty())
-        request.directory = request.file.filename().string() + ".tapestry";
+    if (request.result().empty()) request.directory = request.file.filename().string() + ".tapestry";
     const std::string made = weave_file(request, settings);
-    const std::filesystem::path& sheet = request.sheet.empty() ? request.zoom : request.sheet;
-    log::info("'{}': {}, woven into '{}'", request.file.string(), made,
-              (request.directory.empty() ? sheet : request.directory).string());
+    log::info("'{}': {}, woven into '{}'", request.file.string(), made, request.result().string());
     return EXIT_SUCCESS;
 }
 

@@ -87,9 +87,8 @@ class Weaving {
     }
 
     std::string once() {
-        const fs::path& sheet = request_.sheet.empty() ? request_.zoom : request_.sheet;
         const fs::path directory =
-            request_.directory.empty() ? fs::absolute(sheet).parent_path() : request_.directory;
+            request_.directory.empty() ? fs::absolute(request_.result()).parent_path() : request_.directory;
         fs::create_directories(directory);
         const Film film = gathered(*opened(request_, settings_), directory, faces_.get());
         const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);

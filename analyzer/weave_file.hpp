@@ -20,6 +20,12 @@ struct WeaveRequest {
     bool resumes = false;          // the pyramid: an earlier weaving is gone on with, where it was cut off
     std::uint64_t most_bytes = 0;  // of the pyramid, about; 0: any
     int threads = 0;               // 0: one a core
+
+    /// The first that is asked for of folder, sheet and zoom; empty: nothing is.
+    const std::filesystem::path& result() const {
+        if (!directory.empty()) return directory;
+        return sheet.empty() ? zoom : sheet;
+    }
 };
 
 /// Weaves the tapestry of one film, into a folder or as sheets.

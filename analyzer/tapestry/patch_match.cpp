@@ -54,6 +54,15 @@ std::vector<int> band_borders(int rows, std::uint32_t seed) {
 
 }  // namespace
 
+PatchRules free_rules(const PatchImage& source) {
+    PatchRules rules;
+    rules.owners.assign(
+        static_cast<std::size_t>(source.patch_columns()) * static_cast<std::size_t>(source.patch_rows()), 0);
+    rules.weights.assign(rules.owners.size(), 0);
+    rules.centres = {0};
+    return rules;
+}
+
 PatchMatch::PatchMatch(const PatchImage& source, const PatchImage& target, const PatchRules& rules)
     : source_(source),
       target_(target),

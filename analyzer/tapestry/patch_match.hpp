@@ -54,6 +54,9 @@ struct PatchRules {
     double time_cost = 0;               // a squared px beyond it
 };
 
+/// Those of a source all of whose patches may be used anywhere, and none must be.
+PatchRules free_rules(const PatchImage& source);
+
 /// The two fields of a source and a target, and the search that improves them.
 class PatchMatch {
   public:

@@ -47,12 +47,6 @@ std::vector<double> scales_of(cv::Size brick) {
     return scales;
 }
 
-/// How much of a known column counts: whole in its outer half, then less and less.
-float share_at(int column, int columns) {
-    const float place = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns);
-    return std::clamp(2 - 2 * place, 0.F, 1.F);
-}
-
 KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size size) {
     KnownPart known;
     if (neighbours.left.empty() && neighbours.right.empty()) return known;
@@ -68,7 +62,7 @@ KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size siz
         small.copyTo(
             known.picture.colRange(is_left ? 0 : size.width - columns, is_left ? columns : size.width));
         for (int i = 0; i < columns; ++i)
-            known.share.col(is_left ? i : size.width - 1 - i).setTo(share_at(i, columns));
+            known.share.col(is_left ? i : size.width - 1 - i).setTo(neighbour_share(i, columns));
     };
     put(neighbours.left, true);
     put(neighbours.right, false);

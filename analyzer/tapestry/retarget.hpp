@@ -3,6 +3,7 @@
 #include "analyzer/tapestry/brickwork.hpp"
 #include "analyzer/tapestry/run_tasks.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace vitrine {
@@ -14,6 +15,13 @@ enum class TileQuality {
 
 constexpr double kept_height = 0.75;  // of the brickwork's; source: Video Tapestries 4.2
 constexpr int tile_overlap = 64;      // px with which a tile begins in the one before
+
+/// How much of the neighbour's counts in a column of an overlap, the outermost being 0: all of it in the
+/// outer half, then less and less.
+inline float neighbour_share(int column, int columns) {
+    const float place = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns);
+    return std::clamp(2 - 2 * place, 0.F, 1.F);
+}
 
 /// The part of a tapestry that is made at once.
 struct TileSpan {

@@ -1,7 +1,5 @@
 #include "analyzer/tapestry/zoom_source.hpp"
 
-#include "analyzer/tapestry/as_index.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,11 +20,7 @@ int corner(float middle, int most) {
 
 }  // namespace
 
-ZoomSource::ZoomSource(const cv::Mat& picture) : picture_(picture) {
-    rules_.owners.assign(as_index(picture_.patch_columns()) * as_index(picture_.patch_rows()), 0);
-    rules_.weights.assign(rules_.owners.size(), 0);
-    rules_.centres = {0};
-}
+ZoomSource::ZoomSource(const cv::Mat& picture) : picture_(picture), rules_(free_rules(picture_)) {}
 
 Match ZoomSource::match_near(cv::Vec2f pixel) const {
     return {.x = static_cast<std::int16_t>(corner(pixel[0], picture_.patch_columns())),

@@ -5,6 +5,7 @@
 
 #include "analyzer/tapestry/as_index.hpp"
 #include "analyzer/tapestry/moving_islands.hpp"
+#include "analyzer/tapestry/retarget.hpp"
 #include "analyzer/tapestry/zoom_source.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -17,11 +18,10 @@ namespace {
 
 constexpr double last_fade = 0.25;  // of the way: in it what no island has reached fades evenly
 
-/// The part to the left counts: whole in its outer half, then less and less.
+/// With the part to the left.
 void add_left(const cv::Mat& left, KnownPixels& known) {
     for (int x = 0; x < left.cols; ++x) {
-        const float place = (static_cast<float>(x) + 0.5F) / static_cast<float>(left.cols);
-        const float of_left = std::clamp(2 - 2 * place, 0.F, 1.F);
+        const float of_left = neighbour_share(x, left.cols);
         for (int y = 0; y < left.rows; ++y) {
             float& share = known.share.at<float>(y, x);
             cv::Vec3b& pixel = known.picture.at<cv::Vec3b>(y, x);

@@ -17,8 +17,6 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-constexpr int tile_file_width = 512;  // px
-
 void remove_other_tiles(const fs::path& directory, const std::string& kept) {
     std::vector<fs::path> others;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory))
@@ -26,17 +24,6 @@ void remove_other_tiles(const fs::path& directory, const std::string& kept) {
             others.push_back(entry.path());
     for (const fs::path& other : others)
         fs::remove_all(other);
-}
-
-Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
-    return {.keyframes = static_cast<int>(keyframes.size()), .brick = brick};
-}
-
-TapestryLevel level_of(const Keyframes& keyframes, const Brickwork& brickwork, const Candidates& candidates) {
-    TapestryLevel level{.width = brickwork.width(), .keyframes = {}};
-    for (const int frame : keyframes)
-        level.keyframes.push_back(candidates.signatures()[as_index(frame)].time);
-    return level;
 }
 
 /// How many levels an earlier weaving into the same folder of tiles has finished.
@@ -88,6 +75,29 @@ void write_level(const fs::path& directory, const Tapestry& tapestry, const Film
 
 }  // namespace
 
+Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
+    return {.keyframes = static_cast<int>(keyframes.size()), .brick = brick};
+}
+
+TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates) {
+    TapestryLevel level{.width = brickwork_of(keyframes, candidates.brick()).width(), .keyframes = {}};
+    for (const int frame : keyframes)
+        level.keyframes.push_back(candidates.signatures()[as_index(frame)].time);
+    return level;
+}
+
+cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
+                    const RunTasks& run) {
+    std::vector<cv::Mat> parts;
+    weave_level(
+        brickwork_of(keyframes, film.candidates->brick()),
+        [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); },
+        [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); }, settings, run);
+    cv::Mat strip;
+    cv::hconcat(parts, strip);
+    return strip;
+}
+
 Film film_of(UniqueFd frames, FaceDetector* faces) {
     Film film{.candidates = std::make_unique<Candidates>(std::move(frames), faces)};
     film.duration = film.candidates->duration();
@@ -134,7 +144,7 @@ Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film&
         if (i > 0 && !has_room(tapestry, bytes_in(directory / tapestry.folder), brickwork.width(),
                                settings.most_bytes))
             break;
-        tapestry.levels.push_back(level_of(plan.levels[i], brickwork, candidates));
+        tapestry.levels.push_back(level_of(plan.levels[i], candidates));
         tapestry.levels.back().has_zoom = i > 0;
         if (i >= woven) write_level(directory, tapestry, film, plan.levels[i], settings.retarget, run);
     }

@@ -38,6 +38,17 @@ Film gathered(FrameSource& source, const std::filesystem::path& directory, FaceD
 std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
                                         const RunTasks& run);
 
+constexpr int tile_file_width = 512;  // px
+
+Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick);
+
+/// What the index says of a level. @param keyframes  of the candidates
+TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates);
+
+/// Some keyframes of a film woven into a strip, in memory. CV_8UC3.
+cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
+                    const RunTasks& run);
+
 /// How a pyramid is written.
 struct PyramidSettings {
     RetargetSettings retarget;

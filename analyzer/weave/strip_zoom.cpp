@@ -1,14 +1,10 @@
 #include "analyzer/weave/strip_zoom.hpp"
 
-#include "analyzer/tapestry/as_index.hpp"
-
 #include <utility>
 
 namespace vitrine {
 
 namespace {
-
-constexpr int tile_width = 512;  // px, of the index
 
 void append(cv::Mat& strip, const cv::Mat& columns) {
     if (strip.empty())
@@ -22,20 +18,13 @@ void append(cv::Mat& strip, const cv::Mat& columns) {
 LevelPair woven_pair(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
                      const RunTasks& run) {
     LevelPair pair{.index = {.duration = film.duration, .levels = {}}, .coarse = {}, .fine = {}};
-    pair.index.tile_width = tile_width;
+    pair.index.tile_width = tile_file_width;
     pair.index.brick_width = film.candidates->brick().width;
     for (const std::size_t level : {0U, 1U}) {
         const Keyframes& keyframes = levels[level];
-        const Brickwork brickwork{.keyframes = static_cast<int>(keyframes.size()),
-                                  .brick = film.candidates->brick()};
-        pair.index.height = tapestry_height(brickwork);
-        pair.index.levels.push_back({.width = brickwork.width(), .keyframes = {}});
-        for (const int frame : keyframes)
-            pair.index.levels.back().keyframes.push_back(film.candidates->signatures()[as_index(frame)].time);
-        cv::Mat& strip = level == 0 ? pair.coarse : pair.fine;
-        weave_level(
-            brickwork, [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); },
-            [&](const cv::Mat& columns, const WovenSoFar&) { append(strip, columns); }, settings, run);
+        pair.index.height = tapestry_height(brickwork_of(keyframes, film.candidates->brick()));
+        pair.index.levels.push_back(level_of(keyframes, *film.candidates));
+        (level == 0 ? pair.coarse : pair.fine) = woven_strip(film, keyframes, settings, run);
     }
     return pair;
 }

@@ -1,7 +1,5 @@
 #include "analyzer/weave/film_weave.hpp"
 
-#include "analyzer/tapestry/as_index.hpp"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -21,14 +19,8 @@ struct Part {
 /// The tapestry's index without files, for its mapping of times.
 Tapestry index_of(const Film& film, const std::vector<Keyframes>& levels) {
     Tapestry index{.duration = film.duration, .brick_width = film.candidates->brick().width};
-    for (const Keyframes& keyframes : levels) {
-        const Brickwork brickwork{.keyframes = static_cast<int>(keyframes.size()),
-                                  .brick = film.candidates->brick()};
-        index.levels.push_back({.width = brickwork.width(), .keyframes = {}});
-        for (const int frame : keyframes)
-            index.levels.back().keyframes.push_back(
-                film.candidates->signatures()[static_cast<std::size_t>(frame)].time);
-    }
+    for (const Keyframes& keyframes : levels)
+        index.levels.push_back(level_of(keyframes, *film.candidates));
     return index;
 }
 
@@ -51,17 +43,8 @@ cv::Mat woven_part(const Film& film, const Keyframes& keyframes, const Part& par
     const cv::Size brick = film.candidates->brick();
     const int first = std::max(0, 2 * part.from / brick.width / 2 * 2 - 2);
     const int last = std::min(static_cast<int>(keyframes.size()), 2 * part.to / brick.width + 3);
-    const Brickwork brickwork{.keyframes = last - first, .brick = brick};
-    cv::Mat strip;
-    weave_level(
-        brickwork, [&](int k) { return film.candidates->keyframe(keyframes[as_index(first + k)]); },
-        [&](const cv::Mat& columns, const WovenSoFar&) {
-            if (strip.empty())
-                strip = columns.clone();
-            else
-                cv::hconcat(strip, columns, strip);
-        },
-        settings, run);
+    const cv::Mat strip =
+        woven_strip(film, Keyframes(keyframes.begin() + first, keyframes.begin() + last), settings, run);
     const int shift = part.from - first * brick.width / 2;
     return strip.colRange(shift, std::min(strip.cols, shift + part.to - part.from));
 }

@@ -92,9 +92,7 @@ std::vector<GLushort> grid_order() {
 
 IdlePicture::IdlePicture()
     : program_(vertex_shader, fragment_shader),
-      x_axis_(program_.uniform("x_axis")),
-      y_axis_(program_.uniform("y_axis")),
-      origin_(program_.uniform("origin")),
+      view_(program_),
       canvas_(program_.uniform("canvas")),
       seconds_(program_.uniform("seconds")),
       opacity_(program_.uniform("opacity")) {
@@ -119,9 +117,7 @@ void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds 
     const int last = std::clamp(static_cast<int>(std::ceil(bottom / canvas.y * rows)), first, rows);
     const double seconds = std::chrono::duration<double>(time).count();
     program_.use();
-    set(x_axis_, view.x_axis);
-    set(y_axis_, view.y_axis);
-    set(origin_, view.origin);
+    view_.set(view);
     set(canvas_, canvas);
     glUniform1f(seconds_, static_cast<float>(std::fmod(seconds, period)));
     glUniform1f(opacity_, static_cast<float>(opacity));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/render/gl_objects.hpp"
-#include "player/render/view.hpp"
+#include "player/render/view_uniforms.hpp"
 
 #include <chrono>
 
@@ -27,9 +27,7 @@ class IdlePicture {
     GlBuffer corners_;
     GlBuffer order_;
     GlVertexArray grid_;
-    GLint x_axis_;
-    GLint y_axis_;
-    GLint origin_;
+    ViewUniforms view_;
     GLint canvas_;
     GLint seconds_;
     GLint opacity_;

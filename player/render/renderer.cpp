@@ -30,9 +30,7 @@ bool is_whole(double value) {
 
 Renderer::PictureProgram::PictureProgram(const std::string& fragment_shader)
     : program(vertex_shader, fragment_shader),
-      x_axis(program.uniform("x_axis")),
-      y_axis(program.uniform("y_axis")),
-      origin(program.uniform("origin")),
+      view(program),
       uv_scale(program.uniform("uv_scale")),
       uv_offset(program.uniform("uv_offset")),
       blur(program.uniform("blur")),
@@ -232,9 +230,7 @@ void Renderer::bind(const PictureProgram& program, const DrawItem& item, const T
     choose_filter(texture, item, is_filler, is_one_to_one);
 
     program.program.use();
-    set(program.x_axis, view.x_axis);
-    set(program.y_axis, view.y_axis);
-    set(program.origin, view.origin);
+    program.view.set(view);
     set_texels(program, texture, item, is_one_to_one);
     glUniform1f(program.alpha, static_cast<float>(item.alpha));
     if (program.to_rgb >= 0) {

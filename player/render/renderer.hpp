@@ -5,7 +5,7 @@
 #include "player/render/gl_objects.hpp"
 #include "player/render/idle_picture.hpp"
 #include "player/render/picture_texture.hpp"
-#include "player/render/view.hpp"
+#include "player/render/view_uniforms.hpp"
 #include "player/render/zoom_layer.hpp"
 #include "player/scene/frame.hpp"
 
@@ -65,9 +65,7 @@ class Renderer {
         explicit PictureProgram(const std::string& fragment_shader);
 
         Program program;
-        GLint x_axis;
-        GLint y_axis;
-        GLint origin;
+        ViewUniforms view;
         GLint uv_scale;
         GLint uv_offset;
         GLint blur;    // -1: the program draws sharp

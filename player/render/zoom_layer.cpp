@@ -67,9 +67,7 @@ void attribute(GLuint place, GLint count, std::size_t offset) {
 
 ZoomLayer::MeshProgram::MeshProgram(const char* fragment_shader)
     : program(vertex_shader, fragment_shader),
-      x_axis(program.uniform("x_axis")),
-      y_axis(program.uniform("y_axis")),
-      origin(program.uniform("origin")),
+      view(program),
       offset(program.uniform("offset")),
       scale(program.uniform("scale")),
       share(program.uniform("share")),
@@ -88,9 +86,7 @@ void ZoomLayer::draw(const DrawItem& item, const ToNdc& view) {
     glBindVertexArray(drawn.array.id());
     const MeshProgram& program = is_whole ? whole_ : blended_;
     program.program.use();
-    set(program.x_axis, view.x_axis);
-    set(program.y_axis, view.y_axis);
-    set(program.origin, view.origin);
+    program.view.set(view);
     set(program.offset, item.placement.offset);
     glUniform1f(program.scale, static_cast<float>(item.placement.scale));
     glUniform1f(program.share, static_cast<float>(item.share));

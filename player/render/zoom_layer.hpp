@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/render/gl_objects.hpp"
-#include "player/render/view.hpp"
+#include "player/render/view_uniforms.hpp"
 #include "player/scene/frame.hpp"
 
 #include <memory>
@@ -34,9 +34,7 @@ class ZoomLayer {
         explicit MeshProgram(const char* fragment_shader);
 
         Program program;
-        GLint x_axis;
-        GLint y_axis;
-        GLint origin;
+        ViewUniforms view;
         GLint offset;
         GLint scale;
         GLint share;

@@ -92,11 +92,17 @@ def check_system(box):
     assert box.sh("passwd -S root").split()[1] == "L", "root has a password"
 
 
-def first_boot(work):
-    """The snapshot has a share with a password and a wall of all files; nothing of it was there when the disk was new."""
-    disk = work / "running.qcow2"
+def new_disk(work, name):
+    """One that has never been booted."""
+    disk = work / f"{name}.qcow2"
     disk.unlink(missing_ok=True)
     run("qemu-img", "create", "-q", "-f", "qcow2", "-F", "raw", "-b", work / "appliance.img", disk, DISK_SIZE)
+    return disk
+
+
+def first_boot(work):
+    """The snapshot has a share with a password and a wall of all files; nothing of it was there when the disk was new."""
+    disk = new_disk(work, "running")
 
     def look(box):
         box.wait_until_active("vitrine-player")
@@ -122,9 +128,7 @@ def uefi(work):
     firmware = next((file for file in FIRMWARE if file.exists()), None)
     if not firmware:
         raise NotHere("not installed: ovmf")
-    disk = work / "uefi.qcow2"
-    disk.unlink(missing_ok=True)
-    run("qemu-img", "create", "-q", "-f", "qcow2", "-F", "raw", "-b", work / "appliance.img", disk, DISK_SIZE)
+    disk = new_disk(work, "uefi")
 
     def look(box):
         assert box.sh("test -d /sys/firmware/efi && echo yes", fails=True) == "yes", "it was not booted by UEFI"

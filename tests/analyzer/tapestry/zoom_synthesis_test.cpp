@@ -44,9 +44,7 @@ struct Zoomed : DrawnLevels {
         const double step = 1.0 / (between + 1);
         const cv::Mat places = to_coarser->places({0, pictures[to].cols}, step * static_cast<double>(to),
                                                   step * static_cast<double>(from));
-        cv::Mat carried;
-        cv::remap(pictures[from], carried, places, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-        return carried;
+        return vitrine::bent(pictures[from], places);
     }
 
     Islands islands;
@@ -103,12 +101,7 @@ TEST_CASE("what is synthesised is of the levels' patches, where a flow bends the
     const auto strangeness = [&](const cv::Mat& picture) {
         const PatchImage target(picture);
         const PatchImage source(zoomed.fine);
-        PatchRules rules;
-        rules.owners.assign(static_cast<std::size_t>(source.patch_columns()) *
-                                static_cast<std::size_t>(source.patch_rows()),
-                            0);
-        rules.weights.assign(rules.owners.size(), 0);
-        rules.centres = {0};
+        const PatchRules rules = free_rules(source);
         PatchMatch matches(source, target, rules);
         matches.refresh(run_in_order);
         for (std::uint32_t round = 0; round < 6; ++round)

@@ -18,10 +18,15 @@ namespace vitrine {
 namespace {
 
 cv::Mat bent_to(const ZoomWarp& warp, const cv::Mat& picture, int width, double share, double there) {
-    cv::Mat bent;
-    cv::remap(picture, bent, warp.places({0, width}, share, there), cv::noArray(), cv::INTER_LINEAR,
-              cv::BORDER_REPLICATE);
-    return bent;
+    return bent(picture, warp.places({0, width}, share, there));
+}
+
+/// Grey levels.
+double mean_difference(const cv::Mat& a, const cv::Mat& b) {
+    cv::Mat difference;
+    cv::absdiff(a, b, difference);
+    const cv::Scalar means = cv::mean(difference);
+    return (means[0] + means[1] + means[2]) / 3;
 }
 
 /// How far pictures are from the mean of their neighbours, both bent to their moment: mean grey levels. What
@@ -35,10 +40,7 @@ double flicker(const StripZoom& zoom, const ZoomPictures& strips) {
         cv::Mat mean;
         cv::addWeighted(bent_to(zoom.fine(), strips[i - 1], width, share, share - step), 0.5,
                         bent_to(zoom.fine(), strips[i + 1], width, share, share + step), 0.5, 0, mean);
-        cv::Mat difference;
-        cv::absdiff(strips[i], mean, difference);
-        const cv::Scalar means = cv::mean(difference);
-        sum += (means[0] + means[1] + means[2]) / 3;
+        sum += mean_difference(strips[i], mean);
     }
     return sum / static_cast<double>(strips.size() - 2);
 }
@@ -49,11 +51,8 @@ double largest_step(const StripZoom& zoom, const ZoomPictures& strips) {
     const double step = 1.0 / static_cast<double>(strips.size() - 1);
     for (std::size_t i = 1; i < strips.size(); ++i) {
         const double share = static_cast<double>(i) * step;
-        cv::Mat difference;
-        cv::absdiff(strips[i], bent_to(zoom.fine(), strips[i - 1], strips[i].cols, share, share - step),
-                    difference);
-        const cv::Scalar means = cv::mean(difference);
-        largest = std::max(largest, (means[0] + means[1] + means[2]) / 3);
+        largest = std::max(largest, mean_difference(strips[i], bent_to(zoom.fine(), strips[i - 1],
+                                                                       strips[i].cols, share, share - step)));
     }
     return largest;
 }
@@ -67,12 +66,7 @@ double strangeness(const LevelPair& pair, const cv::Mat& strip) {
     cv::Mat nearest;
     for (const cv::Mat* level : {&pair.coarse, &pair.fine}) {
         const PatchImage source(*level);
-        PatchRules rules;
-        rules.owners.assign(static_cast<std::size_t>(source.patch_columns()) *
-                                static_cast<std::size_t>(source.patch_rows()),
-                            0);
-        rules.weights.assign(rules.owners.size(), 0);
-        rules.centres = {0};
+        const PatchRules rules = free_rules(source);
         PatchMatch matches(source, target, rules);
         MatchField& field = matches.of_target();
         for (int y = 0; y < field.rows; ++y)

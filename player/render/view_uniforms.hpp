@@ -1,0 +1,27 @@
+#pragma once
+
+#include "player/render/gl_objects.hpp"
+#include "player/render/view.hpp"
+
+namespace vitrine {
+
+/// What each program of the renderer is told of where the canvas lies: `uniform vec2 x_axis, y_axis, origin`.
+struct ViewUniforms {
+    explicit ViewUniforms(const Program& program)
+        : x_axis(program.uniform("x_axis")),
+          y_axis(program.uniform("y_axis")),
+          origin(program.uniform("origin")) {}
+
+    /// @pre the program is in use
+    void set(const ToNdc& view) const {
+        vitrine::set(x_axis, view.x_axis);
+        vitrine::set(y_axis, view.y_axis);
+        vitrine::set(origin, view.origin);
+    }
+
+    GLint x_axis;
+    GLint y_axis;
+    GLint origin;
+};
+
+}  // namespace vitrine
