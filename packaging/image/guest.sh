@@ -39,6 +39,9 @@ settle() {
     inside systemctl -q mask getty@tty1.service nmbd.service samba-ad-dc.service apt-daily.timer apt-daily-upgrade.timer \
         dpkg-db-backup.timer e2scrub_all.timer e2scrub_reap.service systemd-machine-id-commit.service \
         systemd-networkd-wait-online.service systemd-pstore.service
+    # mmdebstrap's, which keep packages from starting services, and it would take them away only later.
+    rm -f "$root/usr/sbin/policy-rc.d"
+    [ ! -e "$root/sbin/start-stop-daemon.REAL" ] || mv "$root/sbin/start-stop-daemon.REAL" "$root/sbin/start-stop-daemon"
     rm -rf "$root"/var/cache/apt/* "$root"/var/lib/apt/lists/* "$root"/tmp/* "$root"/var/log/* "$root/etc/resolv.conf"
 }
 

@@ -89,6 +89,7 @@ def check_system(box):
     failed = box.sh("systemctl --failed --no-legend --plain | cut -d' ' -f1")
     assert not failed, f"failed: {failed}"
     assert box.sh("systemctl is-active getty@tty1 || true") == "inactive"
+    assert box.sh("test -e /usr/sbin/policy-rc.d && echo there", fails=True) == "", "an upgraded package would not restart its service"
     assert box.sh("passwd -S root").split()[1] == "L", "root has a password"
 
 

@@ -3,7 +3,7 @@ import os
 import shutil
 from pathlib import Path
 
-from appliance import EDITABLE, MEDIA
+from appliance import EDITABLE, FILM, MEDIA, STILLS
 from image import NotHere
 from machine import wait_for
 
@@ -47,5 +47,6 @@ def run(box):
     assert box.sh("pgrep '^vitrine-' || echo none") == "none", "something still runs"
     left = box.sh("find / -xdev -iname '*vitrine*' -not -path '/proc/*' -not -path '/run/*' -not -path '/tmp/*' -not -path '/var/tmp/*'").split()
     assert left == ["/srv/vitrine"], f"purging leaves {left}"
-    assert len(box.sh(f"ls {MEDIA}").split()) == 4, "the media are the operators'"
+    media = set(box.sh(f"ls {MEDIA}").split())
+    assert media == {f"{name}.png" for name in STILLS} | {f"{name}.mp4" for name in FILM}, f"the media are the operators', the answer is not: {media}"
     assert box.sh("getent passwd vitrine"), "the user went before its files"
