@@ -54,11 +54,13 @@ def make(packages, work):
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     begin = time.monotonic()
+    lists = sorted(os.listdir("/var/lib/apt/lists"))
     # The guest's agent is how the rig looks into it; the console is for whoever looks for what went wrong.
     done = subprocess.run([BUILDER, "--packages", packages, "--include", "qemu-guest-agent", "--append", "console=ttyS0",
                            work / "appliance.img"], text=True, capture_output=True)
     if done.returncode != 0:
         raise AssertionError(f"no image: {done.stdout}{done.stderr}")
+    assert sorted(os.listdir("/var/lib/apt/lists")) == lists, "building has emptied what apt knows on this machine"
     settings = work / "vitrine.toml"
     settings.write_text(toml(appliance.SETTINGS))
     run("mcopy", "-o", "-i", f"{work / 'appliance.img'}{BOOT_AT}", settings, "::/vitrine.toml")
