@@ -30,7 +30,7 @@ late() {
     # mmdebstrap's, which keep packages from starting services, and it would take them away only later.
     rm -f "$root/usr/sbin/policy-rc.d"
     [ ! -e "$root/sbin/start-stop-daemon.REAL" ] || mv "$root/sbin/start-stop-daemon.REAL" "$root/sbin/start-stop-daemon"
-    rm -rf "$root"/boot/* "$root"/var/cache/apt/* "$root"/var/lib/apt/lists/*
+    rm -rf "${root:?}"/boot/* "$root"/var/cache/apt/* "$root"/var/lib/apt/lists/*
     # mmdebstrap has /proc and /sys mounted in it; a second view of the tree is without them.
     tree=$(mktemp -d)
     mount --bind "$root" "$tree"

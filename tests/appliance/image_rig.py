@@ -18,6 +18,7 @@ import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.append(str(Path(__file__).resolve().parents[1] / "share"))
 import appliance
 import power
 from appliance import MEDIA, toml
@@ -25,7 +26,7 @@ from disk_machine import DiskMachine
 from image import NotHere, check_host, key, run
 from machine import wait_for
 from rig import SNAPSHOT, guarded, skip, told
-from share_client import ShareClient
+from share_client import ShareClient, enlarge
 
 DISK_SIZE = "6G"
 PASSWORD = "correct horse"
@@ -187,10 +188,11 @@ def share(work):
 
 
 def large(folder, name, colour):
-    """A photo of one colour that is large on the disk: of fine noise."""
+    """A photo of one colour that comes in several parts."""
     file = folder / name
     run("ffmpeg", "-v", "error", "-y", "-f", "lavfi", "-i",
-        f"color=0x{bytes(colour).hex()}:size=640x360,noise=alls=24:allf=u,drawbox=240:100:160:160:white:fill", "-frames:v", 1, file)
+        f"color=0x{bytes(colour).hex()}:size=640x360,drawbox=240:100:160:160:white:fill", "-frames:v", 1, file)
+    enlarge(file)
     return file
 
 

@@ -1,10 +1,21 @@
-"""Files into the appliance's share by a real smbclient, at once, slowly or cut off in the midst."""
+"""Files into a share by a real smbclient, at once, slowly or cut off in the midst."""
+import random
 import socket
+import struct
 import subprocess
 import threading
 import time
+import zlib
 
-from image import run
+CHUNK = 4 << 20  # bytes
+END_OF_PNG = 12  # bytes of its last chunk
+
+
+def enlarge(file):
+    """Makes a PNG three times as large as what a client of SMB writes at once, with chunks that nobody reads."""
+    png, name_and_data = file.read_bytes(), b"viTr" + random.randbytes(CHUNK)
+    chunk = struct.pack(">I", CHUNK) + name_and_data + struct.pack(">I", zlib.crc32(name_and_data))
+    file.write_bytes(png[:-END_OF_PNG] + 6 * chunk + png[-END_OF_PNG:])
 
 
 class Throttle:
@@ -46,15 +57,15 @@ class Throttle:
 
 
 class ShareClient:
-    def __init__(self, port, password):
-        self.port, self.password = port, password
+    def __init__(self, port, password, user="vitrine"):
+        self.port, self.password, self.user = port, password, user
 
     def command(self, words, port=None, guest=False):
-        who = ["-N"] if guest else ["-U", f"vitrine%{self.password}"]
+        who = ["-N"] if guest else ["-U", f"{self.user}%{self.password}"]
         return ["smbclient", "//127.0.0.1/media", "-p", str(port or self.port), *who, "-m", "SMB3", "-t", "300", "-c", words]
 
     def say(self, words):
-        return run(*self.command(words))
+        return subprocess.run(self.command(words), check=True, text=True, capture_output=True).stdout
 
     def put(self, file, name=None):
         self.say(f'put "{file}" "{name or file.name}"')
@@ -62,16 +73,17 @@ class ShareClient:
     def is_refused(self, **how):
         return subprocess.run(self.command("ls", **how), capture_output=True).returncode != 0
 
-    def put_slowly(self, file, bytes_per_second, meanwhile):
+    def put_slowly(self, file, bytes_per_second, meanwhile, name=None):
         """Calls meanwhile() again and again until it is there."""
         throttle = Throttle(self.port, bytes_per_second)
-        client = subprocess.Popen(self.command(f'put "{file}" "{file.name}"', throttle.port), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        client = subprocess.Popen(self.command(f'put "{file}" "{name or file.name}"', throttle.port), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         try:
             while client.poll() is None:
                 meanwhile()
             assert client.returncode == 0, client.stdout.read().decode()
         finally:
             client.kill()
+            client.communicate()
             throttle.close()
 
     def put_and_die(self, file, bytes_per_second, bytes_there):
@@ -85,4 +97,5 @@ class ShareClient:
                 time.sleep(0.3)
         finally:
             client.kill()
+            client.wait()
             throttle.close()

@@ -1,0 +1,96 @@
+"""A real smbd of this machine's Debian, with the example that the packages bring, on a port of its own.
+
+Samba is unpacked, not installed: whoever tests shall not find a file server running afterwards.
+"""
+import getpass
+import os
+import shutil
+import socket
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "packaging/debian/smb.conf"
+PATIENCE = 60  # seconds
+
+
+class NotHere(Exception):
+    """No smbd can be had on this machine, and why."""
+
+
+def unpacked():
+    """The folder with Debian's smbd; it is kept."""
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vitrine"
+    try:
+        libraries = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "samba-libs"], check=True, text=True, capture_output=True).stdout
+        kept = cache / f"samba-{libraries.replace(':', '_')}"
+        if kept.exists():
+            return kept
+        cache.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=cache, prefix="making-") as made:
+            packages = [f"{name}={libraries}" for name in ("samba", "samba-common-bin")]
+            subprocess.run(["apt-get", "-q", "download", *packages], cwd=made, check=True, text=True, capture_output=True)
+            for package in Path(made).glob("*.deb"):
+                subprocess.run(["dpkg", "-x", package, Path(made) / "root"], check=True, capture_output=True)
+            if not kept.exists():  # by another checkout, meanwhile
+                (Path(made) / "root").rename(kept)
+        return kept
+    except FileNotFoundError as error:
+        raise NotHere(f"not installed: {error.filename}") from error
+    except subprocess.CalledProcessError as error:
+        raise NotHere(f"no smbd of Debian's mirror: {error.stderr.strip()[-600:]}") from error
+
+
+def free_port():
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        return listener.getsockname()[1]
+
+
+class ShareServer:
+    """Serves a folder as the share `media` to the one who runs this, until close()."""
+
+    def __init__(self, media, password):
+        programs = unpacked()
+        self.user, self.port = getpass.getuser(), free_port()
+        self.folder = Path(tempfile.mkdtemp(prefix="vitrine-smbd-"))
+        settings = self.folder / "smb.conf"
+        settings.write_text(self.settings(media))
+        subprocess.run([programs / "usr/bin/pdbedit", "-s", settings, "-a", "-t", "-u", self.user], check=True, text=True,
+                       input=f"{password}\n{password}\n", capture_output=True)
+        self.log = (self.folder / "smbd.log").open("w")
+        self.smbd = subprocess.Popen([programs / "usr/sbin/smbd", "-F", "-s", settings, "--no-process-group"], stdin=subprocess.DEVNULL,
+                                     stdout=self.log, stderr=subprocess.STDOUT)
+        self.wait_until_listening()
+
+    def settings(self, media):
+        """The example's, for another folder, user and port, and with all that smbd writes in a folder of its own."""
+        places = ("private dir", "lock directory", "state directory", "cache directory", "pid directory", "ncalrpc dir")
+        own = [f"{place} = {self.folder / 'run'}" for place in places]
+        (self.folder / "run").mkdir()
+        own += [f"log file = {self.folder / 'log'}", f"passdb backend = tdbsam:{self.folder / 'passdb.tdb'}", "interfaces = 127.0.0.1", "bind interfaces only = yes"]
+        lines = EXAMPLE.read_text().splitlines()
+        changed = {"smb ports": self.port, "path": media, "valid users": self.user, "force user": None, "force group": None}
+        for name, value in changed.items():
+            at = next(i for i, line in enumerate(lines) if line.startswith(f"{name} ="))
+            lines[at] = "" if value is None else f"{name} = {value}"
+        lines[lines.index("[global]") + 1:lines.index("[global]") + 1] = own
+        return "\n".join(lines) + "\n"
+
+    def wait_until_listening(self):
+        end = time.monotonic() + PATIENCE
+        while True:
+            try:
+                return socket.create_connection(("127.0.0.1", self.port)).close()
+            except OSError:
+                if self.smbd.poll() is not None or time.monotonic() > end:
+                    said = (self.folder / "smbd.log").read_text()
+                    self.close()
+                    raise AssertionError(f"smbd does not serve: {said}") from None
+            time.sleep(0.1)
+
+    def close(self):
+        self.smbd.kill()
+        self.smbd.wait()
+        self.log.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
