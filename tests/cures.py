@@ -43,6 +43,8 @@ CURES = [
          "            slot = {};\n", "", "scene_test.assemblage_test"),
     Cure("a file replaced while it plays", "player/scene/assemblage.cpp",
          "            put(slot, key);\n            due_.reset();\n", "", "scene_test.assemblage_test"),
+    Cure("a share that hangs", "player/playback/source_states.cpp",
+         "return entry.second.is_preparing() && !is_stuck(entry.second);", "return entry.second.is_preparing();", "playback_test.keeping_time_test"),
     Cure("an empty file", "base/media/media_type.cpp",
          '    if (head.empty()) throw MediaError(MediaState::waiting, "the file is empty");', "", "media_test.media_type_test"),
     Cure("a child that hangs", "analyzer/child_process.cpp",

@@ -19,6 +19,8 @@ struct SourceOptions {
     FilmOptions film;
     FilmFactory make_film;    // empty: FilmLoop
     bool keeps_time = false;  // a film too slow for the machine skips pictures; else it falls behind
+    std::chrono::nanoseconds opening_patience =
+        std::chrono::seconds(15);  // of others with a source that opens
 };
 
 /// Plays one shot of a film in a loop, or holds a photo. Decodes in threads of its own, ahead of what is

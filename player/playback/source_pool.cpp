@@ -15,7 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr long most_at_once = 3;  // sources that are read to their first picture
 constexpr std::chrono::nanoseconds judging_period = 1s;
 constexpr double least_cost = 0.01;                         // cores, of a film that works
 constexpr int most_tries = 3;                               // to go over to a clip
@@ -127,9 +126,8 @@ std::vector<SourceEvent> SourcePool::wait_until_ready(std::chrono::nanoseconds p
     while (true) {
         const std::vector<SourceEvent> news = update();
         events.insert(events.end(), news.begin(), news.end());
-        const auto preparing = std::find_if(playing_.begin(), playing_.end(), [](const auto& entry) {
-            return !entry.second.is_told_ready && !entry.second.is_told_failed;
-        });
+        const auto preparing = std::find_if(playing_.begin(), playing_.end(),
+                                            [](const auto& entry) { return entry.second.is_preparing(); });
         if (preparing == playing_.end() && waiting_.empty()) return events;
         const auto left = deadline - std::chrono::steady_clock::now();
         if (left.count() <= 0) return events;
@@ -145,8 +143,7 @@ std::uint64_t SourcePool::late() const {
 }
 
 void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
-    auto preparing = count_preparing();
-    for (; !waiting_.empty() && preparing < most_at_once; ++preparing) {
+    while (!waiting_.empty() && may_start()) {
         const ShotRequest request = std::move(waiting_.front());
         waiting_.pop_front();
         try {
@@ -160,19 +157,15 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
     }
 }
 
-long SourcePool::count_preparing() const {
-    return std::ranges::count_if(playing_, [](const auto& entry) {
-        return !entry.second.is_told_ready && !entry.second.is_told_failed;
-    });
-}
-
 void SourcePool::read_one_anew() {
-    const bool is_reading = std::ranges::any_of(playing_, [](const auto& entry) {
-        return entry.second.request.kind == MediaKind::photo && !entry.second.source->has_ended();
+    const bool is_reading = std::ranges::any_of(playing_, [this](const auto& entry) {
+        const Playing& playing = entry.second;
+        return playing.request.kind == MediaKind::photo && !playing.source->has_ended() && !is_stuck(playing);
     });
     if (is_reading || !waiting_.empty() || count_preparing() > 0) return;
-    const auto next =
-        std::ranges::find_if(playing_, [](const auto& entry) { return entry.second.source->is_outdated(); });
+    const auto next = std::ranges::find_if(playing_, [](const auto& entry) {
+        return !entry.second.is_preparing() && entry.second.source->is_outdated();
+    });
     if (next != playing_.end()) next->second.source->read_anew();
 }
 
@@ -218,6 +211,7 @@ void SourcePool::go_over(Playing& playing) {
 /// What the store has is preferred; it may have lost it since.
 void SourcePool::start(Playing& playing, bool may_be_stored, std::chrono::nanoseconds at) {
     if (before_opening_) before_opening_(playing.request.path);
+    playing.opened = std::chrono::steady_clock::now();
     const std::optional<ShotRequest> stored = stored_request(playing.request);
     const std::string copy = stored ? places_.store + "/" + stored->path : "";
     playing.is_stored = may_be_stored && stored && ::access(copy.c_str(), R_OK) == 0;

@@ -46,7 +46,7 @@ struct SourceState {
 };
 
 /// The sources of what is on the wall and of what comes next. Reading and ending happen in the background, a
-/// few at a time.
+/// few at a time; one that hangs, of a share that has gone, does not keep the others waiting for good.
 class SourcePool {
   public:
     explicit SourcePool(MediaPlaces places, SourceOptions options = {})
@@ -135,12 +135,17 @@ class SourcePool {
         std::uint64_t due = 0;                // as of the governor's last judgement
         std::uint64_t late = 0;               // likewise
         std::chrono::nanoseconds spent{0};    // likewise
+        std::chrono::steady_clock::time_point opened;
         bool is_told_ready = false;
         bool is_told_failed = false;
+
+        bool is_preparing() const { return !is_told_ready && !is_told_failed; }
     };
 
     void start_waiting(std::vector<SourceEvent>& events);
+    bool is_stuck(const Playing& playing) const;
     long count_preparing() const;
+    bool may_start() const;
     void read_one_anew();
     void prepare_clip();
     void go_over(Playing& playing);

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace vitrine;
@@ -301,6 +302,28 @@ TEST_CASE(
     CHECK(failure.value_or("").size() > 10);
     CHECK(failed > 10s);
     CHECK(failed < 13s);
+}
+
+TEST_CASE(
+    "films that hang before their first picture, on a share that has gone, do not keep others waiting") {
+    int built = 0;
+    const SourceOptions options{.make_film =
+                                    [&](const FilmPart& part, SampleQueue& queue, const FilmOptions&) {
+                                        return std::make_unique<Stalling>(part, queue, ++built <= 3 ? 0 : 1);
+                                    },
+                                .opening_patience = 100ms};
+    SourcePool pool({.media = "", .store = ""}, options);
+    for (SourceId id = 1; id <= 4; ++id)
+        pool.request(request(id));
+    CHECK(pool.update().empty());
+    CHECK(built == 3);
+    std::this_thread::sleep_for(200ms);
+    pool.update();
+    CHECK(built == 4);
+    const std::vector<SourceEvent> events = pool.update();
+    REQUIRE(events.size() == 1);
+    CHECK(events[0].source == 4);
+    CHECK(pool.queue() == 3);
 }
 
 TEST_CASE("a film whose pictures come late gives way after a second") {
