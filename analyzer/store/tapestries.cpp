@@ -5,9 +5,11 @@
 #include "base/catalogue/tapestry.hpp"
 #include "base/system/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 namespace vitrine {
@@ -33,6 +35,31 @@ std::int64_t index_used_ns(const fs::path& folder) {
     if (::stat((folder / "index.json").c_str(), &status) < 0) return 0;
     return used_ns(status);
 }
+
+/// While this lives, reading a tapestry's index is no use of it: only who shows it uses it.
+class Unused {
+  public:
+    explicit Unused(const fs::path& folder) : index_(folder / "index.json") {
+        struct stat status {};
+
+        is_there_ = ::stat(index_.c_str(), &status) == 0;
+        times_[0] = status.st_atim;
+    }
+
+    Unused(const Unused&) = delete;
+    Unused& operator=(const Unused&) = delete;
+    Unused(Unused&&) = delete;
+    Unused& operator=(Unused&&) = delete;
+
+    ~Unused() {
+        if (is_there_) (void)::utimensat(AT_FDCWD, index_.c_str(), times_.data(), 0);
+    }
+
+  private:
+    fs::path index_;
+    std::array<timespec, 2> times_{{{}, {.tv_sec = 0, .tv_nsec = UTIME_OMIT}}};  // read and written
+    bool is_there_ = false;
+};
 
 /// What is found last goes first: without its index a tapestry is none.
 void remove_tapestry(const fs::path& folder) {
@@ -83,6 +110,7 @@ bool Tapestries::hold(const MediaRecord& record) {
     const bool is_known = content.film_bytes == record.bytes && content.film_mtime_ns == record.mtime_ns;
     content.film_bytes = record.bytes;
     content.film_mtime_ns = record.mtime_ns;
+    const Unused unused(folder(record.path));
     if (!is_known) {
         if (is_stale(folder(record.path), record)) remove_stale(folder(record.path));
         look_at(record.path);

@@ -1,5 +1,6 @@
 #include "analyzer/store/tapestries.hpp"
 
+#include "analyzer/store/disk_use.hpp"
 #include "analyzer/store/tapestry_state.hpp"
 #include "base/catalogue/tapestry.hpp"
 #include "tests/temporary_directory.hpp"
@@ -19,6 +20,8 @@ MediaRecord film(const std::string& path, std::uint64_t bytes = 5) {
         .path = path, .kind = MediaKind::video, .bytes = bytes, .mtime_ns = 7, .state = MediaState::ready};
 }
 
+constexpr std::int64_t newest = 1'700'000'000;  // s since 1970
+
 struct State {
     /// A tapestry of a tile of 1000 bytes.
     /// @param age  seconds since it was looked at
@@ -36,8 +39,15 @@ struct State {
                                 .brick_width = 178,
                                 .levels = {}});
         std::array<timespec, 2> times{};
-        times.fill({.tv_sec = 1'700'000'000 - age, .tv_nsec = 0});
+        times.fill({.tv_sec = newest - age, .tv_nsec = 0});
         REQUIRE(::utimensat(AT_FDCWD, (folder / "index.json").c_str(), times.data(), 0) == 0);
+    }
+
+    std::int64_t age(const std::string& path) const {
+        struct stat status {};
+
+        REQUIRE(::stat((tapestry_folder(home.path, path) / "index.json").c_str(), &status) == 0);
+        return newest - used_ns(status) / 1'000'000'000;
     }
 
     bool has(const std::string& path) const {
@@ -121,6 +131,7 @@ TEST_CASE("beyond the bound the tapestry looked at longest ago goes and is not w
     state.weave("newest", true, 1);
     for (const char* path : {"busy", "oldest", "newest"})
         tapestries.hold(film(path));
+    CHECK(state.age("oldest") == 80);  // what looks after it does not look at it
     CHECK(tapestries.make_room("busy").empty());
     state.home.write("tapestry/" + record_id("busy") + "/more", std::string(1000, 'x'));
     tapestries.look_at("busy");
