@@ -200,7 +200,7 @@ void FilmLoop::enter() {
 void FilmLoop::jump(const Jump& jump) {
     detail_ = jump.detail;
     barren_loops_ = 0;
-    if (detail_ == Detail::still || !is_playing()) return;
+    if (detail_ == Detail::still) return;
     landing_ = jump;
     queue_.refuse(true);  // a streaming thread that waits to put would keep the seek waiting
     land(jump);
@@ -239,7 +239,8 @@ void FilmLoop::rewind() {
         throw MediaError(MediaState::failed, "the film gives no picture of this part");
     }
     if (barren_loops_ > 1) way_ = Rewind::flush;
-    if (way_ == Rewind::segment && is_playing() && seek(GST_SEEK_FLAG_SEGMENT, from_)) return;
+    // Without a picture since it was sent there it does not play yet, and that must not be waited for.
+    if (way_ == Rewind::segment && !is_barren && is_playing() && seek(GST_SEEK_FLAG_SEGMENT, from_)) return;
     way_ = Rewind::flush;
     if (!seek(GST_SEEK_FLAG_FLUSH, from_)) throw MediaError(MediaState::failed, "the film cannot be rewound");
 }
