@@ -2,8 +2,8 @@
 
 Samba is unpacked, not installed: whoever tests shall not find a file server running afterwards.
 """
-import getpass
 import os
+import pwd
 import shutil
 import socket
 import subprocess
@@ -52,7 +52,7 @@ class ShareServer:
 
     def __init__(self, media, password):
         programs = unpacked()
-        self.user, self.port = getpass.getuser(), free_port()
+        self.user, self.port = pwd.getpwuid(os.getuid()).pw_name, free_port()
         self.folder = Path(tempfile.mkdtemp(prefix="vitrine-smbd-"))
         settings = self.folder / "smb.conf"
         settings.write_text(self.settings(media))
