@@ -158,9 +158,10 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
 }
 
 void SourcePool::read_one_anew() {
-    const bool is_reading = std::ranges::any_of(playing_, [this](const auto& entry) {
+    const bool is_reading = std::ranges::any_of(playing_, [](const auto& entry) {
         const Playing& playing = entry.second;
-        return playing.request.kind == MediaKind::photo && !playing.source->has_ended() && !is_stuck(playing);
+        return playing.request.kind == MediaKind::photo && !playing.is_preparing() &&
+               !playing.source->has_ended();
     });
     if (is_reading || !waiting_.empty() || count_preparing() > 0) return;
     const auto next = std::ranges::find_if(playing_, [](const auto& entry) {
