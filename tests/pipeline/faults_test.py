@@ -7,7 +7,6 @@
 spread evenly; 0: at each.
 """
 import argparse
-import json
 import os
 import random
 import shutil
@@ -19,6 +18,7 @@ import unittest
 from pathlib import Path
 
 from drawn_media import png
+from watched_folder import records_in
 
 parser = argparse.ArgumentParser()
 parser.add_argument("build", type=Path)
@@ -67,16 +67,7 @@ class Faults(unittest.TestCase):
         return watcher
 
     def records(self):
-        """path -> record. Each must be whole whenever it is read."""
-        found = {}
-        for file in self.catalogue.glob("*.json"):
-            try:
-                text = file.read_text()
-            except FileNotFoundError:
-                continue  # removed just now
-            record = json.loads(text)
-            found[record["path"]] = record
-        return found
+        return records_in(self.catalogue)
 
     def wait(self, condition, watcher=None, patience=PATIENCE):
         end = time.monotonic() + patience

@@ -5,7 +5,6 @@
 
 The decoder that does it is a plugin of the tests (poison/plugin.cpp); SYSTEM_PLUGINS is where GStreamer's own lie.
 """
-import json
 import os
 import signal
 import subprocess
@@ -16,6 +15,7 @@ import unittest
 from pathlib import Path
 
 from drawn_media import png
+from watched_folder import records_in
 
 BUILD = Path(sys.argv[1]).resolve()
 PLUGINS = sys.argv[2]
@@ -62,14 +62,7 @@ class Poison(unittest.TestCase):
                             "--analyzer.quiet_milliseconds", "0", "--store.max_bytes", "0"], check=True, stderr=journal)
 
     def records(self):
-        found = {}
-        for file in (self.home / "state" / "catalogue").glob("*.json"):
-            try:
-                record = json.loads(file.read_text())
-            except FileNotFoundError:
-                continue
-            found[record["path"]] = record
-        return found
+        return records_in(self.home / "state" / "catalogue")
 
     def wait(self, condition):
         end = time.monotonic() + PATIENCE

@@ -10,16 +10,15 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
 import zlib
 from pathlib import Path
 
+from watched_folder import PATIENCE, WatchedFolder
+
 BUILD = Path(sys.argv[1]).resolve()
 HOSTILE = Path(sys.argv[2])
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
-PATIENCE = 120  # seconds until something that must come is given up
 HOSTILE_PATIENCE = 900
 
 
@@ -51,46 +50,8 @@ def make_film(path, colours, seconds):
                     "-g", "25", str(path)], check=True)
 
 
-class Watch(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="vitrine-watch-")
-        self.addCleanup(self.folder.cleanup)
-        self.root = Path(self.folder.name) / "media"
-        self.state = Path(self.folder.name) / "state"
-        self.root.mkdir()
-
-    def settings(self):
-        return ["--media.root", str(self.root), "--state.directory", str(self.state),
-                "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
-
-    def start(self, *options):
-        watcher = subprocess.Popen([ANALYZER, "watch", *self.settings(), *options])
-        self.addCleanup(watcher.wait)
-        self.addCleanup(watcher.kill)
-        return watcher
-
-    def records(self):
-        """path -> record. Each is whole whenever it is read."""
-        found = {}
-        for file in (self.state / "catalogue").glob("*.json"):
-            try:
-                record = json.loads(file.read_text())
-            except FileNotFoundError:
-                continue  # removed just now
-            found[record["path"]] = record
-        return found
-
-    def until(self, what, condition):
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            if condition(self.records()):
-                return self.records()
-            time.sleep(0.05)
-        self.fail(f"{what} never came true: {self.records()}")
-
-    def until_ready(self, path, width):
-        return self.until(f"{path} is ready at {width} px", lambda records: path in records
-                          and records[path]["state"] == "ready" and records[path]["width"] == width)
+class Watch(WatchedFolder):
+    analyzer = ANALYZER
 
     def test_the_catalogue_follows_everything_that_happens_in_the_folder(self):
         (self.root / "first.png").write_bytes(png(64))

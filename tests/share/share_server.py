@@ -11,28 +11,25 @@ import tempfile
 import time
 from pathlib import Path
 
+from image import NotHere, cache_directory, run
+
 EXAMPLE = Path(__file__).resolve().parents[2] / "packaging/debian/smb.conf"
 PATIENCE = 60  # seconds
 
 
-class NotHere(Exception):
-    """No smbd can be had on this machine, and why."""
-
-
 def unpacked():
-    """The folder with Debian's smbd; it is kept."""
-    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vitrine"
+    """The folder with Debian's smbd; it is kept. Raises NotHere where none can be had."""
+    cache = cache_directory()
     try:
-        libraries = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "samba-libs"], check=True, text=True, capture_output=True).stdout
+        libraries = run("dpkg-query", "-W", "-f", "${Version}", "samba-libs")
         kept = cache / f"samba-{libraries.replace(':', '_')}"
         if kept.exists():
             return kept
         cache.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=cache, prefix="making-") as made:
-            packages = [f"{name}={libraries}" for name in ("samba", "samba-common-bin")]
-            subprocess.run(["apt-get", "-q", "download", *packages], cwd=made, check=True, text=True, capture_output=True)
+            run("apt-get", "-q", "download", f"samba={libraries}", f"samba-common-bin={libraries}", cwd=made)
             for package in Path(made).glob("*.deb"):
-                subprocess.run(["dpkg", "-x", package, Path(made) / "root"], check=True, capture_output=True)
+                run("dpkg", "-x", package, Path(made) / "root")
             if not kept.exists():  # by another checkout, meanwhile
                 (Path(made) / "root").rename(kept)
         return kept
@@ -56,8 +53,7 @@ class ShareServer:
         self.folder = Path(tempfile.mkdtemp(prefix="vitrine-smbd-"))
         settings = self.folder / "smb.conf"
         settings.write_text(self.settings(media))
-        subprocess.run([programs / "usr/bin/pdbedit", "-s", settings, "-a", "-t", "-u", self.user], check=True, text=True,
-                       input=f"{password}\n{password}\n", capture_output=True)
+        run(programs / "usr/bin/pdbedit", "-s", settings, "-a", "-t", "-u", self.user, input=f"{password}\n{password}\n")
         self.log = (self.folder / "smbd.log").open("w")
         self.smbd = subprocess.Popen([programs / "usr/sbin/smbd", "-F", "-s", settings, "--no-process-group"], stdin=subprocess.DEVNULL,
                                      stdout=self.log, stderr=subprocess.STDOUT)

@@ -5,24 +5,21 @@
 
 Ends with 77 where no smbd can be had, saying why.
 """
-import json
-import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.append(str(Path(__file__).resolve().parents[1] / "pipeline"))
+sys.path += [str(Path(__file__).resolve().parents[1] / beside) for beside in ("pipeline", "appliance")]
 from drawn_media import png
+from image import NotHere
 from share_client import ShareClient, enlarge
-from share_server import NotHere, ShareServer, unpacked
+from share_server import ShareServer, unpacked
+from watched_folder import WatchedFolder
 
 SKIPPED = 77
 BUILD = Path(sys.argv[1]).resolve()
-ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
-PATIENCE = 120  # seconds until something that must come is given up
 SLOW = 5  # seconds that a slow upload takes, about
 PASSWORD = "correct horse"
 
@@ -33,50 +30,28 @@ def photo(path, width):
     return path
 
 
-class Upload(unittest.TestCase):
+class Upload(WatchedFolder):
+    analyzer = BUILD / "analyzer" / "vitrine-analyzer"
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="vitrine-upload-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.root, self.state = self.folder / "media", self.folder / "state"
-        self.root.mkdir()
+        super().setUp()
         server = ShareServer(self.root, PASSWORD)
         self.addCleanup(server.close)
         self.client = ShareClient(server.port, PASSWORD, server.user)
-        watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", self.root, "--state.directory", self.state, "--analyzer.quiet_milliseconds", "300",
-                                    "--tapestry.max_bytes", "0"])
-        self.addCleanup(watcher.wait)
-        self.addCleanup(watcher.kill)
+        self.start()
+
+    def drawn(self, name, width):
+        return photo(Path(self.folder.name) / name, width)
 
     def large_photo(self, name, width):
-        file = photo(self.folder / name, width)
+        file = self.drawn(name, width)
         enlarge(file)
         return file
-
-    def records(self):
-        """path -> record."""
-        found = {}
-        for file in (self.state / "catalogue").glob("*.json"):
-            try:
-                record = json.loads(file.read_text())
-            except FileNotFoundError:
-                continue  # removed just now
-            found[record["path"]] = record
-        return found
 
     def width_of(self, name):
         """Of a file that is ready."""
         record = self.records().get(name, {"state": "none"})
         return record["width"] if record["state"] == "ready" else None
-
-    def until(self, what, condition):
-        end = time.monotonic() + PATIENCE
-        while not condition():
-            self.assertLess(time.monotonic(), end, f"{what} never came true: {self.records()}")
-            time.sleep(0.05)
-
-    def until_ready(self, name, width):
-        self.until(f"{name} is ready at {width} px", lambda: self.width_of(name) == width)
 
     def size(self, name):
         return (self.root / name).stat().st_size if (self.root / name).exists() else 0
@@ -103,14 +78,14 @@ class Upload(unittest.TestCase):
     def test_an_upload_that_is_cut_off_waits_and_is_taken_when_it_comes_anew(self):
         file = self.large_photo("aborted.png", 210)
         self.client.put_and_die(file, file.stat().st_size // SLOW, lambda: self.size("aborted.png"))
-        self.until("it is looked at", lambda: self.records().get("aborted.png", {"bytes": 0})["bytes"] == self.size("aborted.png"))
+        self.until("it is looked at", lambda records: records.get("aborted.png", {"bytes": 0})["bytes"] == self.size("aborted.png"))
         self.assertTrue(0 < self.size("aborted.png") < file.stat().st_size, self.size("aborted.png"))
         self.assertEqual(self.records()["aborted.png"]["state"], "waiting", self.records())
         self.client.put(file)
         self.until_ready("aborted.png", 210)
 
     def test_what_is_overwritten_in_place_slowly_is_ready_as_the_old_or_the_new(self):
-        self.client.put(photo(self.folder / "old.png", 220), "photo.png")
+        self.client.put(self.drawn("old.png", 220), "photo.png")
         self.until_ready("photo.png", 220)
         file, sizes = self.large_photo("new.png", 230), set()
 
@@ -126,12 +101,13 @@ class Upload(unittest.TestCase):
         self.until_ready("photo.png", 230)
 
     def test_folders_names_and_deletions_come_through_the_share(self):
-        self.client.put(photo(self.folder / "one.png", 240), "one.png")
-        self.client.say(f'mkdir "Frühling"; put "{self.folder / "one.png"}" "Frühling/two.png"')
+        file = self.drawn("one.png", 240)
+        self.client.put(file)
+        self.client.say(f'mkdir "Frühling"; put "{file}" "Frühling/two.png"')
         self.until_ready("one.png", 240)
         self.until_ready("Frühling/two.png", 240)
         self.client.say('rename one.png "drei (3).png"; del "Frühling\\two.png"')
-        self.until("what was renamed and deleted", lambda: set(self.records()) == {"drei (3).png"})
+        self.until("what was renamed and deleted", lambda records: set(records) == {"drei (3).png"})
         self.until_ready("drei (3).png", 240)
 
 
