@@ -1,12 +1,12 @@
-#include "analyzer/daemon.hpp"
-#include "analyzer/file_analysis.hpp"
-#include "analyzer/store/tapestry_state.hpp"
-#include "analyzer/weave_file.hpp"
-#include "base/catalogue/media_error.hpp"
-#include "base/catalogue/record_json.hpp"
+#include "analyzer/one_file/file_analysis.hpp"
+#include "analyzer/tapestry/tapestry_state.hpp"
+#include "analyzer/tapestry/weave_file.hpp"
+#include "analyzer/watch/daemon.hpp"
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/settings/settings_snapshot.hpp"
+#include "base/state/media_error.hpp"
+#include "base/state/record_json.hpp"
 #include "base/system/error.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -22,7 +22,7 @@
 #include <string>
 #include <thread>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -220,11 +220,11 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer
 
 int main(int argc, char** argv) {
     try {
-        return vitrine::run(argc, argv);
+        return vitrine::analyzer::run(argc, argv);
     } catch (const std::exception& error) {
         vitrine::log::error("{}", error.what());
         return EXIT_FAILURE;

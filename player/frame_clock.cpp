@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 std::int64_t FrameClock::index_after(std::chrono::nanoseconds now) const {
     std::int64_t index = now.count() / 1'000 * rate_ / 1'000'000;
@@ -23,4 +23,4 @@ void FrameClock::skip_to(std::chrono::nanoseconds now) {
     index_ = next;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// When the pictures of a steady rate are due, and how many came too late. Knows no clock: `now` is passed
 /// in, since the player's start.
@@ -41,4 +41,4 @@ class FrameClock {
     std::int64_t skipped_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

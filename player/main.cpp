@@ -17,6 +17,7 @@
 namespace {
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 /// "20s", "1500ms", "2m" or "20", in seconds.
 std::chrono::nanoseconds duration_of(const std::string& text) {

@@ -1,15 +1,15 @@
 #include "player/plan_command.hpp"
 
-#include "base/catalogue/catalogue.hpp"
+#include "base/state/catalogue.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "player/display/film_writer.hpp"
-#include "player/layout/nesting.hpp"
-#include "player/layout/plan_output.hpp"
-#include "player/layout/strip.hpp"
-#include "player/player_settings.hpp"
+#include "player/layout/plan/nesting.hpp"
+#include "player/layout/plan/plan_output.hpp"
+#include "player/layout/plan/strip.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/wall.hpp"
+#include "player/stage/stage_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -102,4 +102,4 @@ void write_plan(const Settings& settings, const PlanOptions& options) {
     if (!options.svg && !options.json && !options.film) fmt::print("{}\n", plan_json(plan));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

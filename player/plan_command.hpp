@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What `vitrine-player plan` is asked.
 struct PlanOptions {
@@ -22,4 +22,4 @@ struct PlanOptions {
 /// is an empty plan. @throws std::runtime_error naming the file that cannot be read or written
 void write_plan(const Settings& settings, const PlanOptions& options);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

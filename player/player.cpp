@@ -1,7 +1,7 @@
 #include "player/player.hpp"
 
-#include "base/catalogue/catalogue.hpp"
 #include "base/settings/output_words.hpp"
+#include "base/state/catalogue.hpp"
 #include "base/system/journal.hpp"
 #include "base/system/service.hpp"
 #include "player/display/gl_device.hpp"
@@ -9,8 +9,8 @@
 #include "player/display/offscreen_display.hpp"
 #include "player/display/screen_choice.hpp"
 #include "player/playback/hardware_decoders.hpp"
-#include "player/player_settings.hpp"
 #include "player/render/upload_choice.hpp"
+#include "player/stage/stage_settings.hpp"
 
 #include <fmt/format.h>
 #include <sys/epoll.h>
@@ -19,7 +19,7 @@
 #include <csignal>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -305,4 +305,4 @@ void Player::finish() {
     log::info("snapshot: '{}'", options_.snapshot->string());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

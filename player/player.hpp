@@ -2,20 +2,20 @@
 
 #include "base/settings/settings.hpp"
 #include "base/system/event_loop.hpp"
-#include "player/catalogue_follower.hpp"
-#include "player/crash_note.hpp"
+#include "player/content/catalogue_follower.hpp"
+#include "player/content/crash_note.hpp"
+#include "player/content/programme_follower.hpp"
 #include "player/display/console.hpp"
 #include "player/display/screen.hpp"
 #include "player/frame_clock.hpp"
-#include "player/operation.hpp"
+#include "player/input/input_devices.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/playback/wall_sound.hpp"
-#include "player/programme_follower.hpp"
+#include "player/player_service.hpp"
 #include "player/rehearsal.hpp"
 #include "player/render/renderer.hpp"
-#include "player/stage.hpp"
-#include "player/visitors.hpp"
-#include "player/wall_picture.hpp"
+#include "player/stage/stage.hpp"
+#include "player/stage/wall_picture.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 class OffscreenDisplay;
 
@@ -124,4 +124,4 @@ class Player {
     EventLoop::Source noted_;  // what plays, likewise
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

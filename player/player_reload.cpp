@@ -9,7 +9,7 @@
 
 // What a running player does with settings that have changed.
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// @throws SettingsError; the old ones then stay
 void Player::reload() {
@@ -36,4 +36,4 @@ void Player::reload_or_tell() {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

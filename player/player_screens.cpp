@@ -1,4 +1,4 @@
-#include "base/catalogue/screen_note.hpp"
+#include "base/state/screen_note.hpp"
 #include "base/system/log.hpp"
 #include "player/player.hpp"
 
@@ -8,7 +8,7 @@
 
 // Which screens which stages have, and the terminal below them.
 
-namespace vitrine {
+namespace vitrine::player {
 
 void Player::follow_display(std::chrono::nanoseconds time) {
     if (display_) {
@@ -60,4 +60,4 @@ void Player::come_to_terminal() {
     if (display_) display_->take_back();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 
 // What a running player lets be heard.
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// As the walls are at this time; where none is shown, nothing.
 void Player::hear(std::chrono::nanoseconds time) {
@@ -19,4 +19,4 @@ void Player::hear(std::chrono::nanoseconds time) {
         log::write(event.is_trouble ? log::Level::warning : log::Level::info, "sound: " + event.text);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

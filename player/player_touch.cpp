@@ -2,7 +2,7 @@
 
 // What visitors do, and what a rehearsal does in their place.
 
-namespace vitrine {
+namespace vitrine::player {
 
 void Player::rehearse(std::chrono::nanoseconds time) {
     if (options_.rehearsal->advance(time)) give_catalogue();
@@ -20,4 +20,4 @@ void Player::take(const Screen& screen, InputEvent event) {
     stage.take(event);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

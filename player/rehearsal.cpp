@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -213,4 +213,4 @@ std::vector<InputEvent> Rehearsal::touches() {
     return touches;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

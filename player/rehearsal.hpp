@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 #include "player/input/contact.hpp"
 
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A script of what happens to a wall, so that it can be seen and tested without waiting for it: files come
 /// and go, a visitor touches. One event a line, times in seconds since the start, lengths in canvas px:
@@ -72,4 +72,4 @@ class Rehearsal {
     std::chrono::nanoseconds now_{0};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

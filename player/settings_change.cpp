@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -43,4 +43,4 @@ SettingsChange settings_change(const Settings& before, const Settings& after) {
     return change;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a running player makes of other settings than it began with.
 struct SettingsChange {
@@ -18,4 +18,4 @@ struct SettingsChange {
 /// Keys that are only the analyzer's are passed over.
 SettingsChange settings_change(const Settings& before, const Settings& after);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

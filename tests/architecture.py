@@ -12,10 +12,11 @@ FILE_LINES = 320
 
 # Folders that know no clock, no files, no GL, no GStreamer and no log; and what stands outside that rule.
 PURE = ("base/geometry", "base/hints", "player/layout", "player/input", "player/scene", "analyzer/saliency",
-        "analyzer/tapestry")
+        "analyzer/tapestry/synthesis/synthesis")
 IMPURE_ON_PURPOSE = {
-    "player/layout/planner": "runs plan() in a thread of its own",
+    "player/layout/plan/planner": "runs plan() in a thread of its own",
     "player/input/touch": "reads devices",
+    "player/input/input_devices": "reads devices",
 }
 IMPURE_INCLUDE = re.compile(
     r"^(gst/|GLES|EGL|vips/|fstream|filesystem|thread|sys/|unistd|fcntl|systemd/|base/system/|base/media/)")

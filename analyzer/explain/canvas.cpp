@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int sub_pixel_bits = 4;
@@ -149,4 +149,4 @@ void Canvas::write_png(const std::string& path) const {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// 0xRRGGBB.
 using Ink = unsigned;
@@ -49,4 +49,4 @@ class Canvas {
     cv::Mat picture_;  // CV_8UC3, BGR
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

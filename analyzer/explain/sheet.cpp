@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int margin = 48;
@@ -285,4 +285,4 @@ Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record,
     return canvas;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

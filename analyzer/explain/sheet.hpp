@@ -2,14 +2,14 @@
 
 #include "analyzer/explain/canvas.hpp"
 #include "analyzer/saliency/shot_region.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Keeps the evidence of the longest shots of a file, in time order, so that a long film needs little memory.
 class LongestShots {
@@ -39,4 +39,4 @@ struct SheetTitle {
 /// @param record  of the whole file; `rows` are some of its shots
 Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record, const std::vector<ShotEvidence>& rows);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

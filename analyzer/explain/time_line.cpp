@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -95,4 +95,4 @@ void draw_time_line(Canvas& canvas, const Box& place, const MediaRecord& record,
     draw_legend(canvas, place);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,13 +2,13 @@
 
 #include "analyzer/explain/canvas.hpp"
 #include "analyzer/saliency/shot_region.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <chrono>
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 constexpr int time_line_height = 92;  // canvas px
 
@@ -20,4 +20,4 @@ std::string time_text(std::chrono::nanoseconds time);
 void draw_time_line(Canvas& canvas, const Box& place, const MediaRecord& record,
                     const std::vector<ShotEvidence>& rows);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

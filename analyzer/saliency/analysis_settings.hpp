@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What an operator or a comparison with the paper may turn; the defaults are what is shipped.
 struct AnalysisSettings {
@@ -46,4 +46,4 @@ inline AnalysisSettings papers_letter() {
     return settings;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int magnitude_bins = 32;
@@ -147,4 +147,4 @@ BackgroundMotion fitted_background(const FlowField& flow, Vec2 pan) {
     return background;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The motion most vectors agree on, voted in magnitude and direction, as the median around the winning bin.
 /// {0, 0} where there are no vectors.
@@ -30,4 +30,4 @@ struct BackgroundMotion {
 /// Pan, zoom and roll that most of the reliable vectors follow, by iterated least squares from `pan` on.
 BackgroundMotion fitted_background(const FlowField& flow, Vec2 pan);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int passes = 3;
@@ -119,4 +119,4 @@ cv::Mat border_contrast(const cv::Mat& lab) {
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include "analyzer/saliency/saliency_map.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How surely a pixel is not connected to the picture's border: the smallest range of values that any path
 /// from the border to it must cross, by three raster scans, summed over the channels.
@@ -20,4 +20,4 @@ cv::Mat barrier_distance(const cv::Mat& lab);
 /// Source: as above, section 4.1 (the backgroundness cue of MB+).
 cv::Mat border_contrast(const cv::Mat& lab);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int directions = 24;
@@ -177,4 +177,4 @@ Polygon peeled(const SaliencyMap& map, const Box& within, const PeelLimits& limi
     return outline(peel, within);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What a region must keep while it is made smaller; masses are shares of the map's whole saliency, areas
 /// of the map.
@@ -31,4 +31,4 @@ struct PeelLimits {
 /// that hull most of the picture, while its purpose is the smallest convex region worth preserving.
 Polygon peeled(const SaliencyMap& map, const Box& within, const PeelLimits& limits);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

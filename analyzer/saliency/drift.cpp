@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double half = 0.5;
@@ -162,4 +162,4 @@ Vec2 found_drift(std::span<const SalientFrame> frames, double duration, DriftMod
     return limited_drift(frames.front().map.size(), line_through(frames, box_centre), duration);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

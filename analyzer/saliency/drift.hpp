@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How the direction is found along which a shot's saliency is added.
 enum class DriftMode {
@@ -30,4 +30,4 @@ Box half_mass_box(const SaliencyMap& map);
 /// drifts allowed, where they make the area at least 5 % smaller. None moves less than 3 % of the diagonal.
 Vec2 found_drift(std::span<const SalientFrame> frames, double duration, DriftMode mode);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double half = 0.5;
@@ -137,4 +137,4 @@ Vec2 searched_drift(const SearchSpace& space) {
     return best_on_grid(space, coarse, {furthest.x / 6, furthest.y / 4}, 7, 7);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

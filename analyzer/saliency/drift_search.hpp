@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The frames thinned and made smaller for the search, in their own pixels.
 struct SearchSpace {
@@ -27,4 +27,4 @@ SearchSpace search_space(std::span<const SalientFrame> frames, double duration);
 /// on a finer one around the best.
 Vec2 searched_drift(const SearchSpace& space);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 struct Face {
     Box box;           // px of the picture searched
@@ -26,4 +26,4 @@ class FaceDetector {
     virtual std::vector<Face> detect(const cv::Mat& bgr) = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

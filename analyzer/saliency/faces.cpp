@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 // What a head has around its face box, as shares of the box.
@@ -78,4 +78,4 @@ Box head_of(const Face& face) {
     return {face.box.min - Vec2{ear * w, hair * h}, face.box.max + Vec2{ear * w, chin * h}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The better detector of those whose file is named; null where both names are empty.
 ///
@@ -34,4 +34,4 @@ SaliencyMap face_saliency(std::span<const Face> faces, cv::Size size, double sca
 /// The whole head of a face, with hair, chin and some neck: a box around eyes and mouth alone cuts heads off.
 Box head_of(const Face& face);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int tracked_step = 8;         // px between tracked points
@@ -69,4 +69,4 @@ FlowField dense_flow(const cv::Mat& before, const cv::Mat& after) {
     return flow;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

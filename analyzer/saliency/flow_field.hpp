@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The motion between two pictures, in cells of one size, row by row.
 struct FlowField {
@@ -32,4 +32,4 @@ FlowField tracked_flow(const cv::Mat& before, const cv::Mat& after);
 /// @param before, after  CV_8UC1 of one size, at least 16 px a side
 FlowField dense_flow(const cv::Mat& before, const cv::Mat& after);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

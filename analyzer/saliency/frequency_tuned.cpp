@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double least_contrast =
@@ -89,4 +89,4 @@ SaliencyMap frequency_tuned(const cv::Mat& lab) {
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include "analyzer/saliency/saliency_map.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A BGR picture in CIE L*a*b* of its true scale: CV_32FC3, L in [0, 100], a and b about [-128, 127].
 /// (OpenCV's 8-bit Lab stretches L by 2.55, which lets brightness drown colour.)
@@ -17,4 +17,4 @@ cv::Mat lab(const cv::Mat& bgr);
 /// Source: Achanta et al. 2009, as Dynamic Media Assemblage 3.2 [1]: |mean of Lab - 5x5 binomial of Lab|.
 SaliencyMap frequency_tuned(const cv::Mat& lab);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double same_point = 1e-6;  // px
@@ -116,4 +116,4 @@ Polygon simplified_within(const Polygon& convex, std::size_t corners, const Box&
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

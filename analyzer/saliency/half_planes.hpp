@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The points p with dot(p, normal) <= offset.
 struct HalfPlane {
@@ -29,4 +29,4 @@ Polygon simplified_outward(Polygon convex, std::size_t corners);
 /// @pre corners >= 8; the polygon lies inside the box
 Polygon simplified_within(const Polygon& convex, std::size_t corners, const Box& box);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr std::size_t most_corners = 12;
@@ -99,4 +99,4 @@ Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box
     return simplified_within(region, most_corners, core);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

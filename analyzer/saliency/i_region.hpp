@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How the region is drawn around the saliency.
 enum class RegionMode {
@@ -36,4 +36,4 @@ struct RegionSettings {
 Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
                  const RegionSettings& settings);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

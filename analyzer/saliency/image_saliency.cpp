@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double working_side = 160;  // px, longest side
@@ -119,4 +119,4 @@ std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, c
     return std::make_unique<SubjectStage>();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What makes a place of a still picture salient.
 enum class ImageSaliency {
@@ -42,4 +42,4 @@ class ImageSaliencyStage {
 /// @throws std::runtime_error if the network cannot be read
 std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

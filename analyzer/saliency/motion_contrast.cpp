@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double noise_floor = 0.003;  // of the diagonal, per pair
@@ -102,4 +102,4 @@ MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after, Moti
     return {map, global, std::move(flow)};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 #include "analyzer/saliency/saliency_map.hpp"
 #include "base/geometry/vec2.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How motion contrast is taken.
 enum class MotionMethod {
@@ -32,4 +32,4 @@ struct MotionContrast {
 MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after,
                                MotionMethod method = MotionMethod::background);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

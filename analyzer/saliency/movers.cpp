@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double moving = 0.5;     // S_M of all of a mover
@@ -72,4 +72,4 @@ std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanosec
     return result;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What clearly moves by itself in a shot, wherever it does, as boxes moved to where they are at the shot's
 /// begin: a subject that runs through the picture is outside what is salient on average, and still must not
@@ -18,4 +18,4 @@ namespace vitrine {
 /// @return       px of the map; may reach beyond it
 std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,6 +1,6 @@
 #include "analyzer/saliency/saliency_map.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const SaliencyMap& face,
                      const SaliencyWeights& weights) {
@@ -16,4 +16,4 @@ SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const 
     return sum;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How much of people's attention each place of a picture draws: CV_32FC1, of the size of the picture or of
 /// the analysis, each value in [0, 1] unless said otherwise (an accumulated map counts up).
@@ -23,4 +23,4 @@ struct SaliencyWeights {
 SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const SaliencyMap& face,
                      const SaliencyWeights& weights);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

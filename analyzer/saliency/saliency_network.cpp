@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int input_side = 320;
@@ -51,4 +51,4 @@ SaliencyMap SaliencyNetwork::map(const cv::Mat& bgr) {
     return map;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A neural network that an operator supplies: one input of 1 x 3 x 320 x 320, RGB with the means and
 /// deviations of ImageNet, whose first output is one map of saliency. U2-Net and its small form are such.
@@ -26,4 +26,4 @@ class SaliencyNetwork {
     cv::dnn::Net net_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double least_common_part = 0.6;  // of each side
@@ -42,4 +42,4 @@ Vec2 limited_drift(cv::Size frame, Vec2 drift, double duration) {
     return drift * std::min({1.0, scale_x, scale_y});
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// One frame's saliency within its shot.
 struct SalientFrame {
@@ -33,4 +33,4 @@ Box common_part(cv::Size frame, Vec2 drift, double duration);
 /// The drift slowed down so far that the common part keeps at least 60 % of each side.
 Vec2 limited_drift(cv::Size frame, Vec2 drift, double duration);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 cv::Size fitted(cv::Size size, int side) {
@@ -91,4 +91,4 @@ std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, b
     return scaled(faces, scale);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

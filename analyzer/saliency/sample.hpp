@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What one sampled frame of a film, or a photo, says. Everything is in px of the map.
 struct Sample {
@@ -45,4 +45,4 @@ std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, b
 /// The size of the maps of a frame.
 cv::Size map_size(cv::Size frame);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

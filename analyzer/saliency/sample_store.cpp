@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 void SampleStore::push(Sample sample) {
     recent_.push_back(std::move(sample));
@@ -37,4 +37,4 @@ std::vector<Sample> SampleStore::take(std::chrono::nanoseconds begin, std::chron
     return taken;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The samples of the shot that is still open, bounded however long it lasts.
 ///
@@ -42,4 +42,4 @@ class SampleStore {
     std::size_t stride_ = 1;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double same_face = 0.3;  // intersection over union of one face in two searches
@@ -134,4 +134,4 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     return evidence;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,12 +2,12 @@
 
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/sample.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <chrono>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A frame of a shot as people are shown it.
 struct ShownFrame {
@@ -42,4 +42,4 @@ struct ShotEvidence {
 ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
                          const AnalysisSettings& settings);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

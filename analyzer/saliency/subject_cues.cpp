@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double working_side = 160;  // px, longest side
@@ -137,4 +137,4 @@ SubjectCues subject_cues(const cv::Mat& bgr) {
     return cues;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What may tell a photograph's subject from its surroundings, each CV_32FC1 of one size (at most 160 px),
 /// between 0.01 (nothing of it here) and about 1.2. All are flat where the picture is.
@@ -21,4 +21,4 @@ struct SubjectCues {
 /// spatial distribution of Liu et al., Learning to Detect a Salient Object, 2007.
 SubjectCues subject_cues(const cv::Mat& bgr);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int grid = 12;        // cells along each side
@@ -275,4 +275,4 @@ SaliencyMap subject_likelihood(const cv::Mat& bgr, std::span<const Face> faces) 
     return cv::max(cv::min(map, 1.0), 0.0);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Number of facts that a window is judged by.
 constexpr std::size_t window_facts = 37;
@@ -37,4 +37,4 @@ std::vector<SubjectWindow> subject_windows(const cv::Mat& bgr, std::span<const F
 /// likeliest; fitted to three quarters of them they do as well on the rest (mean share of the subject .88).
 SaliencyMap subject_likelihood(const cv::Mat& bgr, std::span<const Face> faces);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr double searched_side = 400;  // px, longest side: larger finds no more of 23 marked faces
@@ -43,4 +43,4 @@ std::vector<Face> ViolaJones::detect(const cv::Mat& bgr) {
     return faces;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

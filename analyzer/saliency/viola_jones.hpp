@@ -4,7 +4,7 @@
 
 #include <opencv2/objdetect.hpp>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The paper's face detector: a boosted cascade of Haar features; frontal faces only.
 /// Source: Viola and Jones 2001, as Dynamic Media Assemblage 3.2 [26].
@@ -20,4 +20,4 @@ class ViolaJones : public FaceDetector {
     cv::CascadeClassifier cascade_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr std::array<int, 3> strides{8, 16, 32};  // px between the anchors of the three output levels
@@ -84,4 +84,4 @@ std::vector<Face> YuNet::detect(const cv::Mat& bgr) {
     return faces;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <opencv2/dnn.hpp>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A small convolutional face detector; sees side faces, small ones and animals too.
 /// Source: YuNet (S. Yu et al.), the ONNX of libfacedetection.train with a fixed input shape; decoded here
@@ -20,4 +20,4 @@ class YuNet : public FaceDetector {
     cv::dnn::Net net_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Where one file of the media folder stands, for whoever asks why it is not on the wall.
 struct FileState {
@@ -51,4 +51,4 @@ constexpr const char* name_of(FileState::State state) {
     return "";
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

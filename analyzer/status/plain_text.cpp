@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string html_text(std::string_view bytes) {
     return html;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -10,7 +10,7 @@
 
 #include <dirent.h>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -94,4 +94,4 @@ void StatusFolder::remove(const std::string& below, const std::string& name) con
         throw_errno("remove '{}'", name);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A folder in the media folder that we write and others may do anything to: links in it are never followed.
 /// All members throw std::system_error where it cannot be written.
@@ -32,4 +32,4 @@ class StatusFolder {
     std::string name_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

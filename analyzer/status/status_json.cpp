@@ -1,9 +1,9 @@
 #include "analyzer/status/status_report.hpp"
-#include "base/catalogue/path_text.hpp"
+#include "base/state/path_text.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 std::string status_json(const StatusReport& report) {
     using Json = nlohmann::ordered_json;
@@ -26,4 +26,4 @@ std::string status_json(const StatusReport& report) {
            "\n";
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

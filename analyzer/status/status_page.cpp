@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
     return html + "</body></html>\n";
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// One file and what its operator may want to know of it.
 struct StatusEntry {
@@ -54,4 +54,4 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
 /// STATE/status.json (docs/catalogue.md).
 std::string status_json(const StatusReport& report);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// "27 files: 24 ready, 2 waiting, 1 unsupported"
 std::string summary(const StateCounts& counts);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

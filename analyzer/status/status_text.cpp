@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 std::string in_words(const StatusEntry& entry, const ClockText& clock) {
     using State = FileState::State;
@@ -75,4 +75,4 @@ std::string status_text(const StatusReport& report, const ClockText& clock) {
     return text;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

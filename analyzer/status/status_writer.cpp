@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -163,4 +163,4 @@ void StatusWriter::complain(const std::exception& error) {
     complaint_ = error.what();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

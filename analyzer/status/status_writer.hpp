@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Writes what is told to those who drop files: STATE/status.json and the status folder of the media folder,
 /// a moment after something has changed and then no more often than its size allows. Thumbnails are those
@@ -60,4 +60,4 @@ class StatusWriter {
     EventLoop::Source due_, wall_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

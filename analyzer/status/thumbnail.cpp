@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
@@ -106,4 +106,4 @@ void Thumbnail::write(const MediaRecord& record) {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "analyzer/video/video_frame.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <filesystem>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A small picture of one file with its I-Region drawn, for the status folder. The first shot is known only
 /// once it is over: until then a few frames are kept.
@@ -30,4 +30,4 @@ class Thumbnail {
     bool is_written_ = false;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

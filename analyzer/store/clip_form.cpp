@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -37,4 +37,4 @@ int clip_side_for(int slots, int screen_side) {
     return std::clamp(step * static_cast<int>(std::lround(side / step)), least, std::max(least, screen));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The pictures of a film's clips: upright, square pixels, even sides.
 struct ClipForm {
@@ -23,4 +23,4 @@ std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side);
 /// @param screen_side  px of the screen's longest side; 0: not known, taken for 1920
 int clip_side_for(int slots, int screen_side = 0);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::optional<ClipFrame> ClipReader::next() {
     return std::nullopt;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

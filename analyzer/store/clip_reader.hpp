@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A frame of a film in the form of a clip.
 struct ClipFrame {
@@ -37,4 +37,4 @@ class ClipReader {
     std::chrono::nanoseconds last_{-1};  // the last frame's time, -1: none yet
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::uint64_t ClipWriter::size() const {
     return missing ? 0 : bytes;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

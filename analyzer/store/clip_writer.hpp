@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A clip that cannot be made.
 class ClipError : public std::runtime_error {
@@ -69,4 +69,4 @@ class ClipWriter {
     int frames_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

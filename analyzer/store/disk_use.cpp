@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -25,4 +25,4 @@ std::uint64_t excess_bytes(std::uint64_t held, std::uint64_t most, const std::fi
     return std::max(held > most ? held - most : 0, std::min(held, lack));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

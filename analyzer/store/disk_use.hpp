@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// When a file was written or last read, whichever is later, ns since 1970.
 std::int64_t used_ns(const struct stat& file);
@@ -15,4 +15,4 @@ std::int64_t used_ns(const struct stat& file);
 std::uint64_t excess_bytes(std::uint64_t held, std::uint64_t most, const std::filesystem::path& directory,
                            std::uint64_t least_free);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
@@ -123,4 +123,4 @@ void FilmClips::make(Pass& pass, Shot shot) {
     made_.push_back(std::move(shot));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

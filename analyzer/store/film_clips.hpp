@@ -2,7 +2,7 @@
 
 #include "analyzer/store/clip_form.hpp"
 #include "analyzer/store/store_place.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <condition_variable>
 #include <deque>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Makes the clips of a film's shots, one after another in a thread of its own, while the film is still
 /// analysed: a second pass over the film, seconds behind the first.
@@ -55,4 +55,4 @@ class FilmClips {
     std::thread thread_;         // last: all else is there when it starts
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

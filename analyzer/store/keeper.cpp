@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 Keeper::Keeper(std::string file, const MediaInfo& media, StorePlace place)
     : file_(std::move(file)), media_(media), place_(std::move(place)) {
@@ -52,4 +52,4 @@ void Keeper::fill_in(MediaRecord& record) {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -3,13 +3,13 @@
 #include "analyzer/store/film_clips.hpp"
 #include "analyzer/store/store_place.hpp"
 #include "analyzer/video/frame_source.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Puts one file into the store while it is analysed: a film as clips of its shots and, where
 /// it is to be heard, its sound, a photo as a copy.
@@ -41,4 +41,4 @@ class Keeper {
     std::vector<Shot> known_;           // with their places
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
@@ -143,4 +143,4 @@ bool Store::is_busy(const std::string& name) const {
     return busy_.contains(name.substr(0, name.find('/')));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyzer/store/surplus.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How much the store may hold.
 struct StoreBounds {
@@ -80,4 +80,4 @@ class Store {
     std::set<std::string> dropped_;                       // in this run
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 bool has_room(const StorePlace& place) {
     std::error_code error;
@@ -10,4 +10,4 @@ bool has_room(const StorePlace& place) {
     return !error && space.available > place.least_free;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

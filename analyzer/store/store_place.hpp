@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Bytes that the store leaves free on its disk, for the catalogue and everyone else.
 constexpr std::uint64_t least_free_bytes = 64U << 20;
@@ -22,4 +22,4 @@ struct StorePlace {
 /// Whether the disk has more free than it must keep.
 bool has_room(const StorePlace& place);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

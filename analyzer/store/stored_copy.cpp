@@ -1,8 +1,8 @@
 #include "analyzer/store/stored_copy.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/still_picture.hpp"
+#include "base/state/media_error.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::optional<StoredShot> store_film(const std::string& file, const MediaInfo& s
     return copied(file, std::move(place_of), place);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

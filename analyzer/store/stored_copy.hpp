@@ -2,12 +2,12 @@
 
 #include "analyzer/store/store_place.hpp"
 #include "analyzer/video/frame_source.hpp"
-#include "base/catalogue/stored_shot.hpp"
+#include "base/state/stored_shot.hpp"
 
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Puts a photo into the store: as it is where it is small, else made smaller, with its transparency.
 ///
@@ -20,4 +20,4 @@ std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& 
 /// Puts a copy of a film into the store, of which no clips can be made. The times in it are the film's.
 std::optional<StoredShot> store_film(const std::string& file, const MediaInfo& size, const StorePlace& place);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,7 +1,7 @@
 #include "analyzer/store/stored_sound.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/sound_chain.hpp"
+#include "base/state/media_error.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -83,4 +83,4 @@ StoredSound store_sound(const std::string& file, const StorePlace& place) {
     return sound;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

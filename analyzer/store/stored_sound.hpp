@@ -1,11 +1,11 @@
 #pragma once
 
 #include "analyzer/store/store_place.hpp"
-#include "base/catalogue/stored_shot.hpp"
+#include "base/state/stored_shot.hpp"
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Puts the sound of a film into the store, coded as it is in the film, in a Matroska file whose times are
 /// the film's.
@@ -14,4 +14,4 @@ namespace vitrine {
 /// file where the film has no sound that could be heard
 StoredSound store_sound(const std::string& file, const StorePlace& place);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 std::vector<StoredFile> surplus(std::vector<StoredFile> files, std::uint64_t bytes) {
     std::sort(files.begin(), files.end(), [](const StoredFile& a, const StoredFile& b) {
@@ -19,4 +19,4 @@ std::vector<StoredFile> surplus(std::vector<StoredFile> files, std::uint64_t byt
     return files;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A file of the store as its bounds see it.
 struct StoredFile {
@@ -20,4 +20,4 @@ struct StoredFile {
 /// that are named, the one that was not used for longest first. All of them where that is not enough.
 std::vector<StoredFile> surplus(std::vector<StoredFile> files, std::uint64_t bytes);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 // First every block is sought in half the size, over the whole reach: all blocks at one shift together, which
 // a compiler turns into vector code. Then about the place found, in full size.
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -132,7 +132,7 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
             const int difference = least_difference(before.detail, after.detail, x, y, *match);
             left += difference;
             const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(y) * width + x;
-            still += vitrine::difference(before.detail.data() + place, after.detail.data() + place);
+            still += vitrine::analyzer::difference(before.detail.data() + place, after.detail.data() + place);
             const bool is_inner = y > 0 && y < height - block_height;  // outside there may be bars
             if (is_inner && difference > noise * block_width * block_height) ++changed;
         }
@@ -146,4 +146,4 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
             .still = still / whole};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

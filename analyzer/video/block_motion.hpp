@@ -2,7 +2,7 @@
 
 #include "analyzer/video/frame_features.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What of a picture no motion from an earlier one explains.
 struct Unexplained {
@@ -16,4 +16,4 @@ struct Unexplained {
 /// set against what two unrelated pictures of such contrast would leave.
 Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -115,4 +115,4 @@ bool is_cut(const FeatureWindow& window, std::size_t frame) {
     return change == TakeChange::likely && is_clear_here && left.area > least_area;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

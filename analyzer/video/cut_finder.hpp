@@ -2,7 +2,7 @@
 
 #include "analyzer/video/take_change.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// So long after a frame must be known before it can be judged.
 constexpr std::chrono::milliseconds cut_horizon = longest_return;
@@ -14,4 +14,4 @@ constexpr std::chrono::milliseconds cut_horizon = longest_return;
 /// well, compensated for motion and set against its surroundings; flashes and things passing by are no cuts.
 bool is_cut(const FeatureWindow& window, std::size_t frame);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -140,4 +140,4 @@ std::optional<std::chrono::nanoseconds> DissolveFinder::open_since() const {
     return open_ ? std::optional(open_->begin) : std::nullopt;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Finds dissolves: stretches over which the picture moves in a straight line from one picture to an unlike
 /// one.
@@ -31,4 +31,4 @@ class DissolveFinder {
     std::optional<Transition> open_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::optional<std::chrono::nanoseconds> FadeFinder::open_since() const {
     return open_ ? std::optional(open_->begin) : std::nullopt;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Finds frames of one colour, black or white, and the fades that lead there and away from there.
 class FadeFinder {
@@ -28,4 +28,4 @@ class FadeFinder {
     std::size_t plain_end_ = 0;  // first frame after the plain ones
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

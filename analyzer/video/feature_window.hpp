@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <deque>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The last seconds of a film's features. Frames are numbered from the film's start; old ones are forgotten.
 class FeatureWindow {
@@ -69,4 +69,4 @@ class FeatureWindow {
     std::deque<double> step_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -194,4 +194,4 @@ void FilmSource::finish() {
     gst_element_set_state(chain_.pipeline(), GST_STATE_READY);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

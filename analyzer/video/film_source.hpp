@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Limits of a film.
 constexpr int max_film_side = 16'384;                 // px
@@ -47,4 +47,4 @@ class FilmSource : public FrameSource {
     FrameTimes times_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

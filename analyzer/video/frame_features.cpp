@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -172,4 +172,4 @@ double picture_difference(const FrameFeatures& a, const FrameFeatures& b) {
     return static_cast<double>(sum) / static_cast<double>(a.signature.size());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

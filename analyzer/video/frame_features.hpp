@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What shot detection keeps of a frame: enough to compare it with any other, small enough to keep seconds.
 struct FrameFeatures {
@@ -35,4 +35,4 @@ double colour_difference(const FrameFeatures& a, const FrameFeatures& b);
 /// Mean absolute difference of the signatures, grey levels in [0, 255].
 double picture_difference(const FrameFeatures& a, const FrameFeatures& b);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

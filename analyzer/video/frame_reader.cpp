@@ -4,7 +4,7 @@
 #include "analyzer/video/photo_source.hpp"
 #include "base/media/media_type.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 namespace {
 
 constexpr int photo_enlargement =
@@ -18,4 +18,4 @@ std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_si
     return std::make_unique<FilmSource>(path, analysis_size, background);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Opens a photo (one frame) or a film (all its frames) for analysis: upright, square pixels, BGR.
 ///
@@ -22,4 +22,4 @@ namespace vitrine {
 std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size = 320,
                                         Colour background = {});
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "analyzer/video/video_frame.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <gst/video/video.h>
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What is known of a medium before its pictures are read.
 struct MediaInfo {
@@ -34,4 +34,4 @@ class FrameSource {
     virtual std::optional<VideoFrame> next() = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

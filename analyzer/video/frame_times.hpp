@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// When the frames of a film are due, in stream time: what a player can seek to. Two passes over the same
 /// film give the same times.
@@ -32,4 +32,4 @@ class FrameTimes {
     std::chrono::nanoseconds end_{0};
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 PhotoSource::PhotoSource(const std::string& path, int analysis_size, Colour background) {
     StillPicture picture = load_still(path, analysis_size, analysis_size, background);
@@ -18,4 +18,4 @@ std::optional<VideoFrame> PhotoSource::next() {
     return std::exchange(frame_, std::nullopt);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

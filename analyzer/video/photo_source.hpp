@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A photo as a film of one frame.
 class PhotoSource : public FrameSource {
@@ -21,4 +21,4 @@ class PhotoSource : public FrameSource {
     std::optional<VideoFrame> frame_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

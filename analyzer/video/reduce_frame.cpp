@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -217,4 +217,4 @@ cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size, Colour backgroun
     return bgr;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <gst/video/video.h>
 #include <opencv2/core.hpp>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// The raw formats reduce_frame() reads; others are converted to one of them first.
 constexpr const char* reducible_formats = "{ I420, YV12, Y42B, Y444, NV12, GRAY8, I420_10LE, I422_10LE, "
@@ -23,4 +23,4 @@ constexpr const char* reducible_formats = "{ I420, YV12, Y42B, Y444, NV12, GRAY8
 /// @return            CV_8UC3, BGR
 cv::Mat reduce_frame(const GstVideoFrame& frame, cv::Size size, Colour background = {});
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

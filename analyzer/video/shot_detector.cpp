@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<DetectedShot> ShotDetector::finish(nanoseconds end) {
     return shots;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "analyzer/video/video_frame.hpp"
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// A stretch of one take, half-open [begin, end) in stream time. What lies between two shots is transition.
 struct DetectedShot {
@@ -38,4 +38,4 @@ class ShotDetector {
     std::unique_ptr<State> state_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -95,4 +95,4 @@ bool is_new_take(const FeatureWindow& window, std::size_t before, std::size_t af
     return take_change(window, before, after) != TakeChange::none;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

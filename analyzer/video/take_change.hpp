@@ -2,7 +2,7 @@
 
 #include "analyzer/video/feature_window.hpp"
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// So long after a frame is looked for what was seen before it: whatever hid it is gone by then.
 constexpr std::chrono::milliseconds longest_return{1000};
@@ -30,4 +30,4 @@ GradualChange gradual_change(const FeatureWindow& window, std::size_t first, std
 /// Whether take_change() is likely or clear.
 bool is_new_take(const FeatureWindow& window, std::size_t before, std::size_t after);
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <chrono>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// What lies between two shots, half-open in stream time: a cut is empty, [t, t) with t the new shot's first
 /// frame; a dissolve or fade holds the frames that belong to neither shot.
@@ -14,4 +14,4 @@ struct Transition {
     ShotEnd kind = ShotEnd::cut;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

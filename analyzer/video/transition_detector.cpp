@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -107,4 +107,4 @@ bool TransitionDetector::is_settled(const Transition& found) const {
     return now - found.end > settle;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Runs the three finders over a film and joins what they say: a cut inside a dissolve or a fade is part of
 /// it, and gradual transitions that touch are one. Memory is bounded by FeatureWindow.
@@ -37,4 +37,4 @@ class TransitionDetector {
     std::size_t since_ = 0;            // the first frame after the last transition
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// One decoded picture as the analysis sees it.
 struct VideoFrame {
@@ -12,4 +12,4 @@ struct VideoFrame {
     std::chrono::nanoseconds time{0};  // stream time, what the player can seek to; 0 for a photo
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::optional<Transition> WipeFinder::push(const FeatureWindow& window, std::siz
     return found;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// Finds wipes: an edge that runs evenly over the whole picture and leaves another picture behind.
 ///
@@ -38,4 +38,4 @@ class WipeFinder {
     Changes over_two_{};           // from the frame before the last to the one after it
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

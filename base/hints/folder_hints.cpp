@@ -1,7 +1,7 @@
 #include "base/hints/folder_hints.hpp"
 
-#include "base/catalogue/path_text.hpp"
 #include "base/hints/hint_words.hpp"
+#include "base/state/path_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

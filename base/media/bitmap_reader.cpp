@@ -1,6 +1,6 @@
 #include "base/media/bitmap_reader.hpp"
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 
 #include <array>
 #include <bit>

@@ -1,8 +1,8 @@
 #include "base/media/completeness.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/file_bytes.hpp"
 #include "base/media/gif_extent.hpp"
+#include "base/state/media_error.hpp"
 
 #include <fmt/format.h>
 

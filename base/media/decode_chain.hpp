@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/gst_ptr.hpp"
 #include "base/media/media_type.hpp"
+#include "base/state/media_error.hpp"
 
 #include <chrono>
 #include <map>

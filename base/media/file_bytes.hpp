@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 #include "base/system/unique_fd.hpp"
 #include "base/system/written_size.hpp"
 

@@ -1,7 +1,7 @@
 #include "base/media/film_elements.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/decoder_table.hpp"
+#include "base/state/media_error.hpp"
 
 #include <stdexcept>
 

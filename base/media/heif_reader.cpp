@@ -1,7 +1,7 @@
 #include "base/media/heif_reader.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/picture_failure.hpp"
+#include "base/state/media_error.hpp"
 
 #include <algorithm>
 #include <cstdint>

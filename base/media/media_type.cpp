@@ -1,6 +1,6 @@
 #include "base/media/media_type.hpp"
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <fcntl.h>

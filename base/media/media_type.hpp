@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/picture.hpp"
+#include "base/state/media_error.hpp"
 
 #include <string_view>
 

@@ -4,12 +4,12 @@
 
 #include "base/media/still_picture.hpp"
 
-#include "base/catalogue/media_error.hpp"
 #include "base/media/bitmap_reader.hpp"
 #include "base/media/completeness.hpp"
 #include "base/media/heif_reader.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/picture_failure.hpp"
+#include "base/state/media_error.hpp"
 
 #include <fmt/format.h>
 #include <vips/vips.h>

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::unique_ptr<Authority> polkit_authority() {
     return std::make_unique<Polkit>();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

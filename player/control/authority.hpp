@@ -6,7 +6,7 @@
 
 struct sd_bus_message;
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Decides who may change what is on the wall.
 class Authority {
@@ -30,4 +30,4 @@ class Authority {
 /// Where there is no polkit, root and this process' own user may.
 std::unique_ptr<Authority> polkit_authority();
 
-}  // namespace vitrine
+}  // namespace vitrine::player

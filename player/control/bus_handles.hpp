@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 using BusHandle = Handle<sd_bus, &sd_bus_flush_close_unref>;
 using MessageHandle = Handle<sd_bus_message, &sd_bus_message_unref>;
@@ -20,4 +20,4 @@ inline int bus_checked(int result, const std::string& what) {
     throw_errno("{}", what);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

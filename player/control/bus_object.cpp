@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -243,4 +243,4 @@ void BusObject::reply_pictures(sd_bus_message& reply) {
     bus_checked(sd_bus_message_close_container(&reply), "answer pictures");
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

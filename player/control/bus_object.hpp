@@ -13,7 +13,7 @@ struct sd_bus;
 struct sd_bus_message;
 struct sd_bus_slot;
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What the player does when it is asked over the bus. Each may throw std::runtime_error with words for who
 /// asked.
@@ -87,4 +87,4 @@ class BusObject {
     std::string complaint_;  // as last told
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -183,4 +183,4 @@ void ControlClient::reload() {
     Call(*this, "Reload").answer();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

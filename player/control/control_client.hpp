@@ -9,7 +9,7 @@
 
 struct sd_bus;
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Why the player did not do what it was asked.
 class ControlError : public std::runtime_error {
@@ -54,4 +54,4 @@ class ControlClient {
     std::unique_ptr<sd_bus, Unref> bus_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 const char* name_of(ShowState state) {
     switch (state) {
@@ -58,4 +58,4 @@ bool Health::is_alive(Duration now) {
     return true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

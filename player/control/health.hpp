@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What there is to say of a screen from across the room.
 enum class ShowState {
@@ -65,4 +65,4 @@ class Health {
     Duration told_ = -period;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::vector<std::string> media_names(const std::string& given, const std::string
     return names;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

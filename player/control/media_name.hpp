@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a file of the media folder may be called there, likeliest first, by how somebody called it: by its
 /// path on this machine or from a folder of it, from the media folder on, or as the share shows it elsewhere
@@ -16,4 +16,4 @@ namespace vitrine {
 std::vector<std::string> media_names(const std::string& given, const std::string& folder,
                                      const std::string& root);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

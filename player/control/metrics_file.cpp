@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace fs = std::filesystem;
 
@@ -31,4 +31,4 @@ std::optional<double> hottest(const fs::path& zones) {
     return most;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Puts a text in the place of a file, so that a reader sees the old one or the new. Not fsynced: after a
 /// power cut it is written anew anyway.
@@ -15,4 +15,4 @@ void write_metrics(const std::filesystem::path& file, const std::string& text);
 /// @param zones  /sys/class/thermal
 std::optional<double> hottest(const std::filesystem::path& zones);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

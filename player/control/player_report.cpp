@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -202,4 +202,4 @@ std::string to_metrics(const PlayerReport& report, std::optional<double> degrees
     return metrics.text();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

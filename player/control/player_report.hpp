@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct ScreenReport {
     std::string name;  // of the output
@@ -83,4 +83,4 @@ std::string to_json(const FileReport& report, const std::string& analyzer);
 std::string to_metrics(const PlayerReport& report, std::optional<double> degrees,
                        const std::vector<std::pair<std::string, std::size_t>>& states);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -15,7 +15,7 @@
 
 // vitrinectl: asks the running player, and has it change what it shows.
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -205,18 +205,19 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-}  // namespace vitrine
+}  // namespace vitrine::player
 
 int main(int argc, char** argv) {
-    using Kind = vitrine::ControlError::Kind;
+    using Kind = vitrine::player::ControlError::Kind;
     try {
-        return vitrine::run(argc, argv);
-    } catch (const vitrine::ControlError& error) {
-        fmt::print(stderr, "vitrinectl: {}\n", vitrine::printable(error.what()));
-        if (error.kind() == Kind::not_running) return vitrine::exit_not_running;
-        return error.kind() == Kind::not_allowed ? vitrine::exit_not_allowed : vitrine::exit_failed;
+        return vitrine::player::run(argc, argv);
+    } catch (const vitrine::player::ControlError& error) {
+        fmt::print(stderr, "vitrinectl: {}\n", vitrine::player::printable(error.what()));
+        if (error.kind() == Kind::not_running) return vitrine::player::exit_not_running;
+        return error.kind() == Kind::not_allowed ? vitrine::player::exit_not_allowed
+                                                 : vitrine::player::exit_failed;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "vitrinectl: {}\n", vitrine::printable(error.what()));
-        return vitrine::exit_failed;
+        fmt::print(stderr, "vitrinectl: {}\n", vitrine::player::printable(error.what()));
+        return vitrine::player::exit_failed;
     }
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -66,4 +66,4 @@ AtomicRequest flip_request(const Output& output, const OutputProperties& propert
     return {{output.plane, property(properties.plane, "FB_ID"), frame_buffer}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

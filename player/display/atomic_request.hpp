@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// The numbers that a card gives to the properties of one object, by name.
 using PropertyIds = std::map<std::string, std::uint32_t, std::less<>>;
@@ -41,4 +41,4 @@ AtomicRequest modeset_request(const Output& output, const OutputProperties& prop
 AtomicRequest flip_request(const Output& output, const OutputProperties& properties,
                            std::uint32_t frame_buffer);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -250,4 +250,4 @@ bool is_panel_elsewhere(const std::filesystem::path& path) {
     });
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

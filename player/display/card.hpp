@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How a card is told what to show.
 enum class KmsApi {
@@ -90,4 +90,4 @@ Card open_card(const std::filesystem::path& path, KmsApi api);
 /// Whether a card other than this one has a panel.
 bool is_panel_elsewhere(const std::filesystem::path& path);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

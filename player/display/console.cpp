@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -55,4 +55,4 @@ void Console::enter() {
     if (terminal_.is_open()) (void)::ioctl(terminal_.get(), VT_RELDISP, VT_ACKACQ);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// The terminal that the wall is shown over. Its text is kept from being drawn for as long as this lives, and
 /// when somebody switches to another terminal (Ctrl+Alt+F2) the kernel asks for the screen by a signal. Does
@@ -39,4 +39,4 @@ class Console {
     bool is_in_front_ = true;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

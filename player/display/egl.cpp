@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -134,4 +134,4 @@ void Egl::make_current(EGLSurface surface) {
     if (!eglMakeCurrent(display_, surface, surface, context_)) throw_egl("make an EGL surface current");
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

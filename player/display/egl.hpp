@@ -8,7 +8,7 @@
 
 struct gbm_device;
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// An EGL display with one OpenGL ES 3 context, made current without a surface as soon as it exists.
 /// Thread-bound: its context is current on the thread that made it, until it ends.
@@ -56,4 +56,4 @@ struct SoftwareGl {
 /// Throws std::runtime_error: what was tried, and EGL's name for why it failed.
 [[noreturn]] void throw_egl(const char* what);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

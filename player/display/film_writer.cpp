@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -182,4 +182,4 @@ void FilmWriter::finish() {
     if (const std::optional<std::string> reason = ending->end()) ending->fail(*reason);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

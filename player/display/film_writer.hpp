@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Writes pictures into an MP4 file (H.264) that starts to play before it is loaded whole. Encodes on
 /// GStreamer's threads; add() waits where they fall behind by more than a few pictures.
@@ -39,4 +39,4 @@ class FilmWriter {
     std::unique_ptr<Chain> chain_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

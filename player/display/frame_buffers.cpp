@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -123,4 +123,4 @@ UniqueFd keeper_of(int card, UniqueFd left) {
     return keeper;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

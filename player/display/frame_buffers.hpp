@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A buffer in a card's memory that is to be shown: what the card has to know of it.
 struct BufferForm {
@@ -75,4 +75,4 @@ std::vector<std::uint32_t> without(std::span<const std::uint32_t> numbers,
 /// @param left  taken where it is used, else closed
 UniqueFd keeper_of(int card, UniqueFd left);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -104,4 +104,4 @@ Picture GbmScanout::picture(const ScanoutBuffer& buffer) const {
     return picture;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,7 +8,7 @@
 
 #include <gbm.h>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Buffers of the graphics card that GL itself draws to.
 class GbmScanout final : public Scanout {
@@ -36,4 +36,4 @@ class GbmScanout final : public Scanout {
     EGLSurface window_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

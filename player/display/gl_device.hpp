@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// GL's own name for what draws in the current context.
 inline std::string gl_device() {
@@ -30,4 +30,4 @@ inline bool has_word(const char* words, std::string_view word) {
     return false;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -247,4 +247,4 @@ std::string KmsDisplay::description() const {
                        panels.empty() ? ", no panel yet" : panels, gl_device());
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct KmsOptions {
     std::filesystem::path card;  // empty: the first with a panel
@@ -101,4 +101,4 @@ class KmsDisplay final : public Display {
     std::vector<Screen*> lent_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

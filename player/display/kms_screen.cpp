@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -133,4 +133,4 @@ void KmsScreen::start_over() {
     awaited_since_ = std::chrono::steady_clock::now();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What all screens of a card draw with.
 struct KmsSurface {
@@ -94,4 +94,4 @@ class KmsScreen final : public Screen {
     std::optional<ScanoutBuffer> in_flight_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

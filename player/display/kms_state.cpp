@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::vector<std::uint64_t> flips_in(std::span<const std::byte> events) {
     return flips;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

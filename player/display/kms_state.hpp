@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a graphics card says of its parts at one moment: plain data, so that what is made of it can be
 /// tested without a card.
@@ -85,4 +85,4 @@ Obstacles obstacles(const CardState& card, const Output& output, std::span<const
 /// The numbers of the flips that a card's events, as it hands them out, tell of.
 std::vector<std::uint64_t> flips_in(std::span<const std::byte> events);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -113,4 +113,4 @@ Picture MemoryScanout::picture(const ScanoutBuffer& buffer) const {
     return picture;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

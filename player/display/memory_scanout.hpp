@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Buffers in plain memory that a card shows, which what GL has drawn elsewhere is copied to.
 ///
@@ -39,4 +39,4 @@ class MemoryScanout final : public Scanout {
     MemoryTarget drawn_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 MemoryTarget::Names::Names() {
     glGenFramebuffers(1, &frame_buffer);
@@ -44,4 +44,4 @@ void MemoryTarget::read(GLenum format, const std::function<void(std::span<const 
         take(std::span(rows_).subspan(end - row, row));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A picture in memory that GL draws to, 8 bits a channel, blue first: the order of scan-out, and the one in
 /// which Mesa's software renderer draws pictures pixel for pixel at half the cost of any other. Made, used
@@ -50,4 +50,4 @@ class MemoryTarget {
     std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

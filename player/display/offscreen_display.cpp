@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace vitrine {
+namespace vitrine::player {
 
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t index) {
     if (index == 0) return path;
@@ -44,4 +44,4 @@ void OffscreenDisplay::save(const std::filesystem::path& path) {
         save_png(screens_[i]->picture(), numbered(path, i));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

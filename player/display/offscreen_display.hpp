@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// `path` for the first of several files; with a number before its ending for each further one: "wall-2.mp4".
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t index);
@@ -55,4 +55,4 @@ class OffscreenDisplay final : public Display {
     std::vector<Screen*> lent_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

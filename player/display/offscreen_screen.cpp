@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 OffscreenScreen::OffscreenScreen(const OffscreenOptions& options, std::shared_ptr<Egl> egl)
     : name_(options.name),
@@ -47,4 +47,4 @@ void OffscreenScreen::finish_film() {
     ending->finish();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct OffscreenOptions {
     int width = 1280;  // px
@@ -66,4 +66,4 @@ class OffscreenScreen final : public Screen {
     std::uint64_t flips_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

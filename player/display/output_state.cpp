@@ -2,7 +2,7 @@
 
 #include <cerrno>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -63,4 +63,4 @@ void OutputState::start_over() {
     busy_since_.reset();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

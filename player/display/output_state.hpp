@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What became of a request to a graphics card.
 enum class Outcome {
@@ -52,4 +52,4 @@ class OutputState {
     std::optional<Time> busy_since_;  // flips are refused for want of time
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <array>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -98,4 +98,4 @@ void PanelWatch::await_rest() {
     if (::timerfd_settime(settled_.get(), 0, &once, nullptr) != 0) throw_errno("start a timer");
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include "base/system/unique_fd.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Tells when panels may have come, gone or changed: a moment after the kernel says so, as it says it several
 /// times, and every few seconds because it does not always. Also wakes for what the card itself reports.
@@ -34,4 +34,4 @@ class PanelWatch {
     UniqueFd kernel_;   // -1: the kernel does not tell us
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

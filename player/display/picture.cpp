@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -94,4 +94,4 @@ Picture drawn_svg(const std::string& svg, int width, int height) {
     return picture;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a screen showed at one moment: RGBA, 8 bits a channel, rows from the top, no padding.
 struct Picture {
@@ -28,4 +28,4 @@ void save_jpeg(const Picture& picture, const std::filesystem::path& path);
 /// @throws std::runtime_error where it cannot be read as SVG
 Picture drawn_svg(const std::string& svg, int width, int height);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// One finished picture in the card's memory, lent by a Scanout, which outlives it; given back at its end.
 struct ScanoutBuffer {
@@ -38,4 +38,4 @@ class Scanout {
     virtual Picture picture(const ScanoutBuffer& buffer) const = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A place to show pictures: a panel, or memory when off screen. Thread-bound to the thread that made it,
 /// which holds its EGL context current.
@@ -107,4 +107,4 @@ class Display {
     virtual std::string description() const = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -52,4 +52,4 @@ ScreenChoice parse_screen(std::string_view text) {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

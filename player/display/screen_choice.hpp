@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Memory instead of panels.
 struct OffscreenChoice {
@@ -34,4 +34,4 @@ using ScreenChoice = std::variant<OffscreenChoice, KmsChoice>;
 /// @throws std::invalid_argument saying what is allowed
 ScreenChoice parse_screen(std::string_view text);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <variant>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What became of one finger, or of a mouse whose button is held.
 struct Contact {
@@ -40,4 +40,4 @@ struct KeyPress {
 /// What a visitor's hands do. Times are of one clock and never go back.
 using InputEvent = std::variant<Contact, Wheel, KeyPress>;
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include "player/input/contact.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a visitor means. All lengths canvas px.
 struct Gesture {
@@ -29,4 +29,4 @@ struct Gesture {
     Key key = Key::select;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -165,4 +165,4 @@ double Gestures::spread() const {
     return std::max(least_spread, length(fingers_.begin()->second.at - fingers_.rbegin()->second.at));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

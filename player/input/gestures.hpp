@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// From when on a contact means something. Lengths canvas px.
 struct GestureRules {
@@ -78,4 +78,4 @@ class Gestures {
     std::vector<Gesture> meant_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -18,7 +18,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -259,4 +259,4 @@ void Touch::come_back() {
     (void)libinput_resume(context_->input.get());  // devices that are refused are told of by events()
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// An event of a device. Places are shares of the panel, (0, 0) its top left and (1, 1) its bottom right as
 /// its pixels lie, whatever way it is hung.
@@ -47,4 +47,4 @@ class Touch {
     std::unique_ptr<Context> context_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What is packed: one shot's I-Region with the pixels around it. All in source px at the shot's begin.
 struct LayoutItem {
@@ -49,4 +49,4 @@ inline Polygon placed_region(const LayoutItem& item, const Placement& placement)
     return transformed(item.region, placement.scale, placement.offset);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

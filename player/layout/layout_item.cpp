@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -27,4 +27,4 @@ LayoutItem layout_item(const MediaRecord& record, const Shot& shot) {
     return item;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

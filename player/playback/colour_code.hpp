@@ -4,7 +4,7 @@
 
 #include <gst/video/video.h>
 
-namespace vitrine {
+namespace vitrine::player {
 
 inline ColourCode colour_code(const GstVideoColorimetry& colours) {
     ColourCode code{.is_full_range = colours.range == GST_VIDEO_COLOR_RANGE_0_255};
@@ -13,4 +13,4 @@ inline ColourCode colour_code(const GstVideoColorimetry& colours) {
     return code;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include "base/media/media_type.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 // What differs from container to container in how GStreamer 1.22 searches them; measured.
 
@@ -23,4 +23,4 @@ inline bool has_segment_seeks(MediaFormat format) {
     return format == MediaFormat::mp4 || format == MediaFormat::matroska || format == MediaFormat::avi;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How much of a film is decoded, most first.
 enum class Detail {
@@ -71,4 +71,4 @@ class FilmFeed {
 using FilmFactory =
     std::function<std::unique_ptr<FilmFeed>(const FilmPart&, SampleQueue& queue, const FilmOptions&)>;
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <exception>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -316,4 +316,4 @@ GstFlowReturn FilmLoop::put(GstSample* sample) noexcept {
     return is_open ? GST_FLOW_OK : GST_FLOW_EOS;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

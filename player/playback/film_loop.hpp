@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Decodes a part of a film over and over into a queue, in threads of its own; failures are told, not thrown.
 ///
@@ -109,4 +109,4 @@ class FilmLoop final : public FilmFeed {
     std::thread thread_;                  // last: all else is there when it starts
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -307,4 +307,4 @@ std::optional<FilmSound::Failure> FilmSound::failure() const {
     return work_->failure();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

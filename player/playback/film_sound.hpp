@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A part of a film to be heard over and over, in time with its picture.
 struct SoundPart {
@@ -61,4 +61,4 @@ class FilmSound {
     std::thread thread_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

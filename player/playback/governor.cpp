@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::optional<Governor::Change> Governor::step_up() {
     return Change{source, higher};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

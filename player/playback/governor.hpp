@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What one film cost and gave in the period that is judged.
 struct FilmLoad {
@@ -53,4 +53,4 @@ class Governor {
     int patience_ = least_patience;       // periods of calm before the next step up
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

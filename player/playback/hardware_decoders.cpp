@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::string in_words(const DecoderMap& decoders) {
     return words;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// For each decoder of the table (decoder_table.hpp) the best in hardware that can be used, where there is
 /// one: stateless V4L2 first, whose state is ours and not a firmware's, then VA, then stateful V4L2.
@@ -19,4 +19,4 @@ bool is_usable_here(const std::string& element);
 /// For the log: which codecs are decoded by what.
 std::string in_words(const DecoderMap& decoders);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

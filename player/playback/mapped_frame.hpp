@@ -2,7 +2,7 @@
 
 #include <gst/video/video.h>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A decoded frame's memory, readable for as long as this lives. The buffer is held by the map.
 class MappedFrame {
@@ -33,4 +33,4 @@ class MappedFrame {
     bool is_mapped_ = false;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Where the files lie.
 struct MediaPlaces {
@@ -10,4 +10,4 @@ struct MediaPlaces {
     std::string store;  // of the analyzer; a shot that it has is played from there
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -58,4 +58,4 @@ void PhotoLoad::run(const std::string& file, int width, int height, Colour backg
     has_ended_ = true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Reads one photo into a queue, in a thread of its own; failures are told, not thrown, and close
 /// the queue.
@@ -42,4 +42,4 @@ class PhotoLoad {
     std::thread thread_;                  // last: all else is there when it starts
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

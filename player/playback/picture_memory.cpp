@@ -3,7 +3,7 @@
 #include <new>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -35,4 +35,4 @@ void PictureMemory::give_back(const std::shared_ptr<Pool>& pool, Block block, st
     if (pool->size == size) pool->spare.push_back(std::move(block));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

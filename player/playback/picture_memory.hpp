@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Thread-safe. Memory for the pictures of one film, used again as soon as the last who holds a picture lets
 /// go: a new megabyte for each would cost more than converting into it.
@@ -32,4 +32,4 @@ class PictureMemory {
     std::shared_ptr<Pool> pool_ = std::make_shared<Pool>();  // shared: with the blocks that are out
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -12,7 +12,7 @@ extern "C" {
 #include <cstdint>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -217,4 +217,4 @@ std::optional<Sample> PictureScaler::converted(const GstVideoFrame& frame, int w
     return picture;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -13,7 +13,7 @@
 
 struct SwsContext;
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Makes pictures for the renderer of decoded frames. FFmpeg's scaler, as it costs a fifth of
 /// videoconvertscale: measured 0.6 against 3.0 ms from 720p to 360p, 0.07 against 0.25 ms at the same size.
@@ -69,4 +69,4 @@ class PictureScaler {
     std::optional<ToneMap> tones_;    // likewise
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How the bytes of a picture lie, 8 bits a channel.
 enum class PixelLayout {
@@ -74,4 +74,4 @@ struct Sample {
         copied;  // the same with bytes: of shared planes that nobody can read
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

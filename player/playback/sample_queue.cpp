@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 bool SampleQueue::put(LoopedSample sample) {
     std::unique_lock lock(mutex_);
@@ -51,4 +51,4 @@ bool SampleQueue::is_closed() const {
     return is_closed_;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

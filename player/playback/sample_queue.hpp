@@ -10,7 +10,7 @@
 #include <mutex>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A picture of a shot that plays in a loop.
 struct LoopedSample {
@@ -53,4 +53,4 @@ class SampleQueue {
     bool is_closed_ = false;            // guarded by mutex_
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

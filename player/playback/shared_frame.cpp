@@ -8,7 +8,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::optional<Sample> shared_frame(GstSample* frame) {
     return made;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

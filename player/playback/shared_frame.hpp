@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A decoded frame where its planes lie, without reading it; nothing where they do not lie in memory that is
 /// shared, or in another layout than I420 or NV12. How the pixels lie is taken from the caps (drm-format, of
@@ -17,4 +17,4 @@ std::optional<Sample> shared_frame(GstSample* frame);
 /// Tells decoders before a pad that planes may lie as they like, or those in hardware would copy them.
 void let_planes_lie(GstPad* pad);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -147,4 +147,4 @@ void ShotSource::judge_lateness(std::chrono::nanoseconds local) {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

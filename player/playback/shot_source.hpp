@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How sources play.
 struct SourceOptions {
@@ -115,4 +115,4 @@ class ShotSource {
     std::uint64_t late_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

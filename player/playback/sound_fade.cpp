@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -30,4 +30,4 @@ void SoundFade::apply(GstBuffer* buffer, int rate, int channels) {
     gst_buffer_unmap(buffer, &map);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

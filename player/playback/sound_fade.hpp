@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How loud a sound is while it comes and goes: by a straight line within a fifth of a second. For the
 /// streaming thread, but for leave().
@@ -28,4 +28,4 @@ class SoundFade {
     double gain_ = 0;  // in [0, 1]
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -39,4 +39,4 @@ GstPtr<GstElement> sound_tail(GstElement* sink) {
     return tail;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

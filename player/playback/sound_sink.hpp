@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Makes an element that plays raw sound. @throws std::runtime_error where there is none
 using SoundSink = std::function<GstPtr<GstElement>()>;
@@ -18,4 +18,4 @@ SoundSink alsa_sink(const std::string& device);
 /// @throws std::runtime_error where they cannot be linked
 GstPtr<GstElement> sound_tail(GstElement* sink);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

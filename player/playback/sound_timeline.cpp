@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 void SoundTimeline::expect(std::uint32_t seek, std::int64_t loop) {
     const std::lock_guard lock(mutex_);
@@ -28,4 +28,4 @@ GstPtr<GstEvent> SoundTimeline::placed(GstEvent* segment, bool is_stamped) {
     return event;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Thread-safe. Places the loops of a part of a film on the running time of a pipeline, so that it is the
 /// time since the first loop began: no loop depends on where a demuxer believes the one before it ended.
@@ -32,4 +32,4 @@ class SoundTimeline {
     std::int64_t loop_ = 0;                        // guarded by mutex_: of the last segment
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

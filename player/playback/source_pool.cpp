@@ -9,7 +9,7 @@
 #include <exception>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -311,4 +311,4 @@ void SourcePool::tell(SourceId id, Playing& playing, std::vector<SourceEvent>& e
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What became of a source, told once each.
 struct SourceEvent {
@@ -168,4 +168,4 @@ class SourcePool {
     std::uint64_t rebuilds_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

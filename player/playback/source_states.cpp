@@ -4,7 +4,7 @@
 
 // What the pool says of its sources to who asks and to itself, and how it is rid of them all.
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -59,4 +59,4 @@ bool SourcePool::may_start() const {
     return count_preparing() < most_at_once && static_cast<std::size_t>(stuck) + ending_.size() < most_stuck;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -100,4 +100,4 @@ void TileLoader::run() {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/zoom_field.hpp"
+#include "base/state/zoom_field.hpp"
 #include "player/playback/sample.hpp"
 
 #include <condition_variable>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What is to be read, by a number of the caller's.
 struct TileFile {
@@ -64,4 +64,4 @@ class TileLoader {
     std::thread thread_;                    // last: runs on all of the above
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -79,4 +79,4 @@ void WallSound::tell_once(const std::string& text, bool is_trouble) {
     if (told_.insert(text).second) events_.push_back({.text = text, .is_trouble = is_trouble});
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

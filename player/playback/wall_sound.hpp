@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What is to be told of the sound.
 struct SoundEvent {
@@ -65,4 +65,4 @@ class WallSound {
     std::vector<SoundEvent> events_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

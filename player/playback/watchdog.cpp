@@ -1,6 +1,6 @@
 #include "player/playback/watchdog.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -28,4 +28,4 @@ Watchdog::Verdict Watchdog::judge(bool is_starved, std::chrono::nanoseconds now)
     return rebuilds_ == most_rebuilds + 1 ? Verdict::rebuild_in_software : Verdict::give_up;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

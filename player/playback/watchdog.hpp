@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Watches over one film that plays: drivers and files have been seen to stop in silence. Knows no clock.
 class Watchdog {
@@ -20,4 +20,4 @@ class Watchdog {
     int rebuilds_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

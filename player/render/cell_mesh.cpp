@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -87,4 +87,4 @@ CellMesh cell_mesh(const Cell& cell, double fringe) {
     return mesh;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

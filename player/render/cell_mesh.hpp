@@ -1,10 +1,10 @@
 #pragma once
 
-#include "player/layout/cells.hpp"
+#include "player/layout/cells/cells.hpp"
 
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A cell cut up for the graphics card. Besides the triangles that fill it there are
 /// - its outline as lines, drawn below everything: where two cells meet in a corner of one and the middle of
@@ -39,4 +39,4 @@ struct CellMesh {
 /// @param fringe  width of the fringe where the cell has no rims, canvas px, >= 0
 CellMesh cell_mesh(const Cell& cell, double fringe);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

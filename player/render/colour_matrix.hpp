@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// rgb = matrix * (coded - zero), all in [0, 1].
 struct ColourMatrix {
@@ -35,4 +35,4 @@ inline ColourMatrix colour_matrix(const ColourCode& code) {
             .zero = {code.is_full_range ? 0 : number(16.0 / 255), number(128.0 / 255), number(128.0 / 255)}};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

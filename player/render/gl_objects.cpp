@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -60,4 +60,4 @@ Program::Program(const char* vertex, const std::string& fragment) {
     if (!done) throw std::runtime_error("link the shaders: they do not fit each other");
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// The one owner of a GL object; it ends while its context is current. 0: none.
 template <void (*generate)(GLsizei, GLuint*), void (*destroy)(GLsizei, const GLuint*)> class GlObject {
@@ -77,4 +77,4 @@ class Program {
     Id id_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

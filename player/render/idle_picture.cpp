@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -128,4 +128,4 @@ void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds 
     glDrawElements(GL_TRIANGLES, columns * (last - first) * 6, GL_UNSIGNED_SHORT, order);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

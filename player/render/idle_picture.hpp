@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What a wall shows that has nothing to show: slow lights over a dark sky, without words, never still and
 /// never black. The lights are computed at the corners of a coarse grid and come to the pixels by
@@ -33,4 +33,4 @@ class IdlePicture {
     GLint opacity_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, std::size_t
     return list;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Reads shared planes into textures without copying them (EGL_EXT_image_dma_buf_import), one texture a
 /// plane, so that they are drawn as uploaded ones are. Of the display that is current where it is made.
@@ -40,4 +40,4 @@ class PictureImport {
 std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, std::size_t plane, int channels,
                                          int width, int height, bool names_modifier);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cassert>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -182,4 +182,4 @@ void PictureTexture::make_smaller_copies() {
     has_smaller_copies_ = true;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

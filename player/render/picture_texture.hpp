@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A picture on the graphics card: one texture, or one a plane, which the shaders for planes put together.
 class PictureTexture {
@@ -69,4 +69,4 @@ class PictureTexture {
     std::uint64_t uploads_ = 0;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

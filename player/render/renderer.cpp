@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -309,4 +309,4 @@ void Renderer::drop_old_meshes() {
                   [&](const auto& entry) { return frames_ - entry.second.last_drawn > kept_unused; });
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -21,7 +21,7 @@
 #include <type_traits>
 #include <unordered_map>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Draws frames with OpenGL ES 3. Thread-bound: made, used and ended on the thread that has the screen's
 /// context current, before that screen ends; every call asserts it.
@@ -134,4 +134,4 @@ class Renderer {
     std::unordered_map<const Cell*, Mesh> meshes_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -49,4 +49,4 @@ void Renderer::set_scissor(const Box& part, const ToNdc& view) const {
               edge(std::ceil(std::max(a.y, b.y) - same_place)) - bottom);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

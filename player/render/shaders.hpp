@@ -2,7 +2,7 @@
 
 #include "player/playback/sample.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 // What draws pictures, in GLSL ES 3.00 without its #version line.
 
@@ -142,4 +142,4 @@ void main() {
 }
 )";
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #include "player/render/uncovered.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 std::vector<Box> uncovered(const Box& area, std::span<const Box> boxes) {
     if (area.is_empty()) return {};
@@ -18,4 +18,4 @@ std::vector<Box> uncovered(const Box& area, std::span<const Box> boxes) {
     return rest;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What boxes leave of an area, cut into boxes that do not overlap. Empty ones count nothing.
 std::vector<Box> uncovered(const Box& area, std::span<const Box> boxes);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

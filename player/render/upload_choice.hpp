@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What pictures are to be uploaded as: where the processor draws, each operation on a pixel is dear, so that
 /// it gets them ready for copying; a graphics card gets less to carry, or nothing.
@@ -29,4 +29,4 @@ inline const char* in_words(PictureForm form) {
     return "drawn from where a decoder shares them, else uploaded as they are decoded";
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -54,4 +54,4 @@ Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 sha
     return {canvas.x * x, canvas.y * y};
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

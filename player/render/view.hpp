@@ -2,7 +2,7 @@
 
 #include "base/geometry/vec2.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How far a panel is turned clockwise from upright, as seen from the front.
 enum class Rotation { none, right, half, left };
@@ -65,4 +65,4 @@ inline ToNdc seen_from(ToNdc view, Vec2 point) {
     return view;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include "player/render/gl_objects.hpp"
 #include "player/render/view.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What each program of the renderer is told of where the canvas lies: `uniform vec2 x_axis, y_axis, origin`.
 struct ViewUniforms {
@@ -14,9 +14,9 @@ struct ViewUniforms {
 
     /// @pre the program is in use
     void set(const ToNdc& view) const {
-        vitrine::set(x_axis, view.x_axis);
-        vitrine::set(y_axis, view.y_axis);
-        vitrine::set(origin, view.origin);
+        vitrine::player::set(x_axis, view.x_axis);
+        vitrine::player::set(y_axis, view.y_axis);
+        vitrine::player::set(origin, view.origin);
     }
 
     GLint x_axis;
@@ -24,4 +24,4 @@ struct ViewUniforms {
     GLint origin;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -113,4 +113,4 @@ void ZoomLayer::drop_old() {
         mesh = ++mesh->second.unused > kept_unused ? meshes_.erase(mesh) : std::next(mesh);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -7,7 +7,7 @@
 #include <memory>
 #include <unordered_map>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Draws tiles of tapestries on their way from level to level. The graphics card has both places of each
 /// point; a moment in between costs a few numbers. Belongs to a Renderer.
@@ -48,4 +48,4 @@ class ZoomLayer {
     std::unordered_map<const ZoomMesh*, Mesh> meshes_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

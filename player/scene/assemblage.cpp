@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -261,4 +261,4 @@ long Assemblage::count_on_wall(const std::string& path) const {
                          [&](const Slot& slot) { return slot.shot && slot.shot->key.path == path; });
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_round.hpp"
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How a film with several shots shares the wall.
 enum class FilmShow {
@@ -132,4 +132,4 @@ class Assemblage {
     std::chrono::nanoseconds last_due_ = std::chrono::nanoseconds::min() / 2;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -90,4 +90,4 @@ Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanos
     return frame;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

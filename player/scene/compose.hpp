@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/plan_request.hpp"
+#include "player/layout/plan/plan_request.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
@@ -9,7 +9,7 @@
 #include <memory>
 #include <span>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A shot where it stands.
 struct PlacedShot {
@@ -43,4 +43,4 @@ Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const
 Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
                std::chrono::nanoseconds now);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,11 +1,11 @@
 #include "player/scene/enlargement.hpp"
 
-#include "player/layout/edit.hpp"
+#include "player/layout/edit/edit.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::optional<std::vector<Placement>> Enlargement::enlarge(std::span<const Place
     return resized(standing, item, growth, rules).placements;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/standing.hpp"
+#include "player/layout/edit/standing.hpp"
 #include "player/scene/compose.hpp"
 
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A shot of the wall that is large because somebody looks at it. It grows about its place, the others make
 /// way; by itself, after a while, all goes back to where it was.
@@ -52,4 +52,4 @@ class Enlargement {
     std::vector<Placement> before_;      // one a source
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -18,4 +18,4 @@ bool looks_alike(const Frame& a, const Frame& b) {
            std::ranges::equal(a.items, b.items, is_alike);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/geometry/box.hpp"
-#include "player/layout/cells.hpp"
+#include "player/layout/cells/cells.hpp"
 #include "player/scene/zoom_mesh.hpp"
 
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Names a playing shot for as long as it is on the wall; never used twice.
 using SourceId = std::uint64_t;
@@ -42,4 +42,4 @@ struct Frame {
 /// Whether both are the same picture where the sources' pictures are: all but the times.
 bool looks_alike(const Frame& a, const Frame& b);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,11 +1,11 @@
 #include "player/scene/hand.hpp"
 
-#include "player/layout/edit.hpp"
-#include "player/layout/plan_request.hpp"
+#include "player/layout/edit/edit.hpp"
+#include "player/layout/plan/plan_request.hpp"
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -152,4 +152,4 @@ Standing Hand::standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) cons
     return standing;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/standing.hpp"
+#include "player/layout/edit/standing.hpp"
 #include "player/scene/compose.hpp"
 
 #include <map>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Whether a shot shows this canvas point.
 bool is_touched(const PlacedShot& placed, Vec2 point);
@@ -63,4 +63,4 @@ class Hand {
     std::map<SourceId, Placement> homes_;  // when it was taken
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -19,4 +19,4 @@ const AudibleShot* heard_one(std::span<const AudibleShot> shots, std::optional<S
     return stays ? &*now : &*largest;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A shot of a film that is on the wall and may be heard.
 struct AudibleShot {
@@ -29,4 +29,4 @@ struct AudibleShot {
 /// @return none of those given: nothing
 const AudibleShot* heard_one(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

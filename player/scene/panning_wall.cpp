@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -217,4 +217,4 @@ std::vector<SlotShot> PanningWall::standing() const {
     return all;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

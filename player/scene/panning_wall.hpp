@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/strip.hpp"
+#include "player/layout/plan/strip.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
 #include "player/scene/show.hpp"
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct PanSettings {
     ShotOrder order = ShotOrder::shuffle;
@@ -80,4 +80,4 @@ class PanningWall final : public Show {
     SourceId last_source_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 void Programme::set_records(std::vector<MediaRecord> records) {
     entries_.clear();
@@ -49,4 +49,4 @@ std::size_t Programme::count_open() const {
     return static_cast<std::size_t>(std::ranges::count_if(entries_, &Entry::is_open));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

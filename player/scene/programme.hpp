@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
 #include "base/hints/folder_hints.hpp"
+#include "base/state/record.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How files are shown of which something is said, by path.
 using ShowHints = std::map<std::string, Hints>;
@@ -55,4 +55,4 @@ class Programme {
     bool is_new_ = true;  // since the last advance()
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Asks for a shot to be made ready for showing, or for one that plays to change its size.
 struct ShotRequest {
@@ -19,4 +19,4 @@ struct ShotRequest {
     friend bool operator==(const ShotRequest&, const ShotRequest&) = default;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 void ShotRound::set_files(std::span<const MediaRecord* const> files, const ShowHints& hints) {
     std::map<std::string, File> now;
@@ -124,4 +124,4 @@ void ShotRound::keep_time_order(std::vector<ShotKey>& keys) const {
     }
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

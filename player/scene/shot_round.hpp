@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 #include "player/scene/programme.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// In what order shots come to the wall. The shots of one film always come in time order.
 enum class ShotOrder {
@@ -81,4 +81,4 @@ class ShotRound {
     std::deque<ShotKey> waiting_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
-#include "player/layout/plan_request.hpp"
+#include "player/layout/plan/plan_request.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What is to be laid out.
 struct WallPlan {
@@ -85,4 +85,4 @@ class Show {
     virtual std::vector<SlotShot> standing() const { return {}; }
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

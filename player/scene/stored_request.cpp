@@ -1,6 +1,6 @@
 #include "player/scene/stored_request.hpp"
 
-namespace vitrine {
+namespace vitrine::player {
 
 std::optional<ShotRequest> stored_request(const ShotRequest& request) {
     const std::optional<StoredShot>& stored = request.shot.stored;
@@ -16,4 +16,4 @@ std::optional<ShotRequest> stored_request(const ShotRequest& request) {
     return from;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

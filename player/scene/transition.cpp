@@ -1,12 +1,12 @@
 #include "player/scene/transition.hpp"
 
-#include "player/layout/plan_request.hpp"
+#include "player/layout/plan/plan_request.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <map>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -162,4 +162,4 @@ Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec
     return compose(canvas, moving, {}, 0, now);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

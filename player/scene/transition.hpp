@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/motion.hpp"
+#include "player/layout/edit/motion.hpp"
 #include "player/scene/compose.hpp"
 
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How a wall becomes another.
 struct TransitionStyle {
@@ -45,4 +45,4 @@ std::chrono::nanoseconds duration_of(std::span<const Act> acts);
 Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec2 canvas,
                  const CellStyle& style, std::chrono::nanoseconds now);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

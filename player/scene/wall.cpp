@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -314,4 +314,4 @@ Frame Wall::picture(std::chrono::nanoseconds now) const {
                       settings_.transition.cells, now);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct WallSettings {
     AssemblageSettings assemblage;
@@ -138,4 +138,4 @@ class Wall final : public Show {
     std::vector<ShotRequest> restored_;   // of sources asked for, whose shot the store has got since
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

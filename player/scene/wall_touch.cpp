@@ -5,7 +5,7 @@
 
 // What a visitor does to a wall.
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -101,4 +101,4 @@ void Wall::dismiss(std::chrono::nanoseconds now) {
     change_by_hand(std::move(rest), dismissal);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// What somebody wants of a show, beside its files.
 struct Wishes {
@@ -16,4 +16,4 @@ struct Wishes {
     friend bool operator==(const Wishes&, const Wishes&) = default;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -68,4 +68,4 @@ double zoom_coverage(double growth, double share) {
     return growth < 0 ? 1 : share / ((1 - share) * growth + share);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "base/catalogue/zoom_field.hpp"
 #include "base/geometry/vec2.hpp"
+#include "base/state/zoom_field.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A tile on its way between two levels: drawn at any moment from where its points are in both.
 struct ZoomMesh {
@@ -42,4 +42,4 @@ ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer);
 /// @param share  of the way from the coarser level to the finer one
 double zoom_coverage(double growth, double share);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -24,6 +24,7 @@
 #include <stdexcept>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

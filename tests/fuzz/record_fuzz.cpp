@@ -1,4 +1,4 @@
-#include "base/catalogue/record_json.hpp"
+#include "base/state/record_json.hpp"
 
 #include <cstdint>
 #include <cstdlib>

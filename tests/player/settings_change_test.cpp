@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using Keys = std::vector<std::string>;
 
 TEST_CASE("the same settings change nothing") {

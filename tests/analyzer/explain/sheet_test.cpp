@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 namespace fs = std::filesystem;
 
 namespace {

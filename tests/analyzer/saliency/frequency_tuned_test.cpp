@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

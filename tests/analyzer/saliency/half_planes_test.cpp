@@ -6,6 +6,7 @@
 #include <numbers>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

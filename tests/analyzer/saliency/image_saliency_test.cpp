@@ -10,6 +10,7 @@
 #include <string>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 

@@ -5,6 +5,7 @@
 #include <random>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 TEST_CASE("what people write stays as it is") {
     for (const char* text :

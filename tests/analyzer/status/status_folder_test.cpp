@@ -9,6 +9,7 @@
 #include <system_error>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 namespace fs = std::filesystem;
 
 TEST_CASE("files are replaced as a whole, and left alone where nothing has changed") {

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using namespace std::chrono_literals;
 using State = FileState::State;
 

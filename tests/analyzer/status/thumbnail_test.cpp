@@ -9,6 +9,7 @@
 #include <array>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 

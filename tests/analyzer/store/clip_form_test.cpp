@@ -5,6 +5,7 @@
 #include <utility>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

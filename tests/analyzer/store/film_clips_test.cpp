@@ -13,6 +13,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 

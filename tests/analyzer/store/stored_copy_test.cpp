@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 namespace fs = std::filesystem;
 
 namespace {

@@ -7,6 +7,7 @@
 #include <limits>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 namespace fs = std::filesystem;
 
 namespace {

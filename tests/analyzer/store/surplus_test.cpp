@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

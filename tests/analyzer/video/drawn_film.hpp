@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 /// How a film of three equal pictures is written.
 struct DrawnFilm {
@@ -48,4 +48,4 @@ inline std::string written(const TemporaryDirectory& folder, const DrawnFilm& fi
     return path;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

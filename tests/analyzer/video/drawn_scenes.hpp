@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::analyzer {
 
 inline const cv::Size scene_size(160, 90);
 inline constexpr std::chrono::milliseconds frame_time{40};
@@ -71,4 +71,4 @@ inline bool is_near(std::chrono::nanoseconds time, int frame, int tolerance) {
     return std::chrono::abs(time - frame * frame_time) <= tolerance * frame_time;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::analyzer

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <iterator>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

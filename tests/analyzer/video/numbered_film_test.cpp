@@ -12,6 +12,7 @@
 #include <map>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 

@@ -1,7 +1,7 @@
 // Real and hostile files, where they are: nothing is checked without them.
 
 #include "analyzer/video/frame_reader.hpp"
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

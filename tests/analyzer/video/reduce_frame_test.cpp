@@ -7,6 +7,7 @@
 #include <array>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 
 namespace {
 

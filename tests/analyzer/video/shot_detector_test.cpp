@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using std::chrono::milliseconds;
 
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 using namespace vitrine;
+using namespace vitrine::analyzer;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 

@@ -1,6 +1,6 @@
 #include "base/media/completeness.hpp"
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

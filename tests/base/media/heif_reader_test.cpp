@@ -1,5 +1,5 @@
-#include "base/catalogue/media_error.hpp"
 #include "base/media/still_picture.hpp"
+#include "base/state/media_error.hpp"
 #include "base/system/handle.hpp"
 
 #include <doctest/doctest.h>

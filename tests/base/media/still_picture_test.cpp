@@ -1,6 +1,6 @@
 #include "base/media/still_picture.hpp"
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

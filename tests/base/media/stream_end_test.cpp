@@ -1,6 +1,6 @@
 #include "base/media/stream_end.hpp"
 
-#include "base/catalogue/media_error.hpp"
+#include "base/state/media_error.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>

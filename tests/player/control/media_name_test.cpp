@@ -5,6 +5,7 @@
 #include <algorithm>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

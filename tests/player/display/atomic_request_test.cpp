@@ -8,6 +8,7 @@
 #include <utility>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 TEST_CASE("old pictures go that are not shown, in whatever order they are") {
     CHECK(without(std::vector<std::uint32_t>{7, 3, 9}, std::vector<std::uint32_t>{3}) ==

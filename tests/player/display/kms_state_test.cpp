@@ -9,6 +9,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

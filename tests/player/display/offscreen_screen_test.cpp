@@ -12,6 +12,7 @@
 #include <string>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

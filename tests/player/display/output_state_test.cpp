@@ -5,6 +5,7 @@
 #include <cerrno>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 TEST_CASE("screens are memory of some sizes, or panels, at a card where one is named") {
     CHECK(parse_screen("offscreen:1280x720") == ScreenChoice{OffscreenChoice{.screens = {{1280, 720}}}});

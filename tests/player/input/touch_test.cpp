@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 TEST_CASE("a device that is not there is told of once, and the rest goes on") {
     Touch touch("/nowhere/event0, /nowhere/event1");

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "base/geometry/convex_hull.hpp"
-#include "player/layout/effort.hpp"
-#include "player/layout/plan.hpp"
+#include "player/layout/pack/effort.hpp"
+#include "player/layout/plan/plan.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// An item like those of real media: a convex region somewhere in a frame of a usual size.
 inline LayoutItem random_item(Random& random) {
@@ -44,4 +44,4 @@ inline std::vector<LayoutItem> items_of(const PlanRequest& request) {
     return items;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

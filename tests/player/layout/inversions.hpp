@@ -1,13 +1,13 @@
 #pragma once
 
-#include "player/layout/energy.hpp"
 #include "player/layout/layout.hpp"
-#include "player/layout/reading_order.hpp"
+#include "player/layout/pack/energy.hpp"
+#include "player/layout/pack/reading_order.hpp"
 
 #include <cstddef>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Pairs of a layout that are not read in the order of the items; line height and places measured anew.
 inline std::size_t inversions_of(const std::vector<LayoutItem>& items, const Layout& layout) {
@@ -21,4 +21,4 @@ inline std::size_t inversions_of(const std::vector<LayoutItem>& items, const Lay
     return inversions(places, {height / (2 * static_cast<double>(items.size()))});
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

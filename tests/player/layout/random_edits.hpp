@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/geometry/overlap.hpp"
-#include "player/layout/plan.hpp"
+#include "player/layout/pack/overlap.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "tests/player/layout/instances.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// A wall on which everything is changed at random, one edit at a time, through plan(). All edits of a seed
 /// are the same everywhere.
@@ -128,4 +128,4 @@ class RandomEdits {
     Layout layout_;
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #include "tests/player/layout/random_edits.hpp"
 
-#include "player/layout/plan_output.hpp"
+#include "player/layout/plan/plan_output.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <fstream>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "player/layout/energy.hpp"
-#include "player/layout/plan_output.hpp"
+#include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/plan_output.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Draws a layout that failed into the working directory, which is the build's, and says where.
 inline void leave_picture(const std::vector<LayoutItem>& items, const Layout& layout,
@@ -35,4 +35,4 @@ inline bool is_sound(const std::vector<LayoutItem>& items, const Layout& layout,
     return sound;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -16,6 +16,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

@@ -11,6 +11,7 @@
 #include <map>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

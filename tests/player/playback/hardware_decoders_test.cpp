@@ -5,6 +5,7 @@
 #include <set>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

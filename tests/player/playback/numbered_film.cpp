@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -120,4 +120,4 @@ void write_photo(const std::string& file) {
         number(i % 40 < 20 ? 0xff0000 : 0x0000ff, 3);
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

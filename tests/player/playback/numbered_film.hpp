@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace vitrine {
+namespace vitrine::player {
 
 constexpr int numbered_width = 160;  // px
 constexpr int numbered_height = 96;
@@ -37,4 +37,4 @@ int number(const Sample& sample);
 /// Writes a photo of 40 x 20, the left half red, the right half blue: a BMP.
 void write_photo(const std::string& file);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

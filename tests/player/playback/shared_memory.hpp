@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 struct PlanePlace {
     gsize offset = 0;  // bytes
@@ -41,4 +41,4 @@ inline GstPtr<GstSample> shared_sample(int file, gsize bytes, const std::string&
     return sample;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

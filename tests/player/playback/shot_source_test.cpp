@@ -9,6 +9,7 @@
 #include <fstream>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

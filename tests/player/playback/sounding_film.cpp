@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -155,4 +155,4 @@ int second_heard(const float* samples, std::size_t count, int rate_heard) {
     return static_cast<int>(std::lround((frequency - lowest) / step));
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

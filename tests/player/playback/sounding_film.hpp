@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// How a film is coded that the test draws.
 struct SoundingFilm {
@@ -58,4 +58,4 @@ class SoundRecorder {
 /// The second of a film whose tone is heard in these samples; -1: silence, or none.
 int second_heard(const float* samples, std::size_t count, int rate);
 
-}  // namespace vitrine
+}  // namespace vitrine::player

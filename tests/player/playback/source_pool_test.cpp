@@ -11,6 +11,7 @@
 #include <utility>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

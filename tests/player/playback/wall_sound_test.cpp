@@ -10,6 +10,7 @@
 #include <thread>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
 namespace {
 
@@ -70,4 +70,4 @@ Picture DrawnWall::shown() {
     return screen.picture();
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 using Colour = std::array<int, 3>;
 
@@ -63,4 +63,4 @@ struct DrawnWall {
     Picture shown();
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player

@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 constexpr int filler_percent = 30;  // of the picture's light

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

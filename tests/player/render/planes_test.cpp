@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

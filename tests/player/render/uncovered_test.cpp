@@ -6,6 +6,7 @@
 #include <random>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 TEST_CASE("what boxes leave of an area is each place of it that is in no box, once") {
     std::mt19937 random(3);

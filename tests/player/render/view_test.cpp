@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 TEST_CASE("a canvas is what the margins leave, turned with the panel") {
     const View margins{.left = 10, .top = 20, .right = 30, .bottom = 40};

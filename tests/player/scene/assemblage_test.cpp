@@ -11,6 +11,7 @@
 #include <set>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

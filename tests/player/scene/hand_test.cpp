@@ -1,7 +1,7 @@
 #include "player/scene/hand.hpp"
 
-#include "player/layout/energy.hpp"
-#include "player/layout/plan.hpp"
+#include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "player/scene/transition.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
@@ -10,6 +10,7 @@
 #include <random>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

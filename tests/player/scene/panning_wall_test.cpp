@@ -1,6 +1,6 @@
 #include "player/scene/panning_wall.hpp"
 
-#include "player/layout/plan.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
 #include <doctest/doctest.h>
@@ -9,6 +9,7 @@
 #include <set>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

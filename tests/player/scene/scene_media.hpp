@@ -1,13 +1,13 @@
 #pragma once
 
-#include "base/catalogue/record.hpp"
+#include "base/state/record.hpp"
 
 #include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace vitrine {
+namespace vitrine::player {
 
 /// Records as the analyzer would write them, with a region in the middle of a 640 x 360 picture.
 inline IRegion middle() {
@@ -45,4 +45,4 @@ inline MediaRecord film(std::string path, int shots,
     return record;
 }
 
-}  // namespace vitrine
+}  // namespace vitrine::player

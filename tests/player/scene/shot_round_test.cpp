@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::player;
 
 namespace {
 

@@ -1,10 +1,11 @@
 #include "player/scene/transition.hpp"
 
-#include "player/layout/energy.hpp"
+#include "player/layout/pack/energy.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace vitrine;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {

@@ -1,0 +1,152 @@
+#include "analyzer/one_file/analyze.hpp"
+
+#include "analyzer/saliency/sample_store.hpp"
+#include "analyzer/video/shot_detector.hpp"
+#include "base/state/media_error.hpp"
+
+#include <utility>
+
+namespace vitrine::analyzer {
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr std::size_t most_shots = 10'000;              // a file; what comes after is not shown
+constexpr nanoseconds usual_interval{40'000'000};       // of the last frame, where nothing else tells
+constexpr nanoseconds longest_interval{1'000'000'000};  // between two frames that can be compared for motion
+
+/// Turns frames into samples, a few a second.
+class Sampler {
+  public:
+    Sampler(const AnalysisSettings& settings, bool keeps_pictures)
+        : settings_(settings),
+          keeps_pictures_(keeps_pictures),
+          faces_(face_detector(settings.face_model, settings.face_cascade)),
+          stage_(image_saliency_stage(settings.image, settings.saliency_model)) {}
+
+    /// @param frame  later than the last; a sample is taken where the last is at least an interval old
+    void push(const VideoFrame& frame, SampleStore& into) {
+        if (count_ == 0 || frame.time >= due_) {
+            into.push(sample(frame));
+            due_ = frame.time + nanoseconds(std::chrono::seconds(1)) / settings_.samples_per_second;
+        }
+        before_ = frame;
+    }
+
+  private:
+    Sample sample(const VideoFrame& frame) {
+        const nanoseconds interval = frame.time - before_.time;
+        const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= longest_interval;
+        if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
+            last_faces_ = searched_faces(*faces_, frame.picture, settings_.only_prominent_faces);
+            last_faces_time_ = frame.time;
+        }
+        Sample sample =
+            searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
+                     std::chrono::duration<double>(interval).count(), settings_, last_faces_, stage_.get());
+        ++count_;
+        sample.time = frame.time;
+        sample.pair_time = before_.time;
+        sample.faces = last_faces_;
+        sample.faces_time = last_faces_time_;
+        if (keeps_pictures_) sample.picture = frame.picture;
+        return sample;
+    }
+
+    const AnalysisSettings& settings_;  // outlives the sampler
+    bool keeps_pictures_;
+    std::unique_ptr<FaceDetector> faces_;
+    std::unique_ptr<ImageSaliencyStage> stage_;
+    VideoFrame before_;
+    nanoseconds due_{0};
+    int count_ = 0;
+    std::vector<Face> last_faces_;
+    nanoseconds last_faces_time_{0};
+};
+
+/// Closes shots: takes their samples and adds them to the record.
+class ShotWriter {
+  public:
+    ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
+               const GrowthObserver& grown)
+        : record_(record), settings_(settings), observer_(observer), grown_(grown), part_(record) {
+        part_.is_complete = false;
+    }
+
+    SampleStore& samples() { return samples_; }
+
+    void close(const DetectedShot& found, cv::Size frame) {
+        std::vector<Sample> samples =
+            samples_.take(found.begin, std::max(found.end, found.begin + nanoseconds(1)));
+        if (record_.shots.size() >= most_shots) return;
+        const Shot shot{.begin = found.begin, .end = found.end, .ends_with = found.ends_with, .region = {}};
+        const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
+                                                  {record_.width, record_.height}, settings_);
+        record_.shots.push_back(evidence.shot);
+        if (observer_) observer_(evidence);
+        if (!grown_ || record_.kind == MediaKind::photo) return;
+        part_.shots = {evidence.shot};
+        grown_(part_);
+    }
+
+  private:
+    MediaRecord& record_;  // all four outlive the writer
+    const AnalysisSettings& settings_;
+    const ShotObserver& observer_;
+    const GrowthObserver& grown_;
+    MediaRecord part_;  // what is told of the newest shot
+    SampleStore samples_;
+};
+
+/// Whether a frame can follow another: pictures of a broken stream may repeat a time or change their size.
+bool follows(const VideoFrame& frame, const VideoFrame& last) {
+    return frame.time > last.time && frame.picture.size() == last.picture.size();
+}
+
+nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interval) {
+    if (interval > nanoseconds(0)) return last + interval;
+    return std::max(info.duration, last + usual_interval);
+}
+
+}  // namespace
+
+MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer,
+                    const GrowthObserver& grown) {
+    cv::setNumThreads(1);  // the decoder has the other core; OpenCV's own threads mostly wait, and burn it
+    const MediaInfo& info = source.info();
+    MediaRecord record{.kind = info.kind,
+                       .state = MediaState::ready,
+                       .width = info.width,
+                       .height = info.height,
+                       .duration = info.duration};
+    std::optional<VideoFrame> frame = source.next();
+    if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
+    Sampler sampler(settings, static_cast<bool>(observer));
+    ShotWriter writer(record, settings, observer, grown);
+    sampler.push(*frame, writer.samples());
+    const cv::Size size = frame->picture.size();
+    if (info.kind == MediaKind::photo) {
+        writer.close({}, size);
+        return record;
+    }
+    ShotDetector detector;
+    detector.push(*frame);
+    nanoseconds interval{0};
+    nanoseconds last_time = frame->time;
+    for (VideoFrame last = *frame; (frame = source.next());) {
+        if (!follows(*frame, last)) continue;
+        for (const DetectedShot& shot : detector.push(*frame))
+            writer.close(shot, size);
+        sampler.push(*frame, writer.samples());
+        interval = frame->time - last.time;
+        last = std::move(*frame);
+        last_time = last.time;
+    }
+    record.duration = film_end(info, last_time, interval);
+    for (const DetectedShot& shot : detector.finish(record.duration))
+        writer.close(shot, size);
+    if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, size);
+    return record;
+}
+
+}  // namespace vitrine::analyzer

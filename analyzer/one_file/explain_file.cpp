@@ -1,0 +1,36 @@
+#include "analyzer/one_file/explain_file.hpp"
+
+#include "analyzer/one_file/analyze.hpp"
+
+namespace vitrine::analyzer {
+namespace {
+
+constexpr std::size_t most_rows = 6;
+
+/// The region of the shot that begins then; shots do not depend on the way saliency is taken.
+IRegion region_from(const MediaRecord& record, std::chrono::nanoseconds begin) {
+    for (const Shot& shot : record.shots) {
+        if (shot.begin == begin) return shot.region;
+    }
+    return {};
+}
+
+}  // namespace
+
+MediaRecord write_explain_sheet(const SourceOpener& open, const SheetTitle& title, const std::string& output,
+                                const AnalysisSettings& settings) {
+    LongestShots longest(most_rows);
+    MediaRecord record =
+        analyze(*open(), settings, [&longest](const ShotEvidence& evidence) { longest.add(evidence); });
+    AnalysisSettings letter = papers_letter();
+    letter.face_model = settings.face_model;
+    letter.face_cascade = settings.face_cascade;
+    const MediaRecord compared = analyze(*open(), letter);
+    std::vector<ShotEvidence> rows = longest.shots();
+    for (ShotEvidence& row : rows)
+        row.letter = region_from(compared, row.shot.begin);
+    drawn_sheet(title, record, rows).write_png(output);
+    return record;
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,119 @@
+#include "analyzer/tapestry/synthesis/brickwork.hpp"
+
+#include "analyzer/tapestry/synthesis/as_index.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+cv::Rect scaled(const cv::Rect& rect, int from, double scale) {
+    const auto at = [&](int px) { return static_cast<int>(std::lround(px * scale)); };
+    const cv::Point corner(at(rect.x - from), at(rect.y));
+    const cv::Point other(at(rect.x - from + rect.width), at(rect.y + rect.height));
+    return {corner, other};
+}
+
+void draw(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto) {
+    const cv::Rect seen = place & cv::Rect({}, onto.size());
+    if (seen.empty()) return;
+    cv::Mat small = picture;
+    if (picture.size() != place.size()) cv::resize(picture, small, place.size(), 0, 0, cv::INTER_AREA);
+    small(seen - place.tl()).copyTo(onto(seen));
+}
+
+void draw_mirrored(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto) {
+    cv::Mat mirrored;
+    cv::flip(picture, mirrored, 1);
+    draw(mirrored, place, onto);
+}
+
+/// The places of patches that lie in a rectangle as a whole.
+cv::Rect patches_in(const cv::Rect& rect, cv::Size window) {
+    const cv::Rect seen = rect & cv::Rect({}, window);
+    return {seen.x, seen.y, std::max(0, seen.width - patch_side + 1),
+            std::max(0, seen.height - patch_side + 1)};
+}
+
+void own(PatchRules& rules, const cv::Rect& patches, int columns, int number) {
+    for (int y = patches.y; y < patches.y + patches.height; ++y) {
+        const auto row = rules.owners.begin() + static_cast<std::ptrdiff_t>(y) * columns + patches.x;
+        std::fill(row, row + patches.width, static_cast<std::int16_t>(number));
+    }
+}
+
+/// @param tile  columns of the window whose patches are demanded, by the patch's middle
+void demand(PatchRules& rules, const cv::Rect& patches, int columns, cv::Range tile, int weight) {
+    for (int y = patches.y; y < patches.y + patches.height; ++y) {
+        for (int x = patches.x; x < patches.x + patches.width; ++x) {
+            const bool is_demanded = x + patch_side / 2 >= tile.start && x + patch_side / 2 < tile.end;
+            const std::size_t place =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+            if (is_demanded) rules.weights[place] = static_cast<std::uint8_t>(weight);
+        }
+    }
+}
+
+/// The patches of a brick that touch a face.
+cv::Rect patches_at(const cv::Rect& face, const cv::Rect& patches) {
+    const cv::Rect touching(face.x - patch_side + 1, face.y - patch_side + 1, face.width + patch_side - 1,
+                            face.height + patch_side - 1);
+    return touching & patches;
+}
+
+}  // namespace
+
+int Brickwork::first_at(int x) const {
+    return std::clamp(2 * x / brick.width - 1, 0, bricks() - 1);
+}
+
+int Brickwork::last_at(int x) const {
+    return std::clamp((2 * x + brick.width - 1) / brick.width, 1, bricks());
+}
+
+cv::Range window_of(const Brickwork& brickwork, int from, int to) {
+    const int margin = brickwork.brick.width / 2;
+    return {std::max(0, from - margin), std::min(brickwork.width(), to + margin)};
+}
+
+BrickWindow brick_window(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, int first, int from,
+                         int to, double scale, const WindowSettings& settings) {
+    const cv::Range range = window_of(brickwork, from, to);
+    const cv::Rect whole = scaled({range.start, 0, range.size(), brickwork.height()}, range.start, scale);
+    const cv::Rect tile = scaled({from, 0, to - from, 1}, range.start, scale);
+    const cv::Range demanded(tile.x, tile.x + tile.width);
+    cv::Mat canvas(whole.size(), CV_8UC3, cv::Scalar::all(0));
+    const int columns = whole.width - patch_side + 1;
+    const auto patches = as_index(columns) * as_index(whole.height - patch_side + 1);
+    const double half = brickwork.brick.width * scale / 2;
+    PatchRules rules{.owners = std::vector<std::int16_t>(patches, PatchRules::no_brick),
+                     .weights = std::vector<std::uint8_t>(patches, 0),
+                     .centres = {},
+                     .target_x = demanded.start,
+                     .reach = half,
+                     .time_cost = settings.time_cost * patch_values / (half * half)};
+    const auto place = [&](int number) { return scaled(brickwork.place(number), range.start, scale); };
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        const int number = first + static_cast<int>(i);
+        const Keyframe& keyframe = bricks[i];
+        const cv::Rect at = place(number);
+        if (number == 1) draw_mirrored(keyframe.picture, place(-1), canvas);
+        if (number == brickwork.bricks() - 2) draw_mirrored(keyframe.picture, place(number + 2), canvas);
+        draw(keyframe.picture, at, canvas);
+        rules.centres.push_back(at.x + at.width / 2);
+        const cv::Rect inside = patches_in(at, whole.size());
+        own(rules, inside, columns, static_cast<int>(i));
+        demand(rules, inside, columns, demanded, 1);
+        for (const cv::Rect& face : keyframe.faces) {
+            const cv::Rect small = scaled(face, 0, scale);
+            demand(rules, patches_at(small + at.tl(), inside), columns, demanded, settings.face_weight);
+        }
+    }
+    return {.picture = PatchImage(canvas), .rules = std::move(rules)};
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,120 @@
+#include "analyzer/tapestry/synthesis/moving_islands.hpp"
+
+#include "analyzer/tapestry/synthesis/as_index.hpp"
+#include "analyzer/tapestry/synthesis/patch_image.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr double most_bend = 2;  // px by which an island's pixel may miss the flow
+constexpr float soft_edge = 8;   // px around an island
+constexpr double growing = 4;    // the power of the way left, by which islands grow
+
+cv::Mat nearest_of(const cv::Mat& numbers, const cv::Mat& places) {
+    cv::Mat found;
+    cv::remap(numbers, found, places, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_REPLICATE);
+    return found;
+}
+
+/// For each pixel what the nearest land has.
+///
+/// @param sea      CV_8UC1, 0: land, of which there is some
+/// @param nearest  CV_32SC1, the numbers that cv::distanceTransform() has given to land
+cv::Mat with_land(const cv::Mat& sea, const cv::Mat& nearest, const cv::Mat& ways) {
+    std::vector<cv::Vec2f> of_land(sea.total() + 1);
+    for (int y = 0; y < sea.rows; ++y)
+        for (int x = 0; x < sea.cols; ++x)
+            if (sea.at<std::uint8_t>(y, x) == 0)
+                of_land[as_index(nearest.at<int>(y, x))] = ways.at<cv::Vec2f>(y, x);
+    cv::Mat all(sea.size(), CV_32FC2);
+    for (int y = 0; y < sea.rows; ++y)
+        for (int x = 0; x < sea.cols; ++x)
+            all.at<cv::Vec2f>(y, x) = of_land[as_index(nearest.at<int>(y, x))];
+    return all;
+}
+
+/// Each pixel's own place, from so many columns on.
+cv::Mat own_places(cv::Size size, int begin) {
+    cv::Mat places(size, CV_32FC2);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            places.at<cv::Vec2f>(y, x) = {static_cast<float>(x + begin), static_cast<float>(y)};
+    return places;
+}
+
+}  // namespace
+
+MovingIslands::MovingIslands(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine)
+    : part_(part), coarse_(coarse), fine_(fine) {
+    const cv::Mat flow = coarse.places(part.part.coarse, 0, 1);
+    const cv::Mat sea_of = sea(flow);
+    cv::Mat nearest;
+    cv::distanceTransform(sea_of, distance_, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    distance_ = cv::min(distance_, static_cast<double>(sea_of.rows));
+    ways_ = flow - own_places(flow.size(), part.part.coarse.start);
+    if (cv::countNonZero(sea_of) < static_cast<int>(sea_of.total()))
+        ways_ = with_land(sea_of, nearest, ways_);
+}
+
+/// Of the coarser level's pixels those that islands have and the flow moves as these go: 0, else 1.
+cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
+    cv::Mat sea(part_.coarse.size(), CV_8UC1, cv::Scalar::all(1));
+    for (int y = 0; y < sea.rows; ++y) {
+        for (int x = 0; x < sea.cols; ++x) {
+            if (part_.islands.number.at<int>(y, x) == 0) continue;
+            const cv::Vec2i place = part_.islands.place.at<cv::Vec2i>(y, x);
+            const cv::Vec2d there = flow.at<cv::Vec2f>(y, x);
+            if (std::abs(place[0] + part_.part.fine.start - there[0]) <= most_bend &&
+                std::abs(place[1] - there[1]) <= most_bend)
+                sea.at<std::uint8_t>(y, x) = 0;
+        }
+    }
+    cv::erode(sea, sea, cv::Mat::ones(patch_side, patch_side, CV_8UC1));  // islands are of whole patches
+    return sea;
+}
+
+/// How far islands with their soft edges have grown by then: [0, 1] for each pixel of the coarser part.
+cv::Mat MovingIslands::grown(double share) const {
+    const double reach = std::pow(1 - share, growing) * part_.coarse.rows;
+    const cv::Mat grown = 1 - (distance_ - reach) / soft_edge;
+    return cv::max(0.0, cv::min(1.0, grown));
+}
+
+/// Where a moment's pixels come from if they go with the island that is nearest to where the flow has them,
+/// and how much they do.
+/// @param places  in the coarser level, as the flow has them
+void MovingIslands::carry(cv::Mat& places, cv::Mat& share, double moment) const {
+    const cv::Mat ways = nearest_of(ways_, places);
+    places = own_places(places.size(), part_.columns(moment).start - part_.part.coarse.start) - ways * moment;
+    share = bent(grown(moment), places);
+    const cv::Mat ways_there = nearest_of(ways_, places);
+    for (int y = 0; y < share.rows; ++y) {
+        for (int x = 0; x < share.cols; ++x) {
+            const cv::Vec2f miss = ways_there.at<cv::Vec2f>(y, x) - ways.at<cv::Vec2f>(y, x);
+            const double px = moment * std::max(std::abs(miss[0]), std::abs(miss[1]));
+            share.at<float>(y, x) *= static_cast<float>(std::clamp(2 - px / most_bend, 0.0, 1.0));
+        }
+    }
+    cv::Mat soft;
+    cv::blur(share, soft, {patch_side, patch_side}, {-1, -1}, cv::BORDER_REPLICATE);
+    share = cv::min(share, soft);
+}
+
+KnownPixels MovingIslands::at(double share) const {
+    KnownPixels known;
+    cv::Mat places = part_.places_in_coarse(coarse_, share);
+    carry(places, known.share, share);
+    const cv::Mat of_both = bent(grown(1), places) * share;
+    known.picture =
+        over(bent(part_.coarse, places), bent(part_.fine, part_.places_in_fine(fine_, share)), of_both);
+    return known;
+}
+
+}  // namespace vitrine::analyzer

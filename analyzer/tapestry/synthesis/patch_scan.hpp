@@ -1,0 +1,30 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/frame_signature.hpp"
+
+#include <array>
+#include <span>
+
+namespace vitrine::analyzer {
+
+constexpr int scan_lanes = 16;  // frames that are compared at once
+
+/// Sixteen frames side by side: pixel after pixel, channel after channel, the sixteen values of each.
+struct FrameBlock {
+    static constexpr int values = 3 * FrameSignature::width * FrameSignature::height;
+
+    alignas(32) std::array<std::uint8_t, std::size_t{scan_lanes} * values> lanes{};
+};
+
+/// @param frames  at most scan_lanes; lanes without a frame stay black
+FrameBlock frame_block(std::span<const FrameSignature> frames);
+
+/// Colour distances between a frame and each of a block, both ways.
+struct ScanResult {
+    std::array<float, scan_lanes> by_block{};  // mean over the frame's patches of the nearest in the other
+    std::array<float, scan_lanes> of_block{};  // mean over the other's patches of the nearest in the frame
+};
+
+ScanResult scan_patches(const FrameSignature& frame, const FrameBlock& block);
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,184 @@
+// Coarse to fine: at half the size the height is carved away and what that tore is mended in many rounds;
+// then the matches are carried to full size. Squeezing in many small steps at a sixth of the size, as
+// Simakov et al. do, merges what repeats, but whole figures with it, and never comes as near to the source.
+
+#include "analyzer/tapestry/synthesis/retarget.hpp"
+
+#include "analyzer/tapestry/synthesis/carve_input.hpp"
+#include "analyzer/tapestry/synthesis/synthesis.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
+constexpr int least_brick_side = 40;  // px at the smallest size; at smaller ones too much is merged
+constexpr double settled = 0.0002;    // of the energy: what falls less in a round is done
+
+/// How much is done at which size.
+struct Plan {
+    int first_rounds;  // at the smallest size
+    int last_rounds;   // at full size
+    int first_radius;  // px of the search
+    int last_radius;
+};
+
+Plan plan_of(TileQuality quality) {
+    if (quality == TileQuality::high)
+        return {.first_rounds = 40, .last_rounds = 30, .first_radius = 32, .last_radius = 8};
+    return {.first_rounds = 6, .last_rounds = 1, .first_radius = 16, .last_radius = 4};
+}
+
+/// From the smallest to 1.
+std::vector<double> scales_of(cv::Size brick) {
+    std::vector<double> scales{1};
+    const double side = std::min(brick.width, brick.height);
+    while (side * scales.back() / 2 >= least_brick_side)
+        scales.push_back(scales.back() / 2);
+    std::ranges::reverse(scales);
+    return scales;
+}
+
+KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size size) {
+    KnownPart known;
+    if (neighbours.left.empty() && neighbours.right.empty()) return known;
+    known.picture = cv::Mat(size, CV_8UC3, cv::Scalar::all(0));
+    known.share = cv::Mat(size, CV_32FC1, cv::Scalar::all(0));
+    const auto put = [&](const cv::Mat& picture, bool is_left) {
+        if (picture.empty()) return;
+        const int columns = std::clamp(
+            static_cast<int>(std::lround(static_cast<double>(picture.cols) * size.width / tile_px)), 1,
+            size.width);
+        cv::Mat small;
+        cv::resize(picture, small, {columns, size.height}, 0, 0, cv::INTER_AREA);
+        small.copyTo(
+            known.picture.colRange(is_left ? 0 : size.width - columns, is_left ? columns : size.width));
+        for (int i = 0; i < columns; ++i)
+            known.share.col(is_left ? i : size.width - 1 - i).setTo(neighbour_share(i, columns));
+    };
+    put(neighbours.left, true);
+    put(neighbours.right, false);
+    return known;
+}
+
+/// The tile through all its sizes.
+class Tile {
+  public:
+    Tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
+         const TileNeighbours& neighbours, const RetargetSettings& settings, const RunTasks& run)
+        : brickwork_(brickwork),
+          bricks_(bricks),
+          span_(span),
+          neighbours_(neighbours),
+          settings_(settings),
+          run_(run),
+          plan_(plan_of(settings.quality)),
+          scales_(scales_of(brickwork.brick)) {}
+
+    cv::Mat made() {
+        carve();
+        for (std::size_t i = 1; i < scales_.size(); ++i)
+            refine(i);
+        return synthesis_->picture();
+    }
+
+  private:
+    BrickWindow window(double scale) const {
+        const int first = brickwork_.first_at(window_of(brickwork_, span_.from, span_.to).start);
+        return brick_window(brickwork_, bricks_, first, span_.from, span_.to, scale, settings_.window);
+    }
+
+    cv::Size target_size(double scale, double height) const {
+        return {static_cast<int>(std::lround((span_.to - span_.from) * scale)),
+                std::max(patch_side, static_cast<int>(std::lround(height * scale)))};
+    }
+
+    std::unique_ptr<Synthesis> synthesis(const BrickWindow& window, const cv::Mat& guess) const {
+        return std::make_unique<Synthesis>(
+            window, guess, known_part(neighbours_, span_.to - span_.from, guess.size()), run_);
+    }
+
+    /// At the smallest size: seams go, in agreement with what the neighbours show, then the rest is mended.
+    void carve() {
+        window_ = std::make_unique<BrickWindow>(window(scales_[0]));
+        const cv::Size size = target_size(scales_[0], tapestry_height(brickwork_));
+        CarveInput input = carve_input(*window_, size.width);
+        const KnownPart known = known_part(neighbours_, span_.to - span_.from, size);
+        if (!known.picture.empty()) give_rows(input, known.picture, known.share.row(0) > 0);
+        const KeptRows kept = carved(input, size.height);
+        synthesis_ = synthesis(*window_, picture_of(input.picture, kept));
+        synthesis_->match_kept(kept);
+        improve(plan_.first_rounds, plan_.first_radius);
+    }
+
+    void refine(std::size_t size) {
+        auto finer_window = std::make_unique<BrickWindow>(window(scales_[size]));
+        cv::Mat guess;
+        cv::resize(synthesis_->picture(), guess, target_size(scales_[size], tapestry_height(brickwork_)), 0,
+                   0, cv::INTER_CUBIC);
+        std::unique_ptr<Synthesis> finer = synthesis(*finer_window, guess);
+        finer->match_like(*synthesis_);
+        synthesis_ = std::move(finer);
+        window_ = std::move(finer_window);
+        synthesis_->take_votes();
+        const bool is_last = size + 1 == scales_.size();
+        improve(is_last ? plan_.last_rounds : plan_.first_rounds, plan_.last_radius);
+    }
+
+    void improve(int rounds, int radius) {
+        double before = 0;
+        for (int round = 0; round < rounds; ++round) {
+            const double energy = synthesis_->step(radius, ++seed_);
+            if (round > 0 && energy >= before * (1 - settled)) return;
+            before = energy;
+        }
+    }
+
+    const Brickwork& brickwork_;  // all outlive the tile
+    const std::vector<Keyframe>& bricks_;
+    const TileSpan& span_;
+    const TileNeighbours& neighbours_;
+    const RetargetSettings& settings_;
+    const RunTasks& run_;
+    Plan plan_;
+    std::vector<double> scales_;
+    std::unique_ptr<BrickWindow> window_;
+    std::unique_ptr<Synthesis> synthesis_;
+    std::uint32_t seed_ = 0;
+};
+
+}  // namespace
+
+std::vector<TileSpan> tile_spans(int strip_width) {
+    const int step = tile_width - tile_overlap;
+    const int tiles =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(strip_width - tile_overlap) / step)));
+    std::vector<TileSpan> spans;
+    for (std::int64_t i = 0; i < tiles; ++i) {
+        const auto border = [&](std::int64_t number) {
+            return static_cast<int>(number * (strip_width - tile_overlap) / tiles);
+        };
+        spans.push_back({.from = border(i), .to = border(i + 1) + tile_overlap});
+    }
+    return spans;
+}
+
+int tapestry_height(const Brickwork& brickwork) {
+    return static_cast<int>(std::lround(brickwork.height() * kept_height));
+}
+
+cv::Mat retarget_tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
+                      const TileNeighbours& neighbours, const RetargetSettings& settings,
+                      const RunTasks& run) {
+    return Tile(brickwork, bricks, span, neighbours, settings, run).made();
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/islands.hpp"
+#include "base/state/tapestry.hpp"
+#include "base/state/zoom_field.hpp"
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// How all of a level goes over into the next finer one. Islands, which both show, move each at a constant
+/// speed; what lies between them is stretched, or comes out of the seams between them. Both levels drawn so,
+/// one over the other, are the continuous zoom: coherent in time, and each level itself at its end.
+///
+/// Of two points that are one, p of the coarser strip and q of the finer one, p is at most a brick's width
+/// from where q's time lies in the coarser strip: so one knows which tiles a view needs.
+///
+/// Source: Video Tapestries 4.3. Differs: nothing is synthesised between the islands; a flow is, so that any
+/// moment can be drawn at once.
+class ZoomFlow {
+  public:
+    /// A part of the strips that is matched at once, px of them.
+    struct Part {
+        cv::Range coarse;
+        cv::Range fine;
+        cv::Range used;  // of the coarser strip
+    };
+
+    /// @param tapestry  outlives this; its tiles' width is a multiple of ZoomField::step
+    /// @param finer     the finer level, >= 1
+    ZoomFlow(const Tapestry& tapestry, std::size_t finer);
+
+    /// All parts, from left to right.
+    std::vector<Part> parts() const;
+
+    /// @param coarse, fine  CV_8UC3, the part's columns of both strips
+    /// @return              places count from the part's begin
+    Islands match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine,
+                  const RunTasks& run = run_in_order);
+
+    /// Once all parts have been matched: what lies between islands.
+    void fill();
+
+    /// @pre fill() has been called
+    /// @param is_to_finer  the tile is of the coarser level; else of the finer one
+    ZoomField field(int tile, bool is_to_finer) const;
+
+    /// How much of the coarser strip is islands, [0, 1].
+    double matched() const;
+
+  private:
+    struct Point {
+        Vec2 way;         // to the other level, px
+        int samples = 0;  // that it is the mean of; 0: unknown
+    };
+
+    /// One level and its points, which are those of all its zoom fields.
+    struct Grid {
+        std::size_t level = 0;
+        int width = 0;        // px of the strip
+        int other_width = 0;  // of the other level's
+        int columns = 0;
+        std::vector<Point> points;
+        std::vector<Vec2> places;
+
+        double x(int column) const;
+        std::size_t number(int column, int row) const;
+    };
+
+    struct Sample;
+
+    Grid grid(std::size_t level, std::size_t other) const;
+    cv::Point to_fine(cv::Point at) const;
+    cv::Point to_coarse(cv::Point at) const;
+    int brick_at(cv::Point at, int keyframes) const;
+    void add(Grid& grid, std::vector<Sample> samples) const;
+    void fill(Grid& grid) const;
+    void spread(Grid& grid) const;
+    void smooth(Grid& grid) const;
+    void put_in_order(Grid& grid) const;
+    cv::Vec2d bounds(const Grid& grid, double x) const;
+
+    const Tapestry& tapestry_;
+    std::size_t finer_;
+    std::vector<int> kept_;  // a coarser keyframe: its number in the finer level
+    std::vector<int> from_;  // a finer keyframe: its number in the coarser level, or -1
+    Grid coarse_;
+    Grid fine_;
+};
+
+}  // namespace vitrine::analyzer

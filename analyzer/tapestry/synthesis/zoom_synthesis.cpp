@@ -1,0 +1,142 @@
+// From the finer level down: what is between the islands keeps the patches that it has as long as there is
+// room for them, so that detail stays sharp, and is lost piece by piece to islands that grow.
+
+#include "analyzer/tapestry/synthesis/zoom_synthesis.hpp"
+
+#include "analyzer/tapestry/synthesis/as_index.hpp"
+#include "analyzer/tapestry/synthesis/moving_islands.hpp"
+#include "analyzer/tapestry/synthesis/retarget.hpp"
+#include "analyzer/tapestry/synthesis/zoom_source.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr double last_fade = 0.25;  // of the way: in it what no island has reached fades evenly
+
+/// With the part to the left.
+void add_left(const cv::Mat& left, KnownPixels& known) {
+    for (int x = 0; x < left.cols; ++x) {
+        const float of_left = neighbour_share(x, left.cols);
+        for (int y = 0; y < left.rows; ++y) {
+            float& share = known.share.at<float>(y, x);
+            cv::Vec3b& pixel = known.picture.at<cv::Vec3b>(y, x);
+            const float all = 1 - (1 - share) * (1 - of_left);
+            if (all <= 0) continue;
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = cv::saturate_cast<std::uint8_t>(
+                    (of_left * left.at<cv::Vec3b>(y, x)[c] + (1 - of_left) * share * pixel[c]) / all);
+            share = all;
+        }
+    }
+}
+
+/// Not 0 for each patch of which not all is known.
+cv::Mat free_patches(const cv::Mat& share) {
+    cv::Mat free;
+    cv::Mat counts;
+    cv::compare(share, 1, free, cv::CMP_LT);
+    cv::boxFilter(free / 255, counts, CV_32S, {patch_side, patch_side}, {0, 0}, false, cv::BORDER_CONSTANT);
+    return counts(cv::Rect(0, 0, share.cols - patch_side + 1, share.rows - patch_side + 1)) > 0;
+}
+
+/// What the votes say, with what is known.
+cv::Mat counted(const ZoomVotes& votes, const KnownPixels& known) {
+    cv::Mat picture = known.picture.clone();
+    for (int y = 0; y < picture.rows; ++y) {
+        for (int x = 0; x < picture.cols; ++x) {
+            const float share = known.share.at<float>(y, x);
+            const float* sums = votes.sums(x, y);
+            if (share >= 1 || sums[3] <= 0) continue;
+            cv::Vec3b& pixel = picture.at<cv::Vec3b>(y, x);
+            for (int c = 0; c < 3; ++c)
+                pixel[c] =
+                    cv::saturate_cast<std::uint8_t>(share * pixel[c] + (1 - share) * sums[c] / sums[3]);
+        }
+    }
+    return picture;
+}
+
+/// One part's pictures, from the finer level to the coarser one.
+class Zooming {
+  public:
+    Zooming(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine, const ZoomRules& rules,
+            const RunTasks& run)
+        : part_(part),
+          coarse_warp_(coarse),
+          fine_warp_(fine),
+          rules_(rules),
+          run_(run),
+          islands_(part, coarse, fine),
+          coarse_(part.coarse),
+          fine_(part.fine) {}
+
+    ZoomPictures made(const ZoomPictures& left) {
+        ZoomPictures pictures = zoom_ends(part_, rules_.between);
+        before_ = pictures.back();
+        for (int i = rules_.between; i > 0; --i) {
+            const double share = static_cast<double>(i) / (rules_.between + 1);
+            before_ = made_at(share, left.empty() ? cv::Mat() : left[as_index(i)]);
+            before_share_ = share;
+            pictures[as_index(i)] = before_;
+        }
+        return pictures;
+    }
+
+  private:
+    KnownPixels known_at(double share, const cv::Mat& left) const {
+        KnownPixels known = islands_.at(share);
+        const double rest = std::min(share, last_fade) / std::min(before_share_, last_fade);
+        known.share = 1 - (1 - known.share) * rest;
+        add_left(left, known);
+        return known;
+    }
+
+    cv::Mat made_at(double share, const cv::Mat& left) {
+        const KnownPixels known = known_at(share, left);
+        const cv::Mat free = free_patches(known.share);
+        const cv::Mat back = fine_warp_.places(part_.columns(share), share, before_share_) -
+                             cv::Scalar(part_.columns(before_share_).start, 0);
+        const cv::Mat in_coarse = part_.places_in_coarse(coarse_warp_, share);
+        const cv::Mat in_fine = part_.places_in_fine(fine_warp_, share);
+        coarse_.carry(back, in_coarse, free);
+        fine_.carry(back, in_fine, free);
+        cv::Mat picture = over(bent(before_, back), known.picture, known.share);
+        for (int round = 0; round < rules_.rounds; ++round) {
+            const PatchImage target(picture);
+            ++seed_;
+            coarse_.search(target, in_coarse, free, rules_.radius, seed_, run_);
+            fine_.search(target, in_fine, free, rules_.radius, seed_, run_);
+            ZoomVotes votes(picture.cols, picture.rows);
+            coarse_.vote(votes, 1 - share, run_);
+            fine_.vote(votes, share, run_);
+            picture = counted(votes, known);
+        }
+        return picture;
+    }
+
+    const ZoomPart& part_;  // all outlive this
+    const ZoomWarp& coarse_warp_;
+    const ZoomWarp& fine_warp_;
+    const ZoomRules& rules_;
+    const RunTasks& run_;
+    MovingIslands islands_;
+    ZoomSource coarse_;
+    ZoomSource fine_;
+    cv::Mat before_;  // the picture made before, of the moment after
+    double before_share_ = 1;
+    std::uint32_t seed_ = 0;
+};
+
+}  // namespace
+
+ZoomPictures synthesised_zoom(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine,
+                              const ZoomPictures& left, const ZoomRules& rules, const RunTasks& run) {
+    return Zooming(part, coarse, fine, rules, run).made(left);
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/patch_match.hpp"
+
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// What patches say of a picture's pixels: sums of B, G, R and of the weights, a pixel.
+class ZoomVotes {
+  public:
+    ZoomVotes(int width, int height);
+
+    /// @param of_target  the picture's patches; those without a match have no vote
+    /// @param source     where they are matched
+    /// @param weights    a patch of the picture
+    void add(const MatchField& of_target, const PatchImage& source, const std::vector<float>& weights,
+             const RunTasks& run);
+
+    /// The mean of a pixel's votes, a float a channel; nothing where it has none.
+    const float* sums(int x, int y) const {
+        return &sums_[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                           static_cast<std::size_t>(x))];
+    }
+
+  private:
+    int width_;
+    int height_;
+    std::vector<float> sums_;
+};
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,48 @@
+#include "analyzer/tapestry/tapestry_state.hpp"
+
+#include "base/state/tapestry.hpp"
+#include "base/system/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* dropped_name = "dropped";
+
+std::string note_of(std::uint64_t bytes, std::int64_t mtime_ns) {
+    return fmt::format("{} {}\n", bytes, mtime_ns);
+}
+
+bool is_dropped(const fs::path& folder, std::uint64_t bytes, std::int64_t mtime_ns) {
+    std::error_code error;
+    return fs::exists(folder / dropped_name, error) &&
+           read_file(folder / dropped_name) == note_of(bytes, mtime_ns);
+}
+
+}  // namespace
+
+TapestryState tapestry_state(const fs::path& folder, std::uint64_t bytes, std::int64_t mtime_ns) {
+    try {
+        if (is_dropped(folder, bytes, mtime_ns)) return TapestryState::dropped;
+        const Tapestry index = read_tapestry(folder);
+        const bool is_its = index.bytes == bytes && index.mtime_ns == mtime_ns;
+        return is_its && index.is_complete ? TapestryState::complete : TapestryState::lacking;
+    } catch (const std::runtime_error&) {  // loading one record: there is none, or it is woven anew
+        return TapestryState::lacking;
+    }
+}
+
+void note_dropped(const fs::path& folder, std::uint64_t bytes, std::int64_t mtime_ns) {
+    fs::create_directories(folder);
+    replace_file(folder / dropped_name, note_of(bytes, mtime_ns));
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/frame_signature.hpp"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+// The file in which the frames of a film wait to be woven: their JPEGs one after another, then an entry for
+// each of them, then the end, by which it is read. It is of this machine and this build only.
+
+namespace vitrine::analyzer {
+
+/// Of what film, so that no other is taken for it.
+struct FilmContent {
+    std::uint64_t bytes = 0;
+    std::int64_t mtime_ns = 0;
+
+    friend bool operator==(const FilmContent&, const FilmContent&) = default;
+};
+
+struct CandidateEntry {
+    std::int64_t time_ns = 0;
+    std::int64_t offset = 0;  // of its JPEG
+    std::int64_t bytes = 0;
+    std::array<std::uint8_t, std::tuple_size_v<decltype(FrameSignature::pixels)>> signature{};
+};
+
+struct CandidateFileEnd {
+    static constexpr std::uint64_t usual_mark = 0x3174656d61726676;  // "vframet1"
+
+    FilmContent content;
+    std::int64_t duration_ns = 0;
+    std::int64_t entries_offset = 0;
+    std::int64_t entries = 0;
+    std::int32_t brick_width = 0;  // px
+    std::int32_t brick_height = 0;
+    std::uint64_t mark = usual_mark;
+};
+
+static_assert(std::is_trivially_copyable_v<CandidateEntry> && std::is_trivially_copyable_v<CandidateFileEnd>);
+
+}  // namespace vitrine::analyzer

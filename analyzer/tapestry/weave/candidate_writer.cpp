@@ -1,0 +1,112 @@
+#include "analyzer/tapestry/weave/candidate_writer.hpp"
+
+#include "analyzer/tapestry/weave/picture_file.hpp"
+#include "base/system/error.hpp"
+
+#include <fcntl.h>
+#include <opencv2/imgproc.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr std::chrono::milliseconds shortest_interval{
+    500};                            // 2 frames a second; source: Video Tapestries 4.1
+constexpr int brick_height = 100;    // px: a tapestry of 150
+constexpr double least_shape = 0.4;  // width to height
+constexpr double most_shape = 3;
+constexpr int jpeg_quality = 96;  // what is made of them is 90
+
+/// The middle of a frame that has the shape of a brick.
+cv::Rect cut_to(cv::Size frame, cv::Size brick) {
+    const double scale = std::min(static_cast<double>(frame.width) / brick.width,
+                                  static_cast<double>(frame.height) / brick.height);
+    const cv::Size part(std::clamp(static_cast<int>(std::lround(brick.width * scale)), 1, frame.width),
+                        std::clamp(static_cast<int>(std::lround(brick.height * scale)), 1, frame.height));
+    return {{(frame.width - part.width) / 2, (frame.height - part.height) / 2}, part};
+}
+
+CandidateEntry entry_of(const VideoFrame& frame) {
+    cv::Mat small;
+    cv::resize(frame.picture, small, {FrameSignature::width, FrameSignature::height}, 0, 0, cv::INTER_AREA);
+    CandidateEntry entry{.time_ns = frame.time.count()};
+    std::copy_n(small.ptr<std::uint8_t>(), entry.signature.size(), entry.signature.begin());
+    return entry;
+}
+
+}  // namespace
+
+cv::Size brick_for(cv::Size frame) {
+    const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, least_shape, most_shape);
+    return {2 * static_cast<int>(std::lround(brick_height * shape / 2)), brick_height};
+}
+
+UniqueFd nameless_file(const std::filesystem::path& directory) {
+    std::string name = (directory / "frames-XXXXXX").string();
+    UniqueFd file(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file.is_open()) throw_errno("make a file in '{}'", directory.string());
+    if (::unlink(name.c_str()) < 0) throw_errno("unlink '{}'", name);
+    return file;
+}
+
+void CandidateWriter::append(const void* data, std::size_t bytes) {
+    const ssize_t written = ::pwrite(file_.get(), data, bytes, written_);
+    if (written < 0) throw_errno("write a frame");
+    if (static_cast<std::size_t>(written) != bytes)
+        throw std::system_error(ENOSPC, std::generic_category(), "write a frame");
+    written_ += written;
+}
+
+void CandidateWriter::push(const VideoFrame& frame) {
+    if (last_.count() < 0) {
+        frame_ = frame.picture.size();
+        brick_ = brick_for(frame_);
+        interval_ = shortest_interval;
+        due_ = frame.time;
+    }
+    if (frame.time <= last_ || frame.picture.size() != frame_) return;
+    last_ = frame.time;
+    if (frame.time < due_) return;
+    due_ = frame.time + interval_;
+    cv::Mat picture;
+    cv::resize(frame.picture(cut_to(frame_, brick_)), picture, brick_, 0, 0, cv::INTER_AREA);
+    const std::string jpeg = to_jpeg(picture, jpeg_quality);
+    CandidateEntry entry = entry_of(frame);
+    entry.offset = written_;
+    entry.bytes = static_cast<std::int64_t>(jpeg.size());
+    append(jpeg.data(), jpeg.size());
+    entries_.push_back(entry);
+    if (entries_.size() >= most_) thin();
+}
+
+/// Every other one goes, and from now on they come half as often.
+void CandidateWriter::thin() {
+    for (std::size_t i = 1; 2 * i < entries_.size(); ++i)
+        entries_[i] = entries_[2 * i];
+    entries_.resize((entries_.size() + 1) / 2);
+    interval_ *= 2;
+    due_ = std::chrono::nanoseconds(entries_.back().time_ns) + interval_;
+}
+
+UniqueFd CandidateWriter::finish(std::chrono::nanoseconds duration, const FilmContent& content) {
+    const CandidateFileEnd end{
+        .content = content,
+        .duration_ns = std::max(duration, last_ + std::chrono::nanoseconds(1)).count(),
+        .entries_offset = written_,
+        .entries = static_cast<std::int64_t>(entries_.size()),
+        .brick_width = brick_.width,
+        .brick_height = brick_.height,
+    };
+    append(entries_.data(), entries_.size() * sizeof(CandidateEntry));
+    append(&end, sizeof end);
+    return std::move(file_);
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "analyzer/tapestry/weave/candidate_file.hpp"
+#include "analyzer/video/video_frame.hpp"
+#include "base/system/unique_fd.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Keeps the frames of a film that may become keyframes, two a second, while it is decoded: small signatures
+/// in memory, pictures of a brick's size in a file. A film beyond two hours gets them less often.
+/// Source: Video Tapestries 4.1, the precomputation.
+class CandidateWriter {
+  public:
+    static constexpr std::size_t two_hours = 14'400;  // frames
+
+    /// @param file  empty, for reading and writing
+    /// @param most  frames that are kept
+    explicit CandidateWriter(UniqueFd file, std::size_t most = two_hours)
+        : file_(std::move(file)), most_(most) {}
+
+    /// Frames that do not come after the last, or have another size, are of a broken stream and passed over.
+    /// @throws std::system_error where there is no room
+    void push(const VideoFrame& frame);
+
+    bool is_empty() const { return entries_.empty(); }
+
+    /// Of the file so far.
+    std::uint64_t bytes() const { return static_cast<std::uint64_t>(written_); }
+
+    /// @param duration  of the film; at least up to the last frame counts
+    /// @return          the file, whole
+    UniqueFd finish(std::chrono::nanoseconds duration, const FilmContent& content);
+
+  private:
+    void thin();
+    void append(const void* data, std::size_t bytes);
+
+    UniqueFd file_;
+    std::size_t most_;
+    cv::Size frame_;  // px of what is pushed
+    cv::Size brick_;
+    std::chrono::nanoseconds interval_{0};
+    std::chrono::nanoseconds due_{0};
+    std::chrono::nanoseconds last_{-1};
+    std::int64_t written_ = 0;
+    std::vector<CandidateEntry> entries_;
+};
+
+/// A file that is gone as soon as nobody has it open. @throws std::system_error
+UniqueFd nameless_file(const std::filesystem::path& directory);
+
+/// The brick for frames of a size: 100 px tall, its width even and within [0.4, 3] times that.
+cv::Size brick_for(cv::Size frame);
+
+}  // namespace vitrine::analyzer

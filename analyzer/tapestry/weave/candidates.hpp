@@ -1,0 +1,56 @@
+#pragma once
+
+#include "analyzer/saliency/face_detector.hpp"
+#include "analyzer/tapestry/synthesis/brickwork.hpp"
+#include "analyzer/tapestry/synthesis/frame_signature.hpp"
+#include "analyzer/tapestry/weave/candidate_file.hpp"
+#include "base/system/unique_fd.hpp"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// The frames of a film that may become keyframes, as CandidateWriter has left them. Their signatures are in
+/// memory, 25 MB for two hours; their pictures stay in the file.
+class Candidates {
+  public:
+    /// @param faces  outlives this; null: none are looked for
+    /// @throws std::runtime_error where it is no such file or ends too early, std::system_error
+    Candidates(UniqueFd file, FaceDetector* faces);
+
+    /// In time order, at least one.
+    const std::vector<FrameSignature>& signatures() const { return signatures_; }
+
+    cv::Size brick() const { return brick_; }
+
+    /// Of the film.
+    std::chrono::nanoseconds duration() const { return duration_; }
+
+    const FilmContent& content() const { return content_; }
+
+    /// Faces are looked for when a frame is first asked for: most frames of a long film never are.
+    /// @throws std::system_error, std::runtime_error where the file cannot be read
+    Keyframe keyframe(int number) const;
+
+  private:
+    struct Kept {
+        std::int64_t offset = 0;
+        std::int64_t bytes = 0;
+    };
+
+    void read(void* into, std::size_t bytes, std::int64_t offset) const;
+    std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
+
+    UniqueFd file_;
+    FaceDetector* detector_;  // lent
+    cv::Size brick_;
+    std::chrono::nanoseconds duration_{0};
+    FilmContent content_;
+    std::vector<FrameSignature> signatures_;
+    std::vector<Kept> kept_;
+    mutable std::vector<std::optional<std::vector<cv::Rect>>> faces_;  // as far as they were looked for
+};
+
+}  // namespace vitrine::analyzer

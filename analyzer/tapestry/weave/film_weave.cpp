@@ -1,0 +1,157 @@
+#include "analyzer/tapestry/weave/film_weave.hpp"
+
+#include "analyzer/tapestry/synthesis/as_index.hpp"
+#include "analyzer/tapestry/weave/candidate_writer.hpp"
+#include "analyzer/tapestry/weave/level_files.hpp"
+#include "analyzer/tapestry/weave/zoom_files.hpp"
+#include "base/state/media_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+using std::chrono::nanoseconds;
+
+namespace {
+
+void remove_other_tiles(const fs::path& directory, const std::string& kept) {
+    std::vector<fs::path> others;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+        if (entry.path().filename().string().starts_with("tiles-") && entry.path().filename() != kept)
+            others.push_back(entry.path());
+    for (const fs::path& other : others)
+        fs::remove_all(other);
+}
+
+/// How many levels an earlier weaving into the same folder of tiles has finished.
+std::size_t levels_woven(const fs::path& directory, const Tapestry& tapestry) {
+    std::error_code error;
+    if (!fs::exists(directory / "index.json", error)) return 0;
+    try {
+        const Tapestry before = read_tapestry(directory);
+        const bool is_same = before.folder == tapestry.folder && before.bytes == tapestry.bytes &&
+                             before.mtime_ns == tapestry.mtime_ns;
+        return is_same ? before.levels.size() : 0;
+    } catch (const std::runtime_error&) {  // loading one record: it is woven anew
+        return 0;
+    }
+}
+
+std::uint64_t bytes_in(const fs::path& folder) {
+    std::uint64_t bytes = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    return bytes;
+}
+
+/// Whether a level of that width may be begun, by what the levels so far, at least one, have taken.
+bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t most_bytes) {
+    if (most_bytes == 0) return true;
+    double columns = 0;
+    for (const TapestryLevel& level : tapestry.levels)
+        columns += level.width;
+    return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(most_bytes);
+}
+
+/// The newest level of the tapestry: its tiles, its zoom fields, then the index that names them.
+void write_level(const fs::path& directory, const Tapestry& tapestry, const Film& film,
+                 const Keyframes& keyframes, const RetargetSettings& settings, const RunTasks& run) {
+    const Candidates& candidates = *film.candidates;
+    const std::size_t number = tapestry.levels.size() - 1;
+    const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
+    LevelFiles files(directory, tapestry, number, brickwork);
+    weave_level(
+        brickwork, [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); },
+        [&](const cv::Mat& columns, const WovenSoFar& done) { files.add(columns, done); }, settings, run,
+        files.done());
+    files.finish();
+    if (number > 0) write_zoom(directory, tapestry, number, run);
+    write_tapestry(directory, tapestry);
+    files.remove_note();
+}
+
+}  // namespace
+
+Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
+    return {.keyframes = static_cast<int>(keyframes.size()), .brick = brick};
+}
+
+TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates) {
+    TapestryLevel level{.width = brickwork_of(keyframes, candidates.brick()).width(), .keyframes = {}};
+    for (const int frame : keyframes)
+        level.keyframes.push_back(candidates.signatures()[as_index(frame)].time);
+    return level;
+}
+
+cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
+                    const RunTasks& run) {
+    std::vector<cv::Mat> parts;
+    weave_level(
+        brickwork_of(keyframes, film.candidates->brick()),
+        [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); },
+        [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); }, settings, run);
+    cv::Mat strip;
+    cv::hconcat(parts, strip);
+    return strip;
+}
+
+Film film_of(UniqueFd frames, FaceDetector* faces) {
+    Film film{.candidates = std::make_unique<Candidates>(std::move(frames), faces)};
+    film.duration = film.candidates->duration();
+    return film;
+}
+
+Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* faces) {
+    CandidateWriter writer(nameless_file(directory));
+    while (const std::optional<VideoFrame> frame = source.next())
+        writer.push(*frame);
+    if (writer.is_empty()) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
+    return film_of(writer.finish(source.info().duration, {}), faces);
+}
+
+std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
+                                        const RunTasks& run) {
+    const auto& frames = candidates.signatures();
+    const KeyframeSettings settings{.most_levels = choice.most_levels};
+    const Affinity costs = choice.is_uniform ? time_affinity(frames) : affinity(frames, {}, run);
+    if (!choice.times.empty()) return refined_levels(costs, keyframes_at(frames, choice.times), settings);
+    if (choice.is_uniform)
+        return refined_levels(costs, uniform_keyframes(costs.frames(), settings.first), settings);
+    return keyframe_levels(costs, settings);
+}
+
+std::string new_tile_folder(const fs::path& directory) {
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("tiles-{}", number);
+        if (fs::create_directories(directory / name)) return name;
+    }
+}
+
+Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film& film, const WeavePlan& plan,
+                       const PyramidSettings& settings, const RunTasks& run) {
+    const Candidates& candidates = *film.candidates;
+    tapestry.duration = film.duration;
+    tapestry.folder = plan.folder;
+    tapestry.height = tapestry_height(brickwork_of(plan.levels[0], candidates.brick()));
+    tapestry.tile_width = tile_file_width;
+    tapestry.brick_width = candidates.brick().width;
+    const std::size_t woven = levels_woven(directory, tapestry);
+    for (std::size_t i = 0; i < plan.levels.size(); ++i) {
+        const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
+        if (i > 0 && !has_room(tapestry, bytes_in(directory / tapestry.folder), brickwork.width(),
+                               settings.most_bytes))
+            break;
+        tapestry.levels.push_back(level_of(plan.levels[i], candidates));
+        tapestry.levels.back().has_zoom = i > 0;
+        if (i >= woven) write_level(directory, tapestry, film, plan.levels[i], settings.retarget, run);
+    }
+    tapestry.is_complete = true;
+    write_tapestry(directory, tapestry);
+    remove_other_tiles(directory, tapestry.folder);
+    return tapestry;
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/keyframes.hpp"
+#include "analyzer/tapestry/synthesis/weave.hpp"
+#include "analyzer/tapestry/weave/candidates.hpp"
+#include "analyzer/tapestry/weave/weave_plan.hpp"
+#include "analyzer/video/frame_source.hpp"
+#include "base/state/tapestry.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// How a film's keyframes are chosen.
+struct WeaveChoice {
+    int most_levels = 32;
+    bool is_uniform = false;  // at equal distances, which needs no comparing
+    std::vector<std::chrono::nanoseconds>
+        times;  // of the coarsest level, chosen by hand; empty: by clustering
+};
+
+/// What is kept of a film to weave it.
+struct Film {
+    std::unique_ptr<Candidates> candidates;
+    std::chrono::nanoseconds duration{0};
+};
+
+/// A film whose frames were kept. @throws as Candidates
+Film film_of(UniqueFd frames, FaceDetector* faces);
+
+/// Reads a film to its end.
+/// @param directory  takes a nameless file of the frames while they are needed
+/// @throws MediaError where it is broken or holds no picture
+Film gathered(FrameSource& source, const std::filesystem::path& directory, FaceDetector* faces);
+
+std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
+                                        const RunTasks& run);
+
+constexpr int tile_file_width = 512;  // px
+
+Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick);
+
+/// What the index says of a level. @param keyframes  of the candidates
+TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates);
+
+/// Some keyframes of a film woven into a strip, in memory. CV_8UC3.
+cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
+                    const RunTasks& run);
+
+/// How a pyramid is written.
+struct PyramidSettings {
+    RetargetSettings retarget;
+    std::uint64_t most_bytes = 0;  // of its tiles, about: a level that would go beyond is not begun; 0: any
+};
+
+/// A folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
+std::string new_tile_folder(const std::filesystem::path& directory);
+
+/// Weaves all levels into a folder: tiles, and the index anew after each level, so that the coarsest can be
+/// shown while the finest is made. Goes on where an earlier weaving into the same tile folder was cut off;
+/// what comes of it does not depend on that. The tiles of other weavings go last, when nothing names them.
+/// @param tapestry  path, bytes and mtime_ns of the film
+/// @return          the index
+/// @throws std::system_error, std::runtime_error; they name the file
+Tapestry write_pyramid(const std::filesystem::path& directory, Tapestry tapestry, const Film& film,
+                       const WeavePlan& plan, const PyramidSettings& settings, const RunTasks& run);
+
+/// Draws the levels below each other, each around the middle of the one above, with lines from where a
+/// level's part begins and ends to the same times in the level above. Source: Video Tapestries, figure 6.
+cv::Mat drawn_weave(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
+                    const RunTasks& run);
+
+}  // namespace vitrine::analyzer

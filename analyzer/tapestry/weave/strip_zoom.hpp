@@ -1,0 +1,50 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/zoom_synthesis.hpp"
+#include "analyzer/tapestry/weave/film_weave.hpp"
+
+namespace vitrine::analyzer {
+
+/// Two neighbouring levels in memory.
+struct LevelPair {
+    Tapestry index;  // of these two alone, without files
+    cv::Mat coarse;  // CV_8UC3, the strips
+    cv::Mat fine;
+};
+
+/// The two coarsest levels of a film. @param levels  at least two
+LevelPair woven_pair(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
+                     const RunTasks& run);
+
+/// The zoom between two levels, as it can be drawn.
+class StripZoom {
+  public:
+    /// @param pair  outlives this
+    StripZoom(const LevelPair& pair, const RunTasks& run);
+
+    const std::vector<ZoomPart>& parts() const { return parts_; }
+
+    const ZoomWarp& coarse() const { return *coarse_; }
+
+    const ZoomWarp& fine() const { return *fine_; }
+
+    /// Strips as a whole at rules.between moments and at both ends; neighbouring parts agree.
+    ZoomPictures synthesised(const ZoomRules& rules, const RunTasks& run) const;
+    ZoomPictures bent(int between) const;
+
+  private:
+    void join(const ZoomPart& part, const ZoomPictures& pictures, ZoomPictures& strips) const;
+
+    std::vector<ZoomPart> parts_;
+    std::unique_ptr<ZoomWarp> coarse_;
+    std::unique_ptr<ZoomWarp> fine_;
+};
+
+/// The zoom between two levels where the finer one adds most: the coarser level, a quarter, half and three
+/// quarters of the way with one fading into the other, the same moments bent and synthesised, the finer
+/// level.
+///
+/// @param rules  one more than rules.between is a multiple of 4
+cv::Mat drawn_zoom(const LevelPair& pair, const RunTasks& run, const ZoomRules& rules = {});
+
+}  // namespace vitrine::analyzer

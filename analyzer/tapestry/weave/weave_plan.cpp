@@ -1,0 +1,75 @@
+#include "analyzer/tapestry/weave/weave_plan.hpp"
+
+#include "base/system/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+// A line with the film's content and the folder, then a line a level.
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* plan_name = "plan";
+constexpr std::size_t most_levels = 32;
+
+std::optional<Keyframes> level_in(const std::string& line, std::size_t candidates) {
+    std::istringstream words(line);
+    Keyframes level;
+    for (int frame = 0; words >> frame;) {
+        const bool is_next = level.empty() ? frame >= 0 : frame > level.back();
+        if (!is_next || static_cast<std::size_t>(frame) >= candidates) return std::nullopt;
+        level.push_back(frame);
+    }
+    if (!words.eof() || level.empty()) return std::nullopt;
+    return level;
+}
+
+std::string head_of(const FilmContent& content) {
+    return fmt::format("vitrine-plan 1 {} {} ", content.bytes, content.mtime_ns);
+}
+
+}  // namespace
+
+std::optional<WeavePlan> read_plan(const fs::path& directory, const FilmContent& content,
+                                   std::size_t candidates) {
+    std::error_code error;
+    if (!fs::exists(directory / plan_name, error)) return std::nullopt;
+    std::istringstream lines(read_file(directory / plan_name));
+    std::string line;
+    const std::string head = head_of(content);
+    if (!std::getline(lines, line) || !line.starts_with(head)) return std::nullopt;
+    WeavePlan plan{.folder = line.substr(head.size()), .levels = {}};
+    if (!plan.folder.starts_with("tiles-") || plan.folder.find_first_of("/.") != std::string::npos)
+        return std::nullopt;
+    while (std::getline(lines, line)) {
+        std::optional<Keyframes> level = level_in(line, candidates);
+        const bool is_nested =
+            level && (plan.levels.empty() || std::ranges::includes(*level, plan.levels.back()));
+        if (!is_nested || plan.levels.size() == most_levels) return std::nullopt;
+        plan.levels.push_back(std::move(*level));
+    }
+    if (plan.levels.empty()) return std::nullopt;
+    return plan;
+}
+
+void write_plan(const fs::path& directory, const FilmContent& content, const WeavePlan& plan) {
+    std::string text = head_of(content) + plan.folder + "\n";
+    for (const Keyframes& level : plan.levels)
+        text += fmt::format("{}\n", fmt::join(level, " "));
+    replace_file(directory / plan_name, text);
+}
+
+void remove_plan(const fs::path& directory) {
+    std::error_code missing;
+    fs::remove(directory / plan_name, missing);
+}
+
+}  // namespace vitrine::analyzer

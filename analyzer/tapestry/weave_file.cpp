@@ -1,0 +1,177 @@
+#include "analyzer/tapestry/weave_file.hpp"
+
+#include "analyzer/saliency/faces.hpp"
+#include "analyzer/tapestry/weave/film_weave.hpp"
+#include "analyzer/tapestry/weave/kept_frames.hpp"
+#include "analyzer/tapestry/weave/picture_file.hpp"
+#include "analyzer/tapestry/weave/strip_zoom.hpp"
+#include "analyzer/tapestry/weave/threads.hpp"
+#include "analyzer/video/frame_reader.hpp"
+#include "base/state/media_error.hpp"
+#include "base/state/record.hpp"
+#include "base/system/atomic_file.hpp"
+#include "base/system/error.hpp"
+#include "base/system/log.hpp"
+
+#include <sys/stat.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double most_seconds = 1e6;  // of a chosen time
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+/// Seconds, one a line; empty lines and what follows a # count nothing.
+std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
+    std::istringstream lines(read_file(file));
+    std::vector<std::chrono::nanoseconds> times;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::string word;
+        if (!(words >> word)) continue;
+        char* end = nullptr;
+        const double seconds = std::strtod(word.c_str(), &end);
+        if (*end != '\0' || !(seconds >= 0 && seconds <= most_seconds) || words >> word)
+            throw std::runtime_error(
+                fmt::format("'{}' line {}: '{}' is no time in seconds", file.string(), number, line));
+        times.emplace_back(std::llround(seconds * 1e9));
+    }
+    if (times.empty()) throw std::runtime_error(fmt::format("'{}': no times in it", file.string()));
+    return times;
+}
+
+std::unique_ptr<FrameSource> opened(const WeaveRequest& request, const Settings& settings) {
+    std::unique_ptr<FrameSource> source = open_media(request.file.string(), settings.analyzer.frame_size);
+    if (source->info().kind == MediaKind::photo)
+        throw MediaError(MediaState::unsupported, "a photo has no tapestry");
+    return source;
+}
+
+Tapestry head_of(const fs::path& file, const fs::path& root) {
+    struct stat status {};
+
+    if (::stat(file.c_str(), &status) < 0) throw_errno("look at '{}'", file.string());
+    const std::string path = record_path(file, root);
+    return {.path = path == file.string() ? file.filename().string() : path,
+            .bytes = static_cast<std::uint64_t>(status.st_size),
+            .mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+/// One weaving, with all that it needs.
+class Weaving {
+  public:
+    Weaving(const WeaveRequest& request, const Settings& settings)
+        : request_(request),
+          settings_(settings),
+          head_(head_of(request.file, settings.media.root)),
+          content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
+          choice_{.most_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
+          pyramid_{.retarget = {}, .most_bytes = request.most_bytes},
+          run_(threaded(request.threads > 0 ? request.threads
+                                            : static_cast<int>(std::thread::hardware_concurrency()))) {
+        if (!request.times.empty()) choice_.times = times_in(request.times);
+        faces_ = face_detector(settings.analyzer.face_model, settings.analyzer.face_cascade);
+    }
+
+    std::string once() {
+        const fs::path directory =
+            request_.directory.empty() ? fs::absolute(request_.result()).parent_path() : request_.directory;
+        fs::create_directories(directory);
+        const Film film = gathered(*opened(request_, settings_), directory, faces_.get());
+        const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);
+        if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
+        if (!request_.zoom.empty()) draw_zoom(film, levels);
+        if (!request_.directory.empty())
+            write_pyramid(request_.directory, head_, film,
+                          {.folder = new_tile_folder(request_.directory), .levels = levels}, pyramid_, run_);
+        return in_words(levels);
+    }
+
+    /// What took time stays in the folder until the tapestry is complete: frames, plan, tiles.
+    std::string on() {
+        const fs::path& directory = request_.directory;
+        fs::create_directories(directory);
+        const Film film = kept_film();
+        std::optional<WeavePlan> plan = read_plan(directory, content_, film.candidates->signatures().size());
+        if (!plan) {
+            plan = {.folder = new_tile_folder(directory),
+                    .levels = chosen_keyframes(*film.candidates, choice_, run_)};
+            write_plan(directory, content_, *plan);
+        }
+        write_pyramid(directory, head_, film, *plan, pyramid_, run_);
+        remove_plan(directory);
+        remove_kept_frames(directory);
+        return in_words(plan->levels);
+    }
+
+  private:
+    static std::string in_words(const std::vector<Keyframes>& levels) {
+        return fmt::format("{} levels, {} to {} keyframes", levels.size(), levels.front().size(),
+                           levels.back().size());
+    }
+
+    void draw_zoom(const Film& film, const std::vector<Keyframes>& levels) const {
+        if (levels.size() < 2)
+            throw std::runtime_error(
+                fmt::format("'{}': there is no zoom, as it has one level only", request_.file.string()));
+        write_png(request_.zoom, drawn_zoom(woven_pair(film, levels, {}, run_), run_));
+    }
+
+    std::optional<Film> film_of_kept() {
+        std::optional<UniqueFd> frames = kept_frames(request_.directory);
+        if (!frames) return std::nullopt;
+        try {
+            Film film = film_of(std::move(*frames), faces_.get());
+            if (film.candidates->content() == content_) return film;
+        } catch (const std::runtime_error& error) {  // loading one record
+            log::debug("frames of '{}' unreadable, ignoring: {}", request_.file.string(), error.what());
+        }
+        return std::nullopt;
+    }
+
+    Film kept_film() {
+        if (auto film = film_of_kept()) return std::move(*film);
+        const auto source = opened(request_, settings_);
+        KeptFrames frames(request_.directory, request_.most_bytes > 0 ? request_.most_bytes : no_limit);
+        while (const std::optional<VideoFrame> frame = source->next())
+            frames.saw(*frame);
+        frames.finish(source->info().duration, content_);
+        if (auto film = film_of_kept()) return std::move(*film);
+        throw std::runtime_error("there is no room for its frames");
+    }
+
+    const WeaveRequest& request_;  // both outlive this
+    const Settings& settings_;
+    Tapestry head_;
+    FilmContent content_;
+    WeaveChoice choice_;
+    PyramidSettings pyramid_;
+    RunTasks run_;
+    std::unique_ptr<FaceDetector> faces_;
+};
+
+}  // namespace
+
+std::string weave_file(const WeaveRequest& request, const Settings& settings) {
+    try {
+        Weaving weaving(request, settings);
+        return request.resumes ? weaving.on() : weaving.once();
+    } catch (const MediaError& error) {
+        throw std::runtime_error(fmt::format("'{}': {}", request.file.string(), error.what()));
+    }
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace vitrine::analyzer {
+
+/// What is asked of one weaving.
+struct WeaveRequest {
+    std::filesystem::path file;
+    std::filesystem::path directory;  // for the pyramid; empty: none
+    std::filesystem::path sheet;      // a PNG; empty: none
+    std::filesystem::path zoom;       // likewise, of the zoom between the two coarsest levels
+    int levels = 32;
+    std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
+    bool is_uniform = false;
+    bool resumes = false;          // the pyramid: an earlier weaving is gone on with, where it was cut off
+    std::uint64_t most_bytes = 0;  // of the pyramid, about; 0: any
+    int threads = 0;               // 0: one a core
+
+    /// The first that is asked for of folder, sheet and zoom; empty: nothing is.
+    const std::filesystem::path& result() const {
+        if (!directory.empty()) return directory;
+        return sheet.empty() ? zoom : sheet;
+    }
+};
+
+/// Weaves the tapestry of one film, into a folder or as sheets.
+/// @return what was made, for the log
+/// @throws std::exception that names the file
+std::string weave_file(const WeaveRequest& request, const Settings& settings);
+
+}  // namespace vitrine::analyzer

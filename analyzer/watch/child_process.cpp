@@ -1,0 +1,232 @@
+#include "analyzer/watch/child_process.hpp"
+
+#include "base/system/error.hpp"
+
+#include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr int exit_not_started = 127;  // as a shell says it
+
+struct Pipe {
+    Pipe() {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) < 0) throw_errno("make a pipe");
+        read.reset(ends[0]);
+        write.reset(ends[1]);
+    }
+
+    UniqueFd read, write;
+};
+
+/// What the new process needs, gathered before the fork: after it only calls that are safe there are left.
+struct Launch {
+    std::vector<char*> arguments;  // with nullptr at the end
+    rlim_t memory = RLIM_INFINITY;
+    rlim_t processor_seconds = RLIM_INFINITY;
+    int niceness = 0;
+    int output = -1;
+    int complaint = -1;
+};
+
+void limit(__rlimit_resource resource, rlim_t value) {
+    const rlimit both{value, value};
+    ::setrlimit(resource, &both);  // a stricter limit of ours stays
+}
+
+/// Runs in the new process.
+[[noreturn]] void become(const Launch& launch, pid_t parent) {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(exit_not_started);  // it died before that line
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    limit(RLIMIT_CORE, 0);
+    if (launch.memory != RLIM_INFINITY) limit(RLIMIT_DATA, launch.memory);
+    limit(RLIMIT_CPU, launch.processor_seconds);
+    if (::nice(launch.niceness) < 0) errno = 0;  // it only runs faster then
+    const int nothing = ::open("/dev/null", O_RDONLY);
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(launch.output, STDOUT_FILENO);
+    ::dup2(launch.complaint, STDERR_FILENO);
+    ::execv(launch.arguments.front(), launch.arguments.data());
+    constexpr std::string_view sorry = "the analysing program cannot be started\n";
+    if (::write(STDERR_FILENO, sorry.data(), sorry.size()) < 0) ::_exit(exit_not_started);
+    ::_exit(exit_not_started);
+}
+
+rlim_t processor_seconds(std::chrono::milliseconds deadline) {
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(deadline).count();
+    return static_cast<rlim_t>(seconds) * std::max(1U, std::thread::hardware_concurrency()) + 1;
+}
+
+/// Reads what is there. @return false at the end
+bool read_some(const UniqueFd& fd, std::string& text) {
+    std::array<char, 1U << 16> buffer;
+    const ssize_t n = ::read(fd.get(), buffer.data(), buffer.size());
+    if (n < 0) return errno == EAGAIN || errno == EINTR;
+    text.append(buffer.data(), static_cast<std::size_t>(n));
+    return n > 0;
+}
+
+bool has_more(const UniqueFd& fd, std::string& text) {
+    const std::size_t before = text.size();
+    return read_some(fd, text) && text.size() > before;
+}
+
+/// Takes the first line off, where it is whole.
+std::optional<std::string> first_line(std::string& text) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string::npos) return std::nullopt;
+    std::string line = text.substr(0, end);
+    text.erase(0, end + 1);
+    return line;
+}
+
+}  // namespace
+
+ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes) {
+    constexpr double bytes_per_mebibyte = 1 << 20;
+    constexpr double most_seconds = 86'400;
+    const double seconds = deadline_per_mebibyte * static_cast<double>(bytes) / bytes_per_mebibyte;
+    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, most_seconds) * 1000));
+    return limits;
+}
+
+ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& command,
+                           const ChildLimits& limits, std::function<void(const ChildResult&)> ended,
+                           Said said)
+    : limits_(limits), ended_(std::move(ended)), said_(std::move(said)) {
+    Pipe output, complaint;
+    Launch launch{.memory = limits.memory_bytes > 0 ? limits.memory_bytes : RLIM_INFINITY,
+                  .processor_seconds = processor_seconds(limits.deadline),
+                  .niceness = limits.niceness,
+                  .output = output.write.get(),
+                  .complaint = complaint.write.get()};
+    std::vector<std::string> words = command;
+    for (std::string& word : words)
+        launch.arguments.push_back(word.data());
+    launch.arguments.push_back(nullptr);
+
+    const pid_t parent = ::getpid();
+    pid_ = ::fork();
+    if (pid_ < 0) throw_errno("start '{}'", command.front());
+    if (pid_ == 0) become(launch, parent);
+    ::setpgid(pid_, pid_);  // whoever of the two is first
+    process_.reset(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
+    if (!process_.is_open()) {
+        ::kill(-pid_, SIGKILL);
+        throw_errno("watch the process of '{}'", command.front());
+    }
+    output_ = std::move(output.read);
+    complaint_ = std::move(complaint.read);
+    ::fcntl(output_.get(), F_SETFL, O_NONBLOCK);
+    ::fcntl(complaint_.get(), F_SETFL, O_NONBLOCK);
+    process_source_ = loop.watch(process_.get(), EPOLLIN, [this](std::uint32_t) { reap(); });
+    output_source_ = loop.watch(output_.get(), EPOLLIN, [this](std::uint32_t) { read_output(); });
+    complaint_source_ = loop.watch(complaint_.get(), EPOLLIN, [this](std::uint32_t) { read_complaint(); });
+    deadline_ = loop.timer([this] { kill(ChildResult::End::late); });
+    deadline_.arm(limits.deadline);
+}
+
+ChildProcess::~ChildProcess() {
+    if (pid_ < 0) return;
+    ::kill(-pid_, SIGKILL);
+    siginfo_t info{};
+    ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG);  // else our own parent reaps it
+}
+
+void ChildProcess::pause() {
+    if (pid_ >= 0) ::kill(-pid_, SIGSTOP);
+}
+
+void ChildProcess::go_on() {
+    if (pid_ >= 0) ::kill(-pid_, SIGCONT);
+}
+
+void ChildProcess::stop() {
+    kill(ChildResult::End::stopped);
+}
+
+void ChildProcess::kill(ChildResult::End why) {
+    if (is_killed_) return;
+    is_killed_ = true;
+    result_.end = why;
+    if (pid_ >= 0) ::kill(-pid_, SIGKILL);
+}
+
+/// Reads some of the output. @return false at its end or limit
+bool ChildProcess::take_output() {
+    std::string& text = said_ ? line_ : result_.output;
+    const std::size_t before = text.size();
+    const bool has_end = !read_some(output_, text);
+    const std::size_t room = limits_.output_bytes - std::min(heard_, limits_.output_bytes);
+    heard_ += text.size() - before;
+    if (heard_ > limits_.output_bytes) {
+        text.resize(before + room);
+        kill(ChildResult::End::talked_too_much);
+        return false;
+    }
+    if (!said_) return !has_end;
+    while (std::optional<std::string> line = first_line(line_)) {
+        said_(*line);
+        result_.output = std::move(*line);
+    }
+    return !has_end;
+}
+
+void ChildProcess::read_output() {
+    if (!take_output()) output_source_ = {};
+}
+
+void ChildProcess::read_complaint() {
+    if (!read_some(complaint_, result_.complaint)) complaint_source_ = {};
+    if (result_.complaint.size() > max_complaint)
+        result_.complaint.erase(0, result_.complaint.size() - max_complaint);
+}
+
+/// Its children may hold the pipes open, so what is in them now is all that is read. They are killed while
+/// the unreaped process still keeps its group's number from being given to others.
+void ChildProcess::reap() {
+    ::kill(-pid_, SIGKILL);
+    siginfo_t info{};
+    if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED) < 0) throw_errno("wait for a child");
+    pid_ = -1;
+    std::size_t before = 0;
+    do
+        before = heard_;
+    while (take_output() && heard_ > before);
+    while (has_more(complaint_, result_.complaint)) {
+    }
+    if (result_.complaint.size() > max_complaint)
+        result_.complaint.erase(0, result_.complaint.size() - max_complaint);
+    if (!line_.empty()) result_.output = std::move(line_);
+    result_.code = info.si_status;
+    if (!is_killed_)
+        result_.end = info.si_code == CLD_EXITED ? ChildResult::End::exited : ChildResult::End::killed;
+    for (EventLoop::Source* source : {&process_source_, &output_source_, &complaint_source_, &deadline_})
+        *source = {};
+    const auto ended = std::move(ended_);
+    const ChildResult result = std::move(result_);
+    ended(result);
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,63 @@
+#include "analyzer/watch/file_states.hpp"
+
+namespace vitrine::analyzer {
+
+namespace {
+
+FileState::State state_of(MediaState state) {
+    switch (state) {
+    case MediaState::ready:
+        return FileState::State::ready;
+    case MediaState::waiting:
+        return FileState::State::waiting;
+    case MediaState::unsupported:
+        return FileState::State::unsupported;
+    case MediaState::failed:
+        return FileState::State::failed;
+    case MediaState::quarantined:
+        return FileState::State::quarantined;
+    }
+    return FileState::State::waiting;
+}
+
+}  // namespace
+
+void FileStates::hold(const MediaRecord& record) {
+    found_[record.path] = {.state = record.state, .reason = record.reason};
+}
+
+const FileStates::Found* FileStates::found(const std::string& path, Schedule::Stage stage) const {
+    using Stage = Schedule::Stage;
+    if (stage == Stage::settling || stage == Stage::due) return nullptr;
+    const auto known = found_.find(path);
+    return known == found_.end() ? nullptr : &known->second;
+}
+
+FileState::State FileStates::state_of(const Found* found, Schedule::Stage stage) {
+    if (found != nullptr) return vitrine::analyzer::state_of(found->state);
+    return stage == Schedule::Stage::settling ? FileState::State::copying : FileState::State::analysing;
+}
+
+StateCounts FileStates::counts(const Schedule& schedule) const {
+    StateCounts counts;
+    schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time) {
+        ++counts[state_of(found(path, stage), stage)];
+    });
+    return counts;
+}
+
+std::vector<FileState> FileStates::list(const Schedule& schedule, Schedule::Time clock,
+                                        std::chrono::system_clock::time_point now) const {
+    std::vector<FileState> states;
+    schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time since) {
+        const Found* known = found(path, stage);
+        const auto ago = std::chrono::duration_cast<std::chrono::system_clock::duration>(clock - since);
+        states.push_back({.path = path,
+                          .state = state_of(known, stage),
+                          .since = now - ago,
+                          .reason = known == nullptr ? "" : known->reason});
+    });
+    return states;
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "analyzer/status/file_state.hpp"
+#include "analyzer/watch/schedule.hpp"
+#include "base/state/record.hpp"
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Says of every file where it stands: the schedule knows how far it has come, the records what was found.
+class FileStates {
+  public:
+    /// The catalogue has this record now, in place of an earlier one of that path.
+    void hold(const MediaRecord& record);
+
+    void release(const std::string& path) { found_.erase(path); }
+
+    StateCounts counts(const Schedule& schedule) const;
+
+    /// All files, ordered by path.
+    /// @param clock, now  the same moment by two clocks: the schedule's is not one that people read
+    std::vector<FileState> list(const Schedule& schedule, Schedule::Time clock,
+                                std::chrono::system_clock::time_point now) const;
+
+  private:
+    struct Found {
+        MediaState state = MediaState::waiting;
+        std::string reason;
+    };
+
+    const Found* found(const std::string& path, Schedule::Stage stage) const;
+    static FileState::State state_of(const Found* found, Schedule::Stage stage);
+
+    std::map<std::string, Found> found_;
+};
+
+}  // namespace vitrine::analyzer

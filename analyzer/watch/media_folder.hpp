@@ -1,0 +1,87 @@
+#pragma once
+
+#include "analyzer/watch/file_facts.hpp"
+#include "base/system/unique_fd.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Whether programs leave files or folders of this name behind that nobody wants to see: hidden ones,
+/// thumbnails, halves of downloads, wastebaskets, our own status folder.
+bool is_junk_name(std::string_view name);
+
+/// The folder whose photos and films are shown, as it is now. Links are passed over, so that none leads out
+/// of it. Paths are relative to it, with '/' between folders and any bytes in names.
+class MediaFolder {
+  public:
+    static constexpr int max_depth = 32;
+    static constexpr std::size_t max_files = 100'000;
+
+    /// @param passed_over  a folder in it of ours, for the operator to read; may be empty
+    explicit MediaFolder(std::filesystem::path root, std::string passed_over = "")
+        : root_(std::move(root)), passed_over_(std::move(passed_over)) {}
+
+    const std::filesystem::path& root() const { return root_; }
+
+    std::filesystem::path absolute(const std::string& path) const { return root_ / path; }
+
+    struct File {
+        std::string path;
+        FileFacts facts;
+    };
+
+    enum class Presence {
+        there,
+        gone,         // or no plain file, or junk
+        unreachable,  // could not be found out: a server that is off
+    };
+
+    struct Look {
+        Presence presence = Presence::gone;
+        File file;  // where it is there
+    };
+
+    Look look(const std::string& path) const;
+
+    struct Listing {
+        std::vector<File> files;
+        bool is_complete = true;           // false: something could not be read, a missing file may be there
+        std::vector<std::string> remarks;  // what could not be read or was too much, in plain words
+    };
+
+    using Enter = std::function<void(const std::string& folder)>;
+
+    using Attend = std::function<void()>;
+
+    /// All files in this folder ("" is the root) and below.
+    /// @param enter  called with each folder before it is read, so that a watch set there misses nothing
+    /// @param attend  called whenever a file or folder was found
+    Listing list(const std::string& folder, const Enter& enter = {}, const Attend& attend = {}) const;
+
+    /// Tells one mounted file system from another at the root; nothing where the root is missing.
+    std::optional<std::uint64_t> device() const;
+
+    /// Whether other machines may change it unseen by this kernel: CIFS, NFS, FUSE, 9P.
+    bool is_remote() const;
+
+    /// Whether the end of the file was never written, as in a copy that reserved its space first.
+    bool ends_in_hole(const std::string& path) const;
+
+    /// The first bytes of a plain file; nothing where it cannot be read. Its name may be one of junk.
+    std::optional<std::string> content(const std::string& path, std::size_t most_bytes) const;
+
+  private:
+    bool is_passed_over(const std::string& path) const;
+    UniqueFd open(const std::string& path, int flags) const;
+
+    std::filesystem::path root_;
+    std::string passed_over_;
+};
+
+}  // namespace vitrine::analyzer

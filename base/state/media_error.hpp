@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/state/record.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace vitrine {
+
+/// A file that cannot be shown: the state its record gets and the reason in the operator's words, without
+/// the file's name ("the copy is not complete: half of the picture is missing").
+class MediaError : public std::runtime_error {
+  public:
+    MediaError(MediaState state, const std::string& reason) : std::runtime_error(reason), state_(state) {}
+
+    MediaState state() const { return state_; }
+
+  private:
+    MediaState state_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,43 @@
+#include "base/state/record.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace vitrine {
+
+Box core(const MediaRecord& record, const Shot& shot) {
+    const double seconds = std::chrono::duration<double>(shot.duration()).count();
+    const Vec2 travel = shot.region.drift * seconds;
+    const Vec2 size{static_cast<double>(record.width), static_cast<double>(record.height)};
+    return {{std::max(0.0, -travel.x), std::max(0.0, -travel.y)},
+            {size.x - std::max(0.0, travel.x), size.y - std::max(0.0, travel.y)}};
+}
+
+bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
+    const auto head = [](const MediaRecord& record) {
+        return std::tie(record.path, record.kind, record.bytes, record.mtime_ns, record.state, record.width,
+                        record.height);
+    };
+    const auto is_same = [](const Shot& a, const Shot& b) {
+        return a.begin == b.begin && a.end == b.end && a.ends_with == b.ends_with && a.region == b.region;
+    };
+    return head(after) == head(before) && after.shots.size() >= before.shots.size() &&
+           std::equal(before.shots.begin(), before.shots.end(), after.shots.begin(), is_same);
+}
+
+std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root) {
+    const std::filesystem::path relative =
+        std::filesystem::absolute(file).lexically_normal().lexically_relative(
+            (std::filesystem::absolute(root) / "").lexically_normal());
+    const bool is_inside = !relative.empty() && *relative.begin() != ".." && relative != ".";
+    return is_inside ? relative.string() : file.string();
+}
+
+std::string record_id(const std::string& path) {
+    return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(path.data(), path.size())));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,199 @@
+#include "base/state/record_json.hpp"
+
+#include "base/state/path_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <stdexcept>
+#include <utility>
+
+namespace vitrine {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t max_shots = 100'000;
+constexpr std::size_t max_corners = 1'000;
+constexpr double most_pixels = 1e9;  // of a place, or of a second's way
+
+template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
+
+constexpr Names<MediaKind, 2> kinds{{{MediaKind::photo, "photo"}, {MediaKind::video, "video"}}};
+constexpr Names<MediaState, 5> states{{{MediaState::ready, "ready"},
+                                       {MediaState::waiting, "waiting"},
+                                       {MediaState::unsupported, "unsupported"},
+                                       {MediaState::failed, "failed"},
+                                       {MediaState::quarantined, "quarantined"}}};
+constexpr Names<ShotEnd, 4> ends{
+    {{ShotEnd::cut, "cut"}, {ShotEnd::dissolve, "dissolve"}, {ShotEnd::fade, "fade"}, {ShotEnd::end, "end"}}};
+
+template <typename Table> std::string_view name_in(const Table& table, auto value) {
+    for (const auto& [key, name] : table)
+        if (key == value) return name;
+    throw std::logic_error("a value without a name");
+}
+
+template <typename Table> auto value_in(const Table& table, const Json& json, std::string_view key) {
+    const std::string text = json.at(std::string(key)).get<std::string>();
+    for (const auto& [value, name] : table)
+        if (name == text) return value;
+    throw std::runtime_error(fmt::format("record: '{}' is not a {}", text, key));
+}
+
+double rounded(double pixels) {
+    return std::round(pixels * 1000) / 1000;
+}
+
+Json to_array(Vec2 v) {
+    return Json::array({rounded(v.x), rounded(v.y)});
+}
+
+/// nlohmann::json casts whatever number stands there, and a cast beyond the range is undefined.
+template <std::integral Number> Number whole(const Json& json, const char* key) {
+    const Json& value = json.at(key);
+    if (value.is_number_unsigned() && std::in_range<Number>(value.get<std::uint64_t>()))
+        return static_cast<Number>(value.get<std::uint64_t>());
+    if (value.is_number_integer() && !value.is_number_unsigned() &&
+        std::in_range<Number>(value.get<std::int64_t>()))
+        return static_cast<Number>(value.get<std::int64_t>());
+    throw std::runtime_error(fmt::format("record: '{}' is no whole number, or too large", key));
+}
+
+Vec2 to_vec2(const Json& json) {
+    const Vec2 v{json.at(0).get<double>(), json.at(1).get<double>()};
+    if (!(std::abs(v.x) <= most_pixels && std::abs(v.y) <= most_pixels))
+        throw std::runtime_error("record: a place beyond any picture");
+    return v;
+}
+
+Json to_object(const StoredShot& stored) {
+    return {{"file", stored.file},
+            {"begin_ns", stored.begin.count()},
+            {"width", stored.width},
+            {"height", stored.height},
+            {"dropped", stored.is_dropped}};
+}
+
+StoredShot to_stored(const Json& json) {
+    StoredShot stored;
+    stored.file = json.at("file").get<std::string>();
+    stored.begin = std::chrono::nanoseconds(whole<std::int64_t>(json, "begin_ns"));
+    stored.width = whole<int>(json, "width");
+    stored.height = whole<int>(json, "height");
+    stored.is_dropped = json.at("dropped").get<bool>();
+    if (!is_store_name(stored.file)) throw std::runtime_error("record: 'file' names none of the store");
+    if (stored.begin.count() < 0 || stored.width <= 0 || stored.height <= 0)
+        throw std::runtime_error("record: a stored shot without a size or a place");
+    return stored;
+}
+
+Json to_object(const StoredSound& sound) {
+    return {{"file", sound.file}, {"dropped", sound.is_dropped}};
+}
+
+StoredSound to_sound(const Json& json) {
+    StoredSound sound{.file = json.at("file").get<std::string>(),
+                      .is_dropped = json.at("dropped").get<bool>()};
+    if (!sound.file.empty() && !is_store_name(sound.file))
+        throw std::runtime_error("record: the sound's 'file' names none of the store");
+    return sound;
+}
+
+Json to_object(const Shot& shot) {
+    Json polygon = Json::array();
+    for (const Vec2& corner : shot.region.polygon)
+        polygon.push_back(to_array(corner));
+    Json json{{"begin_ns", shot.begin.count()},
+              {"end_ns", shot.end.count()},
+              {"ends_with", name_of(shot.ends_with)},
+              {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    if (shot.stored) json["stored"] = to_object(*shot.stored);
+    return json;
+}
+
+Shot to_shot(const Json& json) {
+    Shot shot;
+    shot.begin = std::chrono::nanoseconds(whole<std::int64_t>(json, "begin_ns"));
+    shot.end = std::chrono::nanoseconds(whole<std::int64_t>(json, "end_ns"));
+    shot.ends_with = value_in(ends, json, "ends_with");
+    const Json& polygon = json.at("region").at("polygon");
+    if (polygon.size() > max_corners) throw std::runtime_error("record: a region has too many corners");
+    for (const Json& corner : polygon)
+        shot.region.polygon.push_back(to_vec2(corner));
+    shot.region.drift = to_vec2(json.at("region").at("drift"));
+    if (json.contains("stored")) shot.stored = to_stored(json["stored"]);
+    return shot;
+}
+
+MediaRecord to_record(const Json& json) {
+    const int version = whole<int>(json, "version");
+    if (version != MediaRecord::current_version)
+        throw std::runtime_error(fmt::format("record: version {} is not known", version));
+    MediaRecord record;
+    record.path = json.contains("path_hex") ? from_hex(json["path_hex"].get<std::string>())
+                                            : json.at("path").get<std::string>();
+    record.kind = value_in(kinds, json, "kind");
+    record.bytes = whole<std::uint64_t>(json, "bytes");
+    record.mtime_ns = whole<std::int64_t>(json, "mtime_ns");
+    record.state = value_in(states, json, "state");
+    record.is_complete = json.at("complete").get<bool>();
+    record.reason = json.at("reason").get<std::string>();
+    record.width = whole<int>(json, "width");
+    record.height = whole<int>(json, "height");
+    record.duration = std::chrono::nanoseconds(whole<std::int64_t>(json, "duration_ns"));
+    if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
+    for (const Json& shot : json.at("shots"))
+        record.shots.push_back(to_shot(shot));
+    if (json.contains("sound")) record.sound = to_sound(json["sound"]);
+    return record;
+}
+
+}  // namespace
+
+std::string_view name_of(MediaState state) {
+    return name_in(states, state);
+}
+
+std::string_view name_of(ShotEnd end) {
+    return name_in(ends, end);
+}
+
+std::string_view name_of(MediaKind kind) {
+    return name_in(kinds, kind);
+}
+
+std::string to_json(const MediaRecord& record) {
+    Json shots = Json::array();
+    for (const Shot& shot : record.shots)
+        shots.push_back(to_object(shot));
+    Json json{{"version", MediaRecord::current_version},
+              {"path", record.path},
+              {"kind", name_of(record.kind)},
+              {"bytes", record.bytes},
+              {"mtime_ns", record.mtime_ns},
+              {"state", name_of(record.state)},
+              {"complete", record.is_complete},
+              {"reason", record.reason},
+              {"width", record.width},
+              {"height", record.height},
+              {"duration_ns", record.duration.count()},
+              {"shots", shots}};
+    if (record.sound) json["sound"] = to_object(*record.sound);
+    if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+MediaRecord record_from_json(std::string_view text) {
+    try {
+        return to_record(Json::parse(text));
+    } catch (const Json::exception& error) {
+        throw std::runtime_error(fmt::format("record: {}", error.what()));
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,38 @@
+#include "base/state/screen_note.hpp"
+
+#include "base/system/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string>
+#include <system_error>
+
+namespace vitrine {
+
+namespace {
+
+constexpr const char* file_name = "screen";  // below the state directory; written by the player alone
+constexpr std::size_t most_bytes = 32;
+constexpr int longest_side = 16384;  // px
+
+}  // namespace
+
+int noted_screen_side(const std::filesystem::path& state) {
+    std::string text;
+    try {
+        text = read_file(state / file_name, most_bytes);
+    } catch (const std::system_error&) {
+        return 0;
+    }
+    int side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    const bool is_whole = error == std::errc() && std::string_view(end, text.data() + text.size()) == "\n";
+    return is_whole && side > 0 && side <= longest_side ? side : 0;
+}
+
+void note_screen_side(const std::filesystem::path& state, int side) {
+    replace_file(state / file_name, fmt::format("{}\n", side));
+}
+
+}  // namespace vitrine

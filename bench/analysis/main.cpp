@@ -1,0 +1,56 @@
+// How good the analysis is, on any folder with ground truth in the format of ../shared/media:
+//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] [--verbose]
+
+#include "bench/analysis/tables.hpp"
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <vips/vips.h>
+
+#include <span>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+
+namespace {
+
+int usage() {
+    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] "
+               "[--verbose]\n");
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (VIPS_INIT(argv[0]) != 0) return 1;
+    cv::setNumThreads(1);
+    TableInput input{.media = VITRINE_SHARED_MEDIA, .face_model = {}};
+    std::string only;
+    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string word = words[i];
+        if (word == "--verbose") {
+            input.is_verbose = true;
+            continue;
+        }
+        if (++i == words.size()) return usage();
+        if (word == "--media")
+            input.media = words[i];
+        else if (word == "--faces")
+            input.face_model = words[i];
+        else if (word == "--only")
+            only = words[i];
+        else
+            return usage();
+    }
+    if (!std::filesystem::is_directory(input.media)) {
+        fmt::print("the media with ground truth are not here: '{}'\n", input.media.string());
+        return 0;
+    }
+    if (only.empty() || only == "shots") shots_table(input);
+    if (only.empty() || only == "subjects") subjects_table(input);
+    if (only.empty() || only == "motion") motion_table(input);
+    if (only.empty() || only == "drift") drift_table(input);
+    return 0;
+}

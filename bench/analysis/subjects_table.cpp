@@ -1,0 +1,203 @@
+// How well the regions of labelled photographs hold what people look at: ours, the paper's letter, and other
+// programs that may keep as much of the picture as our region of it. And what a picture costs.
+
+#include "analyzer/saliency/analysis_settings.hpp"
+#include "analyzer/saliency/faces.hpp"
+#include "analyzer/saliency/frequency_tuned.hpp"
+#include "analyzer/saliency/i_region.hpp"
+#include "analyzer/saliency/motion_contrast.hpp"
+#include "analyzer/saliency/salient_volume.hpp"
+#include "analyzer/saliency/sample.hpp"
+#include "analyzer/saliency/shot_region.hpp"
+#include "bench/analysis/peer_crops.hpp"
+#include "bench/analysis/region_score.hpp"
+#include "bench/analysis/tables.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <numeric>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double paper_frame_ms = 300;  // 90 s for 300 frames, Dynamic Media Assemblage chapter 5
+constexpr int photo_side = 640;         // px, as photographs are analysed
+
+/// The region of a photograph, px of it, as the analyzer makes it.
+Polygon region_of(const cv::Mat& photo, FaceDetector& detector, const AnalysisSettings& settings) {
+    const std::vector<Face> faces = searched_faces(detector, photo, settings.only_prominent_faces);
+    Sample sample = searched(photo, {}, 1, settings, faces);
+    sample.faces = faces;
+    return shot_region({sample}, {}, map_size(photo.size()), photo.size(), settings).shot.region.polygon;
+}
+
+AnalysisSettings by(ImageSaliency image) {
+    AnalysisSettings settings;
+    settings.image = image;
+    if (image != ImageSaliency::subject) settings.weights = {};
+    return settings;
+}
+
+struct Photo {
+    cv::Mat picture;
+    double share = 0;  // of its area that our region has
+    FaceDetector& detector;
+};
+
+struct Way {
+    const char* name;
+    std::function<Polygon(const Photo&)> region;
+};
+
+const std::vector<Way>& ways() {
+    static const std::vector<Way> all{
+        {"ours", [](const Photo& p) { return region_of(p.picture, p.detector, {}); }},
+        {"ours, by barriers",
+         [](const Photo& p) { return region_of(p.picture, p.detector, by(ImageSaliency::barrier)); }},
+        {"the paper's letter",
+         [](const Photo& p) { return region_of(p.picture, p.detector, papers_letter()); }},
+        {"centre, same area",
+         [](const Photo& p) { return to_polygon(centre_crop(p.picture.size(), p.share)); }},
+        {"libvips, same area", [](const Photo& p) { return to_polygon(attention_crop(p.picture, p.share)); }},
+        {"smartcrop, same area",
+         [](const Photo& p) { return to_polygon(smartcrop_crop(p.picture, p.share)); }},
+    };
+    return all;
+}
+
+struct Scores {
+    std::vector<double> coverage;
+    std::vector<double> area;
+    std::vector<double> iou;
+    int faces = 0;
+    int whole_faces = 0;
+
+    void add(const RegionScore& s, bool has_subject) {
+        faces += s.faces;
+        whole_faces += s.whole_faces;
+        if (!has_subject) return;
+        coverage.push_back(s.coverage);
+        area.push_back(s.area);
+        iou.push_back(s.iou);
+    }
+};
+
+double mean(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(std::max<std::size_t>(1, values.size()));
+}
+
+void print(const char* name, Scores& s) {
+    if (s.coverage.empty()) return;
+    std::sort(s.coverage.begin(), s.coverage.end());
+    std::sort(s.area.begin(), s.area.end());
+    const std::size_t tenth = (s.coverage.size() + 9) / 10;
+    fmt::print("{:22} {:6.3f} {:6.3f} {:7.3f} {:6.3f} {:6.3f} {:6}/{}\n", name, mean(s.coverage),
+               mean(std::span(s.coverage).first(tenth)), s.area[s.area.size() / 2], mean(s.area), mean(s.iou),
+               s.whole_faces, s.faces);
+}
+
+std::vector<Box> joined(std::vector<Box> a, const std::vector<Box>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+void photographs(const fs::path& folder, FaceDetector& detector, bool is_verbose) {
+    std::ifstream file(folder / "boxes.json");
+    if (!file) {
+        fmt::print("photographs: not here\n");
+        return;
+    }
+    const nlohmann::json labels = nlohmann::json::parse(file);
+    std::vector<Scores> scores(ways().size());
+    for (const auto& [name, entry] : labels["images"].items()) {
+        Photo photo{.picture = picture(folder / name, photo_side), .detector = detector};
+        if (photo.picture.empty()) continue;
+        const cv::Size size = photo.picture.size();
+        const std::vector<Box> subjects = boxes(entry, "subject");
+        const cv::Mat subject = filled(size, subjects);
+        const cv::Mat ignored = filled(size, boxes(entry, "also"));
+        const std::vector<Box> faces = joined(boxes(entry, "face"), boxes(entry, "face_profile"));
+        for (std::size_t i = 0; i < ways().size(); ++i) {
+            const Polygon region = ways()[i].region(photo);
+            if (i == 0) photo.share = area(region) / static_cast<double>(size.area());
+            const RegionScore s = region_score(region, size, subject, ignored, faces);
+            scores[i].add(s, !subjects.empty());
+            if (!is_verbose || i > 0) continue;
+            fmt::print("  {:40} iou {:.2f} coverage {:.2f} area {:.2f} faces {}/{}\n", name, s.iou,
+                       s.coverage, s.area, s.whole_faces, s.faces);
+        }
+    }
+    fmt::print("{} photographs with a subject: share of it inside the region (the worst tenth is the mean of "
+               "the worst 10 %),\nthe region's share of the picture, overlap, marked faces wholly inside\n"
+               "{:22} {:>6} {:>6} {:>7} {:>6} {:>6} {:>8}\n",
+               scores[0].coverage.size(), "", "mean", "worst", "median", "mean", "IoU", "faces");
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        print(ways()[i].name, scores[i]);
+}
+
+/// CPU time of one round.
+double milliseconds(const std::function<void()>& work) {
+    work();
+    const std::clock_t from = std::clock();
+    constexpr int rounds = 20;
+    for (int i = 0; i < rounds; ++i)
+        work();
+    return 1000.0 * static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / rounds;
+}
+
+/// What each stage costs on a 320 px frame, one thread.
+void costs(const fs::path& folder, FaceDetector& faces) {
+    if (!fs::exists(folder / "frames")) return;
+    const cv::Mat a = picture(folder / "frames" / "00010.jpg", 320);
+    const cv::Mat b = picture(folder / "frames" / "00011.jpg", 320);
+    const cv::Mat photo = picture(folder / "frames" / "00010.jpg", photo_side);
+    cv::Mat grey_a;
+    cv::Mat grey_b;
+    cv::cvtColor(a, grey_a, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(b, grey_b, cv::COLOR_BGR2GRAY);
+    const auto stage = [&a](ImageSaliency method) {
+        const auto made = image_saliency_stage(method, {});
+        return milliseconds([&] { made->map(a, {}); });
+    };
+    const double motion = milliseconds([&] { motion_contrast(grey_a, grey_b); });
+    const double face = milliseconds([&] { faces.detect(a); });
+    const double photo_face = milliseconds([&] { faces.detect(photo); });
+    const double whole = milliseconds([&] { searched(b, a, 0.04, {}); });
+    std::vector<SalientFrame> frames;
+    for (int i = 0; i < 64; ++i)
+        frames.push_back({.map = searched(b, a, 0.04, {}).image, .time = i / 8.0});
+    const double drift = milliseconds([&] { found_drift(frames, 8, DriftMode::smallest_area); });
+    const SaliencyMap volume = accumulated(frames, {});
+    const Box core = common_part(volume.size(), {}, 0);
+    const double region = milliseconds([&] { i_region(volume, core, {}, {}); });
+    const double sample = whole + face / 4;
+    fmt::print(
+        "cost, ms of CPU on {} x {}: frequency-tuned {:.2f}, barrier {:.2f}, subject {:.2f}, motion {:.2f}, "
+        "faces {:.1f}, of a photo {:.1f};\n"
+        "  a sample with faces every 4th {:.1f} ms, 1/{:.0f} of the paper's 300 ms a frame; a shot of "
+        "64 samples: drift {:.1f}, region {:.1f}\n",
+        a.cols, a.rows, stage(ImageSaliency::frequency_tuned), stage(ImageSaliency::barrier),
+        stage(ImageSaliency::subject), motion, face, photo_face, sample, paper_frame_ms / sample, drift,
+        region);
+}
+
+}  // namespace
+
+void subjects_table(const TableInput& input) {
+    const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
+    photographs(input.media / "photos", *faces, input.is_verbose);
+    costs(input.media / "saliency" / "davis_car-shadow", *faces);
+}
+
+}  // namespace vitrine::analyzer

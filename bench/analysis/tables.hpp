@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace vitrine::analyzer {
+
+/// What the tables measure on.
+struct TableInput {
+    std::filesystem::path media;  // a folder with ground truth in the format of ../shared/media
+    std::string face_model;       // YuNet's ONNX file; "": Viola-Jones
+    bool is_verbose = false;      // a line for each picture
+};
+
+/// Transitions found, missed and false in edited films and films of one take.
+void shots_table(const TableInput& input);
+
+/// Marked subjects and faces of photographs inside the region, and what a picture costs.
+void subjects_table(const TableInput& input);
+
+/// Moving subjects inside the drifting region.
+void motion_table(const TableInput& input);
+
+/// The drift found on pictures that move by known velocities.
+void drift_table(const TableInput& input);
+
+}  // namespace vitrine::analyzer

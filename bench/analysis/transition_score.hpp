@@ -1,0 +1,49 @@
+#pragma once
+
+#include "analyzer/video/transition.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// What one film's transitions truly are, in stream time.
+struct Truth {
+    std::string file;
+    double fps = 25;
+    std::vector<Transition> transitions;
+    std::vector<Transition> ignored;  // ranges in which nothing is judged
+    bool is_one_take = false;         // all that is found is wrong
+};
+
+/// The truths in FOLDER/*/gt/*.json. @throws std::exception where one cannot be read
+std::vector<Truth> read_truths(const std::filesystem::path& folder);
+
+struct Tally {
+    int found = 0;
+    int missed = 0;
+    int false_alarms = 0;
+
+    Tally& operator+=(const Tally& other);
+    double f1() const;
+};
+
+struct Score {
+    Tally cuts;     // +-1 frame; a cut at the very end of a found fade (to or from black) is found as well
+    Tally gradual;  // by overlap, +-2 frames
+    Tally all;      // whatever the kind
+    std::vector<std::string> mistakes;
+
+    Score& operator+=(const Score& other);
+};
+
+/// What a detector names the transitions it finds.
+enum class Names {
+    kinds,  // a cut reported within a dissolve is false among the cuts
+    none    // only times: what lies in a gradual transition finds it and is no false cut
+};
+
+Score score_of(const Truth& truth, const std::vector<Transition>& found, Names names = Names::kinds);
+
+}  // namespace vitrine::analyzer

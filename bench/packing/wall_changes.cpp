@@ -1,0 +1,241 @@
+// How quickly and how calmly a wall follows changes, and what its cells cost and leave over.
+//   wall_changes [INSTANCES [CATALOGUE [edits|cells]]]
+// On items like those of real media, or on the regions of a catalogue. Times are of the CPU, moves of the
+// items that are not edited are in shares of the canvas' diagonal, shares are of the 16:9 screen covered by
+// I-Regions.
+
+#include "bench/packing/bench.hpp"
+#include "player/layout/cells/cells.hpp"
+#include "player/layout/edit/edit.hpp"
+#include "player/layout/edit/motion.hpp"
+#include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/plan_output.hpp"
+#include "tests/player/layout/instances.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+constexpr Vec2 canvas{1920, 1080};
+constexpr std::size_t counts[] = {6, 12, 24, 200};
+
+/// Where the items of a wall come from.
+class Supply {
+  public:
+    explicit Supply(Items real) : real_(std::move(real)) {}
+
+    bool is_drawn() const { return real_.empty(); }
+
+    LayoutItem next(Random& random) const {
+        return real_.empty() ? random_item(random) : real_[uniform_index(random, real_.size())];
+    }
+
+    Items next(std::size_t count, Random& random) const {
+        Items items;
+        for (std::size_t i = 0; i < count; ++i)
+            items.push_back(next(random));
+        return items;
+    }
+
+  private:
+    Items real_;
+};
+
+Layout planned(const Items& items, Vec2 size, std::uint64_t seed) {
+    PlanRequest request{.canvas = size, .seed = seed};
+    if (items.size() > 50) request.budget = 20'000;
+    for (const LayoutItem& item : items)
+        request.items.push_back({.item = item});
+    return plan(request);
+}
+
+double share(const Standing& wall) {
+    return 1 - layout_of(wall).energy;
+}
+
+/// Sums over the instances of one edit.
+struct Row {
+    double ms = 0, most_ms = 0;
+    double median = 0, worst = 0;  // moves of the others
+    double before = 0, after = 0;
+    int crossfades = 0;  // changes without a way for the items to move
+    int unsound = 0;
+    int count = 0;
+};
+
+Vec2 place(const LayoutItem& item, const Placement& at) {
+    return seat_of(item, at).centre;
+}
+
+/// @param others  pairs of the same item before and after
+void add(Row& row, const Standing& before, const Standing& after, double ms,
+         const std::vector<std::pair<std::size_t, std::size_t>>& others) {
+    std::vector<double> moves;
+    Items items;
+    std::vector<Placement> from;
+    std::vector<Placement> to;
+    const Vec2 stretch{after.canvas.x / before.canvas.x, after.canvas.y / before.canvas.y};
+    for (const auto& [i, j] : others) {
+        const Vec2 was = place(before.items[i], before.placements[i]);
+        const Vec2 expected{was.x * stretch.x, was.y * stretch.y};
+        moves.push_back(length(place(after.items[j], after.placements[j]) - expected) / length(after.canvas));
+        items.push_back(after.items[j]);
+        from.push_back(before.placements[i]);
+        to.push_back(after.placements[j]);
+    }
+    std::sort(moves.begin(), moves.end());
+    row.ms += ms;
+    row.most_ms = std::max(row.most_ms, ms);
+    row.median += moves[moves.size() / 2];
+    row.worst += moves.back();
+    row.before += share(before);
+    row.after += share(after);
+    if (before.canvas == after.canvas && !motion_between(items, from, to, canvas)) ++row.crossfades;
+    const Measure measure = measured(after.items, after.placements);
+    if (measure.hidden != 0) ++row.unsound;
+    ++row.count;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> others_than(std::size_t item, std::size_t count,
+                                                             bool is_gone) {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < count; ++i)
+        if (i != item) pairs.emplace_back(i, is_gone && i > item ? i - 1 : i);
+    return pairs;
+}
+
+using Rows = std::map<std::string, Row>;
+
+void measure_edits(Rows& rows, const Supply& supply, std::size_t count, std::uint64_t seed) {
+    Random random(seed);
+    const Items items = supply.next(count, random);
+    const Standing wall = standing(items, planned(items, canvas, seed));
+    const EditRules rules{.seed = seed};
+    const std::size_t item = uniform_index(random, count);
+    const auto timed = [&](const std::string& name, const std::function<Standing()>& edit, std::size_t but,
+                           bool is_gone = false) {
+        const double start = cpu_ms();
+        const Standing after = edit();
+        add(rows[name], wall, after, cpu_ms() - start, others_than(but, count, is_gone));
+        return after;
+    };
+    const LayoutItem newcomer = supply.next(random);
+    timed(
+        "insert", [&] { return inserted(wall, newcomer, rules); }, count);
+    timed(
+        "delete", [&] { return deleted(wall, item, rules); }, item, true);
+    timed(
+        "replace", [&] { return replaced(wall, item, newcomer, rules); }, item);
+    timed(
+        "resize x1.3", [&] { return resized(wall, item, 1.3, rules); }, item);
+    const Vec2 to{canvas.x * uniform(random), canvas.y * uniform(random)};
+    timed(
+        "drag, at once", [&] { return dragged(wall, item, to, rules); }, item);
+    Standing on_the_way = wall;
+    const Vec2 from = place(wall.items[item], wall.placements[item]);
+    constexpr int steps = 15;
+    for (int k = 1; k <= steps; ++k) {
+        const double start = cpu_ms();
+        const Standing next = dragged(on_the_way, item, from + (to - from) * (k / double{steps}), rules);
+        add(rows["drag, a step"], on_the_way, next, cpu_ms() - start, others_than(item, count, false));
+        on_the_way = next;
+    }
+    timed(
+        "drag, 15 steps + drop", [&] { return settled(on_the_way, rules); }, item);
+    Standing pinned = wall;
+    for (std::size_t i = 0; i < count; i += 3)
+        pinned.pinned[i] = i != item;
+    timed(
+        "replace, third pinned", [&] { return replaced(pinned, item, newcomer, rules); }, item);
+    timed(
+        "to 16:10",
+        [&] {
+            return moved_to(wall, {1920, 1200}, rules);
+        },
+        count);
+    timed(
+        "to 9:16",
+        [&] {
+            return moved_to(wall, {1080, 1920}, rules);
+        },
+        count);
+    Standing changing = wall;
+    for (int k = 0; k < 30; ++k)
+        changing = replaced(changing, uniform_index(random, count), supply.next(random), rules);
+    const Standing anew = standing(changing.items, planned(changing.items, canvas, seed));
+    add(rows["30 replaced, before: packed anew"], anew, changing, 0, others_than(count, count, false));
+}
+
+void edits_table(const Supply& supply, int instances) {
+    fmt::print("| n | edit | CPU ms | most | median move % | worst move % | share before | after | no way | "
+               "overlaps |\n|--|--|--|--|--|--|--|--|--|--|\n");
+    for (const std::size_t count : counts) {
+        Rows rows;
+        for (int k = 0; k < instances; ++k)
+            measure_edits(rows, supply, count, static_cast<std::uint64_t>(k) + 1);
+        for (const auto& [name, row] : rows) {
+            const auto mean = [&, n = row.count](double sum) { return sum / n; };
+            fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {} of {} | {} |\n",
+                       count, name, mean(row.ms), row.most_ms, 100 * mean(row.median), 100 * mean(row.worst),
+                       mean(row.before), mean(row.after), row.crossfades, row.count, row.unsound);
+        }
+        std::fflush(stdout);
+    }
+}
+
+void cells_table(const Supply& supply, int instances) {
+    fmt::print(
+        "\n| canvas | n | cells ms | corners | regions lost px^2 | background % mean | most | share |\n"
+        "|--|--|--|--|--|--|--|--|\n");
+    for (const Vec2 size : {Vec2{1920, 1080}, Vec2{1080, 1920}, Vec2{1024, 768}})
+        for (const std::size_t count : {3, 4, 6, 8, 12, 24}) {
+            double ms = 0, lost = 0, background = 0, most = 0, covered = 0;
+            std::size_t corners = 0;
+            for (int k = 0; k < instances; ++k) {
+                Random random(static_cast<std::uint64_t>(k) + 1);
+                std::vector<NamedItem> named;
+                const Items items = supply.next(count, random);
+                for (const LayoutItem& item : items)
+                    named.push_back({"", named.size(), item});
+                const Layout layout = planned(items, size, static_cast<std::uint64_t>(k) + 1);
+                const double start = cpu_ms();
+                const std::vector<Cell> made = cells(items, layout);
+                ms += cpu_ms() - start;
+                for (const Cell& cell : made)
+                    for (const Polygon& part : cell.parts)
+                        corners += part.size();
+                const PlanResult result = plan_result(named, layout);
+                lost += (1 - result.region_visible) * (1 - layout.energy) * size.x * size.y;
+                background += 1 - result.canvas_filled;
+                most = std::max(most, 1 - result.canvas_filled);
+                covered += 1 - layout.energy;
+            }
+            fmt::print("| {}x{} | {} | {:.2f} | {} | {:.3f} | {:.2f} | {:.1f} | {:.3f} |\n", size.x, size.y,
+                       count, ms / instances, corners / static_cast<std::size_t>(instances), lost / instances,
+                       100 * background / instances, 100 * most, covered / instances);
+            std::fflush(stdout);
+        }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int instances = argc > 1 ? std::atoi(argv[1]) : 10;
+    const Supply supply(argc > 2 ? regions_of(argv[2]) : Items{});
+    if (argc > 2 && supply.is_drawn()) {
+        fmt::print(stderr, "no regions in '{}'\n", argv[2]);
+        return 1;
+    }
+    const std::string only = argc > 3 ? argv[3] : "";
+    if (only != "cells") edits_table(supply, instances);
+    if (only != "edits") cells_table(supply, instances);
+}

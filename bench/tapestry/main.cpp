@@ -1,0 +1,115 @@
+// What the tapestry of a film costs and how good it is, in processor time; ratios are within one run.
+//   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS]
+
+#include "analyzer/saliency/faces.hpp"
+#include "analyzer/tapestry/weave/picture_file.hpp"
+#include "analyzer/video/frame_reader.hpp"
+#include "bench/tapestry/measures.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace vitrine::analyzer {
+namespace {
+
+/// The film again and again, until it is so long.
+std::vector<FrameSignature> repeated(const std::vector<FrameSignature>& frames, int count) {
+    std::vector<FrameSignature> all;
+    for (int i = 0; i < count; ++i) {
+        all.push_back(frames[static_cast<std::size_t>(i) % frames.size()]);
+        all.back().time = std::chrono::milliseconds(500 * i);
+    }
+    return all;
+}
+
+void time_keyframes(const std::vector<FrameSignature>& frames, int seconds) {
+    const std::vector<FrameSignature> film = repeated(frames, 2 * seconds);
+    const CpuTime affinity_time;
+    const Affinity costs = affinity(film);
+    const double compared = affinity_time.seconds();
+    const CpuTime cluster_time;
+    const std::vector<Keyframes> levels = keyframe_levels(costs);
+    fmt::print("keyframes of {} s at 2 fps: affinity {:.1f} s, {} levels {:.1f} s of CPU\n", seconds,
+               compared, levels.size(), cluster_time.seconds());
+}
+
+void measure_tiles(const LoadedLevel& level, TileQuality quality, const cv::Mat& strip, double seconds) {
+    const std::vector<TileSpan> spans = tile_spans(level.brickwork.width());
+    const cv::Mat plain = squeezed(level);
+    double own = 0;
+    double of_plain = 0;
+    for (const TileSpan& span : spans) {
+        own += distance(level, span, strip);
+        of_plain += distance(level, span, plain);
+    }
+    const auto tiles = static_cast<double>(spans.size());
+    fmt::print(
+        "  {}: {:.3f} s of CPU a tile of {:.0f} px; distance {:.1f} against {:.1f} squeezed: {:.0f} %\n",
+        quality == TileQuality::high ? "high" : "on demand", seconds / tiles,
+        (level.brickwork.width() + (tiles - 1) * tile_overlap) / tiles, own / tiles, of_plain / tiles,
+        100 * own / of_plain);
+}
+
+void print_borders(const LoadedLevel& level, const cv::Mat& strip, std::string_view what) {
+    const Gradients found = gradients(level, strip);
+    fmt::print("  {}: squared steps inside {:.0f}, at tile borders {:.0f}, at brick borders {:.0f}; down "
+               "inside {:.0f}, "
+               "between the rows {:.0f}\n",
+               what, found.inside, found.tile_borders, found.brick_borders, found.row_inside,
+               found.row_border);
+}
+
+void measure(const std::string& path, FaceDetector* detector, const std::filesystem::path& pictures,
+             int long_film) {
+    const auto source = open_media(path);
+    const Film film = gathered(*source, std::filesystem::temp_directory_path(), detector);
+    const auto& signatures = film.candidates->signatures();
+    fmt::print("{}: {} candidates\n", path, signatures.size());
+    if (long_film > 0) time_keyframes(signatures, long_film);
+    const LoadedLevel level =
+        loaded(film, chosen_keyframes(*film.candidates, {.most_levels = 1}, run_in_order)[0]);
+    cv::Mat sheet;
+    cv::vconcat(filmstrip(level), bricks_picture(level), sheet);
+    for (const TileQuality quality : {TileQuality::on_demand, TileQuality::high}) {
+        const CpuTime time;
+        const cv::Mat strip = woven(level, quality);
+        measure_tiles(level, quality, strip, time.seconds());
+        print_borders(level, strip, "borders");
+        if (detector != nullptr) {
+            const FaceCount faces = count_faces(level, strip, *detector);
+            const FaceCount plain = count_faces(level, squeezed(level), *detector);
+            fmt::print("  faces whole in keyframes {}, in the tapestry {}, squeezed {}\n", faces.whole,
+                       faces.found, plain.found);
+        }
+        cv::vconcat(sheet, strip, sheet);
+    }
+    print_borders(level, squeezed(level), "squeezed bricks");
+    if (pictures.empty()) return;
+    write_png(pictures / (std::filesystem::path(path).stem().string() + "-compared.png"), sheet);
+}
+
+int run(int argc, char** argv) {
+    std::vector<std::string> films;
+    std::string model;
+    std::filesystem::path pictures;
+    int long_film = 0;
+    CLI::App app("Cost and quality of tapestries.");
+    app.add_option("FILM", films)->required();
+    app.add_option("--face-model", model);
+    app.add_option("--pictures", pictures, "Where filmstrip, bricks and tapestries go, below each other");
+    app.add_option("--long", long_film, "Compare and cluster the frames repeated to so many seconds");
+    CLI11_PARSE(app, argc, argv);
+    const auto detector = face_detector(model, "");
+    for (const std::string& film : films)
+        measure(film, detector.get(), pictures, long_film);
+    return 0;
+}
+
+}  // namespace
+}  // namespace vitrine::analyzer
+
+int main(int argc, char** argv) {
+    return vitrine::analyzer::run(argc, argv);
+}

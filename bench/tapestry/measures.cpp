@@ -1,0 +1,187 @@
+#include "bench/tapestry/measures.hpp"
+
+#include "analyzer/tapestry/synthesis/synthesis.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+constexpr double detector_scale = 2;  // pictures of 100 px are small for it
+
+std::vector<cv::Rect> faces_in(const cv::Mat& picture, FaceDetector& detector) {
+    cv::Mat large;
+    cv::resize(picture, large, {}, detector_scale, detector_scale, cv::INTER_CUBIC);
+    std::vector<cv::Rect> faces;
+    for (const Face& face : detector.detect(large))
+        faces.emplace_back(cv::Point(cv::Point2d(face.box.min.x, face.box.min.y) / detector_scale),
+                           cv::Point(cv::Point2d(face.box.max.x, face.box.max.y) / detector_scale));
+    return faces;
+}
+
+/// In pieces as wide as a tile that overlap; a face seen in two counts once.
+std::vector<cv::Rect> faces_in_strip(const cv::Mat& strip, FaceDetector& detector) {
+    constexpr int piece = 400;
+    constexpr int step = 250;
+    std::vector<cv::Rect> all;
+    for (int x = 0; x == 0 || x + piece - step < strip.cols; x += step) {
+        const cv::Rect part(x, 0, std::min(piece, strip.cols - x), strip.rows);
+        for (const cv::Rect& face : faces_in(strip(part), detector)) {
+            const cv::Rect placed = face + part.tl();
+            const bool is_known = std::ranges::any_of(
+                all, [&](const cv::Rect& other) { return (placed & other).area() * 3 > placed.area(); });
+            if (!is_known) all.push_back(placed);
+        }
+    }
+    return all;
+}
+
+double column_step(const cv::Mat& strip, int x, cv::Range rows) {
+    if (x <= 0 || x >= strip.cols) return 0;
+    const cv::Rect here(x, rows.start, 1, rows.size());
+    const double norm = cv::norm(strip(here), strip(here - cv::Point(1, 0)), cv::NORM_L2);
+    return norm * norm / rows.size() / 3;
+}
+
+double row_step(const cv::Mat& strip, int y) {
+    const double norm = cv::norm(strip.row(y), strip.row(y - 1), cv::NORM_L2);
+    return norm * norm / strip.cols / 3;
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values)
+        sum += value;
+    return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<Keyframe> LoadedLevel::bricks(const TileSpan& span) const {
+    const cv::Range window = window_of(brickwork, span.from, span.to);
+    std::vector<Keyframe> seen;
+    for (int brick = brickwork.first_at(window.start); brick < brickwork.last_at(window.end); ++brick)
+        seen.push_back(keyframes[static_cast<std::size_t>(std::min(brick, brickwork.keyframes - 1))]);
+    return seen;
+}
+
+LoadedLevel loaded(const Film& film, const Keyframes& keyframes) {
+    LoadedLevel level{
+        .brickwork = {.keyframes = static_cast<int>(keyframes.size()), .brick = film.candidates->brick()},
+        .keyframes = {}};
+    for (const int frame : keyframes)
+        level.keyframes.push_back(film.candidates->keyframe(frame));
+    return level;
+}
+
+cv::Mat bricks_picture(const LoadedLevel& level) {
+    const TileSpan all{0, level.brickwork.width()};
+    return brick_window(level.brickwork, level.bricks(all), 0, all.from, all.to, 1).picture.bgr();
+}
+
+cv::Mat squeezed(const LoadedLevel& level) {
+    cv::Mat squeezed;
+    cv::resize(bricks_picture(level), squeezed, {level.brickwork.width(), tapestry_height(level.brickwork)},
+               0, 0, cv::INTER_AREA);
+    return squeezed;
+}
+
+cv::Mat filmstrip(const LoadedLevel& level) {
+    const int height = tapestry_height(level.brickwork);
+    const cv::Size frame(level.brickwork.brick.width * height / level.brickwork.brick.height, height);
+    const int count = std::min(level.brickwork.keyframes, std::max(1, level.brickwork.width() / frame.width));
+    cv::Mat strip(height, level.brickwork.width(), CV_8UC3, cv::Scalar::all(255));
+    for (int i = 0; i < count; ++i) {
+        cv::Mat picture;
+        const auto& keyframe =
+            level.keyframes[static_cast<std::size_t>((2 * i + 1) * level.brickwork.keyframes / (2 * count))];
+        cv::resize(keyframe.picture, picture, frame, 0, 0, cv::INTER_CUBIC);
+        const cv::Rect place(i * frame.width, 0, frame.width, height);
+        picture(cv::Rect(0, 0, (place & cv::Rect({}, strip.size())).width, height))
+            .copyTo(strip(place & cv::Rect({}, strip.size())));
+    }
+    return strip;
+}
+
+cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
+    cv::Mat strip;
+    weave_level(
+        level.brickwork, [&](int k) { return level.keyframes[static_cast<std::size_t>(k)]; },
+        [&](const cv::Mat& columns, const WovenSoFar&) {
+            if (strip.empty())
+                strip = columns.clone();
+            else
+                cv::hconcat(strip, columns, strip);
+        },
+        {.quality = quality});
+    return strip;
+}
+
+double distance(const LoadedLevel& level, const TileSpan& span, const cv::Mat& strip) {
+    constexpr int rounds = 12;
+    constexpr int radius = 64;
+    const int first = level.brickwork.first_at(window_of(level.brickwork, span.from, span.to).start);
+    std::vector<Keyframe> bricks = level.bricks(span);
+    for (Keyframe& brick : bricks)
+        brick.faces.clear();
+    const BrickWindow window = brick_window(level.brickwork, bricks, first, span.from, span.to, 1);
+    const RunTasks run = run_in_order;
+    Synthesis synthesis(window, strip.colRange(span.from, span.to), {}, run);
+    synthesis.match_by_place();
+    return synthesis.searched_energy(radius, rounds);
+}
+
+Gradients gradients(const LoadedLevel& level, const cv::Mat& strip) {
+    const cv::Range whole(0, strip.rows);
+    std::vector<double> inside;
+    std::vector<double> tiles;
+    std::vector<double> bricks;
+    std::vector<double> rows;
+    for (int x = 1; x < strip.cols; ++x)
+        inside.push_back(column_step(strip, x, whole));
+    const std::vector<TileSpan> spans = tile_spans(strip.cols);
+    for (std::size_t i = 1; i < spans.size(); ++i)
+        for (const int x : {0, tile_overlap / 2, tile_overlap})
+            tiles.push_back(column_step(strip, spans[i].from + x, whole));
+    for (int k = 2; k < level.brickwork.bricks(); ++k) {
+        const int top = k % 2 * strip.rows / 2;
+        bricks.push_back(column_step(strip, level.brickwork.place(k).x, {top, top + strip.rows / 2}));
+    }
+    for (int y = 1; y < strip.rows; ++y)
+        rows.push_back(row_step(strip, y));
+    return {.inside = mean(inside),
+            .tile_borders = mean(tiles),
+            .brick_borders = mean(bricks),
+            .row_inside = mean(rows),
+            .row_border = row_step(strip, strip.rows / 2)};
+}
+
+FaceCount count_faces(const LoadedLevel& level, const cv::Mat& strip, FaceDetector& detector) {
+    std::vector<cv::Rect> there = faces_in_strip(strip, detector);
+    FaceCount count;
+    for (int k = 0; k < level.brickwork.keyframes; ++k) {
+        const cv::Size brick = level.brickwork.brick;
+        for (const cv::Rect& face :
+             faces_in(level.keyframes[static_cast<std::size_t>(k)].picture, detector)) {
+            const bool is_whole =
+                face.x > 1 && face.y > 1 && face.br().x < brick.width - 1 && face.br().y < brick.height - 1;
+            if (!is_whole) continue;
+            ++count.whole;
+            const int middle = level.brickwork.place(k).x + face.x + face.width / 2;
+            const auto again = std::ranges::find_if(there, [&](const cv::Rect& other) {
+                return std::abs(other.x + other.width / 2 - middle) <= brick.width / 2 &&
+                       3 * other.height >= 2 * face.height;
+            });
+            if (again == there.end()) continue;
+            ++count.found;
+            there.erase(again);
+        }
+    }
+    return count;
+}
+
+}  // namespace vitrine::analyzer

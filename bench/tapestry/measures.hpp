@@ -1,0 +1,70 @@
+#pragma once
+
+#include "analyzer/saliency/face_detector.hpp"
+#include "analyzer/tapestry/weave/film_weave.hpp"
+
+#include <ctime>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Seconds of all threads' processor time since it was made.
+class CpuTime {
+  public:
+    CpuTime() : begin_(now()) {}
+
+    double seconds() const { return now() - begin_; }
+
+  private:
+    static double now() {
+        timespec time{};
+        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    double begin_;
+};
+
+/// A level with its pictures.
+struct LoadedLevel {
+    Brickwork brickwork;
+    std::vector<Keyframe> keyframes;
+
+    std::vector<Keyframe> bricks(const TileSpan& span) const;
+};
+
+LoadedLevel loaded(const Film& film, const Keyframes& keyframes);
+
+/// The brickwork as it is, and squeezed plainly to the tapestry's height.
+cv::Mat bricks_picture(const LoadedLevel& level);
+cv::Mat squeezed(const LoadedLevel& level);
+
+/// Keyframes side by side, as many as fit, as tall as the tapestry.
+cv::Mat filmstrip(const LoadedLevel& level);
+
+cv::Mat woven(const LoadedLevel& level, TileQuality quality);
+
+/// The bidirectional distance of a part of a strip to its bricks, a channel value, all patches weighing 1.
+double distance(const LoadedLevel& level, const TileSpan& span, const cv::Mat& strip);
+
+/// Mean squared difference of neighbouring pixels.
+struct Gradients {
+    double inside = 0;         // over all columns
+    double tile_borders = 0;   // where a tile begins, and where it no longer is fixed
+    double brick_borders = 0;  // where bricks stood side by side
+    double row_inside = 0;     // over all rows
+    double row_border = 0;     // where the two rows of bricks met
+};
+
+Gradients gradients(const LoadedLevel& level, const cv::Mat& strip);
+
+/// Faces that keyframes show whole, and how many of them are found again where they were, of at least two
+/// thirds of their height.
+struct FaceCount {
+    int whole = 0;
+    int found = 0;
+};
+
+FaceCount count_faces(const LoadedLevel& level, const cv::Mat& strip, FaceDetector& detector);
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,46 @@
+#include "player/content/calendar.hpp"
+
+#include "base/system/local_time.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+namespace vitrine::player {
+
+namespace fs = std::filesystem;
+using std::chrono::system_clock;
+
+namespace {
+
+constexpr system_clock::time_point built{std::chrono::seconds(VITRINE_BUILT)};  // by CMake
+constexpr auto set_by_network = "/run/systemd/timesync/synchronized";
+
+system_clock::time_point changed_at(const fs::path& file) {
+    struct stat status {};
+
+    if (::stat(file.c_str(), &status) < 0) return {};
+    return system_clock::time_point(std::chrono::seconds(status.st_mtim.tv_sec));
+}
+
+}  // namespace
+
+void EarliestTime::record_written(system_clock::time_point time) {
+    constexpr auto longest_life = std::chrono::years(10);
+    if (time < built_ + longest_life) time_ = std::max(time_, time);
+}
+
+Calendar::Calendar(const fs::path& catalogue) : earliest_(built) {
+    std::error_code missing;
+    for (const fs::directory_entry& entry : fs::directory_iterator(catalogue, missing))
+        earliest_.record_written(changed_at(entry.path()));
+}
+
+std::optional<std::chrono::local_seconds> Calendar::now() const {
+    const system_clock::time_point now = system_clock::now();
+    std::error_code missing;
+    if (now < earliest_.time() && !fs::exists(set_by_network, missing)) return std::nullopt;
+    return local_time(now);
+}
+
+}  // namespace vitrine::player

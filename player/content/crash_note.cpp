@@ -1,0 +1,181 @@
+#include "player/content/crash_note.hpp"
+
+#include "base/system/atomic_file.hpp"
+#include "base/system/log.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace vitrine::player {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto usual_opening = 10s;     // in which a crash is put down to what was opened
+constexpr auto longest_opening = 60s;   // likewise, of what has played in several crashes
+constexpr auto forgiving_time = 10min;  // without a crash
+
+std::string content_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const MediaRecord* record_of(const std::string& path, const std::vector<MediaRecord>& records) {
+    const auto found = std::ranges::lower_bound(records, path, {}, &MediaRecord::path);
+    return found != records.end() && found->path == path ? &*found : nullptr;
+}
+
+std::string this_boot() {
+    std::string id;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
+    return id;
+}
+
+}  // namespace
+
+CrashNote::CrashNote(fs::path state)
+    : state_(std::move(state)),
+      blame_(read_blame(state_)),
+      note_{.boot = this_boot(), .process = ::getpid(), .opening = {}, .playing = {}} {
+    count_crash();
+    for (const auto& [name, points] : blame_)
+        if (points >= least_suspicion && points < most_blame) suspects_.insert(name);
+    if (suspects_.size() > 1)
+        log::info("{} files are shown again one after the other, for one of them may bring the player down",
+                  suspects_.size());
+    else
+        suspects_.clear();  // a further crash is its own anyway
+}
+
+void CrashNote::count_crash() {
+    const PlayingNote left = playing_note_from(content_of(state_ / playing_file));
+    if (left.boot != note_.boot || left.process == note_.process) return;
+    if (left.process > 0 && ::kill(left.process, 0) == 0) {
+        is_active_ = false;
+        return log::warning("another player runs with this state directory: nothing is noted of this one");
+    }
+    blame_ = blame_after(blame_, left);
+    log::warning("the player crashed or was killed with {} files being opened, {} playing",
+                 left.opening.size(), left.playing.size());
+    try {
+        replace_file(state_ / blamed_file, to_text(blame_));
+        end();
+    } catch (const std::system_error& error) {
+        is_active_ = false;
+        log::warning("crashes are not counted: {}", error.what());
+    }
+}
+
+void CrashNote::hold_back(std::vector<MediaRecord>& records) {
+    std::erase_if(records, [this](const MediaRecord& record) {
+        if (!is_quarantined(record)) return false;
+        if (told_.insert(record.path).second)
+            log::warning("quarantined: '{}': {}", record.path, brought_the_player_down);
+        return true;
+    });
+    if (suspects_.empty()) return;
+    const auto is_suspect = [&](const MediaRecord& record) {
+        return suspects_.contains(content_name(record));
+    };
+    const auto is_on_trial = [&](const MediaRecord& record) { return content_name(record) == on_trial_; };
+    if (std::ranges::none_of(records, is_on_trial)) {
+        const auto next = std::ranges::find_if(records, is_suspect);
+        on_trial_ = next == records.end() ? std::nullopt : std::optional(content_name(*next));
+        trial_begin_.reset();
+    }
+    std::erase_if(records,
+                  [&](const MediaRecord& record) { return is_suspect(record) && !is_on_trial(record); });
+}
+
+void CrashNote::open(const std::string& path, const std::vector<MediaRecord>& records, Time now) {
+    if (const MediaRecord* record = record_of(path, records)) open(*record, now);
+}
+
+bool CrashNote::keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now) {
+    std::set<ContentName> names;
+    for (const std::string& path : open)
+        if (const MediaRecord* record = record_of(path, records)) names.insert(content_name(*record));
+    return keep(names, now);
+}
+
+void CrashNote::open(const MediaRecord& record, Time now) {
+    if (start_ == Time{}) start_ = now;
+    opened_[content_name(record)] = now;
+    if (content_name(record) == on_trial_ && !trial_begin_) trial_begin_ = now;
+    if (note_.opening.insert(content_name(record)).second) write();
+}
+
+std::chrono::seconds CrashNote::opening_time(const ContentName& name) const {
+    const auto found = blame_.find(name);
+    return found != blame_.end() && found->second == most_blame - 1 ? longest_opening : usual_opening;
+}
+
+bool CrashNote::keep(const std::set<ContentName>& open, Time now) {
+    if (start_ == Time{}) start_ = now;
+    std::erase_if(opened_, [&](const auto& entry) { return !open.contains(entry.first); });
+    PlayingNote note{.boot = note_.boot, .process = note_.process, .opening = {}, .playing = {}};
+    for (const auto& [name, since] : opened_)
+        (now - since < opening_time(name) ? note.opening : note.playing).insert(name);
+    const bool is_acquitted = end_trial(now);
+    if (now - start_ > forgiving_time) forgive();
+    if (note != note_) {
+        note_ = std::move(note);
+        write();
+    }
+    return is_acquitted;
+}
+
+/// Whether there was one, and it has lasted long enough or all is forgiven.
+bool CrashNote::end_trial(Time now) {
+    if (suspects_.empty()) return false;
+    if (now - start_ > forgiving_time) {
+        suspects_.clear();
+    } else {
+        if (!on_trial_ || !trial_begin_ || now - *trial_begin_ < opening_time(*on_trial_)) return false;
+        suspects_.erase(*on_trial_);
+    }
+    on_trial_.reset();
+    trial_begin_.reset();
+    return true;
+}
+
+void CrashNote::forgive() {
+    const auto forgiven = std::erase_if(blame_, [](const auto& entry) { return entry.second < most_blame; });
+    if (forgiven == 0 || !is_active_) return;
+    try {
+        replace_file(state_ / blamed_file, to_text(blame_));
+    } catch (const std::system_error& error) {
+        log::debug("nothing is forgiven: {}", error.what());
+    }
+}
+
+/// Readers are there only after this process has ended, so that a rename alone makes it whole.
+void CrashNote::write() {
+    if (!is_active_) return;
+    const fs::path file = state_ / playing_file;
+    std::ofstream stream(unfinished(file), std::ios::binary | std::ios::trunc);
+    stream << to_text(note_);
+    stream.close();
+    std::error_code failure;
+    if (stream) fs::rename(unfinished(file), file, failure);
+    if (stream && !failure) return;
+    is_active_ = false;
+    fs::remove(unfinished(file), failure);
+    fs::remove(file, failure);  // what it says is not true any more
+    log::warning("what plays cannot be noted in '{}': a file that brings the player down is not found out",
+                 state_.string());
+}
+
+void CrashNote::end() {
+    std::error_code ignored;
+    if (is_active_) fs::remove(state_ / playing_file, ignored);
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,248 @@
+#include "player/layout/cells/sharing.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double whole_share = 0.004;  // of the canvas: a smaller orphan goes to one taker
+
+/// Part of the canvas whose nearest item has no pixels there, with those that have.
+struct Orphan {
+    Loops area;
+    std::set<std::size_t> takers;
+};
+
+void append(Loops& to, const Loops& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+Box bounds_of(const Loops& loops) {
+    std::vector<Vec2> corners;
+    for (const Loop& loop : loops)
+        for (const CellPoint& p : loop)
+            corners.push_back(from_grid(p));
+    return bounding_box(corners);
+}
+
+/// Splits what has no owner by who has pixels there.
+std::vector<Orphan> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
+    std::vector<Orphan> orphans;
+    if (!orphaned.empty()) orphans.push_back({orphaned, {}});
+    for (std::size_t i = 0; i < cores.size(); ++i) {
+        if (cores[i].empty()) continue;
+        const Box core = bounds_of(cores[i]);
+        std::vector<Orphan> next;
+        for (Orphan& orphan : orphans) {
+            const Box bounds = bounds_of(orphan.area);
+            if (intersection(bounds, core).is_empty()) {
+                next.push_back(std::move(orphan));
+                continue;
+            }
+            if (intersection(bounds, core) == bounds) {
+                orphan.takers.insert(i);
+                next.push_back(std::move(orphan));
+                continue;
+            }
+            Loops inside = intersection_of(orphan.area, cores[i]);
+            Loops outside = difference_of(orphan.area, cores[i]);
+            if (!outside.empty()) next.push_back({std::move(outside), orphan.takers});
+            orphan.takers.insert(i);
+            if (!inside.empty()) next.push_back({std::move(inside), std::move(orphan.takers)});
+        }
+        orphans = std::move(next);
+    }
+    return orphans;
+}
+
+double distance(const Box& a, const Box& b) {
+    return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
+                   std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
+}
+
+/// The most that any point of a box can be away from a region, or more.
+double most_distance(const Box& box, const Polygon& region) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& p : region)
+        least = std::min(least, length({std::max(p.x - box.min.x, box.max.x - p.x),
+                                        std::max(p.y - box.min.y, box.max.y - p.y)}));
+    return least;
+}
+
+/// Those of some takers that can be the nearest somewhere in an area.
+std::set<std::size_t> likely_takers(const Orphan& orphan, std::span<const Polygon> regions) {
+    const Box bounds = bounds_of(orphan.area);
+    double reach = std::numeric_limits<double>::infinity();
+    for (const std::size_t taker : orphan.takers)
+        reach = std::min(reach, most_distance(bounds, regions[taker]));
+    std::set<std::size_t> likely;
+    for (const std::size_t taker : orphan.takers)
+        if (distance(bounds, bounding_box(regions[taker])) <= reach) likely.insert(taker);
+    return likely;
+}
+
+/// Gives each orphan to its nearest takers.
+class Adoption {
+  public:
+    Adoption(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites)
+        : regions_(regions), canvas_(canvas), sites_(sites) {}
+
+    void give(const Orphan& orphan, std::vector<Loops>& shown) {
+        const std::set<std::size_t> takers = likely_takers(orphan, regions_);
+        if (takers.size() == 1 || area_of(orphan.area) < whole_share * canvas_.area()) {
+            append(shown[nearest(orphan, takers)], orphan.area);
+            return;
+        }
+        const std::vector<Loops>& diagram = diagram_of(takers);
+        Loops rest = orphan.area;
+        for (const std::size_t taker : takers) {
+            append(shown[taker], intersection_of(orphan.area, diagram[taker]));
+            rest = difference_of(rest, diagram[taker]);
+        }
+        append(shown[*orphan.takers.begin()], rest);  // what rounding left
+    }
+
+  private:
+    /// The taker whose region is nearest to the middle of the orphan.
+    std::size_t nearest(const Orphan& orphan, const std::set<std::size_t>& takers) const {
+        const Vec2 middle = bounds_of(orphan.area).centre();
+        return *std::min_element(takers.begin(), takers.end(), [&](std::size_t a, std::size_t b) {
+            return distance_to(regions_[a], middle) < distance_to(regions_[b], middle);
+        });
+    }
+
+    /// The diagram of some regions only, indexed as all.
+    const std::vector<Loops>& diagram_of(const std::set<std::size_t>& some) {
+        const auto known = diagrams_.find(some);
+        if (known != diagrams_.end()) return known->second;
+        std::vector<Polygon> regions;
+        regions.reserve(some.size());
+        for (const std::size_t i : some)
+            regions.push_back(regions_[i]);
+        std::vector<Loops> found = voronoi(regions, canvas_, sites_);
+        std::vector<Loops> all(regions_.size());
+        std::size_t k = 0;
+        for (const std::size_t i : some)
+            all[i] = std::move(found[k++]);
+        return diagrams_[some] = std::move(all);
+    }
+
+    std::span<const Polygon> regions_;
+    Box canvas_;
+    VoronoiSites sites_;
+    std::map<std::set<std::size_t>, std::vector<Loops>> diagrams_;
+};
+
+/// Pieces that meet become one, unless they would enclose a hole: cutting that open again might cut a region.
+Loops joined(Loops pieces) {
+    if (pieces.size() < 2) return pieces;
+    Loops whole = union_of(pieces, {});
+    const bool has_hole =
+        std::any_of(whole.begin(), whole.end(), [](const Loop& loop) { return twice_area(loop) < 0; });
+    return has_hole ? std::move(pieces) : std::move(whole);
+}
+
+bool is_within(const Box& inner, const Box& outer) {
+    return intersection(inner, outer) == inner;
+}
+
+/// Shares an area out among some regions.
+Shares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& cores, const Box& canvas,
+                    const Loops& area, const VoronoiSites& sites) {
+    const bool is_whole = area.size() == 1 && area[0] == to_grid(to_polygon(canvas));
+    const std::vector<Loops> nearest = voronoi(regions, canvas, sites);
+    Shares shares{std::vector<Loops>(regions.size()), std::vector<Loops>(regions.size())};
+    Adoption adoption(regions, canvas, sites);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const bool is_clipped = is_whole && (nearest[i].empty() || is_within(bounds_of(nearest[i]), canvas));
+        const Loops mine = is_clipped ? nearest[i] : intersection_of(nearest[i], area);
+        if (mine.empty()) continue;
+        if (!cores[i].empty() && is_within(bounds_of(mine), bounds_of(cores[i]))) {
+            append(shares.shown[i], mine);
+            continue;
+        }
+        append(shares.shown[i], intersection_of(mine, cores[i]));
+        for (const Orphan& orphan : split_by_takers(difference_of(mine, cores[i]), cores)) {
+            if (orphan.takers.empty())
+                append(shares.filler[i], orphan.area);
+            else
+                adoption.give(orphan, shares.shown);
+        }
+    }
+    for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
+        for (Loops& loops : *some)
+            loops = joined(std::move(loops));
+    return shares;
+}
+
+/// What a group is to the others: the hull of its regions, and all between its outermost pixels.
+void add_as_one(SharedItems& units, const SharedItems& sites, const LayoutGroup& group) {
+    std::vector<Vec2> corners;
+    std::optional<Box> frame;
+    for (const std::size_t i : group.items) {
+        corners.insert(corners.end(), sites.regions[i].begin(), sites.regions[i].end());
+        if (sites.cores[i].empty()) continue;
+        const Box core = bounds_of(sites.cores[i]);
+        frame = frame ? united(*frame, core) : core;
+    }
+    units.regions.push_back(convex_hull(corners));
+    units.cores.emplace_back();
+    if (frame) units.cores.back().push_back(to_grid(to_polygon(*frame)));
+}
+
+}  // namespace
+
+double distance_to(const Polygon& region, Vec2 point) {
+    if (is_inside_convex(region, point, 0)) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < region.size(); ++k) {
+        const Vec2 a = region[k];
+        const Vec2 along = region[(k + 1) % region.size()] - a;
+        const double squared = dot(along, along);
+        const double share = squared > 0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0;
+        least = std::min(least, length(point - a - along * share));
+    }
+    return least;
+}
+
+Shares shared_out(const SharedItems& sites, const std::vector<LayoutGroup>& groups, const Box& canvas,
+                  const VoronoiSites& how) {
+    const Loops screen{to_grid(to_polygon(canvas))};
+    if (groups.empty()) return shared_among(sites.regions, sites.cores, canvas, screen, how);
+    std::vector<LayoutGroup> units = groups;
+    std::vector<bool> is_grouped(sites.regions.size(), false);
+    for (const LayoutGroup& group : groups)
+        for (const std::size_t i : group.items)
+            is_grouped[i] = true;
+    for (std::size_t i = 0; i < sites.regions.size(); ++i)
+        if (!is_grouped[i]) units.push_back({{i}});
+    SharedItems outer;
+    for (const LayoutGroup& unit : units)
+        add_as_one(outer, sites, unit);
+    const Shares shares = shared_among(outer.regions, outer.cores, canvas, screen, how);
+    Shares all{std::vector<Loops>(sites.regions.size()), std::vector<Loops>(sites.regions.size())};
+    for (std::size_t u = 0; u < units.size(); ++u) {
+        SharedItems inner;
+        for (const std::size_t i : units[u].items) {
+            inner.regions.push_back(sites.regions[i]);
+            inner.cores.push_back(sites.cores[i]);
+        }
+        const Loops area = union_of(shares.shown[u], shares.filler[u]);
+        Shares some = shared_among(inner.regions, inner.cores, canvas, area, how);
+        for (std::size_t k = 0; k < units[u].items.size(); ++k) {
+            all.shown[units[u].items[k]] = std::move(some.shown[k]);
+            all.filler[units[u].items[k]] = std::move(some.filler[k]);
+        }
+    }
+    return all;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,217 @@
+#include "player/layout/cells/voronoi.hpp"
+
+#include "player/layout/cells/voronoi_circles.hpp"
+#include "player/layout/pack/overlap.hpp"
+
+#include <boost/polygon/point_concept.hpp>
+#include <boost/polygon/point_data.hpp>
+#include <boost/polygon/segment_concept.hpp>
+#include <boost/polygon/segment_data.hpp>
+#include <boost/polygon/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+using Edge = Diagram::edge_type;
+using GridSegment = boost::polygon::segment_data<std::int32_t>;
+using SitePoint = boost::polygon::point_data<std::int32_t>;
+
+constexpr double bend_tolerance = 0.25;  // canvas px between a bend and its chords
+constexpr double beyond = 4;             // canvas sizes from the canvas to the guards, which bound all cells
+constexpr std::int32_t site_origin = 1 << 25;  // grid units added to sites, see CheckedCircles
+
+/// What the diagram is built from, in units of grid_per_px from `site_origin` up and left of the canvas.
+struct Sites {
+    std::vector<GridSegment> segments;
+    std::vector<SitePoint> points;
+    std::vector<std::size_t> owner_of_point;
+    std::vector<std::size_t> owner_of_segment;
+
+    /// Boost numbers the points first, then the segments.
+    std::size_t owner(const Edge& edge) const {
+        const std::size_t source = edge.cell()->source_index();
+        return source < points.size() ? owner_of_point[source] : owner_of_segment[source - points.size()];
+    }
+};
+
+SitePoint to_site(GridPoint p) {
+    return {p.x + site_origin, p.y + site_origin};
+}
+
+SitePoint to_site(Vec2 p) {
+    return {static_cast<std::int32_t>(std::lround(p.x * grid_per_px)) + site_origin,
+            static_cast<std::int32_t>(std::lround(p.y * grid_per_px)) + site_origin};
+}
+
+Vec2 to_px(double x, double y) {
+    return {(x - site_origin) / grid_per_px, (y - site_origin) / grid_per_px};
+}
+
+void add_outline(Sites& sites, const Polygon& region, std::size_t owner) {
+    const GridPolygon outline = snapped(region);
+    if (outline.empty()) {
+        sites.points.push_back(to_site(region.empty() ? Vec2{} : region[0]));
+        sites.owner_of_point.push_back(owner);
+    }
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        sites.segments.emplace_back(to_site(outline[k]), to_site(outline[(k + 1) % outline.size()]));
+        sites.owner_of_segment.push_back(owner);
+    }
+}
+
+void add_samples(Sites& sites, const Polygon& region, std::size_t owner, const VoronoiSites& how) {
+    const Vec2 middle = centroid(region);
+    for (std::size_t k = 0; k < region.size(); ++k) {
+        const Vec2 a = region[k];
+        const Vec2 edge = region[(k + 1) % region.size()] - a;
+        const int count = std::max(1, static_cast<int>(std::ceil(length(edge) / how.spacing)));
+        for (int i = 0; i < count; ++i) {
+            const Vec2 on = a + edge * (static_cast<double>(i) / count);
+            const double depth = length(on - middle);
+            const Vec2 p = on + (middle - on) * (depth > 0 ? std::min(1.0, how.inset / depth) : 0);
+            sites.points.push_back(to_site(p));
+            sites.owner_of_point.push_back(owner);
+        }
+    }
+}
+
+/// Four points far outside, so that every cell that reaches the canvas is bounded.
+void add_guards(Sites& sites, const Box& canvas, std::size_t owner) {
+    const double away = beyond * std::max(canvas.width(), canvas.height());
+    const Vec2 c = canvas.centre();
+    for (const Vec2 to : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+        sites.points.push_back(to_site(c + to * away));
+        sites.owner_of_point.push_back(owner);
+    }
+}
+
+/// Corners of the bend between a point site and a line, without its ends: y = x^2 / 2p + p / 2 over the line.
+Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
+    const Vec2 along = (b - a) * (1 / length(b - a));
+    const double p = std::abs(cross(along, focus - a));
+    const double side = cross(along, focus - a) > 0 ? 1 : -1;
+    const Vec2 foot = a + along * dot(focus - a, along);
+    const Vec2 up = Vec2{-along.y, along.x} * side;
+    const double begin = dot(from - foot, along);
+    const double end = dot(to - foot, along);
+    // The chord over a width w is at most w^2 / 8p away from the parabola.
+    const double widest = std::sqrt(8 * p * bend_tolerance);
+    const int pieces = std::clamp(static_cast<int>(std::ceil(std::abs(end - begin) / widest)), 1, 1000);
+    Polygon corners;
+    for (int i = 1; i < pieces; ++i) {
+        const double x = begin + (end - begin) * i / pieces;
+        corners.push_back(foot + along * x + up * (x * x / (2 * p) + p / 2));
+    }
+    return corners;
+}
+
+/// Traces cells that belong to one owner as one.
+class Tracer {
+  public:
+    Tracer(const Sites& sites, const Diagram& diagram, std::size_t owners)
+        : sites_(sites), diagram_(diagram), loops_(owners) {}
+
+    std::vector<Loops> run() {
+        for (const Edge& edge : diagram_.edges())
+            if (is_border(edge) && sites_.owner(edge) < loops_.size() && edge.color() == untraced)
+                trace(edge);
+        return std::move(loops_);
+    }
+
+  private:
+    static constexpr std::size_t untraced = 0;
+    static constexpr std::size_t traced = 1;
+
+    bool is_border(const Edge& edge) const { return sites_.owner(edge) != sites_.owner(*edge.twin()); }
+
+    /// The next border edge of the same owner, with the owner's area on the left.
+    const Edge& after(const Edge& edge) const {
+        const Edge* next = edge.next();
+        while (!is_border(*next))
+            next = next->twin()->next();
+        return *next;
+    }
+
+    void trace(const Edge& first) {
+        Loop loop;
+        const Edge* edge = &first;
+        do {
+            edge->color(traced);
+            append(loop, *edge);
+            edge = &after(*edge);
+        } while (edge != &first);
+        while (loop.size() > 1 && loop.front() == loop.back())
+            loop.pop_back();
+        if (loop.size() >= 3) loops_[sites_.owner(first)].push_back(std::move(loop));
+    }
+
+    /// Appends the edge but for its end. Both directions of an edge have the same corners.
+    void append(Loop& loop, const Edge& edge) {
+        const bool forward = &edge < edge.twin();
+        const Edge& base = forward ? edge : *edge.twin();
+        Polygon line = corners(base);
+        if (!forward) std::reverse(line.begin(), line.end());
+        line.pop_back();
+        for (const Vec2& p : line) {
+            const CellPoint point = to_grid(p);
+            if (loop.empty() || loop.back() != point) loop.push_back(point);
+        }
+    }
+
+    Polygon corners(const Edge& edge) const {
+        const Vec2 from = to_px(edge.vertex0()->x(), edge.vertex0()->y());
+        const Vec2 to = to_px(edge.vertex1()->x(), edge.vertex1()->y());
+        Polygon line{from};
+        if (edge.is_curved()) {
+            const bool point_here = edge.cell()->contains_point();
+            const auto& point_cell = point_here ? *edge.cell() : *edge.twin()->cell();
+            const auto& line_cell = point_here ? *edge.twin()->cell() : *edge.cell();
+            const GridSegment& segment = sites_.segments[line_cell.source_index() - sites_.points.size()];
+            const SitePoint focus = point_of(point_cell);
+            const Polygon inner =
+                bend(to_px(focus.x(), focus.y()), to_px(segment.low().x(), segment.low().y()),
+                     to_px(segment.high().x(), segment.high().y()), from, to);
+            line.insert(line.end(), inner.begin(), inner.end());
+        }
+        line.push_back(to);
+        return line;
+    }
+
+    SitePoint point_of(const Diagram::cell_type& cell) const {
+        const std::size_t source = cell.source_index();
+        if (source < sites_.points.size()) return sites_.points[source];
+        const GridSegment& segment = sites_.segments[source - sites_.points.size()];
+        const bool start = cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;
+        return start ? segment.low() : segment.high();
+    }
+
+    const Sites& sites_;      // outlives this
+    const Diagram& diagram_;  // outlives this
+    std::vector<Loops> loops_;
+};
+
+}  // namespace
+
+std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites) {
+    Sites input;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (sites.spacing > 0)
+            add_samples(input, regions[i], i, sites);
+        else
+            add_outline(input, regions[i], i);
+    }
+    add_guards(input, canvas, regions.size());
+    Diagram diagram;
+    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers, VoronoiPredicates> builder;
+    boost::polygon::insert(input.points.begin(), input.points.end(), &builder);
+    boost::polygon::insert(input.segments.begin(), input.segments.end(), &builder);
+    builder.construct(&diagram);
+    return Tracer(input, diagram, regions.size()).run();
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,264 @@
+#include "player/layout/edit/motion.hpp"
+
+#include "player/layout/pack/shape.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+// Straight lines are free for most small changes. Where they are not, it is mostly because an item moves to
+// where another still stands: that one goes first. Items that would pass through each other become smaller
+// until they do not; about inner points a convex region gets smaller within itself, which is always free.
+// What is left are items that change places: those are sent by way of a halfway layout, its conflicts pushed
+// apart sideways.
+
+namespace vitrine::player {
+
+namespace {
+
+using Placements = std::vector<Placement>;
+
+constexpr double apart = 1.0 / 128;  // canvas px; more than the grid of exact areas rounds by
+constexpr std::size_t most_stages = 4;
+constexpr double shrink = 0.88;        // per try
+constexpr double least_factor = 0.5;   // of the smaller of both scales, on the way
+constexpr double detour_factor = 0.7;  // of scales halfway
+constexpr int most_pushes = 60;        // rounds of pushing halfway places apart
+
+double support(const Polygon& outline, Vec2 direction) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vec2& p : outline)
+        most = std::max(most, dot(p, direction));
+    return most;
+}
+
+Placement mixed(const Placement& a, const Placement& b, double t) {
+    return {a.scale * (1 - t) + b.scale * t, a.offset * (1 - t) + b.offset * t};
+}
+
+/// A region on the way: its outline is in source px, both placements map it to the canvas.
+struct Way {
+    const Polygon& outline;
+    Placement from, to;
+};
+
+/// Cuts `inside` down to when the gap along the outward normals of a's sides is negative.
+void cut_by_sides(const Way& a, const Way& b, double clearance, Overlap& inside) {
+    for (std::size_t k = 0; k < a.outline.size() && !inside.is_empty(); ++k) {
+        const Vec2 edge = a.outline[(k + 1) % a.outline.size()] - a.outline[k];
+        if (edge == Vec2{}) continue;
+        const Vec2 n = Vec2{edge.y, -edge.x} * (1 / length(edge));
+        const double first = support(a.outline, n);
+        const double second = support(b.outline, n * -1);
+        const auto gap = [&](const Placement& at, const Placement& other) {
+            return dot(n, other.offset - at.offset) - at.scale * first - other.scale * second - clearance;
+        };
+        const double begin = gap(a.from, b.from);
+        const double end = gap(a.to, b.to);
+        if (begin >= 0 && end >= 0) inside = {};
+        if (begin >= 0 && end < 0) inside.begin = std::max(inside.begin, begin / (begin - end));
+        if (begin < 0 && end >= 0) inside.end = std::min(inside.end, begin / (begin - end));
+    }
+}
+
+Overlap overlap_of(const Way& a, const Way& b, double clearance) {
+    Overlap inside{0, 1};
+    cut_by_sides(a, b, clearance, inside);
+    if (!inside.is_empty()) cut_by_sides(b, a, clearance, inside);
+    return inside;
+}
+
+Box placed(const Box& box, const Placement& at) {
+    return {box.min * at.scale + at.offset, box.max * at.scale + at.offset};
+}
+
+bool are_apart(const Box& a, const Box& b) {
+    return a.max.x + apart <= b.min.x || b.max.x + apart <= a.min.x || a.max.y + apart <= b.min.y ||
+           b.max.y + apart <= a.min.y;
+}
+
+/// Looks for a motion of some items.
+class Search {
+  public:
+    Search(std::span<const LayoutItem> items, std::span<const Placement> from, std::span<const Placement> to,
+           Vec2 canvas)
+        : canvas_(canvas), from_(from.begin(), from.end()), to_(to.begin(), to.end()) {
+        for (const LayoutItem& item : items) {
+            const Shape shape = shape_of(item.region);
+            centroids_.push_back(shape.centroid);
+            outlines_.push_back(transformed(shape.outline, 1, shape.centroid));
+            extents_.push_back(moved(shape.extent, shape.centroid));
+        }
+    }
+
+    std::optional<Motion> run() const {
+        if (from_ == to_) return Motion{Motion::Kind::still, {to_}};
+        if (!is_free(from_, from_) || !is_free(to_, to_)) return std::nullopt;
+        if (is_free(from_, to_)) return Motion{Motion::Kind::straight, {from_, to_}};
+        if (auto found = staged()) return found;
+        if (auto keys = shrunk(from_, to_)) return Motion{Motion::Kind::shrunk, *keys};
+        return detour();
+    }
+
+  private:
+    bool is_free(const Placements& a, const Placements& b) const {
+        const std::vector<bool> in_conflict = conflicts(a, b);
+        return std::find(in_conflict.begin(), in_conflict.end(), true) == in_conflict.end();
+    }
+
+    std::size_t size() const { return outlines_.size(); }
+
+    bool meet(std::size_t i, std::size_t j, const Placements& a, const Placements& b) const {
+        return !overlap_of({outlines_[i], a[i], b[i]}, {outlines_[j], a[j], b[j]}, apart).is_empty();
+    }
+
+    /// Which items meet others on the straight way.
+    std::vector<bool> conflicts(const Placements& a, const Placements& b) const {
+        std::vector<Box> swept;
+        for (std::size_t i = 0; i < size(); ++i)
+            swept.push_back(united(placed(extents_[i], a[i]), placed(extents_[i], b[i])));
+        std::vector<bool> found(size(), false);
+        for (std::size_t i = 0; i < size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (!are_apart(swept[i], swept[j]) && meet(i, j, a, b)) found[i] = found[j] = true;
+        return found;
+    }
+
+    /// Each stage moves all those that can go at once while the others stand.
+    std::optional<Motion> staged() const {
+        Motion motion{Motion::Kind::staged, {from_}};
+        while (motion.keys.back() != to_ && motion.keys.size() <= most_stages) {
+            const Placements& now = motion.keys.back();
+            Placements next = now;
+            for (std::size_t i = 0; i < size(); ++i) {
+                next[i] = to_[i];
+                for (std::size_t j = 0; j < size() && next[i] != now[i]; ++j)
+                    if (j != i && meet(i, j, now, next)) next[i] = now[i];
+            }
+            if (next == now) return std::nullopt;
+            motion.keys.push_back(next);
+        }
+        if (motion.keys.back() != to_) return std::nullopt;
+        return motion;
+    }
+
+    Placement about_centroid(std::size_t item, const Placement& at, double scale) const {
+        const Vec2 place = centroids_[item] * at.scale + at.offset;
+        return {scale, place - centroids_[item] * scale};
+    }
+
+    /// All that meet others on the way get smaller first, and larger again in the end.
+    std::optional<std::vector<Placements>> shrunk(const Placements& a, const Placements& b) const {
+        std::vector<double> factors(size(), 1);
+        for (;;) {
+            Placements small_a = a;
+            Placements small_b = b;
+            for (std::size_t i = 0; i < size(); ++i) {
+                if (factors[i] == 1) continue;
+                const double scale = factors[i] * std::min(a[i].scale, b[i].scale);
+                small_a[i] = about_centroid(i, a[i], scale);
+                small_b[i] = about_centroid(i, b[i], scale);
+            }
+            const std::vector<bool> in_conflict = conflicts(small_a, small_b);
+            if (std::find(in_conflict.begin(), in_conflict.end(), true) == in_conflict.end()) {
+                std::vector<Placements> keys{a, small_a, small_b, b};
+                keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+                return keys;
+            }
+            for (std::size_t i = 0; i < size(); ++i) {
+                if (in_conflict[i]) factors[i] *= shrink;
+                if (factors[i] < least_factor) return std::nullopt;
+            }
+        }
+    }
+
+    /// Pushes places halfway apart until nothing overlaps; none where that does not come to rest.
+    std::optional<Placements> halfway() const {
+        Placements middle;
+        for (std::size_t i = 0; i < size(); ++i) {
+            const Placement even = mixed(from_[i], to_[i], 0.5);
+            const bool moves = from_[i] != to_[i];
+            middle.push_back(
+                moves ? about_centroid(i, even, detour_factor * std::min(from_[i].scale, to_[i].scale))
+                      : even);
+        }
+        for (int k = 0; k < most_pushes; ++k) {
+            bool is_clear = true;
+            for (std::size_t i = 0; i < size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if (meet(i, j, middle, middle)) {
+                        push(i, j, middle);
+                        is_clear = false;
+                    }
+            if (is_clear) return middle;
+        }
+        return std::nullopt;
+    }
+
+    /// Moves two items apart, aside from the way of the first rather than along it.
+    void push(std::size_t i, std::size_t j, Placements& at) const {
+        const auto place = [&](std::size_t k, const Placements& p) {
+            return centroids_[k] * p[k].scale + p[k].offset;
+        };
+        const Vec2 between = place(i, at) - place(j, at);
+        const Vec2 way = (place(i, to_) - place(i, from_)) - (place(j, to_) - place(j, from_));
+        Vec2 aside{-way.y, way.x};
+        if (dot(aside, between) < 0) aside = aside * -1;
+        const double far = std::max(1.0, length(between));
+        Vec2 direction = between * (1 / far);
+        if (length(aside) > 0) direction = direction + aside * (1 / length(aside));
+        const Box extent = placed(extents_[i], at[i]);
+        const double step = 0.04 * (extent.width() + extent.height());
+        for (const std::size_t k : {i, j}) {
+            if (from_[k] == to_[k]) continue;
+            at[k].offset = at[k].offset + direction * (k == i ? step : -step);
+            const Box box = placed(extents_[k], at[k]);
+            const Vec2 low{std::max(0.0, -box.min.x), std::max(0.0, -box.min.y)};
+            const Vec2 high{std::max(0.0, box.max.x - canvas_.x), std::max(0.0, box.max.y - canvas_.y)};
+            at[k].offset = at[k].offset + low - high;
+        }
+    }
+
+    std::optional<Motion> detour() const {
+        const auto middle = halfway();
+        if (!middle) return std::nullopt;
+        auto keys = shrunk(from_, *middle);
+        const auto rest = keys ? shrunk(*middle, to_) : std::nullopt;
+        if (!rest) return std::nullopt;
+        keys->insert(keys->end(), rest->begin() + 1, rest->end());
+        return Motion{Motion::Kind::detour, std::move(*keys)};
+    }
+
+    Vec2 canvas_;
+    Placements from_, to_;
+    std::vector<Vec2> centroids_;
+    std::vector<Polygon> outlines_;  // source px
+    std::vector<Box> extents_;
+};
+
+}  // namespace
+
+std::vector<Placement> placements_at(const Motion& motion, double time) {
+    assert(!motion.keys.empty());
+    const auto last = static_cast<double>(motion.keys.size() - 1);
+    const double at = std::clamp(time, 0.0, 1.0) * last;
+    const auto key = static_cast<std::size_t>(std::min(at, std::max(0.0, last - 1)));
+    if (key + 1 >= motion.keys.size()) return motion.keys.back();
+    Placements now;
+    for (std::size_t i = 0; i < motion.keys[key].size(); ++i)
+        now.push_back(mixed(motion.keys[key][i], motion.keys[key + 1][i], at - static_cast<double>(key)));
+    return now;
+}
+
+Overlap overlap_between(const Passage& a, const Passage& b, double clearance) {
+    return overlap_of({a.item.region, a.from, a.to}, {b.item.region, b.from, b.to}, clearance);
+}
+
+std::optional<Motion> motion_between(std::span<const LayoutItem> items, std::span<const Placement> from,
+                                     std::span<const Placement> to, Vec2 canvas) {
+    assert(items.size() == from.size() && items.size() == to.size());
+    return Search(items, from, to, canvas).run();
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "player/layout/pack/arrangement.hpp"
+#include "player/layout/pack/effort.hpp"
+
+namespace vitrine::player {
+
+/// Moves all items at once so that they can grow as far as any small move lets them: a local maximum of the
+/// growth. For each pair the side that holds it apart best stays between the two, which makes all constraints
+/// linear in places and growth; a linear program is solved, the sides are chosen anew, until nothing is won.
+///
+/// @param start  free of overlap
+/// @return       at least as large as `start`, free of overlap
+/// Source: compaction by linear programs, Li & Milenkovic 1995; here with growth instead of the length of a
+/// strip.
+Arrangement compacted(const Ground& ground, const Arrangement& start, Contacts& contacts, Effort& effort);
+
+}  // namespace vitrine::player

@@ -1,0 +1,164 @@
+#pragma once
+
+#include "player/layout/pack/shape.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// A stretch [begin, end) of a ray.
+struct Stretch {
+    double begin = 0;
+    double end = 0;
+};
+
+/// What holds two shapes apart best: they are clear while normal . apart is at least
+/// scale_a * first + scale_b * second + clearance.
+struct Hold {
+    Vec2 normal;        // unit length, from a to b
+    double first = 0;   // support of shape a along it, source px, > 0
+    double second = 0;  // support of shape b against it, source px, > 0
+    double slack = 0;   // canvas px by which they are more than clear; negative: the depth
+};
+
+/// A length or scale that grows with g up to a limit: min(rate * g, limit). A pinned one has an infinite
+/// rate.
+struct Growing {
+    double rate = 1;
+    double limit = 1;
+
+    double at(double g) const { return rate * g < limit ? rate * g : limit; }
+
+    double end() const { return limit / rate; }
+
+    Growing times(double factor) const { return {rate * factor, limit * factor}; }
+};
+
+/// Places of many items, as the loops over them want them: some places far away fill the last four up. canvas
+/// px
+struct Spots {
+    std::vector<float> x, y;
+
+    void assign(std::span<const Vec2> places);
+
+    Vec2 at(std::size_t item) const { return {x[item], y[item]}; }
+
+    void set(std::size_t item, Vec2 place) {
+        x[item] = static_cast<float>(place.x);
+        y[item] = static_cast<float>(place.y);
+    }
+};
+
+/// Where convex shapes stand clear of each other.
+///
+/// Two convex shapes overlap exactly when the vector between them lies inside their Minkowski difference,
+/// whose sides have the normals of both. So each pair keeps its normals with both supports; the places
+/// of the sides follow from the scales, and how deep two shapes run into each other is the least
+/// distance to a side. Each shape keeps `clearance` from the others.
+///
+/// Numbers are of single precision, four sides side by side: an answer is true to `precision`. The sides of a
+/// pair are made when it is first near: of many items most pairs never are. Thread-bound, const or not.
+class Contacts {
+  public:
+    /// canvas px, for canvases of up to 16384 px; all clearances are far above
+    static constexpr double precision = 2e-3;
+
+    /// @param clearance  canvas px between any two shapes
+    Contacts(std::span<const Shape> shapes, double clearance);
+
+    std::size_t size() const { return size_; }
+
+    double clearance() const { return clearance_; }
+
+    /// @param scales  one a shape, canvas px per source px, > 0
+    void set_scales(std::span<const double> scales);
+
+    /// The same for one shape.
+    void set_scale(std::size_t item, double scale);
+
+    /// How far shape `b` must move to be clear of shape `a`, canvas px; 0: they are clear.
+    /// @param apart  place of b minus place of a
+    double depth(std::size_t a, std::size_t b, Vec2 apart) const;
+
+    /// Whether the shapes are clear of each other as far as `precision` tells.
+    bool is_clear(std::size_t a, std::size_t b, Vec2 apart) const { return depth(a, b, apart) <= precision; }
+
+    /// Whether shape `item` is clear of all others there.
+    bool is_clear(std::size_t item, Vec2 place, std::span<const Vec2> places) const;
+
+    /// Sum over all others j of weights[j] times the depth in which shape `item` at `place` runs into j. Ends
+    /// when the sum reaches `enough`.
+    double weighted_depth(std::size_t item, Vec2 place, const Spots& spots, std::span<const float> weights,
+                          double enough) const;
+
+    /// The shortest move of b that clears it of a; zero where it is clear.
+    Vec2 escape(std::size_t a, std::size_t b, Vec2 apart) const;
+
+    /// The side of the pair that holds them apart best.
+    Hold hold(std::size_t a, std::size_t b, Vec2 apart) const;
+
+    /// The most growth at which the two shapes are clear, whatever set_scales() said; 0: at none.
+    /// @param first, second  the scales of a and b
+    /// @param most           what is returned where they are clear at more
+    double greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first, Growing second,
+                           double most) const;
+
+    /// The stretch of the ray origin + r * direction, r >= 0, on which shape b is not clear of a shape a at
+    /// the origin of coordinates; begin >= end: none.
+    Stretch blocked(std::size_t a, std::size_t b, Vec2 origin, Vec2 direction) const;
+
+  private:
+    using Lanes = float __attribute__((vector_size(16)));
+    static constexpr std::size_t lanes = 4;
+
+    struct Sides {     // four sides of a pair; what is left over repeats the first side
+        Lanes x, y;    // unit normals, outward
+        Lanes first;   // support of the pair's first shape along it, source px
+        Lanes second;  // support of the second shape against it, source px
+        Lanes offset;  // a side lies at normal . apart = offset, canvas px
+    };
+
+    struct Pair {                          // of shapes a < b
+        std::uint32_t begin = 0, end = 0;  // into sides_
+    };
+
+    struct Side {
+        Vec2 normal;
+        double first = 0, second = 0;
+    };
+
+    /// The sides of a pair. @pre a != b
+    const Pair& pair(std::size_t a, std::size_t b) const {
+        const Pair& found = pairs_[a * size_ + b];
+        if (found.begin == found.end) add_pair(std::min(a, b), std::max(a, b));
+        return found;
+    }
+
+    bool is_far(std::size_t a, std::size_t b, float x, float y) const {
+        return x * x + y * y >= reach_squared_[a * stride_ + b];
+    }
+
+    /// The depth by the sides alone: negative where the shapes are clear. @pre x, y are b's less a's, a < b
+    float inside(const Pair& p, float x, float y) const;
+    void add_pair(std::size_t a, std::size_t b) const;
+    void set_reach(std::size_t a, std::size_t b);
+    void set_offsets(std::size_t a, std::size_t b, const Pair& pair) const;
+
+    std::size_t size_;
+    std::size_t stride_;  // size, rounded up to whole lanes
+    double clearance_;
+    std::vector<Polygon> outlines_;
+    std::vector<std::vector<Vec2>> normals_;  // of the outlines
+    std::vector<float> radii_;
+    std::vector<float> scales_;
+    std::vector<float> reach_squared_;  // of [a * stride + b]: beyond this distance they are clear
+    mutable std::vector<Pair> pairs_;   // of [a * size + b] and [b * size + a]; empty: not made yet
+    mutable std::vector<Sides> sides_;
+    mutable std::vector<Side> pair_sides_;  // of the pair that is added; kept for its memory
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,66 @@
+#include "player/layout/pack/shape.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double thinnest = 1;        // source px
+constexpr double sliver_ratio = 0.1;  // a region counts as at least this ratio times its length squared
+constexpr double most_apart = 2;      // of a region's size and the median
+
+Box thickened(Box box) {
+    const Vec2 grow{std::max(0.0, thinnest - box.width()) / 2, std::max(0.0, thinnest - box.height()) / 2};
+    return {box.min - grow, box.max + grow};
+}
+
+/// Area of the region as it counts for sizing, source px^2.
+double size_of(const Shape& shape) {
+    const double longest = std::max(shape.extent.width(), shape.extent.height());
+    return std::max(shape.area, sliver_ratio * longest * longest);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+Shape shape_of(std::span<const Vec2> region) {
+    Polygon outline = convex_hull(region);
+    if (outline.empty()) outline = {{0, 0}};
+    const Box box = bounding_box(outline);
+    if (outline.size() < 3 || area(outline) < thinnest * std::max(box.width(), box.height()) / 2)
+        outline = to_polygon(thickened(box));
+    Shape shape;
+    shape.centroid = centroid(outline);
+    shape.outline = transformed(outline, 1, shape.centroid * -1);
+    shape.extent = bounding_box(shape.outline);
+    shape.area = area(shape.outline);
+    for (const Vec2& p : shape.outline)
+        shape.radius = std::max(shape.radius, length(p));
+    return shape;
+}
+
+std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<const Shape> shapes) {
+    std::vector<double> scales;
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const double size = size_of(shapes[i]);
+        scales.push_back(std::sqrt(items[i].weight / std::max(items[i].core.area(), size)));
+        sizes.push_back(size * scales[i] * scales[i]);
+    }
+    if (items.empty()) return scales;
+    const double middle = median(sizes);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        scales[i] *= std::sqrt(std::clamp(sizes[i], middle / most_apart, middle * most_apart) / sizes[i]);
+    return scales;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "player/layout/layout.hpp"
+
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// An I-Region made ready for packing: about its own centroid, which then stands for its place.
+struct Shape {
+    Polygon outline;  // convex, counter-clockwise, source px from the centroid, at least 3 corners
+    Vec2 centroid;    // source px
+    Box extent;       // of the outline
+    double radius = 0;
+    double area = 0;  // source px^2, > 0
+};
+
+/// The shape of a region. A region without area (none, one point, a line) becomes the thinnest box round
+/// it that is 1 px wide.
+Shape shape_of(std::span<const Vec2> region);
+
+/// Relative scales that let the items weigh what they should: equal core area times weight, then each
+/// region's size held within [1/2, 2] of the median. A sliver counts as large as a box of its length and a
+/// tenth of it, or it would be blown up without bound.
+/// @return one factor an item, canvas px per source px up to one common factor
+/// Source: ALGORITHMS (d) "Scale normalisation", s_i = sqrt(w_i A0 / (W_i H_i)); the paper leaves it open.
+std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<const Shape> shapes);
+
+}  // namespace vitrine::player

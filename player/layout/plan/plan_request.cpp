@@ -1,0 +1,13 @@
+#include "player/layout/plan/plan_request.hpp"
+
+#include "player/layout/pack/shape.hpp"
+
+namespace vitrine::player {
+
+Seat seat_of(const LayoutItem& item, const Placement& placement) {
+    const Shape shape = shape_of(item.region);
+    return {shape.centroid * placement.scale + placement.offset,
+            shape.area * placement.scale * placement.scale};
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/system/mailbox.hpp"
+#include "player/layout/plan/plan.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace vitrine::player {
+
+/// Thread-safe. Makes plans on a thread of its own, so that the picture never waits for one. A new request
+/// supersedes the one before, which is given up.
+class Planner {
+  public:
+    /// @param on_layout  called on the planner's thread when a layout lies ready; must not call back
+    explicit Planner(std::function<void()> on_layout = {});
+
+    Planner(const Planner&) = delete;
+    Planner& operator=(const Planner&) = delete;
+    Planner(Planner&&) = delete;
+    Planner& operator=(Planner&&) = delete;
+
+    /// Gives up what is being planned and joins.
+    ~Planner();
+
+    /// @return the generation that the request's layouts will bear; each is greater than all before
+    std::uint64_t request(PlanRequest request);
+
+    /// The best layout of the newest request that was not taken yet; none: nothing new. The last of a
+    /// request is marked `is_final`; those before it are free of overlap too, but looser.
+    std::optional<Layout> take();
+
+  private:
+    struct Job {
+        PlanRequest request;
+        std::uint64_t generation = 0;
+    };
+
+    void run();
+    void make(const Job& job);
+
+    bool is_obsolete(std::uint64_t generation) const { return stopping_ || generation != newest_; }
+
+    std::function<void()> on_layout_;
+    Mailbox<Job> jobs_;
+    Mailbox<Layout> layouts_;
+    std::atomic<std::uint64_t> newest_ = 0;
+    std::atomic<bool> stopping_ = false;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool has_news_ = false;  // guarded by mutex_
+    std::thread thread_;     // last: runs on all of the above
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,133 @@
+#include "player/scene/tapestry/strip_motion.hpp"
+
+#include "player/scene/compose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr double least_speed = 8;  // canvas px a second: slower it stands
+constexpr double key_way = 0.3;    // of the box' width
+
+double seconds(nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+void StripMotion::take(const Gesture& gesture, const TapestryPlace& place) {
+    touch();
+    const double middle = (place.box().min.x + place.box().max.x) / 2;
+    switch (gesture.kind) {
+    case Gesture::Kind::drag:
+        speed_ = 0;
+        zoom_.reset();
+        view_ = place.moved(view_, gesture.moved.x);
+        return;
+    case Gesture::Kind::drop:
+        return settle(gesture.at.x);
+    case Gesture::Kind::flick:
+        speed_ = gesture.velocity.x;
+        return settle(gesture.at.x);
+    case Gesture::Kind::pinch:
+        speed_ = 0;
+        zoom_.reset();
+        pinched_at_ = gesture.at.x;
+        view_ = place.moved(view_, gesture.moved.x);
+        view_ =
+            place.zoomed(view_, view_.level + place.levels_for(view_.level, gesture.factor), gesture.at.x);
+        return;
+    case Gesture::Kind::pinch_end:
+        return settle(pinched_at_);
+    case Gesture::Kind::wheel:
+        return zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) + (gesture.factor > 1 ? 1 : -1),
+                       gesture.at.x);
+    case Gesture::Kind::key:
+        if (gesture.key == Key::nearer || gesture.key == Key::farther)
+            return zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) +
+                               (gesture.key == Key::nearer ? 1 : -1),
+                           middle);
+        if (gesture.key == Key::left || gesture.key == Key::right)
+            speed_ =
+                (gesture.key == Key::left ? 1 : -1) * key_way * place.box().width() / seconds(pace_.glide);
+        return;
+    default:
+        return;
+    }
+}
+
+void StripMotion::zoom_to(double level, double at) {
+    zoom_ = Zoom{.from = view_.level, .to = level, .at = at};
+}
+
+/// To the nearest whole level, which is the sharpest.
+void StripMotion::settle(double at) {
+    if (view_.level != std::round(view_.level)) zoom_to(std::round(view_.level), at);
+}
+
+const TapestryView& StripMotion::advance(nanoseconds now, const TapestryPlace& place) {
+    const nanoseconds passed = last_ ? now - *last_ : nanoseconds(0);
+    last_ = now;
+    if (is_touched_) {
+        is_touched_ = is_by_itself_ = false;
+        touched_ = now;
+    }
+    if (!is_by_itself_ && now - touched_ >= pace_.patience) {
+        is_by_itself_ = true;
+        turned_ = now;
+    }
+    if (is_by_itself_) go_by_itself(now, passed, place);
+    go_on_zooming(now, place);
+    glide(passed, place);
+    view_ = place.bounded(view_);
+    return view_;
+}
+
+void StripMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
+    if (!zoom_) return;
+    if (!zoom_->has_begun) {
+        zoom_->began = now;
+        zoom_->has_begun = true;
+        zoom_->to = std::clamp(zoom_->to, 0.0, place.most_level());
+    }
+    const double progress = seconds(now - zoom_->began) / seconds(pace_.zoom);
+    const double level =
+        progress >= 1 ? zoom_->to : zoom_->from + (zoom_->to - zoom_->from) * eased(progress);
+    view_ = place.zoomed(view_, level, zoom_->at);
+    if (progress >= 1) zoom_.reset();
+}
+
+/// A flung strip slows down evenly in each moment, and stands at its ends.
+void StripMotion::glide(nanoseconds passed, const TapestryPlace& place) {
+    if (speed_ == 0) return;
+    const double time = seconds(pace_.glide);
+    const double kept = std::exp(-seconds(passed) / time);
+    const TapestryView before = view_;
+    view_ = place.moved(view_, speed_ * time * (1 - kept));
+    speed_ *= kept;
+    const bool stands = view_ == before && passed.count() > 0;
+    if (std::abs(speed_) < least_speed || stands) speed_ = 0;
+}
+
+void StripMotion::go_by_itself(nanoseconds now, nanoseconds passed, const TapestryPlace& place) {
+    const TapestryView before = view_;
+    view_ = place.moved(view_, -way_ * pace_.drift * place.box().width() * seconds(passed));
+    if (view_ == before && passed.count() > 0) way_ = -way_;
+    if (zoom_ || now - turned_ < pace_.dwell) return;
+    turned_ = now;
+    const double level = std::round(view_.level) + nearer_;
+    if (level < 0 || level > place.most_level()) nearer_ = -nearer_;
+    zoom_to(std::round(view_.level) + nearer_, (place.box().min.x + place.box().max.x) / 2);
+}
+
+double StripMotion::direction() const {
+    if (speed_ != 0) return -speed_;
+    return is_by_itself_ ? way_ : 0;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,164 @@
+#include "player/scene/tapestry/tapestry_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr int halvings = 60;  // of a film's length, until less than a nanosecond is left
+
+/// The levels on both sides of a real one, and how far it is from the coarser to the finer.
+struct Between {
+    std::size_t coarse = 0;
+    std::size_t fine = 0;
+    double share = 0;
+};
+
+Between between(double level, std::size_t levels) {
+    const double most = static_cast<double>(levels - 1);
+    const double within = std::clamp(level, 0.0, most);
+    const auto coarse = static_cast<std::size_t>(within);
+    return {coarse, std::min(coarse + 1, levels - 1), within - static_cast<double>(coarse)};
+}
+
+}  // namespace
+
+double TapestryPlace::strip_x(double level, nanoseconds time) const {
+    const Between at = between(level, tapestry_.levels.size());
+    const double coarse = tapestry_.x_at(at.coarse, time);
+    if (at.share == 0) return coarse;
+    return coarse + at.share * (tapestry_.x_at(at.fine, time) - coarse);
+}
+
+/// By halving: a place goes to the right with time at every level.
+nanoseconds TapestryPlace::time_of(double level, double x) const {
+    const Between at = between(level, tapestry_.levels.size());
+    if (at.share == 0) return tapestry_.time_at(at.coarse, x);
+    nanoseconds low{0};
+    nanoseconds high = tapestry_.duration;
+    for (int k = 0; k < halvings && high - low > nanoseconds(1); ++k) {
+        const nanoseconds middle = low + (high - low) / 2;
+        (strip_x(level, middle) <= x ? low : high) = middle;
+    }
+    return low;
+}
+
+/// Whether the view lies between this level and one next to it, and there are fields in between.
+bool TapestryPlace::goes_over(const TapestryView& view, std::size_t level) const {
+    const Between at = between(view.level, tapestry_.levels.size());
+    return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry_.levels[at.fine].has_zoom;
+}
+
+Placement TapestryPlace::zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const {
+    const Between at = between(view.level, tapestry_.levels.size());
+    const double middle = (box_.min.x + box_.max.x) / 2;
+    const double origin = mesh.coarse_origin + at.share * (mesh.fine_origin - mesh.coarse_origin);
+    return {.scale = scale(),
+            .offset = {middle + scale() * (origin - strip_x(view.level, view.centre)), box_.min.y}};
+}
+
+double TapestryPlace::width(double level) const {
+    return scale() * strip_x(level, tapestry_.duration);
+}
+
+double TapestryPlace::canvas_x(const TapestryView& view, nanoseconds time) const {
+    const double middle = (box_.min.x + box_.max.x) / 2;
+    return middle + scale() * (strip_x(view.level, time) - strip_x(view.level, view.centre));
+}
+
+nanoseconds TapestryPlace::time_at(const TapestryView& view, double canvas_x) const {
+    const double middle = (box_.min.x + box_.max.x) / 2;
+    return time_of(view.level, strip_x(view.level, view.centre) + (canvas_x - middle) / scale());
+}
+
+TapestryView TapestryPlace::bounded(TapestryView view) const {
+    view.level = std::clamp(view.level, 0.0, most_level());
+    const double whole = strip_x(view.level, tapestry_.duration);
+    const double half = std::min(whole, box_.width() / scale()) / 2;
+    const double x = strip_x(view.level, view.centre);
+    const double within = std::clamp(x, half, whole - half);
+    if (within != x) view.centre = time_of(view.level, within);
+    return view;
+}
+
+TapestryView TapestryPlace::moved(const TapestryView& view, double by) const {
+    const double x = strip_x(view.level, view.centre) - by / scale();
+    const double whole = strip_x(view.level, tapestry_.duration);
+    return bounded({.centre = time_of(view.level, std::clamp(x, 0.0, whole)), .level = view.level});
+}
+
+TapestryView TapestryPlace::zoomed(const TapestryView& view, double level, double canvas_x) const {
+    const nanoseconds kept = time_at(view, canvas_x);
+    TapestryView next{.centre = view.centre, .level = std::clamp(level, 0.0, most_level())};
+    const double middle = (box_.min.x + box_.max.x) / 2;
+    next.centre = time_of(next.level, strip_x(next.level, kept) - (canvas_x - middle) / scale());
+    return bounded(next);
+}
+
+double TapestryPlace::levels_for(double level, double factor) const {
+    const Between at = between(level, tapestry_.levels.size());
+    const std::size_t other = at.coarse == at.fine && at.coarse > 0 ? at.coarse - 1 : at.coarse;
+    const double ratio = static_cast<double>(tapestry_.levels[at.fine].width) /
+                         static_cast<double>(tapestry_.levels[other].width);
+    return ratio > 1 ? std::log(factor) / std::log(ratio) : 0;
+}
+
+/// A tile's places between this level and the next are straight between the next one's keyframes: it is cut
+/// there.
+std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size_t level, double left,
+                                             double right) const {
+    std::vector<TilePiece> pieces;
+    const Between at = between(view.level, tapestry_.levels.size());
+    const bool is_still = at.share == 0 && level == at.coarse;
+    const auto& bends = tapestry_.levels[std::max(level, at.fine)].keyframes;
+    for (const auto& [id, middle] : tiles(view, level, left, right)) {
+        const TileId tile = id;
+        const double first = static_cast<double>(tile.tile) * tapestry_.tile_width;
+        const double last = std::min<double>(first + tapestry_.tile_width, tapestry_.levels[level].width);
+        const auto add = [&](double from, double to) {
+            const double a = canvas_x(view, tapestry_.time_at(level, from));
+            const double b = canvas_x(view, tapestry_.time_at(level, to));
+            if (to > from && b > left && a < right)
+                pieces.push_back(
+                    {tile, (from - first) / (last - first), (to - first) / (last - first), a, b});
+        };
+        double from = first;
+        if (!is_still) {
+            const auto begin = std::ranges::upper_bound(bends, tapestry_.time_at(level, first));
+            for (auto bend = begin; bend != bends.end(); ++bend) {
+                const double x = tapestry_.x_at(level, *bend);
+                if (x >= last) break;
+                add(from, x);
+                from = x;
+            }
+        }
+        add(from, last);
+    }
+    return pieces;
+}
+
+std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& view, std::size_t level,
+                                                            double left, double right) const {
+    std::vector<std::pair<TileId, double>> tiles;
+    const int count = tapestry_.tiles(level);
+    const bool is_zoom = goes_over(view, level);
+    const bool is_coarse = static_cast<double>(level) < view.level;
+    const double more = is_zoom && is_coarse ? tapestry_.brick_width : 0;  // px of the strip
+    const double reach = is_zoom && !is_coarse ? brick_width() : 0;        // canvas px
+    const auto tile_at = [&](double x, double by) {
+        const double strip = tapestry_.x_at(level, time_at(view, x)) + by;
+        return std::clamp(static_cast<int>(strip / tapestry_.tile_width), 0, count - 1);
+    };
+    for (int tile = tile_at(left - reach, -more); tile <= tile_at(right + reach, more); ++tile) {
+        const double middle = (tile + 0.5) * tapestry_.tile_width;
+        const double x = canvas_x(view, tapestry_.time_at(level, middle));
+        tiles.push_back({{level, tile}, x});
+    }
+    return tiles;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,88 @@
+#include "player/stage/stage_settings.hpp"
+
+#include "base/media/colour.hpp"
+#include "base/settings/output_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+ShotOrder order_of(const Settings& settings) {
+    if (settings.show.order == "name") return ShotOrder::name;
+    return settings.show.order == "newest" ? ShotOrder::newest : ShotOrder::shuffle;
+}
+
+}  // namespace
+
+AssemblageSettings assemblage_settings(const Settings& settings) {
+    return {.slots = settings.layout.slots,
+            .order = order_of(settings),
+            .seed = static_cast<std::uint64_t>(settings.layout.seed),
+            .film = settings.show.film == "sequence" ? FilmShow::sequence : FilmShow::side_by_side,
+            .dwell = settings.show.dwell,
+            .longest = settings.show.longest};
+}
+
+CellStyle cell_style(const Settings& settings) {
+    return {.gutter = settings.layout.gutter,
+            .corner_radius = settings.layout.corner_radius,
+            .feather = settings.layout.feather,
+            .sample_spacing = settings.layout.cells == "sampled" ? settings.layout.sample_spacing : 0};
+}
+
+WallSettings wall_settings(const Settings& settings) {
+    return {.assemblage = assemblage_settings(settings),
+            .transition = {.crossfade = settings.show.crossfade,
+                           .motion = settings.show.motion,
+                           .cells = cell_style(settings)},
+            .nests = settings.layout.folders == "nested",
+            .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
+                      .clearance = settings.layout.clearance,
+                      .most_scale = settings.layout.max_enlargement},
+            .idle = settings.input.idle};
+}
+
+PanSettings pan_settings(const Settings& settings) {
+    const AssemblageSettings assemblage = assemblage_settings(settings);
+    return {.order = assemblage.order,
+            .seed = assemblage.seed,
+            .items_a_screen = assemblage.slots,
+            .speed = settings.show.pan_speed,
+            .cells = cell_style(settings)};
+}
+
+SourceOptions source_options(const Settings& settings, bool keeps_time) {
+    return {.background = colour_named(settings.show.background).value_or(Colour{}),
+            .keeps_time = keeps_time};
+}
+
+MediaPlaces media_places(const Settings& settings) {
+    return {.media = settings.media.root, .store = settings.state.directory + "/store"};
+}
+
+View view_of(const Settings& settings, int width, int height) {
+    const Margins margins = margins_named(settings.output.margins).value_or(Margins{});
+    const auto pixels = [](const ScreenLength& length, int side) {
+        const double most = side * 0.4;  // of what is meant for a larger screen
+        return static_cast<int>(std::lround(std::min(length.pixels + length.share * side, most)));
+    };
+    return {.rotation = rotation_of(settings.output.rotation),
+            .left = pixels(margins.left, width),
+            .top = pixels(margins.top, height),
+            .right = pixels(margins.right, width),
+            .bottom = pixels(margins.bottom, height)};
+}
+
+PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
+    return {.canvas = canvas,
+            .seed = static_cast<std::uint64_t>(settings.layout.seed),
+            .clearance = settings.layout.clearance,
+            .most_scale = settings.layout.max_enlargement,
+            .energy = settings.layout.energy == "paper" ? EnergyMode::paper : EnergyMode::screen,
+            .order = settings.layout.order == "reading" ? LayoutOrder::reading : LayoutOrder::free};
+}
+
+}  // namespace vitrine::player

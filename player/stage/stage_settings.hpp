@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/layout/plan/plan.hpp"
+#include "player/playback/media_places.hpp"
+#include "player/playback/shot_source.hpp"
+#include "player/render/view.hpp"
+#include "player/scene/panning_wall.hpp"
+#include "player/scene/wall.hpp"
+
+namespace vitrine::player {
+
+// What the settings mean to the player's stages.
+
+AssemblageSettings assemblage_settings(const Settings& settings);
+CellStyle cell_style(const Settings& settings);
+WallSettings wall_settings(const Settings& settings);
+PanSettings pan_settings(const Settings& settings);
+
+/// @param keeps_time  pictures are shown at their time, late or not, instead of each exactly
+SourceOptions source_options(const Settings& settings, bool keeps_time);
+
+MediaPlaces media_places(const Settings& settings);
+
+/// How a canvas lies on a screen of this size, px.
+View view_of(const Settings& settings, int width, int height);
+
+/// All of a request but its items.
+PlanRequest plan_request(const Settings& settings, Vec2 canvas);
+
+}  // namespace vitrine::player

@@ -1,0 +1,54 @@
+#include "player/stage/wall_picture.hpp"
+
+#include "base/system/log.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace vitrine::player {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto interval = 30s;     // between two pictures of the same shots
+constexpr auto after_change = 2s;  // the change has ended by then
+constexpr auto rest = 8s;          // between two pictures of any shots
+
+bool write_jpeg(const Picture& picture, const std::filesystem::path& file) {
+    try {
+        save_jpeg(picture, file);
+        return true;
+    } catch (const std::exception& error) {  // no exception crosses a thread; the wall goes on without it
+        log::debug("no picture of the wall: {}", error.what());
+        return false;
+    }
+}
+
+}  // namespace
+
+bool WallPicture::is_due(const Frame& frame, std::chrono::nanoseconds now) {
+    std::vector<SourceId> sources;
+    for (const DrawItem& item : frame.items)
+        sources.push_back(item.source);
+    if (sources != sources_) {
+        sources_ = std::move(sources);
+        next_ = std::max(std::min(next_, now + after_change), earliest_);
+    }
+    if (now < next_) return false;
+    next_ = now + interval;
+    earliest_ = now + rest;
+    return true;
+}
+
+void WallPicture::take(Picture picture) {
+    if (written_.valid() && written_.wait_for(0s) != std::future_status::ready) return;
+    if (written_.valid() && !written_.get() && !std::exchange(has_complained_, true))
+        log::warning("the picture of the wall cannot be written: '{}'", file_.string());
+    if (picture.pixels == taken_) return;
+    taken_ = picture.pixels;
+    written_ = std::async(std::launch::async, write_jpeg, std::move(picture), file_);
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,132 @@
+#include "analyzer/one_file/analyze.hpp"
+#include "base/state/media_error.hpp"
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+using std::chrono::milliseconds;
+
+namespace {
+
+/// A film drawn frame by frame, 25 a second.
+class DrawnFilm : public FrameSource {
+  public:
+    using Draw = std::function<cv::Mat(int)>;
+
+    DrawnFilm(MediaKind kind, int count, Draw draw) : count_(count), draw_(std::move(draw)) {
+        info_ = {.kind = kind, .width = 640, .height = 360, .duration = milliseconds(40) * count};
+        if (kind == MediaKind::photo) info_.duration = milliseconds(0);
+    }
+
+    const MediaInfo& info() const override { return info_; }
+
+    std::optional<VideoFrame> next() override {
+        if (next_ == count_) return std::nullopt;
+        const int i = next_++;
+        return VideoFrame{.picture = draw_(i), .time = milliseconds(40) * i};
+    }
+
+  private:
+    MediaInfo info_;
+    int count_;
+    Draw draw_;
+    int next_ = 0;
+};
+
+cv::Mat plain(const cv::Scalar& colour) {
+    return cv::Mat(180, 320, CV_8UC3, colour);
+}
+
+cv::Mat with_disc(const cv::Scalar& background, cv::Point at) {
+    cv::Mat picture = plain(background);
+    cv::circle(picture, at, 22, cv::Scalar(40, 60, 240), cv::FILLED, cv::LINE_AA);
+    return picture;
+}
+
+AnalysisSettings without_faces() {
+    AnalysisSettings settings;
+    settings.face_cascade.clear();
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a photo has one shot without time, around its subject") {
+    DrawnFilm photo(MediaKind::photo, 1, [](int) { return with_disc({200, 190, 180}, {220, 60}); });
+    const MediaRecord record = analyze(photo, without_faces());
+    CHECK(record.kind == MediaKind::photo);
+    CHECK(record.state == MediaState::ready);
+    CHECK(record.duration.count() == 0);
+    REQUIRE(record.shots.size() == 1);
+    CHECK(record.shots[0].duration().count() == 0);
+    CHECK(record.shots[0].region.drift == Vec2{});
+    for (const Vec2 edge : {Vec2{398, 120}, Vec2{482, 120}, Vec2{440, 78}, Vec2{440, 162}}) {
+        CHECK(is_inside_convex(record.shots[0].region.polygon, edge, 6));
+    }
+}
+
+TEST_CASE("a shot is told as soon as it is over, while most of the film is still to come") {
+    int drawn = 0;
+    DrawnFilm film(MediaKind::video, 400, [&drawn](int i) {
+        drawn = i + 1;
+        return with_disc(i < 50 ? cv::Scalar(30, 40, 160) : cv::Scalar(160, 140, 30), {100 + i / 4, 90});
+    });
+    std::vector<MediaRecord> parts;
+    std::vector<int> drawn_at;
+    const MediaRecord record = analyze(film, without_faces(), {}, [&](const MediaRecord& part) {
+        parts.push_back(part);
+        drawn_at.push_back(drawn);
+    });
+    REQUIRE(record.shots.size() == 2);
+    REQUIRE(parts.size() == 2);
+    CHECK(record.is_complete);
+    CHECK_FALSE(parts[0].is_complete);
+    CHECK(parts[0].shots == std::vector{record.shots[0]});
+    CHECK(parts[1].shots == std::vector{record.shots[1]});
+    CHECK(parts[0].duration == milliseconds(16'000));
+    CHECK(drawn_at[0] < 200);
+}
+
+TEST_CASE("a cut makes two shots, each around its own subject") {
+    DrawnFilm film(MediaKind::video, 50, [](int i) {
+        return i < 25 ? with_disc({200, 190, 180}, {80, 90}) : with_disc({20, 90, 20}, {240, 90});
+    });
+    std::size_t seen = 0;
+    const MediaRecord record = analyze(film, without_faces(), [&seen](const ShotEvidence& e) {
+        ++seen;
+        CHECK(e.frames.size() == 3);
+    });
+    REQUIRE(record.shots.size() == 2);
+    CHECK(seen == 2);
+    CHECK(record.duration == milliseconds(2000));
+    CHECK(record.shots[0].end == milliseconds(1000));
+    CHECK(centroid(record.shots[0].region.polygon).x < 280);
+    CHECK(centroid(record.shots[1].region.polygon).x > 360);
+}
+
+TEST_CASE("a film of one frame, of two and of nothing but black has a shot with a region") {
+    for (const int count : {1, 2, 30}) {
+        DrawnFilm film(MediaKind::video, count, [](int) { return plain({0, 0, 0}); });
+        const MediaRecord record = analyze(film, without_faces());
+        CHECK(record.duration == milliseconds(40) * count);
+        REQUIRE(!record.shots.empty());
+        CHECK(area(record.shots[0].region.polygon) > 0.08 * 640 * 360);
+    }
+}
+
+TEST_CASE("a source without any frame is an error in the operator's words") {
+    DrawnFilm film(MediaKind::video, 0, [](int) { return cv::Mat(); });
+    CHECK_THROWS_AS(analyze(film, without_faces()), MediaError);
+}
+
+TEST_CASE("every region lies in the part of the picture that its whole shot shows") {
+    DrawnFilm film(MediaKind::video, 50, [](int i) { return with_disc({200, 190, 180}, {40 + 4 * i, 90}); });
+    const MediaRecord record = analyze(film, without_faces());
+    for (const Shot& shot : record.shots) {
+        const Polygon allowed = to_polygon(core(record, shot));
+        for (const Vec2 p : shot.region.polygon)
+            CHECK(is_inside_convex(allowed, p, 1e-3));
+    }
+}

@@ -1,0 +1,110 @@
+#include "analyzer/one_file/file_analysis.hpp"
+
+#include "analyzer/explain/canvas.hpp"
+#include "analyzer/one_file/analyze.hpp"
+#include "analyzer/tapestry/weave/film_weave.hpp"
+#include "analyzer/tapestry/weave/kept_frames.hpp"
+#include "analyzer/video/frame_reader.hpp"
+#include "base/state/tapestry.hpp"
+#include "tests/analyzer/video/drawn_film.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A photo of 1000 x 600 px with a disc and two specks, gone when the test is.
+struct Photo {
+    std::string path =
+        (fs::temp_directory_path() / ("vitrine-photo-" + std::to_string(getpid()) + ".png")).string();
+
+    Photo() {
+        cv::Mat picture(600, 1000, CV_8UC3, cv::Scalar(200, 190, 180));
+        cv::circle(picture, {600, 260}, 90, cv::Scalar(40, 60, 240), cv::FILLED, cv::LINE_AA);
+        cv::circle(picture, {60, 540}, 12, cv::Scalar(40, 60, 240), cv::FILLED, cv::LINE_AA);
+        cv::circle(picture, {940, 60}, 12, cv::Scalar(40, 60, 240), cv::FILLED, cv::LINE_AA);
+        Canvas canvas(picture.cols, picture.rows, 0);
+        canvas.place(picture, {});
+        canvas.write_png(path);
+    }
+
+    Photo(const Photo&) = delete;
+    Photo& operator=(const Photo&) = delete;
+
+    ~Photo() { fs::remove(path); }
+};
+
+Settings settings_without_faces(const std::string& region) {
+    Settings settings;
+    settings.analyzer.face_cascade.clear();
+    settings.analyzer.region = region;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("region = hull is the paper's letter in every stage, not the hull of our saliency") {
+    const Photo photo;
+    AnalysisSettings letter = papers_letter();
+    letter.face_cascade.clear();
+    AnalysisSettings hull_of_ours;
+    hull_of_ours.face_cascade.clear();
+    hull_of_ours.region.mode = RegionMode::hull;
+
+    const MediaRecord found = record_of_file(photo.path, settings_without_faces("hull"));
+
+    REQUIRE(found.shots.size() == 1);
+    const Polygon expected = analyze(*open_media(photo.path), letter).shots.at(0).region.polygon;
+    CHECK(found.shots[0].region.polygon == expected);
+    CHECK(analyze(*open_media(photo.path), hull_of_ours).shots.at(0).region.polygon != expected);
+}
+
+TEST_CASE("a photo is looked at with twice the pixels of a film's frame, for its faces") {
+    const Photo photo;
+    const auto source = open_media(photo.path, 320);
+    CHECK(source->next()->picture.size() == cv::Size(640, 384));
+}
+
+TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where that is lacking") {
+    const TemporaryDirectory folder;
+    const std::string film = written(folder, {.caps = "format=I420,width=64,height=48",
+                                              .picture = std::vector<std::uint8_t>(64 * 48 * 3 / 2, 90)});
+    Settings settings = settings_without_faces("min_area");
+    settings.media.root = folder.path;
+    settings.state.directory = folder.path / "state";
+    const fs::path kept = tapestry_folder(settings.state.directory, "film");
+
+    (void)record_of_file(film, settings);
+    CHECK_FALSE(kept_frames(kept));
+    const MediaRecord record = record_of_file(film, settings, {.has_frames = true});
+    REQUIRE(record.state == MediaState::ready);
+    const Film frames = film_of(std::move(*kept_frames(kept)), nullptr);
+    CHECK(frames.candidates->signatures().size() == 1);
+    CHECK(frames.candidates->content() == FilmContent{.bytes = record.bytes, .mtime_ns = record.mtime_ns});
+    CHECK(frames.duration == record.duration);
+
+    remove_kept_frames(kept);
+    write_tapestry(kept, {.path = "film",
+                          .bytes = record.bytes,
+                          .mtime_ns = record.mtime_ns,
+                          .is_complete = true,
+                          .folder = "tiles-1",
+                          .height = 150,
+                          .tile_width = 512,
+                          .brick_width = 178,
+                          .levels = {}});
+    (void)record_of_file(film, settings, {.has_frames = true});
+    CHECK_FALSE(kept_frames(kept));
+}

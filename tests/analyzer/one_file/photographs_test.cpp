@@ -1,0 +1,68 @@
+#include "analyzer/one_file/analyze.hpp"
+#include "analyzer/video/frame_reader.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Labels {
+    std::vector<Box> subjects;  // fractions of the picture
+    std::vector<Box> faces;
+};
+
+std::vector<Box> boxes(const nlohmann::json& entry, const char* key) {
+    std::vector<Box> result;
+    if (!entry.contains(key)) return result;
+    for (const auto& b : entry[key]) {
+        result.push_back(
+            {{b[0].get<double>(), b[1].get<double>()}, {b[2].get<double>(), b[3].get<double>()}});
+    }
+    return result;
+}
+
+bool holds(const MediaRecord& record, Vec2 fraction) {
+    return is_inside_convex(record.shots.at(0).region.polygon,
+                            {fraction.x * record.width, fraction.y * record.height}, 1);
+}
+
+}  // namespace
+
+TEST_CASE("of labelled photographs nearly all faces and the middle of most subjects are in the region") {
+    const fs::path media = VITRINE_SHARED_MEDIA;
+    std::ifstream file(media / "photos" / "boxes.json");
+    if (!file) {
+        MESSAGE("the labelled photographs are not here");
+        return;
+    }
+    AnalysisSettings settings;
+    const fs::path model = media.parent_path() / "models" / "face_detection_yunet.onnx";
+    if (fs::exists(model)) settings.face_model = model.string();
+    int faces = 0;
+    int held_faces = 0;
+    int subjects = 0;
+    int held_subjects = 0;
+    const nlohmann::json labels = nlohmann::json::parse(file);
+    for (const auto& [name, entry] : labels["images"].items()) {
+        const MediaRecord record = analyze(*open_media((media / "photos" / name).string()), settings);
+        for (const Box& face : boxes(entry, "face")) {
+            ++faces;
+            held_faces += holds(record, face.centre()) ? 1 : 0;
+        }
+        for (const Box& subject : boxes(entry, "subject")) {
+            ++subjects;
+            held_subjects += holds(record, subject.centre()) ? 1 : 0;
+        }
+        CHECK(area(record.shots.at(0).region.polygon) < 0.9 * record.width * record.height);
+    }
+    CHECK(held_faces >= 0.85 * faces);
+    CHECK(held_subjects >= 0.85 * subjects);
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "analyzer/tapestry/synthesis/brickwork.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <random>
+
+namespace vitrine::analyzer {
+
+/// A picture of some soft shapes on a gradient, the same for the same seed.
+inline Keyframe drawn_keyframe(cv::Size size, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto any = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+    cv::Mat picture(size, CV_8UC3);
+    const cv::Scalar sky(any(200), any(200), any(200));
+    for (int y = 0; y < size.height; ++y)
+        picture.row(y).setTo(sky + cv::Scalar::all(50.0 * y / size.height));
+    for (int i = 0; i < 5; ++i)
+        cv::circle(picture, {any(size.width), any(size.height)}, 2 + any(size.height / 4),
+                   cv::Scalar(any(256), any(256), any(256)), cv::FILLED, cv::LINE_AA);
+    return {.picture = picture, .faces = {}};
+}
+
+inline std::vector<Keyframe> drawn_keyframes(const Brickwork& brickwork) {
+    std::vector<Keyframe> keyframes;
+    keyframes.reserve(static_cast<std::size_t>(brickwork.bricks()));
+    for (int i = 0; i < brickwork.bricks(); ++i)
+        keyframes.push_back(drawn_keyframe(brickwork.brick, static_cast<unsigned>(i)));
+    return keyframes;
+}
+
+}  // namespace vitrine::analyzer

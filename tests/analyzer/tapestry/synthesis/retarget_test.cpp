@@ -1,0 +1,113 @@
+#include "analyzer/tapestry/synthesis/retarget.hpp"
+
+#include "analyzer/tapestry/synthesis/weave.hpp"
+#include "tests/analyzer/tapestry/synthesis/drawn_keyframes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <thread>
+
+namespace vitrine::analyzer {
+namespace {
+
+bool are_equal(const cv::Mat& a, const cv::Mat& b) {
+    return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+cv::Mat made(const Brickwork& brickwork, const std::vector<Keyframe>& bricks,
+             const TileNeighbours& neighbours = {}, const RunTasks& run = run_in_order,
+             TileQuality quality = TileQuality::on_demand) {
+    return retarget_tile(brickwork, bricks, {0, brickwork.width()}, neighbours, {.quality = quality}, run);
+}
+
+}  // namespace
+
+TEST_CASE("a tile is three quarters as tall, and of the keyframes' colours") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {40, 30}};
+    std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    for (Keyframe& keyframe : bricks)
+        keyframe.picture.setTo(cv::Scalar(10, 120, 200));
+    const cv::Mat tile = made(brickwork, bricks);
+
+    CHECK(tile.size() == cv::Size(100, 45));
+    CHECK(cv::norm(tile, cv::Mat(tile.size(), CV_8UC3, cv::Scalar(10, 120, 200)), cv::NORM_INF) == 0);
+}
+
+TEST_CASE("a tile does not depend on the threads that make it") {
+    const Brickwork brickwork{.keyframes = 3, .brick = {60, 44}};
+    const std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    const RunTasks backwards_on_threads = [](int count, const std::function<void(int)>& task) {
+        std::vector<std::jthread> threads;
+        for (int i = count; i-- > 0;)
+            threads.emplace_back(task, i);
+    };
+    CHECK(are_equal(made(brickwork, bricks), made(brickwork, bricks, {}, backwards_on_threads)));
+}
+
+TEST_CASE("what a neighbour knows of a tile stays as it is at the border") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {40, 30}};
+    const std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    TileNeighbours neighbours;
+    neighbours.left = drawn_keyframe({20, 45}, 77).picture;
+    neighbours.right = drawn_keyframe({20, 45}, 78).picture;
+    const cv::Mat tile = made(brickwork, bricks, neighbours);
+
+    CHECK(are_equal(tile.colRange(0, 10), neighbours.left.colRange(0, 10)));
+    CHECK(are_equal(tile.colRange(90, 100), neighbours.right.colRange(10, 20)));
+    CHECK_FALSE(are_equal(tile.colRange(15, 20), neighbours.left.colRange(15, 20)));
+}
+
+TEST_CASE("tiles cover a strip, each begins in the one before") {
+    for (const int width : {89, 500, 700, 2225, 10'000, 1'000'000}) {
+        CAPTURE(width);
+        const std::vector<TileSpan> spans = tile_spans(width);
+        CHECK(spans.front().from == 0);
+        CHECK(spans.back().to == width);
+        for (std::size_t i = 1; i < spans.size(); ++i) {
+            CHECK(spans[i].from == spans[i - 1].to - tile_overlap);
+            CHECK(spans[i].to - spans[i].from <= 700);
+            CHECK(spans[i].to - spans[i].from >= 300);
+        }
+    }
+}
+
+TEST_CASE("a level is woven to its end, of one keyframe too") {
+    for (const int keyframes : {1, 2, 9}) {
+        CAPTURE(keyframes);
+        const Brickwork brickwork{.keyframes = keyframes, .brick = {160, 20}};
+        int columns = 0;
+        weave_level(
+            brickwork, [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); },
+            [&](const cv::Mat& part, const WovenSoFar&) {
+                CHECK(part.rows == 30);
+                columns += part.cols;
+            },
+            {.quality = TileQuality::on_demand});
+        CHECK(columns == brickwork.width());
+    }
+}
+
+TEST_CASE("a level that was cut off goes on with the same columns") {
+    const Brickwork brickwork{.keyframes = 9, .brick = {200, 20}};
+    const auto keyframe = [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); };
+    const RetargetSettings quick{.quality = TileQuality::on_demand};
+    std::vector<cv::Mat> parts;
+    std::vector<WovenSoFar> places;
+    weave_level(
+        brickwork, keyframe,
+        [&](const cv::Mat& part, const WovenSoFar& done) {
+            parts.push_back(part.clone());
+            places.push_back(done);
+        },
+        quick);
+    REQUIRE(parts.size() == 2);
+    REQUIRE(places[0].tiles == 1);
+    std::vector<cv::Mat> rest;
+    weave_level(
+        brickwork, keyframe, [&](const cv::Mat& part, const WovenSoFar&) { rest.push_back(part.clone()); },
+        quick, run_in_order, places[0]);
+    REQUIRE(rest.size() == 1);
+    CHECK(cv::norm(rest[0], parts[1], cv::NORM_INF) == 0);
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,114 @@
+#include "analyzer/tapestry/weave_file.hpp"
+
+#include "analyzer/tapestry/weave/kept_frames.hpp"
+#include "base/state/tapestry.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+#include <opencv2/core.hpp>
+#include <sys/stat.h>
+
+#include <fstream>
+
+namespace vitrine::analyzer {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path nasa = fs::path(VITRINE_SHARED_MEDIA) / "edited/nasa_13013_320x180.mp4";
+
+Settings without_faces() {
+    Settings settings;
+    settings.analyzer.face_cascade.clear();
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("errors name the file") {
+    const TemporaryDirectory folder;
+    const fs::path text = folder.write("notes.txt", "no film at all");
+    const fs::path times = folder.write("times", "1.5\nsoon\n");
+    CHECK_THROWS_WITH(
+        weave_file({.file = folder.path / "gone.mp4", .sheet = folder.path / "s.png"}, without_faces()),
+        doctest::Contains("gone.mp4"));
+    CHECK_THROWS_WITH(weave_file({.file = text, .sheet = folder.path / "s.png"}, without_faces()),
+                      doctest::Contains("notes.txt"));
+    CHECK_THROWS_WITH(
+        weave_file({.file = text, .sheet = folder.path / "s.png", .times = times}, without_faces()),
+        doctest::Contains("line 2: 'soon'"));
+}
+
+TEST_CASE("a film is woven of the times chosen by hand") {
+    if (!fs::exists(nasa)) {
+        MESSAGE("not here: ", nasa.string());
+        return;
+    }
+    const TemporaryDirectory folder;
+    const fs::path times = folder.write("times", "# the first\n0\n4.1  # a later one\n\n8\n");
+    (void)weave_file({.file = nasa, .directory = folder.path / "out", .levels = 1, .times = times},
+                     without_faces());
+    const Tapestry tapestry = read_tapestry(folder.path / "out");
+
+    using std::chrono::milliseconds;
+    REQUIRE(tapestry.levels.size() == 1);
+    REQUIRE(tapestry.levels[0].keyframes.size() == 3);
+    CHECK(tapestry.levels[0].keyframes[0] == milliseconds(0));
+    CHECK(std::chrono::abs(tapestry.levels[0].keyframes[1] - milliseconds(4100)) <= milliseconds(300));
+    CHECK(tapestry.path == "nasa_13013_320x180.mp4");
+    CHECK(fs::file_size(folder.path / "out" / tapestry.tile_name(0, 0)) > 1000);
+}
+
+TEST_CASE("a film of one level has no zoom, and says so") {
+    if (!fs::exists(nasa)) {
+        MESSAGE("not here: ", nasa.string());
+        return;
+    }
+    const TemporaryDirectory folder;
+    const fs::path times = folder.write("times", "0\n4\n");
+    CHECK_THROWS_WITH(
+        weave_file({.file = nasa, .zoom = folder.path / "zoom.png", .levels = 1, .times = times},
+                   without_faces()),
+        doctest::Contains("one level only"));
+    CHECK_FALSE(fs::exists(folder.path / "zoom.png"));
+}
+
+TEST_CASE(
+    "a weaving that is resumed needs no film where its frames were kept, and cleans up when it is done") {
+    const TemporaryDirectory folder;
+    const fs::path text = folder.write("films/notes.txt", "no film at all");
+    const fs::path out = folder.path / "out";
+
+    struct stat status {};
+
+    REQUIRE(::stat(text.c_str(), &status) == 0);
+    const FilmContent content{.bytes = 14,
+                              .mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 +
+                                          status.st_mtim.tv_nsec};
+    const auto keep = [&](const FilmContent& of) {
+        KeptFrames frames(out, 1 << 20);
+        for (int i = 0; i < 3; ++i)
+            frames.saw({.picture = cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(80 * i)),
+                        .time = std::chrono::seconds(i)});
+        frames.finish(std::chrono::seconds(3), of);
+    };
+    Settings settings = without_faces();
+    settings.media.root = folder.path / "films";
+    const WeaveRequest request{.file = text, .directory = out, .resumes = true, .threads = 1};
+
+    keep({.bytes = 13, .mtime_ns = content.mtime_ns});
+    CHECK_THROWS_WITH(weave_file(request, settings), doctest::Contains("notes.txt"));
+    keep(content);
+    (void)weave_file(request, settings);
+    const Tapestry tapestry = read_tapestry(out);
+    CHECK(tapestry.path == "notes.txt");
+    CHECK(tapestry.bytes == 14);
+    CHECK(tapestry.is_complete);
+    REQUIRE(tapestry.levels.size() == 1);
+    CHECK(tapestry.levels[0].keyframes.size() == 3);
+    CHECK(fs::exists(out / tapestry.tile_name(0, 0)));
+    CHECK_FALSE(fs::exists(out / "frames"));
+    CHECK_FALSE(fs::exists(out / "plan"));
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,182 @@
+#include "analyzer/watch/daemon.hpp"
+
+#include "base/state/tapestry.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto patience = 60s;  // until something that must come is given up
+
+/// Finds every file a film of one shot; "slow" waits to be let go.
+constexpr const char* reader = R"(
+    read -r word < "$1" || true
+    [ "$word" != slow ] || read -r _ < "$0.gate"
+    echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"ready","complete":true,'\
+         '"reason":"","width":4,"height":3,"duration_ns":9,"shots":[{"begin_ns":0,"end_ns":9,"ends_with":"end",'\
+         '"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}]}')";
+
+/// Weaves nothing, but an index; "gate" waits to be let go before that, "bad" fails.
+constexpr const char* weaver = R"(
+    folder=${1#--output=}
+    name=${2##*/}
+    echo "$name" >> "$0.log"
+    read -r word < "$2"
+    [ "$word" != bad ] || exit 1
+    mkdir -p "$folder/tiles-1/0"
+    [ "$word" != gate ] || read -r _ < "$0.gate"
+    echo '{"version":1,"path":"'"$name"'","bytes":'$(stat -c %s "$2")',"mtime_ns":'$(date -r "$2" +%s%N)','\
+         '"duration_ns":9,"complete":true,"folder":"tiles-1","height":150,"tile_width":512,"brick_width":178,"levels":[]}' \
+         > "$folder/index.json")";
+
+struct House {
+    House() : read(home.write("reader.sh", reader)), weave(home.write("weaver.sh", weaver)) {
+        fs::create_directories(root);
+        for (const fs::path& script : {read, weave})
+            ::mkfifo((script.string() + ".gate").c_str(), 0600);
+    }
+
+    void start() {
+        daemon = std::make_unique<Daemon>(loop, WatchOptions{.root = root,
+                                                             .catalogue = home.path / "catalogue",
+                                                             .store = home.path / "store",
+                                                             .state = home.path,
+                                                             .child = {"/bin/sh", read.string()},
+                                                             .weave = {"/bin/sh", weave.string()},
+                                                             .tapestries = {.max_bytes = max_bytes},
+                                                             .limits = {.deadline = 50s},
+                                                             .pace = {.children = 2,
+                                                                      .quiet = 1ms,
+                                                                      .rename_grace = 100ms,
+                                                                      .first_retry = 1ms,
+                                                                      .retries = 2},
+                                                             .rescan = 1h,
+                                                             .is_once = is_once});
+    }
+
+    fs::path drop(const std::string& name, const std::string& content = "film\n") const {
+        return home.write("media/" + name, content);
+    }
+
+    bool comes_true(const std::function<bool()>& condition) {
+        const auto end = EventLoop::Clock::now() + patience;
+        while (!condition() && EventLoop::Clock::now() < end)
+            loop.run_once(100ms);
+        return condition();
+    }
+
+    bool has_woven(const std::string& path) const {
+        return fs::exists(tapestry_folder(home.path, path) / "index.json");
+    }
+
+    std::ptrdiff_t weavings() const {
+        std::ifstream log(weave.string() + ".log");
+        return std::count(std::istreambuf_iterator<char>(log), {}, '\n');
+    }
+
+    std::size_t records() const { return Catalogue(home.path / "catalogue").load().size(); }
+
+    std::uint64_t max_bytes = 1 << 20;
+    bool is_once = false;
+    TemporaryDirectory home;
+    fs::path root = home.path / "media";
+    fs::path read;
+    fs::path weave;
+    EventLoop loop;
+    std::unique_ptr<Daemon> daemon;
+};
+
+}  // namespace
+
+TEST_CASE("a film has its tapestry after its analysis, once, also over a restart") {
+    House house;
+    house.drop("film.mp4");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.has_woven("film.mp4"); }));
+    house.daemon.reset();
+    house.start();
+    house.drop("next.mp4");
+    REQUIRE(house.comes_true([&] { return house.has_woven("next.mp4"); }));
+    CHECK(house.weavings() == 2);
+}
+
+TEST_CASE("nothing is woven while something is analysed") {
+    House house;
+    house.drop("film.mp4");
+    house.drop("slow.mp4", "slow\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.records() == 1; }));
+    for (int i = 0; i < 20; ++i)
+        house.loop.run_once(10ms);
+    CHECK(house.weavings() == 0);
+    std::ofstream(house.read.string() + ".gate") << "go\n";
+    CHECK(house.comes_true([&] { return house.has_woven("film.mp4") && house.has_woven("slow.mp4"); }));
+}
+
+TEST_CASE("a tapestry goes with its film, comes along with its name and is woven anew when it changes") {
+    House house;
+    house.drop("gone.mp4");
+    house.drop("from.mp4");
+    const fs::path changed = house.drop("changed.mp4");
+    house.start();
+    REQUIRE(house.comes_true([&] {
+        return house.has_woven("gone.mp4") && house.has_woven("from.mp4") && house.has_woven("changed.mp4");
+    }));
+    fs::remove(house.root / "gone.mp4");
+    fs::rename(house.root / "from.mp4", house.root / "to.mp4");
+    house.drop("changed.mp4", "another film\n");
+    CHECK(house.comes_true([&] { return !house.has_woven("gone.mp4") && !house.has_woven("from.mp4"); }));
+    CHECK(house.has_woven("to.mp4"));
+    CHECK(house.comes_true([&] {
+        return house.has_woven("changed.mp4") &&
+               read_tapestry(tapestry_folder(house.home.path, "changed.mp4")).bytes == 13;
+    }));
+    CHECK(house.weavings() == 4);
+}
+
+TEST_CASE("the weaving of a film that is deleted ends and leaves nothing") {
+    House house;
+    const fs::path film = house.drop("film.mp4", "gate\n");
+    house.start();
+    const fs::path folder = tapestry_folder(house.home.path, "film.mp4");
+    REQUIRE(house.comes_true([&] { return fs::exists(folder / "tiles-1/0"); }));
+    fs::remove(film);
+    CHECK(house.comes_true([&] { return house.records() == 0 && !fs::exists(folder); }));
+    house.drop("next.mp4");
+    CHECK(house.comes_true([&] { return house.has_woven("next.mp4"); }));
+}
+
+TEST_CASE("what cannot be woven keeps no other film waiting") {
+    House house;
+    house.drop("bad.mp4", "bad\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.weavings() == 2; }));
+    house.drop("good.mp4");
+    CHECK(house.comes_true([&] { return house.has_woven("good.mp4"); }));
+    CHECK(house.weavings() == 3);
+}
+
+TEST_CASE("where tapestries are turned off, or only the catalogue is wanted, none are woven") {
+    for (const std::uint64_t max_bytes : {0, 1 << 20}) {
+        CAPTURE(max_bytes);
+        House house;
+        house.max_bytes = max_bytes;
+        house.is_once = max_bytes > 0;
+        house.drop("film.mp4");
+        house.start();
+        CHECK(house.comes_true([&] { return house.records() == 1; }));
+        for (int i = 0; i < 20 && !house.is_once; ++i)
+            house.loop.run_once(10ms);
+        CHECK(house.weavings() == 0);
+    }
+}

@@ -1,0 +1,64 @@
+#include "analyzer/watch/folder_follower.hpp"
+
+#include "tests/temporary_directory.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <ctime>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int folders = 100;
+constexpr int files_a_folder = 500;
+
+double processor_seconds() {
+    timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
+}
+
+long most_resident_mebibytes() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+}  // namespace
+
+TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events overflowed") {
+    const TemporaryDirectory home;
+    for (int i = 0; i < folders; ++i)
+        std::filesystem::create_directory(home.path / std::to_string(i));
+    const MediaFolder folder(home.path);
+    Schedule schedule(Pace{});
+    FolderFollower follower(folder, schedule);
+    Schedule::Time now{1h};
+    follower.rescan(now);
+    const long resident_before = most_resident_mebibytes();
+
+    for (int i = 0; i < folders; ++i)
+        for (int j = 0; j < files_a_folder; ++j)
+            ::close(::open(fmt::format("{}/{}/photo {}.jpg", home.path.string(), i, j).c_str(),
+                           O_WRONLY | O_CREAT, 0644));
+    const double begin = processor_seconds();
+    bool is_lost = false;
+    while (!is_lost && schedule.counts().files < 50'000)
+        is_lost = follower.read_events(now);
+    CHECK(is_lost);  // as it is with the kernel's usual 16,384 events
+    follower.rescan(now);
+    const double end = processor_seconds();
+
+    CHECK(schedule.counts().files == 50'000);
+    now += 10s;
+    follower.look_at(schedule.to_look_at(now), now);
+    CHECK(schedule.counts().due == 50'000);
+    MESSAGE("events and rescan: ", end - begin, " s of the processor; ",
+            most_resident_mebibytes() - resident_before, " MiB more resident");
+}

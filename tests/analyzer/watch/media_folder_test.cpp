@@ -1,0 +1,143 @@
+#include "analyzer/watch/media_folder.hpp"
+
+#include "tests/temporary_directory.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+using Presence = MediaFolder::Presence;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> paths(const MediaFolder::Listing& listing) {
+    std::vector<std::string> all;
+    for (const MediaFolder::File& file : listing.files)
+        all.push_back(file.path);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("what programs leave behind is junk, what people name their files is not") {
+    for (const char* name :
+         {".DS_Store", "._a.jpg", ".a.jpg.AbC123", "Thumbs.db", "THUMBS.DB", "desktop.ini", "@eaDir",
+          "~$a.doc", "a.jpg~", "a.mp4.part", "a.mp4.crdownload", "a.TMP", ".~tmp~", "a.filepart", "_STATUS"})
+        CHECK_MESSAGE(is_junk_name(name), name);
+    for (const char* name :
+         {"a.jpg", "~a.jpg", "tmp", "part", "a b\n'\".jpg", "\xff\xfe", "thumbs.db.jpg", "_a", "$1.jpg"})
+        CHECK_MESSAGE(!is_junk_name(name), name);
+}
+
+TEST_CASE(
+    "all files below the folder are listed whatever their names, each folder announced before it is read") {
+    const TemporaryDirectory directory;
+    const std::string odd = "odd \n'\"\xff" + std::string(200, 'x');
+    directory.write("a.jpg", "12345");
+    directory.write("b/" + odd, "1");
+    directory.write("b/c/d.mp4", "1");
+    directory.write("b/@eaDir/thumb.jpg", "1");
+    directory.write("b/._d.mp4", "1");
+    const MediaFolder folder(directory.path);
+    std::vector<std::string> entered;
+
+    const auto listing = folder.list("", [&](const std::string& name) { entered.push_back(name); });
+
+    CHECK(paths(listing) == std::vector<std::string>{"a.jpg", "b/c/d.mp4", "b/" + odd});
+    CHECK(listing.is_complete);
+    CHECK(entered == std::vector<std::string>{"", "b", "b/c"});
+    CHECK(paths(folder.list("b/c")) == std::vector<std::string>{"b/c/d.mp4"});
+    CHECK(folder.list("b/@eaDir").files.empty());
+
+    const auto look = folder.look("a.jpg");
+    REQUIRE(look.presence == Presence::there);
+    CHECK(look.file.facts.bytes == 5);
+    CHECK(look.file.facts.inode != 0);
+    CHECK(look.file.facts.is_readable);
+    const auto same = std::find_if(listing.files.begin(), listing.files.end(),
+                                   [](const auto& file) { return file.path == "a.jpg"; });
+    CHECK(same->facts == look.file.facts);
+}
+
+TEST_CASE("no link leads out of the folder, and one in a circle ends nothing") {
+    const TemporaryDirectory outside;
+    const TemporaryDirectory directory;
+    outside.write("secret.jpg", "1");
+    fs::create_symlink(outside.path / "secret.jpg", directory.path / "file.jpg");
+    fs::create_directory_symlink(outside.path, directory.path / "folder");
+    fs::create_directory_symlink(directory.path, directory.path / "circle");
+    const MediaFolder folder(directory.path);
+    CHECK(folder.list("").files.empty());
+    CHECK(folder.list("folder").files.empty());
+    for (const char* path : {"file.jpg", "folder/secret.jpg", "circle/file.jpg", "../x", "nothing.jpg"})
+        CHECK(folder.look(path).presence == Presence::gone);
+    const auto escape = fs::relative(outside.path / "secret.jpg", directory.path).string();
+    CHECK(folder.look(escape).presence == Presence::gone);
+}
+
+TEST_CASE("a folder that is not there is incomplete, not empty") {
+    const TemporaryDirectory directory;
+    const MediaFolder folder(directory.path / "unmounted");
+    CHECK_FALSE(folder.list("").is_complete);
+    CHECK_FALSE(folder.device().has_value());
+    CHECK(folder.look("a.jpg").presence == Presence::unreachable);
+    fs::create_directories(directory.path / "unmounted");
+    CHECK(folder.list("").is_complete);
+    CHECK(folder.device().has_value());
+    CHECK(folder.look("a.jpg").presence == Presence::gone);
+}
+
+TEST_CASE("folders within folders end at the limit and say so") {
+    const TemporaryDirectory directory;
+    std::string deep;
+    for (int i = 0; i < MediaFolder::max_depth + 3; ++i)
+        deep += "d/";
+    directory.write(deep + "a.jpg", "1");
+    directory.write("b.jpg", "1");
+    const auto listing = MediaFolder(directory.path).list("");
+    CHECK(paths(listing) == std::vector<std::string>{"b.jpg"});
+    CHECK_FALSE(listing.is_complete);
+    REQUIRE(listing.remarks.size() == 1);
+    CHECK(listing.remarks[0].ends_with("folders within folders too deep"));
+}
+
+TEST_CASE("a copy that reserved its space first has a hole until all of it is written") {
+    const TemporaryDirectory directory;
+    const fs::path file = directory.write("film.mp4", std::string(200'000, 'x'));
+    const MediaFolder folder(directory.path);
+    CHECK_FALSE(folder.ends_in_hole("film.mp4"));
+    REQUIRE(::truncate(file.c_str(), 1'000'000) == 0);
+    CHECK(folder.ends_in_hole("film.mp4"));
+    std::ofstream(file) << std::string(1'000'000, 'y');
+    CHECK_FALSE(folder.ends_in_hole("film.mp4"));
+    CHECK_FALSE(folder.ends_in_hole("nothing.mp4"));
+}
+
+TEST_CASE(
+    "our own folder is passed over, a hidden period is not, and the first bytes of a file can be read") {
+    const TemporaryDirectory directory;
+    directory.write("_INFO/index.html", "ours");
+    directory.write("_INFO 2/a.jpg", "a");
+    directory.write("..2026-12-24 Advent/b.jpg", "b");
+    directory.write("..hidden/c.jpg", "c");
+    directory.write("d/.vitrine.toml", "seconds = 20");
+    const MediaFolder folder(directory.path, "_INFO");
+    std::vector<std::string> paths;
+    for (const MediaFolder::File& file : folder.list("").files)
+        paths.push_back(file.path);
+    std::sort(paths.begin(), paths.end());
+    CHECK(paths == std::vector<std::string>{"..2026-12-24 Advent/b.jpg", "_INFO 2/a.jpg"});
+    CHECK(folder.look("_INFO/index.html").presence == MediaFolder::Presence::gone);
+    CHECK(folder.list("_INFO").files.empty());
+    CHECK(folder.content("d/.vitrine.toml", 100) == "seconds = 20");
+    CHECK(folder.content("d/.vitrine.toml", 7) == "seconds");
+    CHECK_FALSE(folder.content("d", 100));
+    CHECK_FALSE(folder.content("d/none", 100));
+    std::filesystem::create_symlink("/etc/passwd", directory.path / "link");
+    CHECK_FALSE(folder.content("link", 100));
+}

@@ -1,0 +1,108 @@
+#include "base/state/record.hpp"
+#include "base/state/record_json.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+using namespace vitrine;
+using namespace std::chrono_literals;
+
+namespace {
+
+MediaRecord film() {
+    return {.path = "a/b c.mp4",
+            .kind = MediaKind::video,
+            .bytes = 123,
+            .mtime_ns = -5,
+            .state = MediaState::ready,
+            .reason = "",
+            .width = 640,
+            .height = 360,
+            .duration = 3s,
+            .shots = {{.begin = 0s,
+                       .end = 2s,
+                       .ends_with = ShotEnd::dissolve,
+                       .region = {.polygon = {{1, 2}, {30.5, 2}, {3, 40}}, .drift = {10, -5}}}}};
+}
+
+}  // namespace
+
+TEST_CASE("a record survives the way to JSON and back") {
+    CHECK(record_from_json(to_json(film())) == film());
+}
+
+TEST_CASE("a path that is not UTF-8 survives the way to JSON and back") {
+    MediaRecord record = film();
+    record.path = "caf\xe9/\xff.jpg";
+    CHECK(record_from_json(to_json(record)).path == record.path);
+}
+
+TEST_CASE("the JSON has the names of format version 3") {
+    CHECK(
+        to_json(film()) ==
+        R"({"version":3,"path":"a/b c.mp4","kind":"video","bytes":123,"mtime_ns":-5,"state":"ready",)"
+        R"("complete":true,"reason":"",)"
+        R"("width":640,"height":360,"duration_ns":3000000000,"shots":[{"begin_ns":0,"end_ns":2000000000,)"
+        R"("ends_with":"dissolve","region":{"polygon":[[1.0,2.0],[30.5,2.0],[3.0,40.0]],"drift":[10.0,-5.0]}}]})");
+}
+
+TEST_CASE(
+    "where a shot is stored survives the way to JSON and back, and names no file outside of the store") {
+    const StoredShot clip{.file = "0123456789abcdef/0-2000000000.mp4", .width = 320, .height = 180};
+    MediaRecord record = film();
+    record.shots[0].stored = clip;
+    CHECK(record_from_json(to_json(record)) == record);
+    for (const char* file : {"", "0123456789abcdef", "0123456789abcdef/", "0123456789abcdef/..",
+                             "0123456789abcdef/.x", "0123456789abcdef/a/b", "../456789abcdef/a.mp4",
+                             "0123456789ABCDEF/a.mp4", "/etc/passwd", "0123456789abcdef/a b"}) {
+        CAPTURE(file);
+        record.shots[0].stored->file = file;
+        CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
+    }
+}
+
+TEST_CASE("a record that only says where its shots are stored has grown from one that did not") {
+    const MediaRecord before = film();
+    MediaRecord after = before;
+    after.shots[0].stored = {.file = "0123456789abcdef/a.mp4", .width = 320, .height = 180};
+    CHECK(is_grown_from(after, before));
+    CHECK(is_grown_from(before, after));
+}
+
+TEST_CASE("the store knows a file by its name and its content") {
+    CHECK(store_id("a.mp4", 1, 2) == store_id("a.mp4", 1, 2));
+    CHECK(store_id("a.mp4", 1, 2) != store_id("b.mp4", 1, 2));
+    CHECK(store_id("a.mp4", 1, 2) != store_id("a.mp4", 2, 2));
+    CHECK(store_id("a.mp4", 1, 2) != store_id("a.mp4", 1, 3));
+    CHECK(is_store_name(store_id("a.mp4", 1, 2) + "/a.mp4"));
+}
+
+TEST_CASE("a record has grown where it says the same of the same content, and more behind") {
+    MediaRecord before = film();
+    before.is_complete = false;
+    MediaRecord after = film();
+    CHECK(is_grown_from(after, before));
+    after.shots.push_back({.begin = 2s, .end = 3s});
+    CHECK(is_grown_from(after, before));
+    CHECK_FALSE(is_grown_from(before, after));
+    MediaRecord other = after;
+    other.shots[0].end = 1s;
+    CHECK_FALSE(is_grown_from(other, before));
+    other = after;
+    other.mtime_ns = 7;
+    CHECK_FALSE(is_grown_from(other, before));
+}
+
+TEST_CASE("text that is no record is refused, with the reason") {
+    CHECK_THROWS_AS(record_from_json(""), std::runtime_error);
+    CHECK_THROWS_AS(record_from_json("{}"), std::runtime_error);
+    CHECK_THROWS_AS(record_from_json(R"({"version":99})"), std::runtime_error);
+}
+
+TEST_CASE("the core of a drifting shot is what every aligned frame shows") {
+    // drift (10, -5) px/s over 2 s: the frame slides by (-20, +10) against the subject
+    const MediaRecord record = film();
+    const Box expected{{0, 10}, {620, 360}};
+    CHECK(core(record, record.shots[0]) == expected);
+}

@@ -1,0 +1,89 @@
+#include "base/state/tapestry.hpp"
+
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+namespace vitrine {
+namespace {
+
+using std::chrono::nanoseconds;
+using std::chrono::seconds;
+
+Tapestry drawn() {
+    return {.path = "a film.mp4",
+            .bytes = 12,
+            .mtime_ns = 34,
+            .duration = seconds(100),
+            .is_complete = true,
+            .folder = "tiles-1",
+            .height = 150,
+            .tile_width = 512,
+            .brick_width = 100,
+            .levels = {{.width = 150, .keyframes = {seconds(10), seconds(60)}},
+                       {.width = 250, .keyframes = {seconds(10), seconds(20), seconds(30), seconds(60)}}}};
+}
+
+}  // namespace
+
+TEST_CASE("times and places of a strip follow each other from keyframe to keyframe") {
+    const Tapestry tapestry = drawn();
+
+    CHECK(tapestry.x_at(0, seconds(0)) == 0);
+    CHECK(tapestry.x_at(0, seconds(10)) == 50);
+    CHECK(tapestry.x_at(0, seconds(35)) == 75);
+    CHECK(tapestry.x_at(0, seconds(100)) == 150);
+    CHECK(tapestry.x_at(1, seconds(60)) == 200);
+    CHECK(tapestry.x_at(0, seconds(-5)) == 0);
+    for (std::size_t level = 0; level < 2; ++level) {
+        nanoseconds before{-1};
+        for (double x = 0; x <= tapestry.levels[level].width; x += 12.5) {
+            const nanoseconds time = tapestry.time_at(level, x);
+            CHECK(time > before);
+            CHECK(tapestry.x_at(level, time) == doctest::Approx(x));
+            before = time;
+        }
+        CHECK(tapestry.time_at(level, 1e9) == seconds(100));
+    }
+}
+
+TEST_CASE("a strip of a single keyframe has it in its middle") {
+    Tapestry tapestry = drawn();
+    tapestry.levels = {{.width = 150, .keyframes = {seconds(0)}}};
+
+    CHECK(tapestry.middle(0, 0) == 75);
+    CHECK(tapestry.time_at(0, 10) == seconds(0));
+    CHECK(tapestry.time_at(0, 150) == seconds(100));
+}
+
+TEST_CASE("an index is read as it was written") {
+    const TemporaryDirectory folder;
+    const Tapestry tapestry = drawn();
+    write_tapestry(folder.path, tapestry);
+    const Tapestry read = read_tapestry(folder.path);
+
+    CHECK(to_json(read) == to_json(tapestry));
+    CHECK(read.levels[1].keyframes == tapestry.levels[1].keyframes);
+    CHECK(read.tiles(0) == 1);
+    CHECK(read.tile_name(1, 0) == "tiles-1/1/000000.jpg");
+}
+
+TEST_CASE("an index that says what cannot be is refused, and named") {
+    const TemporaryDirectory folder;
+    for (const auto& [from, to] : {std::pair{"\"version\":1", "\"version\":9"},
+                                   {"tiles-1", "../etc"},
+                                   {"\"tile_width\":512", "\"tile_width\":0"},
+                                   {"20000000000", "90000000000"}}) {
+        std::string json = to_json(drawn());
+        const std::size_t place = json.find(from);
+        REQUIRE(place != std::string::npos);
+        json.replace(place, std::string(from).size(), to);
+        folder.write("index.json", json);
+        CAPTURE(to);
+        CHECK_THROWS_WITH(read_tapestry(folder.path), doctest::Contains("index.json"));
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,167 @@
+#include "player/content/crash_note.hpp"
+
+#include "tests/temporary_directory.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr CrashNote::Time noon{12h};
+
+const MediaRecord evil{.path = "evil.mp4", .bytes = 10, .mtime_ns = 1};
+const MediaRecord good{.path = "good.mp4", .bytes = 20, .mtime_ns = 2};
+
+/// A player that plays the good film for a minute, opens the evil one and is killed, or ends well.
+void run(const std::filesystem::path& state, bool crashes, std::chrono::seconds after_opening = 0s) {
+    const pid_t player = ::fork();
+    if (player == 0) {
+        CrashNote note(state);
+        note.open(good, noon);
+        note.keep(std::set<ContentName>{content_name(good)}, noon + 1min);
+        if (!note.is_quarantined(evil)) {
+            note.open(evil, noon + 1min);
+            note.keep(std::set<ContentName>{content_name(good), content_name(evil)},
+                      noon + 1min + after_opening);
+        }
+        if (crashes) ::kill(::getpid(), SIGKILL);
+        note.end();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(player, &status, 0);
+}
+
+/// A player that opens all that is not held back, until everything has been open for a while; it is killed
+/// when it opens `poison`, or, where `is_killed`, after its first openings. @return  whether it was
+bool show(const std::filesystem::path& state, const std::vector<MediaRecord>& all, const std::string& poison,
+          bool is_killed = false) {
+    const pid_t player = ::fork();
+    if (player == 0) {
+        CrashNote note(state);
+        std::set<ContentName> open;
+        for (auto now = noon; now < noon + 5min; now += 5s) {
+            std::vector<MediaRecord> shown = all;
+            note.hold_back(shown);
+            for (const MediaRecord& record : shown) {
+                if (!open.insert(content_name(record)).second) continue;
+                note.open(record, now);
+                if (record.path == poison) ::kill(::getpid(), SIGKILL);
+            }
+            if (is_killed) ::kill(::getpid(), SIGKILL);
+            note.keep(open, now);
+        }
+        note.end();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(player, &status, 0);
+    return WIFSIGNALED(status);
+}
+
+std::vector<std::string> quarantined(const std::filesystem::path& state,
+                                     const std::vector<MediaRecord>& all) {
+    std::vector<std::string> found;
+    const CrashNote note(state);
+    for (const MediaRecord& record : all)
+        if (note.is_quarantined(record)) found.push_back(record.path);
+    return found;
+}
+
+const std::vector<MediaRecord> four{
+    {.path = "a.png"}, {.path = "b.avi"}, {.path = "c.png"}, {.path = "d.mp4"}};
+
+}  // namespace
+
+TEST_CASE("of four files that are opened together the second crash shows which one brings the player down") {
+    for (const MediaRecord& poison : four) {
+        CAPTURE(poison.path);
+        const TemporaryDirectory state;
+        CHECK(show(state.path, four, poison.path));
+        CHECK(quarantined(state.path, four).empty());
+        CHECK(show(state.path, four, poison.path));
+        CHECK(quarantined(state.path, four) == std::vector{poison.path});
+        CHECK_FALSE(show(state.path, four, poison.path));
+    }
+}
+
+TEST_CASE("a player that somebody kills twice loses one of its files at most") {
+    const TemporaryDirectory state;
+    CHECK(show(state.path, four, "", true));
+    CHECK(show(state.path, four, "", true));
+    CHECK(quarantined(state.path, four).size() <= 1);
+}
+
+TEST_CASE("after a crash all files are shown again, one after the other") {
+    const TemporaryDirectory state;
+    CHECK(show(state.path, four, "", true));
+    CrashNote note(state.path);
+    std::set<ContentName> open;
+    std::vector<std::size_t> counts;
+    for (auto now = noon; now < noon + 1min; now += 10s) {
+        std::vector<MediaRecord> shown = four;
+        note.hold_back(shown);
+        for (const MediaRecord& record : shown)
+            if (open.insert(content_name(record)).second) note.open(record, now);
+        counts.push_back(open.size());
+        note.keep(open, now + 10s);
+    }
+    CHECK(counts == std::vector<std::size_t>{1, 2, 3, 4, 4, 4});
+}
+
+TEST_CASE("a film that brings the player down twice when it is opened is quarantined, and no other") {
+    const TemporaryDirectory state;
+    run(state.path, true);
+    CHECK_FALSE(CrashNote(state.path).is_quarantined(evil));
+    run(state.path, true);
+    const CrashNote note(state.path);
+    CHECK(note.is_quarantined(evil));
+    CHECK_FALSE(note.is_quarantined(good));
+}
+
+TEST_CASE("a player that ends as it should leaves nothing to blame anybody for") {
+    const TemporaryDirectory state;
+    for (int i = 0; i < 4; ++i)
+        run(state.path, false);
+    CHECK(read_blame(state.path).empty());
+    CHECK_FALSE(std::filesystem::exists(state.path / playing_file));
+}
+
+TEST_CASE("what ended with the machine is nobody's fault") {
+    const TemporaryDirectory state;
+    state.write(playing_file,
+                to_text({.boot = "another", .process = 1, .opening = {content_name(evil)}, .playing = {}}));
+    const CrashNote note(state.path);
+    CHECK(read_blame(state.path).empty());
+}
+
+TEST_CASE("a crash long after the last opening is everybody's, for once") {
+    const TemporaryDirectory state;
+    run(state.path, true, 60s);
+    const CrashNote note(state.path);
+    CHECK(read_blame(state.path) == Blame{{content_name(evil), 1}, {content_name(good), 1}});
+}
+
+TEST_CASE("ten minutes without a crash forgive what is not quarantined") {
+    const TemporaryDirectory state;
+    run(state.path, true);
+    CrashNote note(state.path);
+    REQUIRE(read_blame(state.path).size() == 1);
+    note.keep(std::set<ContentName>{}, noon);
+    note.keep(std::set<ContentName>{}, noon + 11min);
+    CHECK(read_blame(state.path).empty());
+}
+
+TEST_CASE("a state directory that is not there costs the protection and nothing else") {
+    CrashNote note("/proc/nothing/here");
+    note.open(evil, noon);
+    note.keep(std::set<ContentName>{content_name(evil)}, noon + 1min);
+    note.end();
+    CHECK_FALSE(note.is_quarantined(evil));
+}

@@ -1,0 +1,163 @@
+#include "player/layout/cells/cells.hpp"
+
+#include "player/layout/cells/grid.hpp"
+#include "player/layout/plan/plan_output.hpp"
+#include "tests/player/layout/instances.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+Loops loops_of(const std::vector<Polygon>& polygons) {
+    Loops loops;
+    for (const Polygon& polygon : polygons)
+        loops.push_back(to_grid(polygon));
+    return loops;
+}
+
+Loops loops_of(const std::vector<std::array<Vec2, 3>>& triangles) {
+    Loops loops;
+    for (const auto& t : triangles)
+        loops.push_back(to_grid(Polygon(t.begin(), t.end())));
+    return loops;
+}
+
+/// Cells cover the canvas once, hold their regions, show only what their items have.
+void check_cells(const std::vector<LayoutItem>& items, const Layout& layout) {
+    const std::vector<Cell> all = cells(items, layout);
+    REQUIRE(all.size() == items.size());
+    const double canvas_area = layout.canvas.x * layout.canvas.y;
+    double sum = 0;
+    Loops together;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Cell& cell = all[i];
+        const Loops parts = loops_of(cell.parts);
+        const Loops filler = loops_of(cell.filler);
+        sum += area_of(parts) + area_of(filler);
+        together.insert(together.end(), parts.begin(), parts.end());
+        together.insert(together.end(), filler.begin(), filler.end());
+        CHECK(area_of(loops_of(cell.triangles)) == doctest::Approx(area_of(parts)).epsilon(1e-6));
+        CHECK(area_of(loops_of(cell.filler_triangles)) == doctest::Approx(area_of(filler)).epsilon(1e-6));
+        const Placement& at = layout.placements[i];
+        const Loops region{to_grid(placed_region(items[i], at))};
+        REQUIRE_FALSE(cell.parts.empty());
+        CHECK(area_of(difference_of(region, {to_grid(cell.parts[0])})) < 1e-3);
+        const Loops frame{to_grid(transformed(to_polygon(items[i].core), at.scale, at.offset))};
+        CHECK(area_of(difference_of(parts, frame)) < 1e-3);
+    }
+    CHECK(sum == doctest::Approx(canvas_area).epsilon(1e-6));
+    CHECK(area_of(union_of(together, {})) == doctest::Approx(canvas_area).epsilon(1e-6));  // so none overlap
+}
+
+}  // namespace
+
+TEST_CASE("cells share the canvas out exactly and hold their regions whole") {
+    for (const std::size_t count : {1, 2, 3, 6, 12, 30})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const PlanRequest request = random_request(count, seed);
+            check_cells(items_of(request), plan(request));
+        }
+}
+
+TEST_CASE("small items leave rings of filler that are still covered") {
+    const LayoutItem item{.region = to_polygon({{20, 20}, {60, 60}}), .core = {{0, 0}, {80, 80}}};
+    const std::vector<LayoutItem> items{item, item};
+    const Layout layout{.canvas = {640, 360}, .placements = {{1, {100, 100}}, {1.5, {400, 120}}}};
+    check_cells(items, layout);
+    const std::vector<Cell> all = cells(items, layout);
+    CHECK(area_of(loops_of(all[0].parts)) == doctest::Approx(80 * 80));
+    CHECK_FALSE(all[0].filler.empty());
+}
+
+TEST_CASE("two equal boxes share the space between them in the middle") {
+    const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const std::vector<LayoutItem> items{item, item};
+    const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {100, 0}}}};
+    const std::vector<Cell> all = cells(items, layout);
+    CHECK(bounding_box(all[0].parts[0]) == Box{{0, 0}, {100, 100}});
+    CHECK(bounding_box(all[1].parts[0]) == Box{{100, 0}, {200, 100}});
+}
+
+TEST_CASE("what the nearest cannot show goes to the next who can") {
+    const LayoutItem left{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{30, 0}, {90, 100}}};
+    const LayoutItem right{.region = to_polygon({{140, 40}, {160, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const std::vector<LayoutItem> items{left, right};
+    const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {0, 0}}}};
+    const std::vector<Cell> all = cells(items, layout);
+    CHECK(area_of(loops_of(all[0].parts)) == doctest::Approx(60 * 100));
+    CHECK(area_of(loops_of(all[1].parts)) == doctest::Approx(140 * 100));
+    CHECK(all[1].parts.size() == 2);
+    CHECK(bounding_box(all[1].parts[0]).max.x == 200);
+    CHECK(all[0].filler.empty());
+}
+
+TEST_CASE("a gutter takes half its width from each side and nothing from a region or the canvas' edge") {
+    const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const std::vector<LayoutItem> items{item, item};
+    const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {100, 0}}}};
+    const std::vector<Cell> all = cells(items, layout, {.gutter = 10});
+    CHECK(bounding_box(all[0].parts[0]).max.x == doctest::Approx(95).epsilon(0.002));
+    CHECK(bounding_box(all[0].parts[0]).min.x == 0);
+    const std::vector<Cell> wide = cells(items, layout, {.gutter = 150});
+    CHECK(area_of(loops_of(wide[0].parts)) >= 400);
+}
+
+TEST_CASE("an empty layout has no cells") {
+    CHECK(cells({}, {.canvas = {100, 100}}).empty());
+}
+
+TEST_CASE("sampled sites ripple and erode as far as their spacing says, exact ones never") {
+    // Two walls 8 px apart, sampled inside by 2 px: the ripple is s^2 / (8 (g + 2 d)), so regions are cut
+    // from a spacing of 2 sqrt(g (g + 2 d)) = 19.6 px on.
+    const LayoutItem wall{.region = to_polygon({{0, 0}, {96, 400}}), .core = {{-500, -500}, {500, 900}}};
+    LayoutItem lower = wall;  // its samples lie at other heights
+    lower.region = to_polygon({{0, 30}, {96, 400}});
+    const std::vector<LayoutItem> items{wall, lower};
+    const Layout layout{.canvas = {200, 400}, .placements = {{1, {0, 0}}, {1, {104, 0}}}};
+    const auto lost = [&](double spacing) {
+        const std::vector<Cell> all = cells(items, layout, {.sample_spacing = spacing, .sample_inset = 2});
+        double sum = 0;
+        for (std::size_t i = 0; i < 2; ++i)
+            sum += area_of(difference_of({to_grid(placed_region(items[i], layout.placements[i]))},
+                                         loops_of(all[i].parts)));
+        return sum;
+    };
+    CHECK(lost(0) == 0);
+    CHECK(lost(15) < 0.5);
+    CHECK(lost(60) > lost(15) + 1);
+}
+
+TEST_CASE("rounded corners never cut a region and only take from the cells") {
+    const PlanRequest request = random_request(6, 3);
+    const std::vector<LayoutItem> items = items_of(request);
+    const Layout layout = plan(request);
+    const std::vector<Cell> sharp = cells(items, layout, {.gutter = 6});
+    const std::vector<Cell> round = cells(items, layout, {.gutter = 6, .corner_radius = 25});
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Loops region{to_grid(placed_region(items[i], layout.placements[i]))};
+        CHECK(area_of(difference_of(region, loops_of(round[i].parts))) < 1e-3);
+        CHECK(area_of(difference_of(loops_of(round[i].parts), loops_of(sharp[i].parts))) < 0.05);
+        CHECK(area_of(loops_of(round[i].parts)) < area_of(loops_of(sharp[i].parts)));
+    }
+}
+
+TEST_CASE("feathers end before the next region and before the picture does") {
+    const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const LayoutItem near{.region = to_polygon({{-24, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
+    const std::vector<LayoutItem> items{item, near};
+    const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {100, 0}}}};
+    const std::vector<Cell> all = cells(items, layout, {.feather = 30});
+    REQUIRE_FALSE(all[0].rims.empty());
+    double widest = 0;
+    for (const Rim& rim : all[0].rims)
+        for (std::size_t k = 0; k < rim.outline.size(); ++k) {
+            const Vec2 p = rim.outline[k];
+            widest = std::max(widest, rim.widths[k]);
+            if (std::abs(p.y - 50) < 8 && p.x > 60) CHECK(p.x + rim.widths[k] <= 76 + 1e-9);
+        }
+    CHECK(widest > 8);
+    CHECK(cells(items, layout)[0].rims.empty());
+}

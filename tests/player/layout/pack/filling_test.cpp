@@ -1,0 +1,97 @@
+#include "player/layout/pack/filling.hpp"
+
+#include "player/layout/edit/edit.hpp"
+#include "player/layout/plan/plan_output.hpp"
+#include "tests/player/layout/instances.hpp"
+#include "tests/player/layout/inversions.hpp"
+#include "tests/player/layout/soundness.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+double background(const PlanRequest& request, const Layout& layout) {
+    std::vector<NamedItem> named;
+    for (const LayoutItem& item : items_of(request))
+        named.push_back({"item", named.size(), item});
+    return 1 - plan_result(named, layout).canvas_filled;
+}
+
+}  // namespace
+
+TEST_CASE("what no frame reaches is counted") {
+    const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{0, 0}, {100, 100}}};
+    Ground ground;
+    ground.shapes = {shape_of(item.region)};
+    ground.scales = {1};
+    ground.limits = {2};
+    ground.pinned = {false};
+    ground.field = {{0, 0}, {200, 200}};
+    const std::vector<Box> frames{moved(item.core, ground.shapes[0].centroid * -1)};
+    CHECK(unfilled(ground, frames, {{{50, 50}}, 1}) == doctest::Approx(0.75));
+    CHECK(unfilled(ground, frames, {{{100, 100}}, 2}) == doctest::Approx(0));
+    CHECK(unfilled(ground, frames, {{{200, 200}}, 2}) == doctest::Approx(0.75));
+}
+
+TEST_CASE(
+    "pictures fill a screen that stands upright, where an arrangement of equals leaves much of it empty") {
+    double dense = 0;
+    for (const std::size_t count : {3, 4, 6})
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+            PlanRequest request = random_request(count, seed);
+            request.canvas = {1080, 1920};
+            request.budget = 150'000;
+            const Layout layout = plan(request);
+            CHECK(is_sound(items_of(request), layout, "filled"));
+            CHECK(background(request, layout) <= 0.03);
+            request.fills = false;
+            dense = std::max(dense, background(request, plan(request)));
+        }
+    CHECK(dense > 0.06);
+}
+
+TEST_CASE("an item that may not be enlarged stays as large as it may be") {
+    PlanRequest request = random_request(5, 2);
+    request.most_scale = 1.5;
+    request.items.push_back(
+        {.item = {.region = to_polygon({{20, 10}, {50, 35}}), .core = {{0, 0}, {60, 40}}}});
+    CHECK(plan(request).placements[5].scale > 1.45);
+}
+
+TEST_CASE("an order holds while items are resized") {
+    PlanRequest request = random_request(7, 3);
+    request.order = LayoutOrder::reading;
+    const Layout layout = plan(request);
+    CHECK(is_sound(items_of(request), layout, "filled_in_order"));
+    CHECK(inversions_of(items_of(request), layout) == 0);
+}
+
+TEST_CASE("a drag makes those smaller that are in its way, and not all") {
+    PlanRequest request = random_request(14, 5);
+    const Standing wall = standing(items_of(request), plan(request));
+    const EditRules rules{.budget = 30'000, .most_scale = 4};
+    const Standing after = dragged(wall, 3, {960, 540}, rules);
+    std::size_t as_large = 0;
+    for (std::size_t i = 0; i < wall.items.size(); ++i)
+        if (after.placements[i].scale >= 0.98 * wall.placements[i].scale) ++as_large;
+    CHECK(as_large >= 7);
+}
+
+TEST_CASE("a wall does not wear out, however many shots follow each other") {
+    PlanRequest request = random_request(8, 6);
+    Standing wall = standing(items_of(request), plan(request));
+    Random random(8);
+    for (std::uint64_t k = 1; k <= 25; ++k)
+        wall = replaced(wall, uniform_index(random, 8), random_item(random),
+                        {.seed = k, .budget = 40'000, .most_scale = 4});
+    CHECK(is_sound(wall.items, layout_of(wall), "after_many"));
+    request.items.clear();
+    for (const LayoutItem& item : wall.items)
+        request.items.push_back({.item = item});
+    CHECK(layout_of(wall).energy <= plan(request).energy + 0.08);
+}

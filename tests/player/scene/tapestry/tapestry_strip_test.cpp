@@ -1,0 +1,413 @@
+#include "player/scene/tapestry/tapestry_strip.hpp"
+
+#include "tests/player/scene/tapestry/drawn_tapestry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <set>
+#include <utility>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Kind = Gesture::Kind;
+
+constexpr Vec2 on_strip{200, 280};  // of a canvas of 640 x 360
+constexpr auto frame_time = 16'666'667ns;
+
+/// The player around a strip: tiles come at once, films when they are asked for.
+struct House {
+    TapestryStrip strip{drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .patience = {}}};
+    std::chrono::nanoseconds now = 0s;
+    std::set<SourceId> tiles{};
+    std::vector<ShotRequest> playing{};
+    bool readies = true;
+
+    StripStep step() {
+        StripStep step = strip.step(now);
+        for (const TileId& tile : step.missing) {
+            tiles.insert(strip.source_of(tile));
+            strip.tile_ready(tile);
+        }
+        for (const SourceId source : step.retired) {
+            tiles.erase(source);
+            std::erase_if(playing, [&](const ShotRequest& request) { return request.source == source; });
+        }
+        for (const ShotRequest& request : step.requests) {
+            playing.push_back(request);
+            if (readies) strip.source_ready(request.source);
+        }
+        now += frame_time;
+        return step;
+    }
+
+    StripStep run(std::chrono::nanoseconds duration) {
+        StripStep last = step();
+        for (const auto end = now + duration; now < end;)
+            last = step();
+        return last;
+    }
+
+    double x(std::chrono::nanoseconds time) const {
+        return TapestryPlace(strip.tapestry(), strip.box()).canvas_x(strip.view(), time);
+    }
+
+    std::chrono::nanoseconds time_at(double x) const {
+        return TapestryPlace(strip.tapestry(), strip.box()).time_at(strip.view(), x);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a strip is covered by its tiles in every frame, whatever one does") {
+    House house;
+    house.step();
+    const auto check = [&](std::chrono::nanoseconds duration) {
+        for (const auto end = house.now + duration; house.now < end;) {
+            const Frame frame = house.step().frame;
+            const double right = std::min(640.0, house.x(60s));
+            double reached = std::max(0.0, house.x(0s));
+            for (const DrawItem& item : frame.items) {
+                if (!house.tiles.contains(item.source) || item.alpha < 1) continue;
+                const Box box = bounding_box(item.cell->parts[0]);
+                if (box.min.x <= reached + 1e-6) reached = std::max(reached, box.max.x);
+            }
+            REQUIRE(reached >= right - 1e-6);
+        }
+    };
+    for (int k = 0; k < 3; ++k) {
+        house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+        check(800ms);
+    }
+    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    check(2s);
+    for (int k = 0; k < 20; ++k) {
+        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.93});
+        check(40ms);
+    }
+    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    check(30s);
+}
+
+TEST_CASE("what a frame says is covered is covered, by the strip and by the film that plays above it") {
+    House house;
+    int covered = 0;
+    int playing = 0;
+    const auto check = [&](std::chrono::nanoseconds duration) {
+        for (const auto end = house.now + duration; house.now < end;) {
+            const Frame frame = house.step().frame;
+            for (const Box& box : frame.covered) {
+                ++covered;
+                playing += box == house.strip.preview();
+                double reached = box.min.x;
+                for (const DrawItem& item : frame.items) {
+                    const Box drawn = bounding_box(item.cell->parts[0]);
+                    if (item.alpha >= 1 && drawn.min.x <= reached + 1e-6 && drawn.min.y <= box.min.y &&
+                        drawn.max.y >= box.max.y)
+                        reached = std::max(reached, drawn.max.x);
+                }
+                REQUIRE(reached >= box.max.x - 1e-6);
+            }
+        }
+    };
+    CHECK(house.step().frame.covered.empty());  // no tile is there yet
+    check(200ms);
+    CHECK(covered > 0);
+    CHECK(playing == 0);
+    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+    check(2s);
+    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    check(2s);
+    for (int k = 0; k < 20; ++k) {
+        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+        check(40ms);
+    }
+    CHECK(playing > 100);
+}
+
+TEST_CASE("a notch of the wheel is one level in 0.6 seconds, about the pointer") {
+    House house;
+    house.step();
+    for (int k = 0; k < 2; ++k) {
+        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.run(1s);
+    }
+    REQUIRE(house.strip.view().level == 2);
+    house.strip.take({.kind = Kind::wheel, .at = {320, 280}, .from = {320, 280}, .factor = 1.25});
+    const auto held = house.time_at(320);
+    house.step();
+    const auto began = house.now - frame_time;
+    while (house.strip.view().level < 3) {
+        house.step();
+        CHECK(house.x(held) == doctest::Approx(320).epsilon(1e-3));
+    }
+    CHECK(house.now - frame_time - began >= 600ms);
+    CHECK(house.now - frame_time - began < 600ms + 2 * frame_time);
+}
+
+TEST_CASE("a strip that is let go between two levels comes to rest at the nearest") {
+    House house;
+    house.step();
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 1.7});
+    CHECK(house.strip.view().level > 0.5);
+    CHECK(house.strip.view().level < 1);
+    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    house.run(1s);
+    CHECK(house.strip.view().level == 1);
+}
+
+TEST_CASE("a strip goes with the finger, and on after a flick, ever slower") {
+    House house;
+    house.step();
+    for (int k = 0; k < 3; ++k) {
+        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.run(1s);
+    }
+    const auto held = house.time_at(400);
+    house.strip.take({.kind = Kind::drag, .at = {350, 280}, .from = {400, 280}, .moved = {-50, 0}});
+    CHECK(house.x(held) == doctest::Approx(350).epsilon(1e-3));
+    house.strip.take({.kind = Kind::flick, .at = {350, 280}, .from = {400, 280}, .velocity = {-600, 0}});
+    double last = house.x(held);
+    double way = 0;
+    for (int k = 0; k < 10; ++k) {
+        house.run(100ms);
+        const double went = last - house.x(held);
+        if (k > 0) CHECK(went < way);
+        way = went;
+        last = house.x(held);
+    }
+    CHECK(last < 350 - 100);
+    CHECK(last > 350 - 600 * 0.35 - 1);
+    house.run(3s);
+    const double rest = house.x(held);
+    house.run(1s);
+    CHECK(house.x(held) == rest);
+}
+
+TEST_CASE("a tap plays the film from there above the strip and in place, and a line goes along with it") {
+    House house;
+    house.run(1s);
+    const auto time = house.time_at(300);
+    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    const StripStep step = house.run(500ms);
+    REQUIRE(house.playing.size() == 2);
+    for (const ShotRequest& request : house.playing) {
+        CHECK(request.path == "film.mp4");
+        CHECK(request.shot.begin == time);
+    }
+    const auto find = [&](SourceId source) {
+        return std::ranges::find(step.frame.items, source, &DrawItem::source);
+    };
+    const auto above = find(house.playing[0].source);
+    REQUIRE(above != step.frame.items.end());
+    CHECK(bounding_box(above->cell->parts[0]).max.y < house.strip.box().min.y);
+    CHECK(above->local > 400ms);
+    const auto in_place = find(house.playing[1].source);
+    REQUIRE(in_place != step.frame.items.end());
+    CHECK(bounding_box(in_place->cell->parts[0]).min.y >= house.strip.box().min.y);
+    CHECK(bounding_box(in_place->cell->parts[0]).max.y <= house.strip.box().max.y);
+    const auto line = find(house.strip.mark());
+    REQUIRE(line != step.frame.items.end());
+    const Box at = bounding_box(line->cell->parts[0]);
+    CHECK((at.min.x + at.max.x) / 2 == doctest::Approx(house.x(time + above->local)).epsilon(0.01));
+}
+
+TEST_CASE(
+    "what plays stays until what was tapped next is ready; a film that fails leaves the strip as it was") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    house.run(500ms);
+    const SourceId first = house.playing[0].source;
+    house.readies = false;
+    house.strip.take({.kind = Kind::tap, .at = {400, 280}, .from = {400, 280}});
+    StripStep step = house.run(500ms);
+    CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 1);
+    for (const ShotRequest& request : std::vector(house.playing))
+        house.strip.source_failed(request.source);
+    step = house.run(500ms);
+    CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 0);
+    CHECK(house.playing.empty());
+}
+
+TEST_CASE("a steady pan never comes to a tile that is not there, though each takes a while") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .shots = {}});
+    std::deque<std::pair<TileId, std::chrono::nanoseconds>> coming;
+    std::chrono::nanoseconds now = 0s;
+    std::size_t missed = 0;
+    const auto step = [&] {
+        const StripStep done = strip.step(now);
+        for (const TileId& tile : done.missing)
+            if (coming.empty()) coming.emplace_back(tile, now + 80ms);  // one after the other
+        if (!coming.empty() && coming.front().second <= now) {
+            strip.tile_ready(coming.front().first);
+            coming.pop_front();
+        }
+        const TapestryPlace place(strip.tapestry(), strip.box());
+        const auto level = static_cast<std::size_t>(std::lround(strip.view().level));
+        for (const auto& [tile, middle] : place.tiles(strip.view(), level, 0, 640))
+            if (std::ranges::count(done.frame.items, strip.source_of(tile), &DrawItem::source) == 0) ++missed;
+        now += frame_time;
+    };
+    for (int k = 0; k < 3; ++k) {
+        strip.take({.kind = Kind::key, .key = Key::nearer});
+        for (int frame = 0; frame < 60; ++frame)
+            step();
+    }
+    for (int frame = 0; frame < 60; ++frame)
+        step();
+    REQUIRE(strip.view().level == 3);
+    missed = 0;
+    const auto begin = strip.view().centre;
+    for (int frame = 0; frame < 240; ++frame) {
+        strip.take({.kind = Kind::drag, .at = {300, 280}, .from = {400, 280}, .moved = {-4, 0}});
+        step();
+    }
+    CHECK(strip.view().centre > begin + 10s);
+    CHECK(missed == 0);
+}
+
+TEST_CASE("what plays is read from the store, shot after shot, where the store has them") {
+    const auto shot = [](std::chrono::nanoseconds begin, std::chrono::nanoseconds end, const char* file) {
+        Shot made{.begin = begin, .end = end, .stored = {}};
+        if (*file != 0) made.stored = StoredShot{.file = file, .begin = 100ms, .width = 160, .height = 90};
+        return made;
+    };
+    House house;
+    house.strip.set_shots({shot(0s, 20s, "a/0.mp4"), shot(21s, 25s, "a/1.mp4"), shot(25s, 60s, "")});
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = {house.x(18s), 280}, .from = {house.x(18s), 280}});
+    StripStep step = house.run(200ms);
+    REQUIRE(house.playing.size() == 2);
+    const ShotRequest above = house.playing[0];
+    CHECK(above.shot.stored->file == "a/0.mp4");
+    CHECK(std::chrono::abs(above.shot.begin - 18s) < 1ms);
+    CHECK(above.shot.stored->begin == 100ms + above.shot.begin);
+    CHECK(above.shot.end == 20s);
+    const ShotRequest in_place = house.playing[1];
+    CHECK(in_place.shot.begin == 16s);  // a loop of two seconds would be too short
+    CHECK(in_place.shot.stored->begin == 16100ms);
+
+    house.run(1s);  // the next shot, past what lies between, is got ready, and comes when this one ends
+    REQUIRE(house.playing.size() == 3);
+    const ShotRequest next = house.playing[2];
+    CHECK(next.shot.begin == 21s);
+    CHECK(next.shot.end == 25s);
+    CHECK(next.shot.stored->file == "a/1.mp4");
+    CHECK(next.shot.stored->begin == 100ms);
+    const auto shows = [&](const StripStep& of, SourceId source) {
+        return std::ranges::count(of.frame.items, source, &DrawItem::source) == 1;
+    };
+    step = house.step();
+    CHECK(shows(step, above.source));
+    CHECK_FALSE(shows(step, next.source));
+    step = house.run(1s);
+    CHECK_FALSE(shows(step, above.source));
+    CHECK(shows(step, next.source));
+}
+
+TEST_CASE("a strip begins where it was asked for, as far as the film's ends allow") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {200, 360},
+                        {.patience = {}, .shots = {}, .first_seen = 20s});
+    CHECK(strip.step(0s).requests.empty());
+    CHECK(strip.view().level == 0);
+    CHECK(std::chrono::abs(strip.view().centre - 20s) < 1ms);
+    TapestryStrip last(drawn_tapestry(), {160, 90}, {200, 360},
+                       {.patience = {}, .shots = {}, .plays_at_once = true, .first_seen = 55s});
+    const StripStep step = last.step(0s);
+    REQUIRE(step.requests.size() == 1);
+    CHECK(step.requests[0].shot.begin == 55s);
+    CHECK(TapestryPlace(last.tapestry(), last.box()).canvas_x(last.view(), 60s) == doctest::Approx(200));
+}
+
+TEST_CASE("what plays stands at its end until the next shot is ready") {
+    House house;
+    house.strip.set_shots({Shot{.begin = 0s, .end = 3s, .stored = StoredShot{.file = "a/0.mp4"}},
+                           Shot{.begin = 3s, .end = 60s, .stored = StoredShot{.file = "a/1.mp4"}}});
+    house.run(1s);
+    house.strip.take({.kind = Kind::key, .key = Key::select});
+    house.run(100ms);
+    house.strip.take({.kind = Kind::tap, .at = {house.x(1s), 280}, .from = {house.x(1s), 280}});
+    house.run(200ms);
+    house.readies = false;
+    const StripStep step = house.run(4s);
+    const auto plays = std::ranges::find_if(step.frame.items, [&](const DrawItem& item) {
+        return item.cell && bounding_box(item.cell->parts[0]).max.y < house.strip.box().min.y;
+    });
+    REQUIRE(plays != step.frame.items.end());
+    CHECK(std::chrono::abs(plays->local - 2s) < 1ms);
+}
+
+TEST_CASE(
+    "fingers that come together at the coarsest level leave the strip, and a tap beside the preview does") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+    CHECK_FALSE(house.strip.is_over());
+    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.8});
+    CHECK(house.strip.is_over());
+
+    House other;
+    other.run(1s);
+    other.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    other.run(500ms);
+    other.strip.take({.kind = Kind::tap, .at = {320, 100}, .from = {320, 100}});  // puts the preview away
+    CHECK_FALSE(other.strip.is_over());
+    other.run(500ms);
+    other.strip.take({.kind = Kind::tap, .at = {10, 100}, .from = {10, 100}});
+    CHECK(other.strip.is_over());
+}
+
+TEST_CASE("by itself it goes through the film, nearer and farther, and plays what is in the middle") {
+    House house;
+    std::set<long> levels;
+    std::set<long> places;
+    for (int k = 0; k < 90; ++k) {
+        house.run(1s);
+        levels.insert(std::lround(house.strip.view().level));
+        places.insert(house.strip.view().centre / 2s);
+    }
+    CHECK(levels.size() == 4);
+    CHECK(places.size() > 5);
+    CHECK_FALSE(house.playing.empty());
+    CHECK_FALSE(house.strip.is_over());
+    house.strip.take({.kind = Kind::tap, .at = {320, 20}, .from = {320, 20}});
+    house.run(1s);
+    const TapestryView view = house.strip.view();
+    house.run(3s);
+    CHECK(house.strip.view() == view);  // somebody is there
+}
+
+TEST_CASE("a strip is over when nobody has touched it for long, or at the key for it") {
+    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.patience = 30s});
+    strip.step(0s);
+    strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    strip.step(20s);
+    strip.step(49s);
+    CHECK_FALSE(strip.is_over());
+    strip.step(50s);
+    CHECK(strip.is_over());
+    TapestryStrip other(drawn_tapestry(), {160, 90}, {640, 360}, {});
+    other.take({.kind = Kind::key, .key = Key::back});
+    CHECK(other.is_over());
+}
+
+TEST_CASE("a strip that is closed gives back all that it asked for") {
+    House house;
+    house.run(1s);
+    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.run(1s);
+    REQUIRE(house.playing.size() == 2);
+    const std::vector<SourceId> sources = house.strip.close();
+    for (const SourceId source : house.tiles)
+        CHECK(std::ranges::count(sources, source) == 1);
+    for (const ShotRequest& request : house.playing)
+        CHECK(std::ranges::count(sources, request.source) == 1);
+}

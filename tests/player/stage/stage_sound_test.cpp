@@ -1,0 +1,122 @@
+#include "player/display/offscreen_display.hpp"
+#include "player/playback/wall_sound.hpp"
+#include "player/stage/stage.hpp"
+#include "tests/player/playback/numbered_film.hpp"
+#include "tests/player/playback/sounding_film.hpp"
+
+#include <doctest/doctest.h>
+
+#include <thread>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+MediaRecord record_of(const std::string& path) {
+    const Polygon region = to_polygon(Box{{20, 10}, {44, 38}});
+    MediaRecord record{.path = path,
+                       .kind = MediaKind::video,
+                       .state = MediaState::ready,
+                       .width = 64,
+                       .height = 48,
+                       .duration = 6s};
+    record.shots = {Shot{.begin = 2s, .end = 6s, .region = {.polygon = region}}};
+    return record;
+}
+
+Settings one_film_at_a_time() {
+    Settings settings;
+    settings.layout.slots = 1;
+    settings.layout.max_enlargement = 100;
+    settings.show.order = "name";
+    settings.show.dwell = 10s;
+    settings.show.crossfade = 0ms;
+    return settings;
+}
+
+/// Two films that take turns, of which one is to be heard.
+struct Theatre {
+    Theatre() {
+        write_sounding_film(folder.path / "a.mp4");
+        write_sounding_film(folder.path / "sound b.mp4");
+        Programme programme;
+        programme.set_records({record_of("a.mp4"), record_of("sound b.mp4")});
+        programme.advance({});
+        stage.emplace(settings, StageOptions{.number = 0, .folder = {}, .await_sources = [this] { await(); }},
+                      sources);
+        stage->set_catalogue(programme.open(), programme.hints());
+    }
+
+    void await() {
+        for (const SourceEvent& event : sources.wait_until_ready(60s))
+            stage->tell(event);
+    }
+
+    void show(std::chrono::nanoseconds time) {
+        const auto screens = display.screens();
+        stage->set_screens({screens.begin(), screens.end()}, time);
+        stage->show(time, renderer);
+    }
+
+    /// Lets what is on the wall be heard. @return  how often the second of the film was heard that belongs to
+    /// the time of the shot; nothing where another was
+    std::optional<int> hear(WallSound& sound, SoundRecorder& recorder) {
+        const std::vector<AudibleShot> shots = stage->audible();
+        sound.follow(shots, std::chrono::steady_clock::now().time_since_epoch());
+        while (recorder.sinks() == 0)
+            std::this_thread::yield();
+        int right = 0;
+        std::chrono::nanoseconds loud = 1h;
+        for (const SoundRecorder::Piece& piece : recorder.take(6s)) {
+            loud = std::min(loud, piece.time + 200ms);
+            const auto at = 2s + piece.time % 4s;  // in the film
+            const bool is_clear = at % 1s > 100ms && at % 1s < 850ms && piece.time > loud;
+            if (!is_clear) continue;
+            if (second_heard(piece.samples.data(), piece.samples.size(), piece.rate) != at / 1s) return {};
+            ++right;
+        }
+        return right;
+    }
+
+    Folder folder;
+    Settings settings = one_film_at_a_time();
+    OffscreenDisplay display{{.screens = {{160, 120}}}, {}, 30};
+    Renderer renderer{1, 1};
+    SourcePool sources{{.media = folder.path.string(), .store = {}}};
+    std::optional<Stage> stage;
+};
+
+}  // namespace
+
+TEST_CASE("a film whose name says so is heard in time with its picture, and nothing of another") {
+    Theatre theatre;
+    SoundRecorder recorder;
+    WallSound sound({.media = theatre.folder.path.string(), .store = {}}, recorder.sink());
+    for (auto time = 0s; time < 5s; time += 1s)
+        theatre.show(time);
+    REQUIRE(theatre.stage->standing().at(0).key.path == "a.mp4");
+    CHECK(theatre.stage->audible().empty());
+    int next = 5;
+    for (; theatre.stage->standing().at(0).key.path == "a.mp4" && next < 60; ++next)
+        theatre.show(std::chrono::seconds(next));
+    theatre.show(std::chrono::seconds(next));
+    REQUIRE(theatre.stage->audible().size() == 1);
+
+    CHECK(theatre.hear(sound, recorder).value_or(0) > 50);
+}
+
+TEST_CASE("nothing is heard of a wall that is paused, or that no screen shows") {
+    Theatre theatre;
+    int next = 0;
+    for (; theatre.stage->audible().empty() && next < 60; ++next)
+        theatre.show(std::chrono::seconds(next));
+    REQUIRE_FALSE(theatre.stage->audible().empty());
+    theatre.stage->set_wishes({.is_paused = true});
+    CHECK(theatre.stage->audible().empty());
+    theatre.stage->set_wishes({});
+    CHECK_FALSE(theatre.stage->audible().empty());
+    theatre.stage->set_screens({}, std::chrono::seconds(next));
+    CHECK(theatre.stage->audible().empty());
+}

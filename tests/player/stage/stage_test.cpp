@@ -1,0 +1,237 @@
+#include "player/stage/stage.hpp"
+
+#include "player/display/offscreen_display.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <utility>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Rgb = std::array<int, 3>;
+
+constexpr Rgb red{220, 30, 30};
+constexpr Rgb blue{30, 30, 220};
+constexpr Rgb black{0, 0, 0};
+
+void write_photo(const std::filesystem::path& path, const Rgb& colour) {
+    Picture picture{.width = 160, .height = 90, .pixels = {}};
+    for (int i = 0; i < picture.width * picture.height; ++i)
+        for (const int channel : {colour[0], colour[1], colour[2], 255})
+            picture.pixels.push_back(static_cast<std::byte>(channel));
+    std::filesystem::create_directories(path.parent_path());
+    save_png(picture, path);
+}
+
+MediaRecord record_of(const std::string& path) {
+    const Polygon region = to_polygon(Box{{60, 25}, {100, 65}});
+    MediaRecord record{.path = path, .state = MediaState::ready, .width = 160, .height = 90};
+    record.shots = {Shot{.region = {.polygon = region}}};
+    return record;
+}
+
+bool is_near(const Picture& picture, int x, int y, const Rgb& colour) {
+    const std::size_t first = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                               static_cast<std::size_t>(x)) *
+                              4;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(std::to_integer<int>(picture.pixels[first + i]) - colour[i]) > 8) return false;
+    return true;
+}
+
+Settings one_photo_at_a_time() {
+    Settings settings;
+    settings.layout.slots = 1;
+    settings.layout.max_enlargement = 100;
+    settings.show.order = "name";
+    settings.show.crossfade = 0ms;
+    return settings;
+}
+
+/// Counts what is drawn on a screen, and wants the last picture again when told to.
+class CountingScreen final : public Screen {
+  public:
+    explicit CountingScreen(Screen& screen) : screen_(screen) {}
+
+    const std::string& name() const override { return screen_.name(); }
+
+    int width() const override { return screen_.width(); }
+
+    int height() const override { return screen_.height(); }
+
+    std::uint64_t flips() const override { return screen_.flips(); }
+
+    std::optional<Picture> shown() override { return screen_.shown(); }
+
+    bool is_ready() const override { return true; }
+
+    bool wants_picture() const override { return wants; }
+
+    void begin_frame() override { screen_.begin_frame(); }
+
+    void present(std::chrono::nanoseconds time) override {
+        screen_.present(time);
+        ++pictures;
+    }
+
+    bool wants = false;
+    int pictures = 0;
+
+  private:
+    Screen& screen_;  // outlives this
+};
+
+/// A red and a blue photo, in folders of their own, and one wall that takes turns with them.
+struct Theatre {
+    explicit Theatre(const std::vector<OffscreenChoice::Size>& screens,
+                     Settings wanted = one_photo_at_a_time(), const std::string& folder = "")
+        : settings(std::move(wanted)), display({.screens = screens}, {}, 30) {
+        write_photo(directory.path / "a/red.png", red);
+        write_photo(directory.path / "b/blue.png", blue);
+        StageOptions options{.number = 3, .folder = folder, .await_sources = [this] { await(); }};
+        stage = std::make_unique<Stage>(settings, options, sources);
+        const std::vector<MediaRecord> records{record_of("a/red.png"), record_of("b/blue.png")};
+        stage->set_catalogue(records);
+    }
+
+    void await() {
+        for (const SourceEvent& event : sources.wait_until_ready(10s)) {
+            REQUIRE(stage->owns(event.source));
+            stage->tell(event);
+        }
+    }
+
+    void show_all(std::chrono::nanoseconds now) {
+        const auto screens = display.screens();
+        stage->set_screens({screens.begin(), screens.end()}, now);
+        stage->show(now, renderer);
+    }
+
+    Picture picture(std::size_t screen) {
+        return dynamic_cast<OffscreenScreen&>(*display.screens()[screen]).picture();
+    }
+
+    TemporaryDirectory directory;
+    Settings settings;
+    OffscreenDisplay display;
+    Renderer renderer{1, 1};
+    SourcePool sources{{.media = directory.path.string(), .store = {}}};
+    std::unique_ptr<Stage> stage;
+};
+
+void play(Theatre& theatre, std::chrono::nanoseconds from, std::chrono::nanoseconds to) {
+    for (auto now = from; now <= to; now += 200ms)
+        theatre.show_all(now);
+}
+
+}  // namespace
+
+TEST_CASE("every screen shows the wall, the one of another shape between black bars") {
+    Theatre theatre({{320, 180}, {160, 160}, {160, 90}});
+
+    play(theatre, 0s, 1s);
+
+    for (const auto& [screen, x, y] : {std::tuple{0, 160, 90}, {1, 80, 80}, {2, 80, 45}}) {
+        CAPTURE(screen);
+        CHECK(is_near(theatre.picture(static_cast<std::size_t>(screen)), x, y, red));
+    }
+    CHECK(is_near(theatre.picture(1), 80, 30, black));
+    CHECK(is_near(theatre.picture(1), 80, 130, black));
+    CHECK_FALSE(is_near(theatre.picture(1), 80, 40, black));
+}
+
+TEST_CASE("margins stay black on every screen") {
+    Settings settings = one_photo_at_a_time();
+    settings.output.margins = "10%,0,20,0";
+    Theatre theatre({{320, 180}}, settings);
+
+    play(theatre, 0s, 1s);
+
+    const Picture picture = theatre.picture(0);
+    CHECK(is_near(picture, 31, 90, black));
+    CHECK(is_near(picture, 300, 90, black));
+    CHECK_FALSE(is_near(picture, 33, 90, black));
+    CHECK_FALSE(is_near(picture, 299, 90, black));
+}
+
+TEST_CASE("a stage of a folder shows what is in it and nothing else") {
+    Theatre theatre({{320, 180}}, one_photo_at_a_time(), "b");
+    for (auto now = 0s; now <= 60s; now += 10s) {
+        play(theatre, now, now + 2s);
+        CHECK(is_near(theatre.picture(0), 160, 90, blue));
+    }
+}
+
+TEST_CASE("a wall on which nothing is new is drawn once a second, and when a screen has lost it") {
+    Theatre theatre({{320, 180}});
+    CountingScreen screen(*theatre.display.screens()[0]);
+    const auto shown_within = [&](std::chrono::nanoseconds from, std::chrono::nanoseconds to) {
+        const int before = screen.pictures;
+        for (auto now = from; now < to; now += 20ms) {
+            theatre.stage->set_screens({&screen}, now);
+            theatre.stage->show(now, theatre.renderer);
+        }
+        return screen.pictures - before;
+    };
+    shown_within(0s, 2s);
+    REQUIRE(is_near(theatre.picture(0), 160, 90, red));
+    CHECK(shown_within(2s, 7s) == 5);
+    screen.wants = true;
+    CHECK(shown_within(7s, 8s) == 50);
+    screen.wants = false;
+    shown_within(18s, 20500ms);
+    CHECK(is_near(theatre.picture(0), 160, 90, blue));
+}
+
+TEST_CASE("the idle picture is drawn ten times a second") {
+    Theatre theatre({{320, 180}}, one_photo_at_a_time(), "nothing/here");
+    CountingScreen screen(*theatre.display.screens()[0]);
+    for (auto now = 0ms; now < 1s; now += 20ms) {
+        theatre.stage->set_screens({&screen}, now);
+        theatre.stage->show(now, theatre.renderer);
+    }
+    CHECK(screen.pictures == 10);
+}
+
+TEST_CASE("while no screen shows a wall its time stands still") {
+    Theatre theatre({{320, 180}});
+    play(theatre, 0s, 5s);
+    REQUIRE(is_near(theatre.picture(0), 160, 90, red));
+
+    theatre.stage->set_screens({}, 5s);
+    play(theatre, 1h, 1h + 10s);
+    CHECK(is_near(theatre.picture(0), 160, 90, red));  // 15 of its 20 seconds
+
+    play(theatre, 1h + 10s, 1h + 25s);
+    CHECK(is_near(theatre.picture(0), 160, 90, blue));
+}
+
+TEST_CASE("a wall is laid out anew when its largest screen goes, and again when it comes back") {
+    Theatre theatre({{320, 180}, {100, 160}});
+    play(theatre, 0s, 1s);
+
+    theatre.stage->set_screens({theatre.display.screens()[1]}, 1s);
+    for (auto now = 1s; now <= 2s; now += 1s)
+        theatre.stage->show(now, theatre.renderer);
+    CHECK_FALSE(is_near(theatre.picture(1), 50, 4, black));  // its own canvas: no bars
+
+    play(theatre, 3s, 4s);
+    CHECK(is_near(theatre.picture(1), 50, 4, black));
+}
+
+TEST_CASE("another renderer is given the pictures of what plays") {
+    Theatre theatre({{320, 180}});
+    play(theatre, 0s, 1s);
+
+    theatre.stage->forget_uploads();
+    Renderer another(1, 1);
+    theatre.stage->show(2s, another);
+
+    CHECK(is_near(theatre.picture(0), 160, 90, red));
+}

@@ -1,0 +1,381 @@
+#include "player/stage/strip_stage.hpp"
+
+#include "base/system/atomic_file.hpp"
+#include "player/display/offscreen_display.hpp"
+#include "player/display/offscreen_screen.hpp"
+#include "player/stage/stage.hpp"
+#include "tests/player/scene/tapestry/drawn_tapestry.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Rgb = std::array<int, 3>;
+
+constexpr std::array<Rgb, 4> colours{{{200, 40, 40}, {40, 200, 40}, {40, 40, 200}, {200, 200, 40}}};
+
+Picture plain(int width, int height, const Rgb& colour) {
+    Picture picture{.width = width, .height = height, .pixels = {}};
+    for (int i = 0; i < width * height; ++i)
+        for (const int channel : {colour[0], colour[1], colour[2], 255})
+            picture.pixels.push_back(static_cast<std::byte>(channel));
+    return picture;
+}
+
+/// Each level of one colour.
+void write_tiles(const std::filesystem::path& directory, const Tapestry& tapestry) {
+    for (std::size_t level = 0; level < tapestry.levels.size(); ++level) {
+        for (int tile = 0; tile < tapestry.tiles(level); ++tile) {
+            const int width =
+                std::min(tapestry.tile_width, tapestry.levels[level].width - tile * tapestry.tile_width);
+            const auto file = directory / tapestry.tile_name(level, tile);
+            std::filesystem::create_directories(file.parent_path());
+            save_png(plain(width, tapestry.height, colours.at(level)), file);
+        }
+    }
+    write_tapestry(directory, tapestry);
+}
+
+bool is_near(const Picture& picture, int x, int y, const Rgb& colour) {
+    const std::size_t first = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                               static_cast<std::size_t>(x)) *
+                              4;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(std::to_integer<int>(picture.pixels[first + i]) - colour[i]) > 8) return false;
+    return true;
+}
+
+MediaRecord grey_photo() {
+    MediaRecord record{.path = "grey.png", .state = MediaState::ready, .width = 160, .height = 90};
+    record.shots = {Shot{.region = {.polygon = to_polygon(Box{{60, 25}, {100, 65}})}}};
+    return record;
+}
+
+/// A wall of one photo, of which there is a tapestry.
+struct Theatre {
+    Theatre() : display({.screens = {{320, 180}}}, {}, 30) {
+        save_png(plain(160, 90, {120, 120, 120}), directory.path / "grey.png");
+        write_tiles(tapestry(), drawn_tapestry());
+        settings.state.directory = directory.path.string();
+        settings.layout.max_enlargement = 100;
+        settings.input.idle = 20s;
+        stage = std::make_unique<Stage>(
+            settings, StageOptions{.number = 3, .folder = {}, .await_sources = [this] { await(); }}, sources);
+        stage->set_catalogue(std::vector<MediaRecord>{grey_photo()});
+        const auto screens = display.screens();
+        stage->set_screens({screens.begin(), screens.end()}, 0s);
+    }
+
+    std::filesystem::path tapestry() const { return directory.path / "tapestry" / record_id("grey.png"); }
+
+    void await() {
+        for (const SourceEvent& event : sources.wait_until_ready(10s)) {
+            REQUIRE(stage->owns(event.source));
+            stage->tell(event);
+        }
+    }
+
+    void play(std::chrono::nanoseconds duration) {
+        for (const auto end = now + duration; now < end; now += 100ms)
+            stage->show(now, renderer);
+    }
+
+    void tap(Vec2 at) {
+        stage->take(Contact{.kind = Contact::Kind::down, .at = at, .time = now});
+        stage->take(Contact{.kind = Contact::Kind::up, .at = at, .time = now + 50ms});
+        now += 100ms;
+    }
+
+    Picture picture() { return dynamic_cast<OffscreenScreen&>(*display.screens()[0]).picture(); }
+
+    TemporaryDirectory directory;
+    Settings settings;
+    OffscreenDisplay display;
+    Renderer renderer{1, 1};
+    SourcePool sources{{.media = directory.path.string(), .store = {}}};
+    std::unique_ptr<Stage> stage;
+    std::chrono::nanoseconds now = 0s;
+};
+
+/// Stripes and a ramp, so that it shows where each column and row has gone.
+Picture striped(int width, int height, int first, int level) {
+    Picture picture{.width = width, .height = height, .pixels = {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = first; x < first + width; ++x)
+            for (const int value : {x * 255 / 2000, (x / 8 + level) % 2 * 120, y * 255 / height, 255})
+                picture.pixels.push_back(static_cast<std::byte>(value));
+    return picture;
+}
+
+/// Where a column's time is on another level.
+double elsewhere(const Tapestry& tapestry, std::size_t level, double x, std::size_t other) {
+    return tapestry.x_at(other, tapestry.time_at(level, x));
+}
+
+void write_zoom(const std::filesystem::path& directory, const Tapestry& tapestry, std::size_t level,
+                bool is_to_finer) {
+    const std::size_t other = is_to_finer ? level + 1 : level - 1;
+    for (int tile = 0; tile < tapestry.tiles(level); ++tile) {
+        const int left = tile * tapestry.tile_width;
+        ZoomField field{.width = std::min(tapestry.tile_width, tapestry.levels[level].width - left),
+                        .height = tapestry.height,
+                        .places = {},
+                        .growths = {}};
+        for (int row = 0; row < ZoomField::rows; ++row) {
+            for (int column = 0; column < field.columns(); ++column) {
+                const Vec2 point = field.point(column, row);
+                field.places.push_back({elsewhere(tapestry, level, left + point.x, other), point.y});
+                field.growths.push_back(is_to_finer ? 2 : 0.5);
+            }
+        }
+        replace_file(directory / tapestry.zoom_name(level, tile, is_to_finer), to_bytes(field));
+    }
+}
+
+struct Projector {
+    OffscreenScreen screen{{.width = 320, .height = 180, .film = {}}};
+    Renderer renderer{320, 180};
+};
+
+/// A strip of striped tiles, with zoom fields between the first levels or without.
+struct Cinema {
+    Cinema(Projector& shown_by, SourceId first, bool has_zoom) : projector(shown_by) {
+        Tapestry tapestry = drawn_tapestry(3);
+        write_tiles(directory.path, tapestry);
+        for (std::size_t level = 0; level < tapestry.levels.size(); ++level)
+            for (int tile = 0; tile < tapestry.tiles(level); ++tile) {
+                const int left = tile * tapestry.tile_width;
+                save_png(striped(std::min(tapestry.tile_width, tapestry.levels[level].width - left),
+                                 tapestry.height, left, static_cast<int>(level)),
+                         directory.path / tapestry.tile_name(level, tile));
+            }
+        if (has_zoom) {
+            write_zoom(directory.path, tapestry, 0, true);
+            write_zoom(directory.path, tapestry, 1, false);
+            tapestry.levels[1].has_zoom = true;
+        }
+        write_tapestry(directory.path, tapestry);
+        strip.emplace(directory.path, Vec2{320, 180},
+                      StripStageOptions{.first_source = first, .awaits_tiles = true, .film = {}});
+    }
+
+    Picture picture(std::chrono::nanoseconds later = 16ms) {
+        now += later;
+        frame = strip->step(now, projector.renderer).frame;
+        projector.screen.begin_frame();
+        projector.renderer.draw(frame);
+        projector.screen.present(now);
+        return projector.screen.picture();
+    }
+
+    /// So much nearer, about a place.
+    void pinch(double levels) {
+        const Tapestry& tapestry = strip->strip().tapestry();
+        const double ratio = 1.0 * tapestry.levels[1].width / tapestry.levels[0].width;
+        strip->take({.kind = Gesture::Kind::pinch,
+                     .at = {150, 140},
+                     .from = {150, 140},
+                     .factor = std::pow(ratio, levels)});
+    }
+
+    Projector& projector;  // outlives this
+    TemporaryDirectory directory;
+    std::optional<StripStage> strip;
+    std::chrono::nanoseconds now = 0s;
+    Frame frame;
+};
+
+/// The greatest difference of a channel on the strip, without the film's begin and end: there the edge of the
+/// still one is smoothed.
+int difference(const Picture& a, const Picture& b) {
+    int most = 0;
+    for (std::size_t y = 112; y < 167; ++y)
+        for (std::size_t i = (y * 320 + 90) * 4; i < (y * 320 + 230) * 4; ++i)
+            most = std::max(most,
+                            std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
+    return most;
+}
+
+bool shows_zoom(const Frame& frame) {
+    return std::ranges::any_of(frame.items, [](const DrawItem& item) { return item.zoom != nullptr; });
+}
+
+}  // namespace
+
+TEST_CASE("a zoom begins and ends with the levels themselves, to the bit, and is near them beside") {
+    Projector projector;
+    Cinema zoomed(projector, 1, true);
+    Cinema faded(projector, SourceId{1} << 45, false);
+    const auto both = [&](double levels) {
+        zoomed.pinch(levels);
+        faded.pinch(levels);
+        return std::pair(zoomed.picture(), faded.picture());
+    };
+    const Picture coarse = zoomed.picture();
+    CHECK(difference(coarse, faded.picture()) == 0);
+
+    const auto begun = both(1e-7);
+    CHECK(shows_zoom(zoomed.frame));
+    CHECK(difference(coarse, begun.first) <= 2);
+
+    const auto between = both(0.5);
+    CHECK(difference(between.first, between.second) > 20);
+
+    const auto nearly = both(0.5 - 2e-7);
+    CHECK(shows_zoom(zoomed.frame));
+    for (Cinema* cinema : {&zoomed, &faded})
+        cinema->strip->take({.kind = Gesture::Kind::pinch_end, .at = {150, 140}, .from = {150, 140}});
+    zoomed.picture();
+    faded.picture();
+    const Picture fine = zoomed.picture(700ms);
+    CHECK(zoomed.strip->strip().view().level == 1);
+    CHECK_FALSE(shows_zoom(zoomed.frame));
+    CHECK(difference(fine, nearly.first) <= 2);
+    CHECK(difference(fine, faded.picture(700ms)) == 0);
+}
+
+TEST_CASE("while one zooms, a point of a tile is where its two places say") {
+    Projector projector;
+    Cinema zoomed(projector, 1, true);
+    zoomed.picture();
+    zoomed.pinch(0.5);
+    const Picture between = zoomed.picture();
+    const TapestryStrip& strip = zoomed.strip->strip();
+    const TapestryPlace place(strip.tapestry(), strip.box());
+    // Red is the column of both strips; half of it from each at growth 1/2 is as 1 to 2.
+    const auto time = strip.tapestry().time_at(0, 100);
+    const int x = static_cast<int>(place.canvas_x(strip.view(), time));
+    const double coarse = 100 * 255.0 / 2000;
+    const double fine = strip.tapestry().x_at(1, time) * 255.0 / 2000;
+    const double share = strip.view().level;
+    const double seen = zoom_coverage(0.5, share);
+    const std::size_t pixel = (std::size_t{140} * 320 + static_cast<std::size_t>(x)) * 4;
+    CHECK(std::to_integer<int>(between.pixels[pixel]) ==
+          doctest::Approx((1 - seen) * coarse + seen * fine).epsilon(0.12));
+}
+
+TEST_CASE("two taps on a film open its strip; the wheel goes through its levels, a key back to the wall") {
+    Theatre theatre;
+    theatre.play(2s);
+    REQUIRE(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
+
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.play(2s);
+    CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
+    CHECK_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+
+    for (const std::size_t level : {1U, 2U, 3U}) {
+        theatre.stage->take(Wheel{.notches = 1, .at = {160, 140}, .time = theatre.now});
+        theatre.play(1s);
+        CHECK(is_near(theatre.picture(), 160, 140, colours.at(level)));
+    }
+    theatre.stage->take(Wheel{.notches = -1, .at = {160, 140}, .time = theatre.now});
+    theatre.play(400ms);
+    CHECK_FALSE(is_near(theatre.picture(), 160, 140, colours[3]));  // between both
+    CHECK_FALSE(is_near(theatre.picture(), 160, 140, colours[2]));
+    theatre.play(1s);
+    CHECK(is_near(theatre.picture(), 160, 140, colours[2]));
+
+    theatre.stage->take(KeyPress{.key = Key::back, .time = theatre.now});
+    theatre.play(2s);
+    CHECK(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
+}
+
+TEST_CASE("the tapestry of a film that has changed is not shown") {
+    Theatre theatre;
+    theatre.play(2s);
+    MediaRecord changed = grey_photo();
+    changed.mtime_ns = 5;
+    theatre.stage->set_catalogue(std::vector<MediaRecord>{changed});
+    theatre.play(3s);
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.play(2s);
+    CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+}
+
+TEST_CASE("a strip gives way to the wall when its film changes") {
+    Theatre theatre;
+    theatre.play(2s);
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.play(2s);
+    REQUIRE_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+    theatre.stage->set_catalogue(std::vector<MediaRecord>{grey_photo()});
+    theatre.play(2s);
+    CHECK_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+    MediaRecord changed = grey_photo();
+    changed.bytes = 5;
+    theatre.stage->set_catalogue(std::vector<MediaRecord>{changed});
+    theatre.play(4s);
+    CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+}
+
+TEST_CASE("a strip that nobody touches gives way to the wall") {
+    Theatre theatre;
+    theatre.play(2s);
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.play(15s);
+    CHECK_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+    theatre.play(10s);
+    CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
+}
+
+TEST_CASE(
+    "a tile that cannot be read is stood in for by the coarsest level; another renderer gets all anew") {
+    Theatre theatre;
+    std::filesystem::remove(theatre.tapestry() / drawn_tapestry().tile_name(1, 1));
+    theatre.play(1s);
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.stage->take(KeyPress{.key = Key::nearer, .time = theatre.now});
+    theatre.play(2s);
+    const auto columns = [&](const Rgb& colour) {
+        const Picture picture = theatre.picture();
+        int count = 0;
+        for (int x = 0; x < 320; ++x)
+            count += is_near(picture, x, 140, colour) ? 1 : 0;
+        return count;
+    };
+    const int coarse = columns(colours[0]);
+    const int fine = columns(colours[1]);
+    CHECK(coarse > 50);
+    CHECK(fine > 50);
+
+    theatre.stage->forget_uploads();
+    Renderer another(1, 1);
+    theatre.stage->show(theatre.now, another);
+    CHECK(columns(colours[0]) == coarse);
+    CHECK(columns(colours[1]) == fine);
+}
+
+TEST_CASE("no frame waits for tiles, and none is given more than a few") {
+    Theatre theatre;
+    StripStage strip(theatre.tapestry(), {320, 180}, {.first_source = 1});
+    std::size_t most = 0;
+    std::chrono::nanoseconds now = 0s;
+    for (std::size_t before = 0; strip.strip().tiles() < 4; now += 16ms) {  // those of the test's timeout
+        strip.step(now, theatre.renderer);
+        most = std::max(most, strip.strip().tiles() - before);
+        before = strip.strip().tiles();
+    }
+    CHECK(most <= StripStage::most_uploads);
+}
+
+TEST_CASE("a directory without a tapestry is named") {
+    const TemporaryDirectory directory;
+    CHECK_THROWS_WITH(StripStage(directory.path, {320, 180}, {}), doctest::Contains("index.json"));
+}
