@@ -10,6 +10,9 @@ target_include_directories(vitrine_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(vitrine_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
   -Wno-missing-field-initializers)  # designated initialisers leave out what keeps its default
+# Headers precompiled once for all targets need the same macros in each: fmt's, and those of -pthread.
+target_compile_options(vitrine_options INTERFACE -pthread)
+target_link_libraries(vitrine_options INTERFACE fmt::fmt)
 if(VITRINE_WERROR)
   target_compile_options(vitrine_options INTERFACE -Werror)
 endif()
@@ -23,12 +26,18 @@ if(VITRINE_FUZZ)
   target_compile_options(vitrine_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# One set of precompiled headers for all targets, which are compiled with the same flags.
+add_library(vitrine_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+target_link_libraries(vitrine_precompiled PRIVATE vitrine_options)
+target_precompile_headers(vitrine_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+
 # A module is an object-like static library of one folder, named vitrine_<folder>.
 #   vitrine_module(base_geometry SOURCES a.cpp b.cpp USES vitrine::x PRIVATE_USES lib)
 function(vitrine_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
+  target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
 endfunction()
 
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, long, pipeline,
@@ -41,6 +50,7 @@ function(vitrine_tests name)
   endif()
   add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:tests_main>)
   target_link_libraries(${name} PRIVATE vitrine_options doctest::doctest ${arg_USES})
+  target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
   foreach(source IN LISTS arg_SOURCES)
     get_filename_component(stem ${source} NAME_WE)
     add_test(NAME ${name}.${stem} COMMAND ${name} --source-file=*${stem}.cpp)
