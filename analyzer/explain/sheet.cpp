@@ -168,7 +168,7 @@ void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
     lines.emplace_back(fmt::format("region {:.0f} %", part_of(row.shot.region, record)), ink);
     if (!row.letter.polygon.empty())
         lines.emplace_back(fmt::format("paper's letter {:.0f} %", part_of(row.letter, record)), ink);
-    if (record.kind == MediaKind::video) {
+    if (record.kind == MediaKind::film) {
         const Vec2 drift = row.shot.region.drift;
         lines.emplace_back(drift == Vec2{} ? "stands still"
                                            : fmt::format("moves {:+.0f}, {:+.0f} px/s", drift.x, drift.y),
@@ -200,7 +200,7 @@ std::string row_title(const ShotEvidence& row, std::size_t number) {
 
 void draw_row(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
               std::size_t number, const Plan& plan) {
-    const bool is_film = record.kind == MediaKind::video;
+    const bool is_film = record.kind == MediaKind::film;
     if (is_film) canvas.text(row_title(row, number), {margin, top + 12}, 15, ink, TextWeight::bold);
     draw_maps(canvas, top, row, record, plan);
     constexpr std::array<const char*, 3> names{"begin", "middle", "end"};

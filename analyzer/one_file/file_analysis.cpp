@@ -153,7 +153,7 @@ class Analysis {
         if (!keeping_.takes_cut_streams) require_whole_packets(file_.string(), media_format(file_.string()));
         const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
         if (keeping_.stores) keeper_ = std::make_unique<Keeper>(file_.string(), source->info(), place());
-        if (keeping_.has_frames && source->info().kind == MediaKind::video) keep_frames();
+        if (keeping_.has_frames && source->info().kind == MediaKind::film) keep_frames();
         AttendedSource attended(
             *source, [this] { tell_kept(); },
             [this](const VideoFrame& frame) {

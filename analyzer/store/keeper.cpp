@@ -32,7 +32,7 @@ void Keeper::complete(MediaRecord& record) {
     if (clips_) clips_->finish();
     news();
     fill_in(record);
-    if (place_.wants_sound && record.kind == MediaKind::video) record.sound = store_sound(file_, place_);
+    if (place_.wants_sound && record.kind == MediaKind::film) record.sound = store_sound(file_, place_);
     const auto is_placed = [](const Shot& shot) { return shot.stored.has_value(); };
     if (std::all_of(record.shots.begin(), record.shots.end(), is_placed)) return;
     const bool is_photo = record.kind == MediaKind::photo;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_too_small(const MediaRecord& record, const StoredShot& stored, const StoreBounds& bounds) {
-    if (record.kind != MediaKind::video) return false;
+    if (record.kind != MediaKind::film) return false;
     const int wanted = std::min(std::max(record.width, record.height), bounds.clip_side);
     return 4 * std::max(stored.width, stored.height) < 3 * wanted;
 }
@@ -35,7 +35,7 @@ bool Store::lacks(const MediaRecord& record) const {
 }
 
 bool Store::lacks_sound(const MediaRecord& record) const {
-    if (!is_on() || record.kind != MediaKind::video || record.state != MediaState::ready ||
+    if (!is_on() || record.kind != MediaKind::film || record.state != MediaState::ready ||
         !record.is_complete)
         return false;
     if (!record.sound) return record.reason.empty();  // else what was known of it was all that could be

@@ -101,7 +101,7 @@ fs::path Tapestries::folder(const std::string& path) const {
 }
 
 bool Tapestries::hold(const MediaRecord& record) {
-    const bool is_film = record.kind == MediaKind::video && record.state == MediaState::ready;
+    const bool is_film = record.kind == MediaKind::film && record.state == MediaState::ready;
     if (!is_film || !is_on()) {
         release(record.path);
         return false;

@@ -128,7 +128,7 @@ FilmSource::FilmSource(const std::string& path, int analysis_size, Colour backgr
     extent_known_ = file_extent(path, chain_.format()).declared > 0;
     chain_.preroll();
     read_geometry(analysis_size);
-    info_.kind = MediaKind::video;
+    info_.kind = MediaKind::film;
     info_.duration = chain_.duration();
     gst_element_set_state(chain_.pipeline(), GST_STATE_PLAYING);
 }

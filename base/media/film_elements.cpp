@@ -9,7 +9,7 @@ namespace vitrine {
 
 FilmBegin begin_film(const std::string& path) {
     FilmBegin begin{.pipeline = {}, .format = media_format(path)};
-    if (kind_of(begin.format) != MediaKind::video)
+    if (kind_of(begin.format) != MediaKind::film)
         throw MediaError(MediaState::unsupported, "this is a picture, not a film");
     start_gstreamer();
     begin.pipeline.reset(gst_pipeline_new(nullptr));

@@ -169,7 +169,7 @@ std::string read_head(int fd) {
 }  // namespace
 
 MediaKind kind_of(MediaFormat format) {
-    return format < MediaFormat::mp4 ? MediaKind::photo : MediaKind::video;
+    return format < MediaFormat::mp4 ? MediaKind::photo : MediaKind::film;
 }
 
 MediaFormat media_format(std::span<const std::byte> bytes) {

@@ -13,7 +13,7 @@
 
 namespace vitrine {
 
-enum class MediaKind { photo, video };
+enum class MediaKind { photo, film };
 
 /// What the analyzer could say of a file. Only `ready` is ever shown.
 enum class MediaState {

@@ -23,7 +23,7 @@ constexpr double most_pixels = 1e9;  // of a place, or of a second's way
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
 
-constexpr Names<MediaKind, 2> kinds{{{MediaKind::photo, "photo"}, {MediaKind::video, "video"}}};
+constexpr Names<MediaKind, 2> kinds{{{MediaKind::photo, "photo"}, {MediaKind::film, "video"}}};
 constexpr Names<MediaState, 5> states{{{MediaState::ready, "ready"},
                                        {MediaState::waiting, "waiting"},
                                        {MediaState::unsupported, "unsupported"},

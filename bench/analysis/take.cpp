@@ -45,7 +45,7 @@ Take read_take(const fs::path& folder, int side) {
 
 TakeSource::TakeSource(const Take& take)
     : take_(take),
-      info_{.kind = MediaKind::video,
+      info_{.kind = MediaKind::film,
             .width = take.frames.front().cols,
             .height = take.frames.front().rows,
             .duration = frame_time(take, take.frames.size())} {}

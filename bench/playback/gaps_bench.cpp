@@ -61,7 +61,7 @@ Wrong wrong_changes(const std::string& file, int changes, int begins) {
     const auto ask = [&](int shot) {
         pool.request({.source = static_cast<SourceId>(shot + 1),
                       .path = file,
-                      .kind = MediaKind::video,
+                      .kind = MediaKind::film,
                       .shot = {.begin = begins * period, .end = (begins + count) * period},
                       .width = numbered_width,
                       .height = numbered_height});

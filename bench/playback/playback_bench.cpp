@@ -85,7 +85,7 @@ void play(const Job& job, const Film& film, double alone) {
         const auto source = static_cast<SourceId>(i);
         pool.request({.source = source,
                       .path = job.file,
-                      .kind = MediaKind::video,
+                      .kind = MediaKind::film,
                       .shot = {.begin = film.duration / 4, .end = film.duration * 3 / 4},
                       .width = job.width,
                       .height = job.width * film.height / film.width});

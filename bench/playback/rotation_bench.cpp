@@ -93,7 +93,7 @@ class Turning {
         const auto begin = source % 20 * 10ms;
         pool_.request({.source = source,
                        .path = file_,
-                       .kind = MediaKind::video,
+                       .kind = MediaKind::film,
                        .shot = {.begin = begin, .end = begin + 500ms},
                        .width = 80,
                        .height = 48});

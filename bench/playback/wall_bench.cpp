@@ -60,7 +60,7 @@ Frame wall(const Job& job, SourcePool& pool) {
         const int top = i / job.columns * down;
         pool.request({.source = source,
                       .path = job.files[static_cast<std::size_t>(i) % job.files.size()],
-                      .kind = MediaKind::video,
+                      .kind = MediaKind::film,
                       .shot = {.begin = 0s, .end = shot},
                       .width = across,
                       .height = down});

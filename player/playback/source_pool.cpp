@@ -174,7 +174,7 @@ void SourcePool::read_one_anew() {
 void SourcePool::prepare_clip() {
     const auto is_in_turn = [](const auto& entry) {
         const Playing& playing = entry.second;
-        return playing.tries > 0 && playing.request.kind == MediaKind::video && playing.is_told_ready &&
+        return playing.tries > 0 && playing.request.kind == MediaKind::film && playing.is_told_ready &&
                !playing.given_up;
     };
     if (std::ranges::any_of(playing_, [](const auto& entry) { return entry.second.clip != nullptr; })) return;

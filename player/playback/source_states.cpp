@@ -27,7 +27,7 @@ std::vector<SourceState> SourcePool::states() const {
     std::vector<SourceState> states;
     for (const auto& [id, playing] : playing_)
         states.push_back({.path = playing.request.path,
-                          .is_film = playing.request.kind == MediaKind::video,
+                          .is_film = playing.request.kind == MediaKind::film,
                           .detail = playing.source->detail(),
                           .is_stored = playing.is_stored,
                           .is_ready = playing.is_told_ready,

@@ -172,7 +172,7 @@ void Assemblage::spread(const std::vector<Slot*>& filled) {
     if (settings_.film != FilmShow::sequence) return;
     std::map<std::string, std::vector<Slot*>> films;
     for (Slot* slot : filled)
-        if (slot->shot->kind == MediaKind::video) films[slot->shot->key.path].push_back(slot);
+        if (slot->shot->kind == MediaKind::film) films[slot->shot->key.path].push_back(slot);
     for (const auto& [path, slots] : films) {
         const auto count = static_cast<std::int64_t>(slots.size());
         for (std::int64_t k = 0; k < count; ++k) {
@@ -190,7 +190,7 @@ std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) 
         const std::chrono::nanoseconds due = *slot.shown + stay(*slot.shot) - slot.ahead;
         if (due > until) continue;
         const std::chrono::nanoseconds loop = slot.shot->shot.duration();
-        const bool is_seam = slot.shot->kind == MediaKind::video && loop.count() > 0 &&
+        const bool is_seam = slot.shot->kind == MediaKind::film && loop.count() > 0 &&
                              (due - *slot.shown).count() % loop.count() == 0;
         turns.push_back({&slot, due, is_seam ? loop : std::chrono::nanoseconds(0)});
     }

@@ -12,7 +12,7 @@ void Stage::set_wishes(const Wishes& wishes) {
 }
 
 void Stage::note_film(const ShotRequest& request) {
-    if (request.kind != MediaKind::video) return;
+    if (request.kind != MediaKind::film) return;
     const auto record = std::ranges::find(records_, request.path, &MediaRecord::path);
     films_[request.source] = {.source = request.source,
                               .path = request.path,

@@ -171,7 +171,7 @@ TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds leng
     requests_.push_back(
         {.source = playing.source,
          .path = tapestry_.path,
-         .kind = MediaKind::video,
+         .kind = MediaKind::film,
          .shot = shot,
          .width = std::max(1, static_cast<int>(std::lround(width))),
          .height = std::max(1, static_cast<int>(std::lround(width * picture_.y / picture_.x)))});

@@ -90,7 +90,7 @@ TEST_CASE("a sheet is read back as it was drawn, with the region on it") {
 TEST_CASE("the sheet of a film shows the region going along, and the letter's to compare") {
     ShotEvidence evidence = grey_shot_with_region();
     evidence.shot.end = std::chrono::seconds(2);
-    MediaRecord record{.kind = MediaKind::video, .state = MediaState::ready, .width = 320, .height = 180};
+    MediaRecord record{.kind = MediaKind::film, .state = MediaState::ready, .width = 320, .height = 180};
     record.duration = std::chrono::seconds(2);
     record.shots.push_back(evidence.shot);
     constexpr double thin = 70;  // such a line is blended with what it is drawn on

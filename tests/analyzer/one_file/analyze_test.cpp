@@ -69,7 +69,7 @@ TEST_CASE("a photo has one shot without time, around its subject") {
 
 TEST_CASE("a shot is told as soon as it is over, while most of the film is still to come") {
     int drawn = 0;
-    DrawnFilm film(MediaKind::video, 400, [&drawn](int i) {
+    DrawnFilm film(MediaKind::film, 400, [&drawn](int i) {
         drawn = i + 1;
         return with_disc(i < 50 ? cv::Scalar(30, 40, 160) : cv::Scalar(160, 140, 30), {100 + i / 4, 90});
     });
@@ -90,7 +90,7 @@ TEST_CASE("a shot is told as soon as it is over, while most of the film is still
 }
 
 TEST_CASE("a cut makes two shots, each around its own subject") {
-    DrawnFilm film(MediaKind::video, 50, [](int i) {
+    DrawnFilm film(MediaKind::film, 50, [](int i) {
         return i < 25 ? with_disc({200, 190, 180}, {80, 90}) : with_disc({20, 90, 20}, {240, 90});
     });
     std::size_t seen = 0;
@@ -108,7 +108,7 @@ TEST_CASE("a cut makes two shots, each around its own subject") {
 
 TEST_CASE("a film of one frame, of two and of nothing but black has a shot with a region") {
     for (const int count : {1, 2, 30}) {
-        DrawnFilm film(MediaKind::video, count, [](int) { return plain({0, 0, 0}); });
+        DrawnFilm film(MediaKind::film, count, [](int) { return plain({0, 0, 0}); });
         const MediaRecord record = analyze(film, without_faces());
         CHECK(record.duration == milliseconds(40) * count);
         REQUIRE(!record.shots.empty());
@@ -117,12 +117,12 @@ TEST_CASE("a film of one frame, of two and of nothing but black has a shot with 
 }
 
 TEST_CASE("a source without any frame is an error in the operator's words") {
-    DrawnFilm film(MediaKind::video, 0, [](int) { return cv::Mat(); });
+    DrawnFilm film(MediaKind::film, 0, [](int) { return cv::Mat(); });
     CHECK_THROWS_AS(analyze(film, without_faces()), MediaError);
 }
 
 TEST_CASE("every region lies in the part of the picture that its whole shot shows") {
-    DrawnFilm film(MediaKind::video, 50, [](int i) { return with_disc({200, 190, 180}, {40 + 4 * i, 90}); });
+    DrawnFilm film(MediaKind::film, 50, [](int i) { return with_disc({200, 190, 180}, {40 + 4 * i, 90}); });
     const MediaRecord record = analyze(film, without_faces());
     for (const Shot& shot : record.shots) {
         const Polygon allowed = to_polygon(core(record, shot));

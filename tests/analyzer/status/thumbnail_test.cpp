@@ -21,7 +21,7 @@ VideoFrame frame(const cv::Scalar& bgr, std::chrono::nanoseconds time = 0s) {
 
 /// A region over the left half of a picture four times as large as the frames.
 MediaRecord record(std::chrono::nanoseconds begin = 0s, std::chrono::nanoseconds end = 0s) {
-    return {.kind = end > 0s ? MediaKind::video : MediaKind::photo,
+    return {.kind = end > 0s ? MediaKind::film : MediaKind::photo,
             .state = MediaState::ready,
             .width = 1280,
             .height = 720,

@@ -10,7 +10,7 @@ using namespace vitrine::analyzer;
 namespace {
 
 std::pair<int, int> form(int width, int height, int side) {
-    const auto found = clip_form({.kind = MediaKind::video, .width = width, .height = height}, side);
+    const auto found = clip_form({.kind = MediaKind::film, .width = width, .height = height}, side);
     return found ? std::pair(found->width, found->height) : std::pair(0, 0);
 }
 
@@ -25,8 +25,8 @@ TEST_CASE("a clip is no longer than asked for, no larger than its film, and has 
 }
 
 TEST_CASE("a film too small for the encoder has no clips") {
-    CHECK_FALSE(clip_form({.kind = MediaKind::video, .width = 12, .height = 40}, 640));
-    CHECK_FALSE(clip_form({.kind = MediaKind::video}, 640));
+    CHECK_FALSE(clip_form({.kind = MediaKind::film, .width = 12, .height = 40}, 640));
+    CHECK_FALSE(clip_form({.kind = MediaKind::film}, 640));
 }
 
 TEST_CASE("the more slots share the screen, the smaller the clips") {

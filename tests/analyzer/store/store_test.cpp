@@ -18,7 +18,7 @@ const std::string id_a(16, 'a');
 const std::string id_b(16, 'b');
 
 MediaRecord film(const std::string& path, const std::vector<std::string>& files) {
-    MediaRecord record{.path = path, .kind = MediaKind::video, .state = MediaState::ready};
+    MediaRecord record{.path = path, .kind = MediaKind::film, .state = MediaState::ready};
     for (const std::string& file : files)
         record.shots.push_back({.begin = {},
                                 .end = {},

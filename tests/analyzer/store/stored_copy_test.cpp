@@ -92,6 +92,6 @@ TEST_CASE("a copy beyond its bytes is given up, one without room has its place a
 TEST_CASE("what has gone meanwhile is stored nowhere") {
     const Shelf shelf;
     CHECK_FALSE(shelf.photo(shelf.home.path / "gone.png", 60, 40));
-    const MediaInfo film{.kind = MediaKind::video, .width = 64, .height = 48};
+    const MediaInfo film{.kind = MediaKind::film, .width = 64, .height = 48};
     CHECK(store_film(shelf.home.path / "gone.mp4", film, shelf.place)->is_dropped);
 }

@@ -10,7 +10,7 @@ namespace {
 
 MediaRecord part(int first, int count, std::int64_t mtime = 1) {
     MediaRecord record{
-        .path = "a.mp4", .kind = MediaKind::video, .mtime_ns = mtime, .state = MediaState::ready};
+        .path = "a.mp4", .kind = MediaKind::film, .mtime_ns = mtime, .state = MediaState::ready};
     record.is_complete = false;
     for (int i = first; i < first + count; ++i)
         record.shots.push_back({.begin = 1s * i, .end = 1s * (i + 1)});

@@ -42,7 +42,7 @@ TEST_CASE("a file is what its first bytes say") {
     CHECK(format_of("\0\0\0\x08"
                     "wide\0\0\1\0mdat"sv) == MediaFormat::mp4);
     CHECK(kind_of(MediaFormat::bmp) == MediaKind::photo);
-    CHECK(kind_of(MediaFormat::mp4) == MediaKind::video);
+    CHECK(kind_of(MediaFormat::mp4) == MediaKind::film);
 }
 
 TEST_CASE("a transport stream is known by its packets, with and without time stamps") {

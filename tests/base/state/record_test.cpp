@@ -12,7 +12,7 @@ namespace {
 
 MediaRecord film() {
     return {.path = "a/b c.mp4",
-            .kind = MediaKind::video,
+            .kind = MediaKind::film,
             .bytes = 123,
             .mtime_ns = -5,
             .state = MediaState::ready,

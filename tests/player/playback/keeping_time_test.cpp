@@ -148,7 +148,7 @@ struct Machine {
 ShotRequest request(SourceId source) {
     return {.source = source,
             .path = "film",
-            .kind = MediaKind::video,
+            .kind = MediaKind::film,
             .shot = {.begin = 0s, .end = 4s},
             .width = 160,
             .height = 96};

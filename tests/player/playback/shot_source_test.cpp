@@ -20,7 +20,7 @@ const std::string mp4 = "x264enc bframes=2 b-adapt=false key-int-max=25 speed-pr
 /// Pictures 40 to 63 of a film of 25 a second.
 ShotRequest part() {
     return {.source = 1,
-            .kind = MediaKind::video,
+            .kind = MediaKind::film,
             .shot = {.begin = 1600ms, .end = 2560ms, .region = {.polygon = {}, .drift = {25, -50}}},
             .width = 160,
             .height = 96};

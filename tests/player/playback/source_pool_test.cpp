@@ -22,7 +22,7 @@ const std::string mp4 = "x264enc key-int-max=25 speed-preset=veryfast ! mp4mux";
 ShotRequest request(SourceId source, std::string path) {
     return {.source = source,
             .path = std::move(path),
-            .kind = MediaKind::video,
+            .kind = MediaKind::film,
             .shot = {.begin = 0s, .end = 1s, .region = {.polygon = {}, .drift = {25, 0}}},
             .width = 160,
             .height = 96};

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 namespace {
 
 PlacedShot placed(SourceId source, std::chrono::nanoseconds began = 0s, double scale = 1) {
-    WallShot shot{.source = source, .kind = MediaKind::video, .picture = {640, 360}};
+    WallShot shot{.source = source, .kind = MediaKind::film, .picture = {640, 360}};
     shot.shot = {.begin = 10s, .end = 14s, .region = {.polygon = middle().polygon, .drift = {12, -8}}};
     Cell cell;
     cell.parts = {{{0, 0}, {10.0 * static_cast<double>(source), 0}, {10, 10}}};

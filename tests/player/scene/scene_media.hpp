@@ -36,7 +36,7 @@ inline std::vector<MediaRecord> photos(int count) {
 inline MediaRecord film(std::string path, int shots,
                         std::chrono::nanoseconds length = std::chrono::seconds(4)) {
     MediaRecord record = photo(std::move(path));
-    record.kind = MediaKind::video;
+    record.kind = MediaKind::film;
     record.duration = shots * length;
     record.shots.clear();
     for (int i = 0; i < shots; ++i) {

@@ -11,7 +11,7 @@ namespace {
 ShotRequest wanted(int width, int height) {
     ShotRequest request{.source = 3,
                         .path = "a/film.mkv",
-                        .kind = MediaKind::video,
+                        .kind = MediaKind::film,
                         .shot = {.begin = 7s, .end = 9s, .region = {.polygon = {}, .drift = {5, 0}}},
                         .width = width,
                         .height = height};

@@ -103,7 +103,7 @@ TEST_CASE("a wall is planned, asked for, faded in over the idle picture, and the
     step = house.step();
     CHECK(step.requests.size() == 3);
     CHECK(step.requests[1].path == "b");
-    CHECK(step.requests[1].kind == MediaKind::video);
+    CHECK(step.requests[1].kind == MediaKind::film);
     CHECK(step.requests[1].shot.end == 4s);
     CHECK(step.requests[1].width == 320);
     CHECK(step.requests[1].height == 180);

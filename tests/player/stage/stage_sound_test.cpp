@@ -17,7 +17,7 @@ namespace {
 MediaRecord record_of(const std::string& path) {
     const Polygon region = to_polygon(Box{{20, 10}, {44, 38}});
     MediaRecord record{.path = path,
-                       .kind = MediaKind::video,
+                       .kind = MediaKind::film,
                        .state = MediaState::ready,
                        .width = 64,
                        .height = 48,

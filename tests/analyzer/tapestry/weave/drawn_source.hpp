@@ -13,7 +13,7 @@ class DrawnSource : public FrameSource {
   public:
     DrawnSource(cv::Size size, int frames, bool is_black)
         : size_(size), frames_(frames), is_black_(is_black) {
-        info_.kind = MediaKind::video;
+        info_.kind = MediaKind::film;
         info_.width = size.width;
         info_.height = size.height;
         info_.duration = std::chrono::milliseconds(100) * frames;
