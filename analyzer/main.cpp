@@ -134,7 +134,7 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings,
 void read_settings_again(const CommandLine& line, SettingsSnapshot& snapshot) {
     try {
         const Settings settings = line.options.settings();
-        log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
+        log::set_level(settings.log.level);
         snapshot.replace(settings);
         log::info("settings read again: files are analysed by them from now on; folders, store and pace "
                   "after a restart");
@@ -210,7 +210,7 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     const Settings settings = line.options.settings();
-    log::set_level(log::level_named(settings.log.level).value_or(log::Level::info));
+    log::set_level(settings.log.level);
     if (*analyze) return analyze_command(line, settings);
     if (*thumbnail) return leave_thumbnail(line.file, settings) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (*explain) return explain_command(line, settings);

@@ -126,7 +126,7 @@ void add_plan_options(CommandLine& line) {
 void run(const CommandLine& line) {
     const bool is_plan = line.plan_command->parsed();
     const Settings settings = (is_plan ? line.plan_settings : line.settings).settings();
-    log::set_level(log::level_named(settings.log.level).value());
+    log::set_level(settings.log.level);
     if (is_plan) return write_plan(settings, line.plan);
     PlayOptions play = line.play;
     play.read_settings = [&line] { return line.settings.settings(); };

@@ -45,7 +45,7 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
     for (const WallShot& shot : assemblage.wall()) {
         wall.items.push_back(
             {.path = shot.key.path, .shot = static_cast<std::size_t>(shot.key.shot), .item = shot.item});
-        const bool nests = settings.layout.folders == "nested";
+        const bool nests = settings.layout.folders == FolderMode::nested;
         wall.groups.push_back(nests ? folder_number(shot.key.path, folders) : PlanItem::no_group);
     }
     return wall;

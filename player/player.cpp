@@ -34,7 +34,7 @@ constexpr auto old_picture_patience = 4s;  // then it gives way to a wall that i
 KmsOptions kms_options(const Settings& settings, const KmsChoice& choice, SoftwareGl& software) {
     return {.card = choice.card,
             .modes = modes_named(settings.output.mode).value_or(ModeWishes{}),
-            .api = settings.output.api == "legacy" ? KmsApi::legacy : KmsApi::best,
+            .api = settings.output.api,
             .software = &software};
 }
 
@@ -69,7 +69,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
               give_catalogue();
           noted_.arm(status_interval);
       })) {
-    if (settings.output.decoders == "auto") sources_.set_decoders(hardware_decoders(is_usable_here));
+    if (settings.output.decoders == DecoderChoice::automatic)
+        sources_.set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_.decoders()));
     operation_.emplace(loop_, OperatedParts{.settings = settings_,
                                             .display = display_,

@@ -16,7 +16,7 @@ void Player::reload() {
     if (!options_.read_settings) return;
     SettingsChange change = settings_change(settings_, options_.read_settings());
     settings_ = std::move(change.settings);
-    log::set_level(log::level_named(settings_.log.level).value());
+    log::set_level(settings_.log.level);
     const auto list = [](const std::vector<std::string>& keys) {
         return keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "));
     };

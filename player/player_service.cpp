@@ -198,7 +198,7 @@ std::vector<Controls::Shot> Operation::screenshots() const {
 }
 
 void Operation::require_turns() const {
-    if (parts_.settings.layout.mode == "pan")
+    if (parts_.settings.layout.mode == WallMode::pan)
         throw std::runtime_error("a wall that passes by (layout.mode = \"pan\") has no turns and no slots");
 }
 

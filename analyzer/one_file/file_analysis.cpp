@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 namespace {
 
 AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
-    const bool is_letter = from.region == "hull";
+    const bool is_letter = from.region == RegionMode::hull;
     AnalysisSettings settings = is_letter ? papers_letter() : AnalysisSettings{};
     settings.frame_size = from.frame_size;
     settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));

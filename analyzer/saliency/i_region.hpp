@@ -3,16 +3,11 @@
 #include "analyzer/saliency/saliency_map.hpp"
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
+#include "base/settings/choices.hpp"
 
 #include <span>
 
 namespace vitrine::analyzer {
-
-/// How the region is drawn around the saliency.
-enum class RegionMode {
-    min_area,  // the smallest convex region that holds enough
-    hull,      // the paper's: convex hull of the most salient pixels that together hold enough
-};
 
 struct RegionSettings {
     RegionMode mode = RegionMode::min_area;

@@ -88,14 +88,38 @@ SettingKey text(std::string name, const Member<std::string>& member, std::string
             .text = [=](const Settings& s) { return fmt::format("\"{}\"", read(member, s)); }};
 }
 
-SettingKey choice(std::string name, const Member<std::string>& member,
-                  const std::vector<std::string>& choices) {
-    const std::string allowed = fmt::format("one of \"{}\"", fmt::join(choices, "\", \""));
-    return text(std::move(name), member, allowed, [choices](const std::string& value) {
-        for (const std::string& one : choices)
-            if (one == value) return true;
-        return false;
-    });
+/// The word that stands in the file for each value of an enum.
+template <typename Enum> using Words = std::vector<std::pair<std::string_view, Enum>>;
+
+template <typename Enum> std::string list_of(const Words<Enum>& words) {
+    std::string list;
+    for (const auto& [word, value] : words)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", word);
+    return list;
+}
+
+template <typename Enum>
+SettingKey choice(std::string name, const Member<Enum>& member, const Words<Enum>& words) {
+    return {.name = std::move(name),
+            .allowed = "one of " + list_of(words),
+            .assign =
+                [=](Settings& s, const SettingValue& v) {
+                    const auto* text = std::get_if<std::string>(&v);
+                    if (text == nullptr) refuse();
+                    for (const auto& [word, value] : words) {
+                        if (word != *text) continue;
+                        member(s) = value;
+                        return;
+                    }
+                    refuse();
+                },
+            .text =
+                [=](const Settings& s) {
+                    const Enum value = read(member, s);
+                    for (const auto& [word, known] : words)
+                        if (known == value) return fmt::format("\"{}\"", word);
+                    return std::string("\"\"");
+                }};
 }
 
 SettingKey path(std::string name, const Member<std::string>& member) {
@@ -186,7 +210,8 @@ void append_analyzer_keys(std::vector<SettingKey>& keys) {
                 "analyzer.face_model", [](S & s) -> auto& { return s.analyzer.face_model; }),
             optional_path(
                 "analyzer.face_cascade", [](S & s) -> auto& { return s.analyzer.face_cascade; }),
-            choice("analyzer.region", [](S & s) -> auto& { return s.analyzer.region; }, {"min_area", "hull"}),
+            choice<RegionMode>("analyzer.region", [](S & s) -> auto& { return s.analyzer.region; },
+                               {{"min_area", RegionMode::min_area}, {"hull", RegionMode::hull}}),
             number(
                 "analyzer.region_mass", [](S& s) -> double& { return s.analyzer.region_mass; }, 0.05, 0.99),
             number(
@@ -203,13 +228,16 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 "layout.slots", [](S& s) -> int& { return s.layout.slots; }, 1, 64),
             whole(
                 "layout.seed", [](S& s) -> int& { return s.layout.seed; }, 0, 2147483647),
-            choice("layout.energy", [](S & s) -> auto& { return s.layout.energy; }, {"screen", "paper"}),
-            choice("layout.order", [](S & s) -> auto& { return s.layout.order; }, {"free", "reading"}),
+            choice<EnergyMode>("layout.energy", [](S & s) -> auto& { return s.layout.energy; },
+                               {{"screen", EnergyMode::screen}, {"paper", EnergyMode::paper}}),
+            choice<LayoutOrder>("layout.order", [](S & s) -> auto& { return s.layout.order; },
+                                {{"free", LayoutOrder::free}, {"reading", LayoutOrder::reading}}),
             number(
                 "layout.max_enlargement", [](S& s) -> double& { return s.layout.max_enlargement; }, 0.1, 100),
             number(
                 "layout.clearance_pixels", [](S& s) -> double& { return s.layout.clearance; }, 0, 200),
-            choice("layout.cells", [](S & s) -> auto& { return s.layout.cells; }, {"exact", "sampled"}),
+            choice<CellMethod>("layout.cells", [](S & s) -> auto& { return s.layout.cells; },
+                               {{"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}),
             number(
                 "layout.sample_pixels", [](S& s) -> double& { return s.layout.sample_spacing; }, 2, 200),
             number(
@@ -219,10 +247,15 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 500),
             number(
                 "layout.feather_pixels", [](S& s) -> double& { return s.layout.feather; }, 1, 200),
-            choice("layout.mode", [](S & s) -> auto& { return s.layout.mode; }, {"fit", "pan"}),
-            choice("layout.folders", [](S & s) -> auto& { return s.layout.folders; }, {"flat", "nested"}),
-            choice("show.order", [](S & s) -> auto& { return s.show.order; }, {"shuffle", "name", "newest"}),
-            choice("show.film", [](S & s) -> auto& { return s.show.film; }, {"side_by_side", "sequence"}),
+            choice<WallMode>("layout.mode", [](S & s) -> auto& { return s.layout.mode; },
+                             {{"fit", WallMode::fit}, {"pan", WallMode::pan}}),
+            choice<FolderMode>("layout.folders", [](S & s) -> auto& { return s.layout.folders; },
+                               {{"flat", FolderMode::flat}, {"nested", FolderMode::nested}}),
+            choice<ShotOrder>(
+                "show.order", [](S & s) -> auto& { return s.show.order; },
+                {{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}),
+            choice<FilmShow>("show.film", [](S & s) -> auto& { return s.show.film; },
+                             {{"side_by_side", FilmShow::side_by_side}, {"sequence", FilmShow::sequence}}),
             duration<std::chrono::seconds>(
                 "show.dwell_seconds", [](S & s) -> auto& { return s.show.dwell; }, 1, 86400),
             duration<std::chrono::seconds>(
@@ -265,9 +298,11 @@ void append_player_keys(std::vector<SettingKey>& keys) {
                 [](const std::string& value) { return output_folders_named(value).has_value(); }),
             whole(
                 "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
-            choice("output.decoders", [](S & s) -> auto& { return s.output.decoders; },
-                   {"auto", "processor"}),
-            choice("output.api", [](S & s) -> auto& { return s.output.api; }, {"best", "legacy"}),
+            choice<DecoderChoice>(
+                "output.decoders", [](S & s) -> auto& { return s.output.decoders; },
+                {{"auto", DecoderChoice::automatic}, {"processor", DecoderChoice::processor}}),
+            choice<KmsApi>("output.api", [](S & s) -> auto& { return s.output.api; },
+                           {{"best", KmsApi::best}, {"legacy", KmsApi::legacy}}),
             text(
                 "output.sound", [](S & s) -> auto& { return s.output.sound; },
                 "a device of ALSA like \"default\", or nothing", [](const std::string&) { return true; }),
@@ -293,8 +328,11 @@ std::vector<SettingKey> make_keys() {
                      text(
                          "status.folder", [](S & s) -> auto& { return s.status.folder; },
                          "the name of a folder, or nothing", is_folder_name),
-                     choice("log.level", [](S & s) -> auto& { return s.log.level; },
-                            {"error", "warning", "info", "debug"}),
+                     choice<log::Level>("log.level", [](S & s) -> auto& { return s.log.level; },
+                                        {{"error", log::Level::error},
+                                         {"warning", log::Level::warning},
+                                         {"info", log::Level::info},
+                                         {"debug", log::Level::debug}}),
                      optional_path(
                          "metrics.file", [](S & s) -> auto& { return s.metrics.file; }),
                  });

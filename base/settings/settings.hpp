@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/settings/choices.hpp"
+#include "base/system/log.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -31,7 +34,7 @@ struct Settings {
     } status;
 
     struct Log {
-        std::string level = "info";  // error, warning, info or debug
+        log::Level level = log::Level::info;
     } log;
 
     struct Metrics {
@@ -53,7 +56,7 @@ struct Settings {
         std::string saliency_model;  // an ONNX file, empty: image saliency of our own
         std::string face_model;      // an ONNX file, empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
-        std::string region = "min_area";  // min_area or hull
+        RegionMode region = RegionMode::min_area;
         double region_mass = 0.64;
         double region_margin = 0.008;  // of the picture's diagonal
     } analyzer;
@@ -61,22 +64,22 @@ struct Settings {
     struct Layout {
         int slots = 12;
         int seed = 1;
-        std::string energy = "screen";  // screen or paper
-        std::string order = "free";     // free or reading
-        double max_enlargement = 1.5;   // canvas px per source px
-        double clearance = 2;           // canvas px between two I-Regions
-        std::string cells = "exact";    // exact or sampled
-        double sample_spacing = 10;     // canvas px between sampled sites
-        double gutter = 0;              // canvas px between two cells
-        double corner_radius = 0;       // canvas px
-        double feather = 1;             // canvas px
-        std::string mode = "fit";       // fit or pan
-        std::string folders = "flat";   // flat or nested
+        EnergyMode energy = EnergyMode::screen;
+        LayoutOrder order = LayoutOrder::free;
+        double max_enlargement = 1.5;  // canvas px per source px
+        double clearance = 2;          // canvas px between two I-Regions
+        CellMethod cells = CellMethod::exact;
+        double sample_spacing = 10;  // canvas px between sampled sites
+        double gutter = 0;           // canvas px between two cells
+        double corner_radius = 0;    // canvas px
+        double feather = 1;          // canvas px
+        WallMode mode = WallMode::fit;
+        FolderMode folders = FolderMode::flat;
     } layout;
 
     struct Show {
-        std::string order = "shuffle";      // shuffle, name or newest
-        std::string film = "side_by_side";  // side_by_side or sequence
+        ShotOrder order = ShotOrder::shuffle;
+        FilmShow film = FilmShow::side_by_side;
         std::chrono::seconds dwell{20};
         std::chrono::seconds longest{60};
         std::chrono::milliseconds crossfade{700};
@@ -97,8 +100,8 @@ struct Settings {
         std::string margins;         // margins_named()
         std::string folders;         // output_folders_named()
         int frame_rate = 30;
-        std::string decoders = "auto";  // auto or processor
-        std::string api = "best";       // best or legacy
+        DecoderChoice decoders = DecoderChoice::automatic;
+        KmsApi api = KmsApi::best;
         std::string sound = "default";  // a device of ALSA; empty: nothing is heard
     } output;
 };

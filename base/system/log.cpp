@@ -27,12 +27,6 @@ std::atomic<Level> highest = Level::info;  // the one global of the tree
 
 }  // namespace
 
-std::optional<Level> level_named(std::string_view name) {
-    for (const LevelName& entry : levels)
-        if (entry.name == name) return entry.level;
-    return std::nullopt;
-}
-
 void set_level(Level level) {
     highest = level;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,9 +11,6 @@
 namespace vitrine::log {
 
 enum class Level { error, warning, info, debug };
-
-/// "error", "warning", "info" or "debug"; nothing for another name.
-std::optional<Level> level_named(std::string_view name);
 
 /// Lines less important than this are dropped. Starts at info.
 void set_level(Level level);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/settings/choices.hpp"
 #include "player/display/atomic_request.hpp"
 #include "player/display/frame_buffers.hpp"
 #include "player/display/kms_state.hpp"
@@ -14,12 +15,6 @@
 #include <vector>
 
 namespace vitrine::player {
-
-/// How a card is told what to show.
-enum class KmsApi {
-    best,    // atomic requests where the driver has them
-    legacy,  // the calls of before, also where there is better
-};
 
 /// A graphics card, opened for showing. Who opens it first is its master and may set modes; root is not
 /// needed for that, but the right to open the file.

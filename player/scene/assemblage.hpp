@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
@@ -15,13 +16,6 @@
 #include <vector>
 
 namespace vitrine::player {
-
-/// How a film with several shots shares the wall.
-enum class FilmShow {
-    side_by_side,  // its shots may stand beside each other, so that each shot of the catalogue comes once
-                   // before any comes again
-    sequence,      // it has one place, its shots one after the other, while other files begin again
-};
 
 struct AssemblageSettings {
     int slots = 12;

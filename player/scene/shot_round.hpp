@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
 #include "player/scene/programme.hpp"
 
@@ -15,13 +16,6 @@
 #include <vector>
 
 namespace vitrine::player {
-
-/// In what order shots come to the wall. The shots of one film always come in time order.
-enum class ShotOrder {
-    shuffle,
-    name,   // by path
-    newest  // by modification time, the newest first
-};
 
 /// Names one shot of the catalogue.
 struct ShotKey {

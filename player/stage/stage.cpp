@@ -22,7 +22,7 @@ constexpr auto still_period = 1s;         // a picture that a card lost in silen
 constexpr int most_settling_steps = 100;  // each gives up on a file at least
 
 std::unique_ptr<Show> make_show(const Settings& settings, Vec2 canvas, SourceId last_source) {
-    if (settings.layout.mode == "pan") {
+    if (settings.layout.mode == WallMode::pan) {
         PanSettings pan = pan_settings(settings);
         pan.last_source = last_source;
         return std::make_unique<PanningWall>(canvas, pan);

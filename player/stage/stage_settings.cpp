@@ -8,20 +8,11 @@
 
 namespace vitrine::player {
 
-namespace {
-
-ShotOrder order_of(const Settings& settings) {
-    if (settings.show.order == "name") return ShotOrder::name;
-    return settings.show.order == "newest" ? ShotOrder::newest : ShotOrder::shuffle;
-}
-
-}  // namespace
-
 AssemblageSettings assemblage_settings(const Settings& settings) {
     return {.slots = settings.layout.slots,
-            .order = order_of(settings),
+            .order = settings.show.order,
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
-            .film = settings.show.film == "sequence" ? FilmShow::sequence : FilmShow::side_by_side,
+            .film = settings.show.film,
             .dwell = settings.show.dwell,
             .longest = settings.show.longest};
 }
@@ -30,7 +21,8 @@ CellStyle cell_style(const Settings& settings) {
     return {.gutter = settings.layout.gutter,
             .corner_radius = settings.layout.corner_radius,
             .feather = settings.layout.feather,
-            .sample_spacing = settings.layout.cells == "sampled" ? settings.layout.sample_spacing : 0};
+            .sample_spacing =
+                settings.layout.cells == CellMethod::sampled ? settings.layout.sample_spacing : 0};
 }
 
 WallSettings wall_settings(const Settings& settings) {
@@ -38,7 +30,7 @@ WallSettings wall_settings(const Settings& settings) {
             .transition = {.crossfade = settings.show.crossfade,
                            .motion = settings.show.motion,
                            .cells = cell_style(settings)},
-            .nests = settings.layout.folders == "nested",
+            .nests = settings.layout.folders == FolderMode::nested,
             .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
                       .clearance = settings.layout.clearance,
                       .most_scale = settings.layout.max_enlargement},
@@ -81,8 +73,8 @@ PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .clearance = settings.layout.clearance,
             .most_scale = settings.layout.max_enlargement,
-            .energy = settings.layout.energy == "paper" ? EnergyMode::paper : EnergyMode::screen,
-            .order = settings.layout.order == "reading" ? LayoutOrder::reading : LayoutOrder::free};
+            .energy = settings.layout.energy,
+            .order = settings.layout.order};
 }
 
 }  // namespace vitrine::player

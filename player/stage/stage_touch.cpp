@@ -125,7 +125,7 @@ void Stage::fade_in(Frame& frame) const {
 
 /// A tap on a folder that stands together opens it, a tap or a key into it closes it.
 bool Stage::opens_folder(const Gesture& gesture) const {
-    if (settings_.layout.folders != "nested") return false;
+    if (settings_.layout.folders != FolderMode::nested) return false;
     return gesture.kind == Gesture::Kind::tap || (gesture.kind == Gesture::Kind::key && !opened_.empty());
 }
 

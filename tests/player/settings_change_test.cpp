@@ -36,11 +36,11 @@ TEST_CASE("how it lies on the display changes at once, with the walls as they ar
 TEST_CASE("what needs a restart is named and stays as it is until then") {
     Settings after;
     after.media.root = "/elsewhere";
-    after.output.api = "legacy";
+    after.output.api = KmsApi::legacy;
     const SettingsChange change = settings_change({}, after);
     CHECK(change.later == Keys{"media.root", "output.api"});
     CHECK(change.settings.media.root == Settings{}.media.root);
-    CHECK(change.settings.output.api == "best");
+    CHECK(change.settings.output.api == KmsApi::best);
 }
 
 TEST_CASE("what only the analyzer reads is not the player's") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/settings/choices.hpp"
 #include "player/layout/layout.hpp"
 
 #include <cstdint>
@@ -21,25 +22,13 @@ struct PlanItem {
     std::optional<Placement> home;      // where it goes back to as far as it can; none: `previous`
     std::optional<Seat> seat;           // it is new and takes over a seat; ignored with `previous`
     bool is_pinned = false;             // it keeps `previous` exactly, even where pinned items overlap
-    int group = no_group;               // those of one group stand together, see player/layout/plan/nesting.hpp
+    int group = no_group;  // those of one group stand together, see player/layout/plan/nesting.hpp
 
     static constexpr int no_group = -1;
 };
 
 /// The seat that a placed item leaves behind.
 Seat seat_of(const LayoutItem& item, const Placement& placement);
-
-/// Which energy a layout minimises.
-enum class EnergyMode {
-    screen,  // share of the screen not covered by I-Regions, with escape from local minima
-    paper,   // eq. 3.4 by descent alone, for reproduction
-};
-
-/// Whether items stand in an order.
-enum class LayoutOrder {
-    free,     // wherever they fit best
-    reading,  // each is read after the one before, in lines from the top and from left to right
-};
 
 /// What is asked of the planner. The same request gives the same layout.
 struct PlanRequest {

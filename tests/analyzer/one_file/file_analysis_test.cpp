@@ -46,7 +46,7 @@ struct Photo {
     ~Photo() { fs::remove(path); }
 };
 
-Settings settings_without_faces(const std::string& region) {
+Settings settings_without_faces(RegionMode region) {
     Settings settings;
     settings.analyzer.face_cascade.clear();
     settings.analyzer.region = region;
@@ -63,7 +63,7 @@ TEST_CASE("region = hull is the paper's letter in every stage, not the hull of o
     hull_of_ours.face_cascade.clear();
     hull_of_ours.region.mode = RegionMode::hull;
 
-    const MediaRecord found = record_of_file(photo.path, settings_without_faces("hull"));
+    const MediaRecord found = record_of_file(photo.path, settings_without_faces(RegionMode::hull));
 
     REQUIRE(found.shots.size() == 1);
     const Polygon expected = analyze(*open_media(photo.path), letter).shots.at(0).region.polygon;
@@ -81,7 +81,7 @@ TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where 
     const TemporaryDirectory folder;
     const std::string film = written(folder, {.caps = "format=I420,width=64,height=48",
                                               .picture = std::vector<std::uint8_t>(64 * 48 * 3 / 2, 90)});
-    Settings settings = settings_without_faces("min_area");
+    Settings settings = settings_without_faces(RegionMode::min_area);
     settings.media.root = folder.path;
     settings.state.directory = folder.path / "state";
     const fs::path kept = tapestry_folder(settings.state.directory, "film");

@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 MediaRecord film(const std::string& path, std::uint64_t bytes = 5) {
-    return {
-        .path = path, .kind = MediaKind::film, .bytes = bytes, .mtime_ns = 7, .state = MediaState::ready};
+    return {.path = path, .kind = MediaKind::film, .bytes = bytes, .mtime_ns = 7, .state = MediaState::ready};
 }
 
 constexpr std::int64_t newest = 1'700'000'000;  // s since 1970

@@ -17,10 +17,7 @@ TEST_CASE("a file name with a line break cannot forge a line") {
     CHECK(log::line_of(Level::info, "'a\n<3>b\x1b'", true) == "<6>'a\\x0a<3>b\\x1b'\n");
 }
 
-TEST_CASE("a level is known by its name, and what is less important is not wanted") {
-    CHECK(log::level_named("warning") == Level::warning);
-    CHECK_FALSE(log::level_named("verbose").has_value());
-
+TEST_CASE("a line less important than the level is not wanted") {
     log::set_level(Level::warning);
     CHECK(log::is_wanted(Level::error));
     CHECK(log::is_wanted(Level::warning));

@@ -30,7 +30,7 @@ Settings one_film_at_a_time() {
     Settings settings;
     settings.layout.slots = 1;
     settings.layout.max_enlargement = 100;
-    settings.show.order = "name";
+    settings.show.order = ShotOrder::name;
     settings.show.dwell = 10s;
     settings.show.crossfade = 0ms;
     return settings;

@@ -49,7 +49,7 @@ Settings one_photo_at_a_time() {
     Settings settings;
     settings.layout.slots = 1;
     settings.layout.max_enlargement = 100;
-    settings.show.order = "name";
+    settings.show.order = ShotOrder::name;
     settings.show.crossfade = 0ms;
     return settings;
 }
