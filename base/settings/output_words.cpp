@@ -8,11 +8,11 @@ namespace vitrine {
 
 namespace {
 
-constexpr double most_pixels = 2000;
-constexpr double most_share = 0.4;
-constexpr int smallest_side = 16;
-constexpr int largest_side = 16384;  // px, what graphics cards take
-constexpr double most_hertz = 1000;
+constexpr double max_pixels = 2000;
+constexpr double max_share = 0.4;
+constexpr int min_side = 16;
+constexpr int max_side = 16384;  // px, the limit of graphics cards
+constexpr double max_hertz = 1000;
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
@@ -30,21 +30,20 @@ std::vector<std::string_view> list(std::string_view text) {
     }
 }
 
-/// A number from `least` to `most`, without sign or exponent, that takes all of the text.
-template <typename Number>
-std::optional<Number> number_named(std::string_view text, Number least, Number most) {
+/// A number from `min` to `max`, without sign or exponent, that takes all of the text.
+template <typename Number> std::optional<Number> number_named(std::string_view text, Number min, Number max) {
     if (text.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
     Number value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || value < least || value > most) return std::nullopt;
+    if (error != std::errc() || stop != end || value < min || value > max) return std::nullopt;
     return value;
 }
 
 std::optional<ScreenLength> length_named(std::string_view text) {
     const bool is_share = text.ends_with('%');
     if (is_share) text.remove_suffix(1);
-    const auto value = number_named<double>(text, 0, is_share ? most_share * 100 : most_pixels);
+    const auto value = number_named<double>(text, 0, is_share ? max_share * 100 : max_pixels);
     if (!value) return std::nullopt;
     return is_share ? ScreenLength{.share = *value / 100} : ScreenLength{.pixels = *value};
 }
@@ -55,18 +54,18 @@ std::optional<ModeWish> mode_named(std::string_view text) {
     const std::string_view size = text.substr(0, at);
     const std::size_t cross = size.find('x');
     if (cross == std::string_view::npos) return std::nullopt;
-    const auto width = number_named<int>(size.substr(0, cross), smallest_side, largest_side);
-    const auto height = number_named<int>(size.substr(cross + 1), smallest_side, largest_side);
+    const auto width = number_named<int>(size.substr(0, cross), min_side, max_side);
+    const auto height = number_named<int>(size.substr(cross + 1), min_side, max_side);
     if (!width || !height) return std::nullopt;
     ModeWish wish{.width = *width, .height = *height};
     if (at == std::string_view::npos) return wish;
-    const auto rate = number_named<double>(text.substr(at + 1), 1, most_hertz);
+    const auto rate = number_named<double>(text.substr(at + 1), 1, max_hertz);
     if (!rate) return std::nullopt;
     wish.refresh_rate = *rate;
     return wish;
 }
 
-/// "HDMI-A-1 = this"; the name is empty where there is no "=".
+/// "HDMI-A-1 = this"; the name is empty if there is no "=".
 struct Assignment {
     std::string_view output;
     std::string_view value;
@@ -89,7 +88,29 @@ bool is_folder_below(std::string_view folder) {
     return true;
 }
 
+bool is_size(std::string_view value) {
+    int width = 0;
+    int height = 0;
+    const char* end = value.data() + value.size();
+    const auto [after_width, width_error] = std::from_chars(value.data(), end, width);
+    if (width_error != std::errc() || after_width == end || *after_width != 'x') return false;
+    const auto [after_height, height_error] = std::from_chars(after_width + 1, end, height);
+    return height_error == std::errc() && after_height == end && width >= min_side && height >= min_side &&
+           width <= max_side && height <= max_side;
+}
+
 }  // namespace
+
+bool is_screen(const std::string& value) {
+    if (value == "kms") return true;
+    if (value.starts_with("kms:/")) return true;
+    if (!value.starts_with("offscreen:")) return false;
+    std::string_view rest = std::string_view(value).substr(10);
+    for (std::size_t plus = 0; (plus = rest.find('+')) != std::string_view::npos;
+         rest.remove_prefix(plus + 1))
+        if (!is_size(rest.substr(0, plus))) return false;
+    return is_size(rest);
+}
 
 std::optional<Margins> margins_named(std::string_view text) {
     if (trimmed(text).empty()) return Margins{};

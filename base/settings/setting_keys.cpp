@@ -3,353 +3,316 @@
 #include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
 
-#include <fmt/format.h>
-
-#include <charconv>
-#include <initializer_list>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
-// All keys: what the file, the command line and the test of config/vitrine.toml are made of.
+#include <array>
+#include <cstdint>
 
 namespace vitrine {
 
 namespace {
 
-/// Where a key is kept: the member's address in any Settings.
-template <typename T> using Member = std::function<T&(Settings&)>;
+using S = Settings;
 
-template <typename T> const T& read(const Member<T>& member, const Settings& settings) {
-    return member(const_cast<Settings&>(settings));  // the member function only hands the address on
+constexpr std::int64_t max_space = std::int64_t{1} << 50;  // bytes
+
+bool is_any(const std::string& /*value*/) {
+    return true;
 }
 
-[[noreturn]] void refuse() {
-    throw std::invalid_argument("not allowed");
-}
-
-std::int64_t whole_number(const SettingValue& value, std::int64_t least, std::int64_t most) {
-    const auto* number = std::get_if<std::int64_t>(&value);
-    if (number == nullptr || *number < least || *number > most) refuse();
-    return *number;
-}
-
-SettingKey whole(std::string name, const Member<int>& member, int least, int most) {
-    return {
-        .name = std::move(name),
-        .allowed = fmt::format("a whole number from {} to {}", least, most),
-        .assign = [=](Settings& s,
-                      const SettingValue& v) { member(s) = static_cast<int>(whole_number(v, least, most)); },
-        .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
-}
-
-SettingKey bytes(std::string name, const Member<std::int64_t>& member, std::int64_t most) {
-    return {.name = std::move(name),
-            .allowed = fmt::format("a whole number from 0 to {}", most),
-            .assign = [=](Settings& s, const SettingValue& v) { member(s) = whole_number(v, 0, most); },
-            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
-}
-
-SettingKey number(std::string name, const Member<double>& member, double least, double most) {
-    return {.name = std::move(name),
-            .allowed = fmt::format("a number from {} to {}", least, most),
-            .assign =
-                [=](Settings& s, const SettingValue& v) {
-                    const auto* whole_value = std::get_if<std::int64_t>(&v);
-                    const auto* value = std::get_if<double>(&v);
-                    if (whole_value == nullptr && value == nullptr) refuse();
-                    const double x = value != nullptr ? *value : static_cast<double>(*whole_value);
-                    if (!(x >= least && x <= most)) refuse();
-                    member(s) = x;
-                },
-            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s)); }};
-}
-
-template <typename Duration>
-SettingKey duration(const std::string& name, const Member<Duration>& member, std::int64_t least,
-                    std::int64_t most) {
-    return {.name = name,
-            .allowed = fmt::format("a whole number from {} to {}", least, most),
-            .assign = [=](Settings& s,
-                          const SettingValue& v) { member(s) = Duration(whole_number(v, least, most)); },
-            .text = [=](const Settings& s) { return fmt::format("{}", read(member, s).count()); }};
-}
-
-SettingKey text(std::string name, const Member<std::string>& member, std::string allowed,
-                const std::function<bool(const std::string&)>& is_allowed) {
-    return {.name = std::move(name),
-            .allowed = std::move(allowed),
-            .assign =
-                [=](Settings& s, const SettingValue& v) {
-                    const auto* value = std::get_if<std::string>(&v);
-                    if (value == nullptr || !is_allowed(*value)) refuse();
-                    member(s) = *value;
-                },
-            .text = [=](const Settings& s) { return fmt::format("\"{}\"", read(member, s)); }};
-}
-
-/// The word that stands in the file for each value of an enum.
-template <typename Enum> using Words = std::vector<std::pair<std::string_view, Enum>>;
-
-template <typename Enum> std::string list_of(const Words<Enum>& words) {
-    std::string list;
-    for (const auto& [word, value] : words)
-        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", word);
-    return list;
-}
-
-template <typename Enum>
-SettingKey choice(std::string name, const Member<Enum>& member, const Words<Enum>& words) {
-    return {.name = std::move(name),
-            .allowed = "one of " + list_of(words),
-            .assign =
-                [=](Settings& s, const SettingValue& v) {
-                    const auto* text = std::get_if<std::string>(&v);
-                    if (text == nullptr) refuse();
-                    for (const auto& [word, value] : words) {
-                        if (word != *text) continue;
-                        member(s) = value;
-                        return;
-                    }
-                    refuse();
-                },
-            .text =
-                [=](const Settings& s) {
-                    const Enum value = read(member, s);
-                    for (const auto& [word, known] : words)
-                        if (known == value) return fmt::format("\"{}\"", word);
-                    return std::string("\"\"");
-                }};
-}
-
-SettingKey path(std::string name, const Member<std::string>& member) {
-    return text(std::move(name), member, "a path", [](const std::string& value) { return !value.empty(); });
-}
-
-SettingKey optional_path(std::string name, const Member<std::string>& member) {
-    return text(std::move(name), member, "a path, or nothing", [](const std::string&) { return true; });
-}
-
-SettingKey rotation(std::string name, const Member<int>& member) {
-    SettingKey key = whole(std::move(name), member, 0, 270);
-    key.allowed = "0, 90, 180 or 270";
-    key.assign = [assign = key.assign](Settings& s, const SettingValue& v) {
-        if (whole_number(v, 0, 270) % 90 != 0) refuse();
-        assign(s, v);
-    };
-    return key;
+bool is_not_empty(const std::string& value) {
+    return !value.empty();
 }
 
 bool is_folder_name(const std::string& value) {
-    constexpr std::size_t longest = 64;
-    return value != "." && value != ".." && value.size() <= longest && value.find('/') == std::string::npos;
+    constexpr std::size_t max_length = 64;
+    return value != "." && value != ".." && value.size() <= max_length &&
+           value.find('/') == std::string::npos;
 }
 
 bool is_colour(const std::string& value) {
     return colour_named(value).has_value();
 }
 
-bool is_size(std::string_view value) {
-    int width = 0;
-    int height = 0;
-    const char* end = value.data() + value.size();
-    const auto [after_width, width_error] = std::from_chars(value.data(), end, width);
-    if (width_error != std::errc() || after_width == end || *after_width != 'x') return false;
-    const auto [after_height, height_error] = std::from_chars(after_width + 1, end, height);
-    return height_error == std::errc() && after_height == end && width >= 16 && height >= 16 &&
-           width <= 16384 && height <= 16384;
+bool is_device_list(const std::string& value) {
+    return value == "auto" || value == "none" || value.starts_with('/');
 }
 
-bool is_screen(const std::string& value) {
-    if (value == "kms") return true;
-    if (value.starts_with("kms:/")) return true;
-    if (!value.starts_with("offscreen:")) return false;
-    std::string_view rest = std::string_view(value).substr(10);
-    for (std::size_t plus = 0; (plus = rest.find('+')) != std::string_view::npos;
-         rest.remove_prefix(plus + 1))
-        if (!is_size(rest.substr(0, plus))) return false;
-    return is_size(rest);
-}
-
-void append(std::vector<SettingKey>& keys, std::initializer_list<SettingKey> more) {
-    keys.insert(keys.end(), more);
-}
-
-void append_analyzer_keys(std::vector<SettingKey>& keys) {
-    using S = Settings;
-    append(
-        keys,
-        {
-            whole(
-                "analyzer.children", [](S& s) -> int& { return s.analyzer.children; }, 0, 64),
-            duration<std::chrono::seconds>(
-                "analyzer.deadline_seconds", [](S & s) -> auto& { return s.analyzer.deadline; }, 1, 86400),
-            number(
-                "analyzer.deadline_seconds_per_mebibyte",
-                [](S& s) -> double& { return s.analyzer.deadline_per_mebibyte; }, 0, 3600),
-            whole(
-                "analyzer.memory_mebibytes", [](S& s) -> int& { return s.analyzer.memory; }, 256, 1048576),
-            duration<std::chrono::seconds>(
-                "analyzer.rescan_seconds", [](S & s) -> auto& { return s.analyzer.rescan; }, 1, 86400),
-            duration<std::chrono::milliseconds>(
-                "analyzer.quiet_milliseconds", [](S & s) -> auto& { return s.analyzer.quiet; }, 0, 600000),
-            whole(
-                "analyzer.frame_size", [](S& s) -> int& { return s.analyzer.frame_size; }, 64, 1024),
-            number(
-                "analyzer.samples_per_second", [](S& s) -> double& { return s.analyzer.samples_per_second; },
-                0.1, 120),
-            number(
-                "analyzer.motion_weight", [](S& s) -> double& { return s.analyzer.motion_weight; }, 0, 1),
-            number(
-                "analyzer.image_weight", [](S& s) -> double& { return s.analyzer.image_weight; }, 0, 1),
-            number(
-                "analyzer.face_weight", [](S& s) -> double& { return s.analyzer.face_weight; }, 0, 1),
-            optional_path(
-                "analyzer.saliency_model", [](S & s) -> auto& { return s.analyzer.saliency_model; }),
-            optional_path(
-                "analyzer.face_model", [](S & s) -> auto& { return s.analyzer.face_model; }),
-            optional_path(
-                "analyzer.face_cascade", [](S & s) -> auto& { return s.analyzer.face_cascade; }),
-            choice<RegionMode>("analyzer.region", [](S & s) -> auto& { return s.analyzer.region; },
-                               {{"min_area", RegionMode::min_area}, {"hull", RegionMode::hull}}),
-            number(
-                "analyzer.region_mass", [](S& s) -> double& { return s.analyzer.region_mass; }, 0.05, 0.99),
-            number(
-                "analyzer.region_margin", [](S& s) -> double& { return s.analyzer.region_margin; }, 0, 0.2),
-        });
-}
-
-void append_player_keys(std::vector<SettingKey>& keys) {
-    using S = Settings;
-    append(
-        keys,
-        {
-            whole(
-                "layout.slots", [](S& s) -> int& { return s.layout.slots; }, 1, 64),
-            whole(
-                "layout.seed", [](S& s) -> int& { return s.layout.seed; }, 0, 2147483647),
-            choice<EnergyMode>("layout.energy", [](S & s) -> auto& { return s.layout.energy; },
-                               {{"screen", EnergyMode::screen}, {"paper", EnergyMode::paper}}),
-            choice<LayoutOrder>("layout.order", [](S & s) -> auto& { return s.layout.order; },
-                                {{"free", LayoutOrder::free}, {"reading", LayoutOrder::reading}}),
-            number(
-                "layout.max_enlargement", [](S& s) -> double& { return s.layout.max_enlargement; }, 0.1, 100),
-            number(
-                "layout.clearance_pixels", [](S& s) -> double& { return s.layout.clearance; }, 0, 200),
-            choice<CellMethod>("layout.cells", [](S & s) -> auto& { return s.layout.cells; },
-                               {{"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}),
-            number(
-                "layout.sample_pixels", [](S& s) -> double& { return s.layout.sample_spacing; }, 2, 200),
-            number(
-                "layout.gutter_pixels", [](S& s) -> double& { return s.layout.gutter; }, 0, 200),
-            number(
-                "layout.corner_radius_pixels", [](S& s) -> double& { return s.layout.corner_radius; }, 0,
-                500),
-            number(
-                "layout.feather_pixels", [](S& s) -> double& { return s.layout.feather; }, 1, 200),
-            choice<WallMode>("layout.mode", [](S & s) -> auto& { return s.layout.mode; },
-                             {{"fit", WallMode::fit}, {"pan", WallMode::pan}}),
-            choice<FolderMode>("layout.folders", [](S & s) -> auto& { return s.layout.folders; },
-                               {{"flat", FolderMode::flat}, {"nested", FolderMode::nested}}),
-            choice<ShotOrder>(
-                "show.order", [](S & s) -> auto& { return s.show.order; },
-                {{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}),
-            choice<FilmShow>("show.film", [](S & s) -> auto& { return s.show.film; },
-                             {{"side_by_side", FilmShow::side_by_side}, {"sequence", FilmShow::sequence}}),
-            duration<std::chrono::seconds>(
-                "show.dwell_seconds", [](S & s) -> auto& { return s.show.dwell; }, 1, 86400),
-            duration<std::chrono::seconds>(
-                "show.longest_seconds", [](S & s) -> auto& { return s.show.longest; }, 1, 86400),
-            duration<std::chrono::milliseconds>(
-                "show.crossfade_milliseconds", [](S & s) -> auto& { return s.show.crossfade; }, 0, 10000),
-            duration<std::chrono::milliseconds>(
-                "show.motion_milliseconds", [](S & s) -> auto& { return s.show.motion; }, 0, 10000),
-            number(
-                "show.pan_pixels_per_second", [](S& s) -> double& { return s.show.pan_speed; }, 1, 2000),
-            text(
-                "show.background", [](S & s) -> auto& { return s.show.background; },
-                "a colour like \"#101014\"", is_colour),
-            text(
-                "input.devices", [](S & s) -> auto& { return s.input.devices; },
-                "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",
-                [](const std::string& value) {
-                    return value == "auto" || value == "none" || value.starts_with('/');
-                }),
-            duration<std::chrono::seconds>(
-                "input.idle_seconds", [](S & s) -> auto& { return s.input.idle; }, 1, 86400),
-            text(
-                "output.screen", [](S & s) -> auto& { return s.output.screen; },
-                "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for "
-                "more",
-                is_screen),
-            text(
-                "output.mode", [](S & s) -> auto& { return s.output.mode; },
-                "a mode like \"1920x1080\" or \"1920x1080@60\", or outputs with modes like "
-                "\"HDMI-A-1=1920x1080, HDMI-A-2=1280x720@50\"",
-                [](const std::string& value) { return modes_named(value).has_value(); }),
-            rotation("output.rotation", [](S& s) -> int& { return s.output.rotation; }),
-            text(
-                "output.margins", [](S & s) -> auto& { return s.output.margins; },
-                "one or four of pixels or per cent, like \"2.5%\" or \"24,0,24,0\"",
-                [](const std::string& value) { return margins_named(value).has_value(); }),
-            text(
-                "output.folders", [](S & s) -> auto& { return s.output.folders; },
-                "outputs with folders below the media folder, like \"HDMI-A-1=lobby, HDMI-A-2=hall\"",
-                [](const std::string& value) { return output_folders_named(value).has_value(); }),
-            whole(
-                "output.frame_rate", [](S& s) -> int& { return s.output.frame_rate; }, 1, 240),
-            choice<DecoderChoice>(
-                "output.decoders", [](S & s) -> auto& { return s.output.decoders; },
-                {{"auto", DecoderChoice::automatic}, {"processor", DecoderChoice::processor}}),
-            choice<KmsApi>("output.api", [](S & s) -> auto& { return s.output.api; },
-                           {{"best", KmsApi::best}, {"legacy", KmsApi::legacy}}),
-            text(
-                "output.sound", [](S & s) -> auto& { return s.output.sound; },
-                "a device of ALSA like \"default\", or nothing", [](const std::string&) { return true; }),
-        });
-}
-
-std::vector<SettingKey> make_keys() {
-    using S = Settings;
-    std::vector<SettingKey> keys;
-    append(keys, {
-                     path(
-                         "media.root", [](S & s) -> auto& { return s.media.root; }),
-                     path(
-                         "state.directory", [](S & s) -> auto& { return s.state.directory; }),
-                     bytes(
-                         "store.max_bytes", [](S & s) -> auto& { return s.store.max_bytes; },
-                         std::int64_t{1} << 50),
-                     whole(
-                         "store.clip_size", [](S& s) -> int& { return s.store.clip_size; }, 0, 4096),
-                     bytes(
-                         "tapestry.max_bytes", [](S & s) -> auto& { return s.tapestry.max_bytes; },
-                         std::int64_t{1} << 50),
-                     text(
-                         "status.folder", [](S & s) -> auto& { return s.status.folder; },
-                         "the name of a folder, or nothing", is_folder_name),
-                     choice<log::Level>("log.level", [](S & s) -> auto& { return s.log.level; },
-                                        {{"error", log::Level::error},
-                                         {"warning", log::Level::warning},
-                                         {"info", log::Level::info},
-                                         {"debug", log::Level::debug}}),
-                     optional_path(
-                         "metrics.file", [](S & s) -> auto& { return s.metrics.file; }),
-                 });
-    append_analyzer_keys(keys);
-    append_player_keys(keys);
-    return keys;
-}
+constexpr auto keys = std::to_array<SettingKey>({
+    {"media.root", text<&S::media, &S::Media::root>("a path", is_not_empty), SettingEffect::restart,
+     "The folder that Vitrine watches and plays, with all its sub-folders. Operators drop their files here."},
+    {"state.directory", text<&S::state, &S::State::directory>("a path", is_not_empty), SettingEffect::restart,
+     "The folder of the catalogue and of all else that Vitrine makes. Everything in it is made from the media"
+     " files and can be deleted."},
+    {"store.max_bytes", whole<&S::store, &S::Store::max_bytes>(0, max_space), SettingEffect::analyzer,
+     "Bytes in the state directory for copies of photos and clips of films. The wall plays these, not the "
+     "files in the media folder. When the space is used up, the least recently played ones are deleted; the "
+     "wall then plays their files from the media folder. 0: the wall plays everything from the media "
+     "folder."},
+    {"store.clip_size", whole<&S::store, &S::Store::clip_size>(0, 4096), SettingEffect::analyzer,
+     "Longest side of a clip in pixels. A clip is never larger than its film. Larger clips are sharper in "
+     "large cells and take more processor time to make and to play. 0: as large as layout.slots makes the "
+     "cells on the screens that the player has found, or on a screen 1920 pixels wide before it has found "
+     "one."},
+    {"tapestry.max_bytes", whole<&S::tapestry, &S::Tapestry::max_bytes>(0, max_space), SettingEffect::restart,
+     "Bytes in the state directory for the tapestries of films. A tapestry is a whole film as one picture "
+     "that visitors zoom into. The analyzer makes them one after another while it has no file to analyse, "
+     "with the processor time that is left. When the space is used up, the tapestry that nobody has looked at"
+     " for the longest time is deleted. No film gets more than a quarter of the space. 0: there are no "
+     "tapestries."},
+    {"status.folder",
+     text<&S::status, &S::Status::folder>("the name of a folder, or nothing", is_folder_name),
+     SettingEffect::restart,
+     "Name of a folder in the media folder, for the people who drop files. Its files status.txt and "
+     "index.html tell of each file whether it is on the wall, and why not. Empty: there is no such folder."},
+    {"log.level",
+     choice<&S::log, &S::Log::level>({{{"error", log::Level::error},
+                                       {"warning", log::Level::warning},
+                                       {"info", log::Level::info},
+                                       {"debug", log::Level::debug}}}),
+     SettingEffect::now,
+     "Lines that are logged: \"error\", \"warning\", \"info\" or \"debug\". Each level includes the levels "
+     "before it."},
+    {"metrics.file", text<&S::metrics, &S::Metrics::file>("a path, or nothing", is_any), SettingEffect::now,
+     "A file into which the player writes its figures every 15 s, for the text file collector of Prometheus' "
+     "node exporter (--collector.textfile.directory). Its name ends with \".prom\". The service may write "
+     "\"/run/vitrine/vitrine.prom\". Empty: no file."},
+    {"analyzer.children", whole<&S::analyzer, &S::Analyzer::children>(0, 64), SettingEffect::analyzer,
+     "Number of files that are analysed at the same time, each in a process of its own. One more process "
+     "takes files of up to 16 MiB, so that no photo waits for a film. More processes finish a large copy "
+     "sooner and leave less processor time for the player. 0: one for every two cores."},
+    {"analyzer.deadline_seconds", whole<&S::analyzer, &S::Analyzer::deadline>(1, 86400),
+     SettingEffect::analyzer,
+     "Time limit for the analysis of one file in seconds, plus so many seconds for each MiB of the file. A "
+     "lower limit ends files that hang a decoder sooner; if the limit is too low, long films are given up."},
+    {"analyzer.deadline_seconds_per_mebibyte",
+     number<&S::analyzer, &S::Analyzer::deadline_per_mebibyte>(0, 3600),
+     SettingEffect::analyzer,
+     {}},
+    {"analyzer.memory_mebibytes", whole<&S::analyzer, &S::Analyzer::memory>(256, 1048576),
+     SettingEffect::analyzer,
+     "MiB of memory that one analysing process may allocate. A file that needs more is not shown."},
+    {"analyzer.rescan_seconds", whole<&S::analyzer, &S::Analyzer::rescan>(1, 86400), SettingEffect::analyzer,
+     "Seconds between two searches through the whole media folder. They find the changes that the kernel does"
+     " not report (network mounts)."},
+    {"analyzer.quiet_milliseconds", whole<&S::analyzer, &S::Analyzer::quiet>(0, 600000),
+     SettingEffect::analyzer,
+     "Milliseconds that a file must stay unchanged before it is analysed. 150 ms are enough if the kernel of "
+     "this machine reports that the writer has closed the file; it cannot report that for a writer on a "
+     "network share. A longer time is safer with slow copies; a shorter time shows files sooner."},
+    {"analyzer.frame_size", whole<&S::analyzer, &S::Analyzer::frame_size>(64, 1024), SettingEffect::analyzer,
+     "Longest side, in pixels, at which frames of films are analysed. Photos are analysed at twice that size."
+     " A larger size finds smaller things and takes longer."},
+    {"analyzer.samples_per_second", number<&S::analyzer, &S::Analyzer::samples_per_second>(0.1, 120),
+     SettingEffect::analyzer,
+     "Frames of each second of a film that are searched for what matters. A higher rate follows fast subjects"
+     " better and takes longer."},
+    {"analyzer.motion_weight", number<&S::analyzer, &S::Analyzer::motion_weight>(0, 1),
+     SettingEffect::analyzer,
+     "Weights of motion, of the picture itself and of faces in the search for what matters (paper 1, eq. "
+     "3.2). Faces already count in the weight of the picture itself."},
+    {"analyzer.image_weight",
+     number<&S::analyzer, &S::Analyzer::image_weight>(0, 1),
+     SettingEffect::analyzer,
+     {}},
+    {"analyzer.face_weight",
+     number<&S::analyzer, &S::Analyzer::face_weight>(0, 1),
+     SettingEffect::analyzer,
+     {}},
+    {"analyzer.saliency_model",
+     text<&S::analyzer, &S::Analyzer::saliency_model>("a path, or nothing", is_any), SettingEffect::analyzer,
+     "An ONNX file of a saliency network that finds what matters in a picture, in place of the built-in "
+     "method. The network takes one picture of 320 x 320 and gives one map, as U2-Net does. Empty: the "
+     "built-in method."},
+    {"analyzer.face_model", text<&S::analyzer, &S::Analyzer::face_model>("a path, or nothing", is_any),
+     SettingEffect::analyzer,
+     "An ONNX file of the YuNet face detector. It finds more faces than the cascade, and faster. Empty: the "
+     "cascade."},
+    {"analyzer.face_cascade", text<&S::analyzer, &S::Analyzer::face_cascade>("a path, or nothing", is_any),
+     SettingEffect::analyzer,
+     "The Viola-Jones cascade that finds faces if there is no face model. Empty: faces are not searched "
+     "for."},
+    {"analyzer.region",
+     choice<&S::analyzer, &S::Analyzer::region>(
+         {{{"min_area", RegionMode::min_area}, {"hull", RegionMode::hull}}}),
+     SettingEffect::analyzer,
+     "Shape of the region that must not be covered. \"min_area\": the smallest convex region that holds "
+     "enough of what matters. \"hull\": follows the paper to its letter in all of saliency, motion and "
+     "region, with the cascade for faces; it is there for comparison, and its regions are mostly far "
+     "larger."},
+    {"analyzer.region_mass", number<&S::analyzer, &S::Analyzer::region_mass>(0.05, 0.99),
+     SettingEffect::analyzer,
+     "If this share of what matters fits into 40 % of the picture, the region is that small. If not, it is "
+     "not clear what matters, and the region holds 95 % of it. A higher share makes more regions large: it "
+     "protects more and packs less densely."},
+    {"analyzer.region_margin", number<&S::analyzer, &S::Analyzer::region_margin>(0, 0.2),
+     SettingEffect::analyzer, "Margin around the region, as a share of the picture's diagonal."},
+    {"layout.slots", whole<&S::layout, &S::Layout::slots>(1, 64), SettingEffect::new_walls,
+     "Number of shots on the wall at the same time. With more shots each is smaller, and the wall takes more "
+     "processor time."},
+    {"layout.seed", whole<&S::layout, &S::Layout::seed>(0, 2147483647), SettingEffect::new_walls,
+     "Start value of every random choice. The same seed with the same media gives the same wall."},
+    {"layout.energy",
+     choice<&S::layout, &S::Layout::energy>({{{"screen", EnergyMode::screen}, {"paper", EnergyMode::paper}}}),
+     SettingEffect::new_walls,
+     "Quantity that the packing minimises. \"screen\": the share of the screen that shows nothing that "
+     "matters. \"paper\": equation 3.4 of the paper, for comparison."},
+    {"layout.order",
+     choice<&S::layout, &S::Layout::order>(
+         {{{"free", LayoutOrder::free}, {"reading", LayoutOrder::reading}}}),
+     SettingEffect::new_walls,
+     "Places of the shots. \"free\": each stands where it fits best. \"reading\": they keep the order of "
+     "show.order, in lines from the top and from left to right; what matters then covers some 8 % less of the"
+     " screen."},
+    {"layout.max_enlargement", number<&S::layout, &S::Layout::max_enlargement>(0.1, 100),
+     SettingEffect::new_walls,
+     "Limit of enlargement, in screen pixels per picture pixel. A higher limit fills the screen with small "
+     "pictures, blurred."},
+    {"layout.clearance_pixels", number<&S::layout, &S::Layout::clearance>(0, 200), SettingEffect::new_walls,
+     "Screen pixels kept free between the regions of two neighbours."},
+    {"layout.cells",
+     choice<&S::layout, &S::Layout::cells>(
+         {{{"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}}),
+     SettingEffect::new_walls,
+     "Method that shares out the space between the regions. \"exact\": the Voronoi diagram of their outlines."
+     " \"sampled\": the paper's method with points along the outlines, for comparison; it may cut into "
+     "regions."},
+    {"layout.sample_pixels", number<&S::layout, &S::Layout::sample_spacing>(2, 200), SettingEffect::new_walls,
+     "Screen pixels between two of these points. A larger distance is faster and cuts deeper into regions."},
+    {"layout.gutter_pixels", number<&S::layout, &S::Layout::gutter>(0, 200), SettingEffect::new_walls,
+     "Screen pixels left free between two cells. A gutter never takes anything of a region."},
+    {"layout.corner_radius_pixels", number<&S::layout, &S::Layout::corner_radius>(0, 500),
+     SettingEffect::new_walls,
+     "Radius of the rounded corners of the cells, in screen pixels. A corner never cuts into a region."},
+    {"layout.feather_pixels", number<&S::layout, &S::Layout::feather>(1, 200), SettingEffect::new_walls,
+     "Screen pixels over which neighbours fade into each other, fewer where a region is nearer. 1: a clean "
+     "cut."},
+    {"layout.mode", choice<&S::layout, &S::Layout::mode>({{{"fit", WallMode::fit}, {"pan", WallMode::pan}}}),
+     SettingEffect::new_walls,
+     "\"fit\": all slots stand on one screen. \"pan\": the wall is as high as the screen, goes on to the "
+     "right and passes by slowly; each screen's width of it holds as many shots as there are slots."},
+    {"layout.folders",
+     choice<&S::layout, &S::Layout::folders>({{{"flat", FolderMode::flat}, {"nested", FolderMode::nested}}}),
+     SettingEffect::new_walls,
+     "\"nested\": the files of each folder stand together as one group. \"flat\": folders do not count."},
+    {"show.order",
+     choice<&S::show, &S::Show::order>(
+         {{{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}}),
+     SettingEffect::new_walls,
+     "Order in which shots take their turn: \"shuffle\", \"name\" or \"newest\". New files always come "
+     "first."},
+    {"show.film",
+     choice<&S::show, &S::Show::film>(
+         {{{"side_by_side", FilmShow::side_by_side}, {"sequence", FilmShow::sequence}}}),
+     SettingEffect::new_walls,
+     "Display of a film with many shots. \"side_by_side\": its shots may stand beside each other. Every shot "
+     "of all files comes once before any comes again, so that a long film fills the wall once the other files"
+     " have been shown. \"sequence\": the film has one place, where its shots follow each other in time, and "
+     "the other files begin again meanwhile. If the film is alone on the wall, each of its shots plays once, "
+     "and they leave one after the other, overlapping in time."},
+    {"show.dwell_seconds", whole<&S::show, &S::Show::dwell>(1, 86400), SettingEffect::new_walls,
+     "Seconds that a shot keeps its slot while others wait. A film's shot leaves at the end of a loop."},
+    {"show.longest_seconds", whole<&S::show, &S::Show::longest>(1, 86400), SettingEffect::new_walls,
+     "Seconds after which a film's shot leaves even if its loop has not ended."},
+    {"show.crossfade_milliseconds", whole<&S::show, &S::Show::crossfade>(0, 10000), SettingEffect::new_walls,
+     "Milliseconds of the crossfade at each change of the wall."},
+    {"show.motion_milliseconds", whole<&S::show, &S::Show::motion>(0, 10000), SettingEffect::new_walls,
+     "Milliseconds in which the shots that stay move to their new places before a new one fades in. 0: they "
+     "fade too."},
+    {"show.pan_pixels_per_second", number<&S::show, &S::Show::pan_speed>(1, 2000), SettingEffect::new_walls,
+     "Speed of a wall with layout.mode = \"pan\", in screen pixels a second."},
+    {"show.background", text<&S::show, &S::Show::background>("a colour like \"#101014\"", is_colour),
+     SettingEffect::restart, "Colour behind pictures that have transparent parts."},
+    {"input.devices",
+     text<&S::input, &S::Input::devices>(
+         "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",
+         is_device_list),
+     SettingEffect::restart,
+     "Devices with which visitors touch the wall. \"auto\": all touch panels, mice and keyboards, also those "
+     "that are plugged in later. \"/dev/input/event3, /dev/input/event5\": only these. \"none\": none. A "
+     "panel belongs to the display that udev's WL_OUTPUT names, else to the first display. If there is no "
+     "device, or the player is not in the group `input`, the wall just plays."},
+    {"input.idle_seconds", whole<&S::input, &S::Input::idle>(1, 86400), SettingEffect::restart,
+     "Seconds after the last touch until a picture that was made large goes back and the tapestry of a film "
+     "gives way to the wall."},
+    {"output.screen",
+     text<&S::output, &S::Output::screen>(
+         "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for more",
+         is_screen),
+     SettingEffect::restart,
+     "Screens that show the wall. \"kms\": all displays of the graphics card that has a display connected. "
+     "\"kms:/dev/dri/card1\": all displays of that card. Each display shows the wall in its own mode. "
+     "\"offscreen:1280x720\": one screen without a display; \"offscreen:1280x720+640x360\": two of them (see "
+     "--film and --snapshot of vitrine-player)."},
+    {"output.mode",
+     text<&S::output, &S::Output::mode>(
+         "a mode like \"1920x1080\" or \"1920x1080@60\", or outputs with modes like \"HDMI-A-1=1920x1080, "
+         "HDMI-A-2=1280x720@50\"",
+         [](const std::string& value) { return modes_named(value).has_value(); }),
+     SettingEffect::restart,
+     "Mode of the displays: \"1920x1080\" or \"1920x1080@60\" for all, \"HDMI-A-1=1920x1080, "
+     "HDMI-A-2=1280x720@50\" for these. A mode without a name is for all other displays. Empty, or if a "
+     "display lacks the mode: the mode that the display prefers."},
+    {"output.rotation", whole<&S::output, &S::Output::rotation>(0, 270, 90), SettingEffect::now,
+     "Degrees clockwise by which the display itself is turned: 0, 90, 180 or 270. The picture is upright on "
+     "it."},
+    {"output.margins",
+     text<&S::output, &S::Output::margins>(
+         "one or four of pixels or per cent, like \"2.5%\" or \"24,0,24,0\"",
+         [](const std::string& value) { return margins_named(value).has_value(); }),
+     SettingEffect::now,
+     "Black margins for a display that hides its edges, in pixels or per cent: \"2.5%\" at all sides, or "
+     "\"24,0,24,0\" at the left, top, right and bottom side of the display before it is turned. Nothing is "
+     "drawn there."},
+    {"output.folders",
+     text<&S::output, &S::Output::folders>(
+         "outputs with folders below the media folder, like \"HDMI-A-1=lobby, HDMI-A-2=hall\"",
+         [](const std::string& value) { return output_folders_named(value).has_value(); }),
+     SettingEffect::restart,
+     "Displays that show a wall of their own, of one folder below the media folder: \"HDMI-A-1=lobby, "
+     "HDMI-A-2=hall\". All other displays show the whole media folder together. The log names the displays."},
+    {"output.frame_rate", whole<&S::output, &S::Output::frame_rate>(1, 240), SettingEffect::restart,
+     "Limit of the frames that are drawn in a second."},
+    {"output.decoders",
+     choice<&S::output, &S::Output::decoders>(
+         {{{"auto", DecoderChoice::automatic}, {"processor", DecoderChoice::processor}}}),
+     SettingEffect::restart,
+     "Decoders of films. \"auto\": decoders of the hardware if there are some that open; the log names them. "
+     "\"processor\": software decoders only, for drivers that decode wrongly."},
+    {"output.api",
+     choice<&S::output, &S::Output::api>({{{"best", KmsApi::best}, {"legacy", KmsApi::legacy}}}),
+     SettingEffect::restart,
+     "Interface of the graphics card. \"best\": atomic requests if the driver takes them. \"legacy\": the "
+     "older calls, for drivers that take atomic requests but fail with them."},
+    {"output.sound",
+     text<&S::output, &S::Output::sound>("a device of ALSA like \"default\", or nothing", is_any),
+     SettingEffect::restart,
+     "Device for the sound of films whose hints say `sound`: \"default\" or another device of ALSA, which "
+     "`aplay -L` lists, such as \"hdmi:CARD=PCH,DEV=0\". Empty: the wall is always silent."},
+});
 
 }  // namespace
 
+std::string SettingKey::allowed() const {
+    return std::visit([](const auto& one) { return one.allowed(); }, kind);
+}
+
+void SettingKey::assign(Settings& settings, const SettingValue& value) const {
+    std::visit([&](const auto& one) { one.assign(settings, value); }, kind);
+}
+
+std::string SettingKey::text(const Settings& settings) const {
+    return std::visit([&](const auto& one) { return one.text(settings); }, kind);
+}
+
+void SettingKey::copy(const Settings& from, Settings& to) const {
+    std::visit([&](const auto& one) { one.copy(from, to); }, kind);
+}
+
 std::span<const SettingKey> setting_keys() {
-    static const std::vector<SettingKey> keys = make_keys();
     return keys;
 }
 
 const SettingKey* find_setting_key(std::string_view name) {
-    for (const SettingKey& key : setting_keys())
+    for (const SettingKey& key : keys)
         if (key.name == name) return &key;
     return nullptr;
 }

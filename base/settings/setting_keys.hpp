@@ -1,37 +1,49 @@
 #pragma once
 
+#include "base/settings/setting_kind.hpp"
 #include "base/settings/settings.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace vitrine {
 
-/// What a file or a command line can hold.
-using SettingValue = std::variant<bool, std::int64_t, double, std::string>;
+/// The time at which a running program follows a changed value.
+enum class SettingEffect {
+    analyzer,   // the player does not read it
+    restart,    // when the program starts again
+    now,        // at once
+    new_walls,  // at once: the player makes its walls anew
+};
 
 /// One key of the settings.
 struct SettingKey {
-    std::string name;     // section.key, as in the file
-    std::string allowed;  // what may stand there, in words: "a whole number from 1 to 64"
+    std::string_view name;  // section.key, as in the file
+    SettingKind kind;
+    SettingEffect effect;
+    std::string_view
+        help;  // the comment in config/vitrine.toml; empty: the comment above the key before counts
 
-    /// @throws std::invalid_argument where the value is not allowed; the settings then stay as they were
-    std::function<void(Settings&, const SettingValue&)> assign;
+    /// The allowed values in words: "a whole number from 1 to 64".
+    std::string allowed() const;
+
+    /// @throws std::invalid_argument if the value is not allowed; the settings then stay unchanged
+    void assign(Settings& settings, const SettingValue& value) const;
 
     /// The key's value as it would stand in the file.
-    std::function<std::string(const Settings&)> text;
+    std::string text(const Settings& settings) const;
+
+    /// Gives `to` the value of this key in `from`.
+    void copy(const Settings& from, Settings& to) const;
 };
 
-/// All keys in the order of config/vitrine.toml.
+/// All keys in the order of config/vitrine.toml. The file, the options of both programs, the manual page and
+/// the player's reload come from this table. A new setting needs its field in settings.hpp, its line in
+/// setting_keys.cpp, and the target `settings_file`, which writes config/vitrine.toml.
 std::span<const SettingKey> setting_keys();
 
-/// Nothing where there is no such key.
+/// Null if there is no such key.
 const SettingKey* find_setting_key(std::string_view name);
-
-/// A value from a command line: a whole number, a number, true/false or the text itself.
-SettingValue setting_value(const std::string& text);
 
 }  // namespace vitrine

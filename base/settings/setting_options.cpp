@@ -19,9 +19,10 @@ void SettingOptions::add_to(CLI::App& app) {
     app.add_option("--config", config_,
                    fmt::format("Settings file (default: {}, where it exists)", installed_file));
     for (const SettingKey& key : setting_keys()) {
-        Given& given = given_[key.name];
-        given.option = app.add_option("--" + key.name, given.text,
-                                      fmt::format("{} (default: {})", key.allowed, key.text(Settings{})))
+        const std::string name(key.name);
+        Given& given = given_[name];
+        given.option = app.add_option("--" + name, given.text,
+                                      fmt::format("{} (default: {})", key.allowed(), key.text(Settings{})))
                            ->group("Settings, as in the file")
                            ->type_name("");
     }

@@ -25,14 +25,14 @@ std::optional<SettingValue> to_value(const toml::node& node) {
 std::string list_of_keys(std::string_view section) {
     std::string list;
     for (const SettingKey& key : setting_keys())
-        if (key.name.starts_with(section)) list += (list.empty() ? "" : ", ") + key.name;
+        if (key.name.starts_with(section)) list += fmt::format("{}{}", list.empty() ? "" : ", ", key.name);
     return list;
 }
 
 std::string list_of_sections() {
     std::string list;
     for (const SettingKey& key : setting_keys()) {
-        const std::string section = "[" + key.name.substr(0, key.name.find('.')) + "]";
+        const std::string section = fmt::format("[{}]", key.name.substr(0, key.name.find('.')));
         if (list.find(section) == std::string::npos) list += (list.empty() ? "" : ", ") + section;
     }
     return list;
@@ -51,7 +51,7 @@ void read_key(const std::string& name, const std::string& section, const toml::n
         key->assign(settings, *value);
     } catch (const std::invalid_argument&) {
         throw SettingsError(fmt::format("{}:{}: the value of '{}' is not allowed; it must be {}", source,
-                                        line, name, key->allowed));
+                                        line, name, key->allowed()));
     }
 }
 
@@ -95,7 +95,8 @@ void apply_setting(const std::string& name, const std::string& text, Settings& s
             key->assign(settings, text);  // a folder may be called 2026
         }
     } catch (const std::invalid_argument&) {
-        throw SettingsError(fmt::format("--{} '{}' is not allowed; it must be {}", name, text, key->allowed));
+        throw SettingsError(
+            fmt::format("--{} '{}' is not allowed; it must be {}", name, text, key->allowed()));
     }
 }
 

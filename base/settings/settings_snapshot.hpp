@@ -7,9 +7,6 @@
 
 namespace vitrine {
 
-/// All settings as the file of settings that says the same.
-std::string to_toml(const Settings& settings);
-
 /// Settings as a file in memory for programs that are started later: they have what was right when it was
 /// read, whatever somebody is writing into the file of settings meanwhile.
 class SettingsSnapshot {

@@ -2,6 +2,7 @@
 
 #include "base/settings/setting_keys.hpp"
 #include "base/settings/settings_file.hpp"
+#include "base/settings/settings_text.hpp"
 
 #include <doctest/doctest.h>
 
