@@ -19,6 +19,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -49,6 +50,23 @@ void keep_freed_memory() {
     constexpr int largest_on_heap = 32 << 20;  // what glibc allows
     ::mallopt(M_TRIM_THRESHOLD, most_kept);
     ::mallopt(M_MMAP_THRESHOLD, largest_on_heap);
+}
+
+/// The face model to use. The default one stands in share/vitrine beside the folder of this program, in a
+/// build and where it is installed; where it does not stand there, "" is returned, and faces are found by the
+/// cascade.
+std::string face_model_at_hand(const std::string& wanted) {
+    if (wanted != Settings{}.analyzer.face_model) return wanted;
+    namespace fs = std::filesystem;
+    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/vitrine" /
+                            fs::path(wanted).filename();
+    return fs::exists(beside) ? beside.string() : std::string();
+}
+
+Settings settings_of(const CommandLine& line) {
+    Settings settings = line.options.settings();
+    settings.analyzer.face_model = face_model_at_hand(settings.analyzer.face_model);
+    return settings;
 }
 
 /// The record is all that reaches the standard output: libraries that print go to the standard error.
@@ -133,7 +151,7 @@ WatchOptions watch_options(const CommandLine& line, const Settings& settings,
 /// stay.
 void read_settings_again(const CommandLine& line, SettingsSnapshot& snapshot) {
     try {
-        const Settings settings = line.options.settings();
+        const Settings settings = settings_of(line);
         log::set_level(settings.log.level);
         snapshot.replace(settings);
         log::info("settings read again: files are analysed by them from now on; folders, store and pace "
@@ -209,7 +227,7 @@ int run(int argc, char** argv) {
         command->fallthrough();
     CLI11_PARSE(app, argc, argv);
 
-    const Settings settings = line.options.settings();
+    const Settings settings = settings_of(line);
     log::set_level(settings.log.level);
     if (*analyze) return analyze_command(line, settings);
     if (*thumbnail) return leave_thumbnail(line.file, settings) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -41,10 +41,12 @@ function(vitrine_module name)
 endfunction()
 
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, long, pipeline,
-# and beside them tsan for what has threads.
+# and beside them tsan for what has threads. Test cases of the doctest suite `real` read VITRINE_MEDIA. The files that
+# hold some are named by REAL, too, and give a second test, real.FILE; with the label `real` a file holds nothing else.
+# Without VITRINE_MEDIA ctest lists those tests as disabled.
 #   vitrine_tests(layout_test LABEL unit tsan SOURCES energy_test.cpp cells_test.cpp USES player_layout)
 function(vitrine_tests name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;REAL;USES" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -53,14 +55,32 @@ function(vitrine_tests name)
   target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
   foreach(source IN LISTS arg_SOURCES)
     get_filename_component(stem ${source} NAME_WE)
-    add_test(NAME ${name}.${stem} COMMAND ${name} --source-file=*${stem}.cpp)
-    set_tests_properties(${name}.${stem} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${arg_TIMEOUT}
-      ENVIRONMENT "${VITRINE_TEST_ENVIRONMENT}")
+    set(tests "")
+    if(NOT "real" IN_LIST arg_LABEL)
+      add_test(NAME ${name}.${stem} COMMAND ${name} --source-file=*${stem}.cpp --test-suite-exclude=real)
+      set_tests_properties(${name}.${stem} PROPERTIES LABELS "${arg_LABEL}")
+      list(APPEND tests ${name}.${stem})
+    endif()
+    if("real" IN_LIST arg_LABEL OR source IN_LIST arg_REAL)
+      add_test(NAME real.${stem} COMMAND ${name} --source-file=*${stem}.cpp --test-suite=real)
+      set_tests_properties(real.${stem} PROPERTIES LABELS real DISABLED $<NOT:$<BOOL:${VITRINE_HAS_MEDIA}>>)
+      list(APPEND tests real.${stem})
+    endif()
+    set_tests_properties(${tests} PROPERTIES TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${VITRINE_TEST_ENVIRONMENT}")
   endforeach()
+  if("real" IN_LIST arg_LABEL OR arg_REAL)
+    target_compile_definitions(${name} PRIVATE VITRINE_MEDIA="${VITRINE_MEDIA}")
+  endif()
   if("tsan" IN_LIST arg_LABEL)
     set_property(GLOBAL APPEND PROPERTY VITRINE_TSAN_TARGETS ${name})
   endif()
 endfunction()
+
+if(IS_DIRECTORY ${VITRINE_MEDIA})
+  set(VITRINE_HAS_MEDIA TRUE)
+else()
+  set(VITRINE_HAS_MEDIA FALSE)
+endif()
 
 set(VITRINE_TEST_ENVIRONMENT
   "ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0"

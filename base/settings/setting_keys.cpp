@@ -125,7 +125,7 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"analyzer.face_model", text<&S::analyzer, &S::Analyzer::face_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "An ONNX file of the YuNet face detector. It finds more faces than the cascade, and faster. Empty: the "
-     "cascade."},
+     "cascade. The default comes with the analyzer; if it is missing, the cascade is used."},
     {"analyzer.face_cascade", text<&S::analyzer, &S::Analyzer::face_cascade>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "The Viola-Jones cascade that finds faces if there is no face model. Empty: faces are not searched "

@@ -54,7 +54,7 @@ struct Settings {
         double image_weight = 0.5;
         double face_weight = 0;      // faces count in image saliency already
         std::string saliency_model;  // an ONNX file, empty: image saliency of our own
-        std::string face_model;      // an ONNX file, empty: the cascade
+        std::string face_model = "/usr/share/vitrine/face_detection_yunet.onnx";  // empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
         RegionMode region = RegionMode::min_area;
         double region_mass = 0.64;

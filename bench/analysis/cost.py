@@ -114,7 +114,7 @@ def main():
     parser.add_argument("--pairs", type=int, default=3)
     parser.add_argument("--hours", type=float, default=2)
     parser.add_argument("--threads", type=int, default=2)
-    parser.add_argument("--face-model", type=Path, default=TREE.parent / "shared" / "models" / "face_detection_yunet.onnx")
+    parser.add_argument("--face-model", type=Path, default=TREE / "analyzer/models/face_detection_yunet.onnx")
     line = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="vitrine-cost-") as name:
         folder = line.films or Path(name)
@@ -126,7 +126,7 @@ def main():
             make_jpeg(jpeg, line.media)
         frames, rate = frames_of(film)
         print(f"{frames} frames of 1080p H.264 at {rate / 1e6:.1f} Mb/s, {line.threads} threads")
-        detectors = {"Viola-Jones": []}
+        detectors = {"Viola-Jones": ["--analyzer.face_model", ""]}
         if line.face_model.is_file():
             detectors["YuNet"] = ["--analyzer.face_model", line.face_model]
         for faces, options in detectors.items():

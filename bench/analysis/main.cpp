@@ -25,7 +25,7 @@ int usage() {
 int main(int argc, char** argv) {
     if (VIPS_INIT(argv[0]) != 0) return 1;
     cv::setNumThreads(1);
-    TableInput input{.media = VITRINE_SHARED_MEDIA, .face_model = {}};
+    TableInput input{.media = VITRINE_MEDIA, .face_model = {}};
     std::string only;
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     for (std::size_t i = 1; i < words.size(); ++i) {

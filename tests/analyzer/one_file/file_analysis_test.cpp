@@ -48,6 +48,7 @@ struct Photo {
 
 Settings settings_without_faces(RegionMode region) {
     Settings settings;
+    settings.analyzer.face_model.clear();
     settings.analyzer.face_cascade.clear();
     settings.analyzer.region = region;
     return settings;

@@ -15,17 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path nasa = fs::path(VITRINE_SHARED_MEDIA) / "edited/nasa_13013_320x180.mp4";
+const fs::path nasa = fs::path(VITRINE_MEDIA) / "edited/nasa_13013_320x180.mp4";
 
 Settings without_faces() {
     Settings settings;
+    settings.analyzer.face_model.clear();
     settings.analyzer.face_cascade.clear();
     return settings;
 }
 
 }  // namespace
 
-TEST_CASE("errors name the file") {
+TEST_CASE("errors name the file" * doctest::test_suite("real")) {
     const TemporaryDirectory folder;
     const fs::path text = folder.write("notes.txt", "no film at all");
     const fs::path times = folder.write("times", "1.5\nsoon\n");
@@ -39,7 +40,7 @@ TEST_CASE("errors name the file") {
         doctest::Contains("line 2: 'soon'"));
 }
 
-TEST_CASE("a film is woven of the times chosen by hand") {
+TEST_CASE("a film is woven of the times chosen by hand" * doctest::test_suite("real")) {
     if (!fs::exists(nasa)) {
         MESSAGE("not here: ", nasa.string());
         return;
@@ -59,7 +60,7 @@ TEST_CASE("a film is woven of the times chosen by hand") {
     CHECK(fs::file_size(folder.path / "out" / tapestry.tile_name(0, 0)) > 1000);
 }
 
-TEST_CASE("a film of one level has no zoom, and says so") {
+TEST_CASE("a film of one level has no zoom, and says so" * doctest::test_suite("real")) {
     if (!fs::exists(nasa)) {
         MESSAGE("not here: ", nasa.string());
         return;

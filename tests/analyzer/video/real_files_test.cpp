@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path media = VITRINE_SHARED_MEDIA;
+const fs::path media = VITRINE_MEDIA;
 constexpr int whole_photo = 4096;  // px: not shrunk
 
 std::vector<std::string> files_under(const char* folder) {
@@ -80,7 +80,7 @@ bool is_plain(const std::string& reason) {
 
 }  // namespace
 
-TEST_CASE("every codec, container and still format opens") {
+TEST_CASE("every codec, container and still format opens" * doctest::test_suite("real")) {
     for (const char* folder : {"codecs", "formats", "orientation"}) {
         for (const std::string& path : files_under(folder)) {
             CAPTURE(path);
@@ -100,7 +100,7 @@ TEST_CASE("every codec, container and still format opens") {
     }
 }
 
-TEST_CASE("all eight orientations of one photo are the same picture") {
+TEST_CASE("all eight orientations of one photo are the same picture" * doctest::test_suite("real")) {
     const Outcome upright = read_in("orientation/Landscape_1.jpg");
     if (upright.frames == 0) return;
     for (int i = 2; i <= 8; ++i) {
@@ -110,7 +110,8 @@ TEST_CASE("all eight orientations of one photo are the same picture") {
     }
 }
 
-TEST_CASE("one photo stored turned or mirrored is upright, stored whole but cropped is cropped") {
+TEST_CASE("one photo stored turned or mirrored is upright, stored whole but cropped is cropped" *
+          doctest::test_suite("real")) {
     if (!fs::exists(media / "formats/kimono.avif")) return;
     const cv::Mat plain = open_media(media / "formats/kimono.avif", whole_photo)->next()->picture;
     for (const char* name :
@@ -128,7 +129,7 @@ TEST_CASE("one photo stored turned or mirrored is upright, stored whole but crop
     CHECK(best < 0.01);
 }
 
-TEST_CASE("a turned film stands as the unturned one") {
+TEST_CASE("a turned film stands as the unturned one" * doctest::test_suite("real")) {
     const Outcome upright = read_in("codecs/khronos_rotation_0.mp4");
     if (upright.frames == 0) return;
     for (const char* name : {"90", "180", "270"}) {
@@ -138,7 +139,7 @@ TEST_CASE("a turned film stands as the unturned one") {
     }
 }
 
-TEST_CASE("no hostile file crashes, hangs or is shown when it is not whole") {
+TEST_CASE("no hostile file crashes, hangs or is shown when it is not whole" * doctest::test_suite("real")) {
     for (const std::string& path : files_under("hostile")) {
         CAPTURE(path);
         const auto start = std::chrono::steady_clock::now();
@@ -152,7 +153,7 @@ TEST_CASE("no hostile file crashes, hangs or is shown when it is not whole") {
     }
 }
 
-TEST_CASE("what is cut short is waited for, what is a bomb is refused") {
+TEST_CASE("what is cut short is waited for, what is a bomb is refused" * doctest::test_suite("real")) {
     if (!fs::is_directory(media / "hostile/made")) return;
     for (const char* name :
          {"jpeg_cut_10pct.jpg", "jpeg_cut_50pct.jpg", "jpeg_cut_99pct.jpg", "mp4_cut_in_mdat.mp4",

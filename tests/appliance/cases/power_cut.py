@@ -109,7 +109,8 @@ def check(folder, due, what, starts):
 def start(folder, found, what):
     """The analyzer, here, with what the cut has left."""
     done = subprocess.run([folder.parent / "build/analyzer/vitrine-analyzer", "watch", "--once", "--media.root", found / "media",
-                           "--state.directory", found / "state", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_cascade", ""],
+                           "--state.directory", found / "state", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_model", "",
+                            "--analyzer.face_cascade", ""],
                           capture_output=True, text=True, timeout=600)
     said = done.stdout + done.stderr
     assert done.returncode == 0 and "unreadable" not in said and "no sense" not in said, f"{what}: {said[-3000:]}"
