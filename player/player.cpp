@@ -4,10 +4,8 @@
 #include "base/state/catalogue.hpp"
 #include "base/system/journal.hpp"
 #include "base/system/service.hpp"
+#include "player/display/display_kinds.hpp"
 #include "player/display/gl_device.hpp"
-#include "player/display/kms_display.hpp"
-#include "player/display/offscreen_display.hpp"
-#include "player/display/screen_choice.hpp"
 #include "player/playback/hardware_decoders.hpp"
 #include "player/render/upload_choice.hpp"
 #include "player/stage/stage_settings.hpp"
@@ -31,17 +29,6 @@ constexpr auto retry_pause = 1s;         // before another try to open a graphic
 constexpr auto status_interval = 5s;
 constexpr auto old_picture_patience = 4s;  // then it gives way to a wall that is not whole
 
-KmsOptions kms_options(const Settings& settings, const KmsChoice& choice, SoftwareGl& software) {
-    return {.card = choice.card,
-            .modes = modes_named(settings.output.mode).value_or(ModeWishes{}),
-            .api = settings.output.api,
-            .software = &software};
-}
-
-bool is_offscreen(const Settings& settings) {
-    return std::holds_alternative<OffscreenChoice>(parse_screen(settings.output.screen));
-}
-
 }  // namespace
 
 Player::Player(const Settings& settings, const PlayOptions& options)
@@ -52,16 +39,17 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       reloaded_(loop_.signal(SIGHUP, [this] { reload_or_tell(); })),
       left_(loop_.signal(Console::leave_signal, [this] { leave_terminal(); })),
       entered_(loop_.signal(Console::enter_signal, [this] { come_to_terminal(); })),
-      is_paced_by_pictures_(is_offscreen(settings) && !options.is_realtime),
-      console_(is_offscreen(settings) ? nullptr : std::make_unique<Console>()),
-      keeper_(service::held(KmsDisplay::keeper_name)),
+      opener_(make_display_opener(
+          {.output = settings.output, .recording = {.film = options.film, .snapshot = options.snapshot}})),
+      is_paced_by_pictures_(opener_->traits().can_wait_for_pictures && !options.is_realtime),
+      console_(opener_->traits().has_terminal ? std::make_unique<Console>() : nullptr),
       crash_note_(settings.state.directory),
       sources_(media_places(settings), source_options(settings, !is_paced_by_pictures_)),
       programme_(settings.state.directory),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
-      visitors_(loop_, is_offscreen(settings) ? "none" : settings.input.devices),
+      visitors_(loop_, opener_->traits().has_terminal ? settings.input.devices : "none"),
       tick_(loop_.timer([this] { tick(); })),
       told_(loop_.timer([this] { tell(); })),
       noted_(loop_.timer([this] {
@@ -115,20 +103,8 @@ void Player::make_stages() {
 /// While the display is opened, which takes a tenth of a second, the first wall is laid out for the size that
 /// most have.
 void Player::expect_screen() {
-    OffscreenChoice::Size size{.width = 1920, .height = 1080};
-    const ScreenChoice choice = parse_screen(settings_.output.screen);
-    if (const auto* offscreen = std::get_if<OffscreenChoice>(&choice)) size = offscreen->screens.front();
+    const ScreenSize size = opener_->traits().expected;
     stages_.front()->expect_screen(size.width, size.height);
-}
-
-std::unique_ptr<Display> Player::make_display() {
-    const ScreenChoice choice = parse_screen(settings_.output.screen);
-    if (const auto* kms = std::get_if<KmsChoice>(&choice))
-        return std::make_unique<KmsDisplay>(kms_options(settings_, *kms, software_gl_), keeper_);
-    auto display = std::make_unique<OffscreenDisplay>(std::get<OffscreenChoice>(choice), options_.film,
-                                                      static_cast<double>(settings_.output.frame_rate));
-    offscreen_ = display.get();
-    return display;
 }
 
 /// A card that is not there, or that another program has, is awaited; off screen there is nothing to wait
@@ -137,9 +113,9 @@ void Player::open_display() {
     next_try_ = EventLoop::Clock::now() + retry_pause;
     if (console_ && !console_->is_in_front()) return;
     try {
-        display_ = make_display();
+        display_ = opener_->open();
     } catch (const std::exception& error) {
-        if (!console_) throw;
+        if (!opener_->traits().is_awaited) throw;
         if (complaint_ != error.what()) log::warning("screen: waiting: {}", error.what());
         complaint_ = error.what();
         return;
@@ -176,7 +152,7 @@ void Player::close_display() {
     for (const auto& stage : stages_)
         stage->set_screens({}, now());
     display_events_ = {};
-    if (gl_ != software_gl_.egl) drop_renderer();  // GL on the card ends with it
+    if (!display_->has_lasting_gl()) drop_renderer();
     display_.reset();
 }
 
@@ -298,12 +274,9 @@ void Player::finish() {
     service::stopping();
     log::info("{} pictures shown, {} late; {} pictures of films were late", clock_.pictures(), clock_.late(),
               sources_.late());
-    if (offscreen_ == nullptr) return;
-    offscreen_->finish_films();
-    if (options_.film) log::info("film: '{}'", options_.film->string());
-    if (!options_.snapshot) return;
-    offscreen_->save(*options_.snapshot);
-    log::info("snapshot: '{}'", options_.snapshot->string());
+    if (!display_) return;
+    for (const std::string& line : display_->finish_recording())
+        log::info("{}", line);
 }
 
 }  // namespace vitrine::player

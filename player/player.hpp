@@ -6,7 +6,7 @@
 #include "player/content/crash_note.hpp"
 #include "player/content/programme_follower.hpp"
 #include "player/display/console.hpp"
-#include "player/display/screen.hpp"
+#include "player/display/display.hpp"
 #include "player/frame_clock.hpp"
 #include "player/input/input_devices.hpp"
 #include "player/playback/source_pool.hpp"
@@ -27,8 +27,6 @@
 #include <vector>
 
 namespace vitrine::player {
-
-class OffscreenDisplay;
 
 /// What only a command line says of a run.
 struct PlayOptions {
@@ -56,7 +54,6 @@ class Player {
     void run();
 
   private:
-    std::unique_ptr<Display> make_display();
     void open_display();
     void make_renderer();
     void drop_renderer();
@@ -90,20 +87,18 @@ class Player {
     EventLoop loop_;
     EventLoop::Source interrupted_;  // blocked before any thread starts, which else would be killed by them
     EventLoop::Source terminated_;
-    EventLoop::Source reloaded_;         // SIGHUP: the settings are to be read again
-    EventLoop::Source left_;             // the terminal: another one is to be in front
-    EventLoop::Source entered_;          // ours is in front again
-    int noted_side_ = 0;                 // px, as the analyzer was told last
+    EventLoop::Source reloaded_;  // SIGHUP: the settings are to be read again
+    EventLoop::Source left_;      // the terminal: another one is to be in front
+    EventLoop::Source entered_;   // ours is in front again
+    int noted_side_ = 0;          // px, as the analyzer was told last
+    std::unique_ptr<DisplayOpener> opener_;
     bool is_paced_by_pictures_ = false;  // the clock waits for the sources, not they for the clock
     std::unique_ptr<Console> console_;   // none: off screen
-    SoftwareGl software_gl_;
-    UniqueFd keeper_;                        // of the card, by the process before; until a display takes it
-    std::unique_ptr<Display> display_;       // none: no graphics card for now
-    OffscreenDisplay* offscreen_ = nullptr;  // display_ where it is one
-    std::string complaint_;                  // why there is none, as last told
-    std::shared_ptr<Egl> gl_;                // of the renderer, shared with the display
-    std::optional<Renderer> renderer_;       // where there is a display, or what draws outlasted one
-    CrashNote crash_note_;                   // before the sources, whose files it is told of
+    std::unique_ptr<Display> display_;   // none: no graphics card for now
+    std::string complaint_;              // why there is none, as last told
+    std::shared_ptr<Egl> gl_;            // of the renderer, shared with the display
+    std::optional<Renderer> renderer_;   // where there is a display, or what draws outlasted one
+    CrashNote crash_note_;               // before the sources, whose files it is told of
     SourcePool sources_;
     std::optional<WallSound> sound_;               // none: nothing is ever heard
     std::map<std::string, std::size_t> stage_of_;  // output -> stages_; the others show the first

@@ -7,7 +7,7 @@
 #include "player/control/bus_object.hpp"
 #include "player/control/health.hpp"
 #include "player/control/player_report.hpp"
-#include "player/display/screen.hpp"
+#include "player/display/display.hpp"
 #include "player/frame_clock.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/scene/wishes.hpp"

@@ -1,5 +1,6 @@
 #include "player/display/kms_display.hpp"
 
+#include "base/settings/output_words.hpp"
 #include "base/system/error.hpp"
 #include "base/system/service.hpp"
 #include "player/display/gl_device.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -54,7 +56,32 @@ std::string mode_name(const Output& output) {
     return fmt::format("{}x{}", output.mode.hdisplay, output.mode.vdisplay);
 }
 
+// Keeps, from display to display, GL in software and the keeper that the process before has left.
+class KmsOpener final : public DisplayOpener {
+  public:
+    KmsOpener(std::filesystem::path card, const Settings::Output& output)
+        : DisplayOpener({}),
+          options_{.card = std::move(card),
+                   .modes = modes_named(output.mode).value_or(ModeWishes{}),
+                   .api = output.api,
+                   .software = &software_},
+          keeper_(service::held(KmsDisplay::keeper_name)) {}
+
+    std::unique_ptr<Display> open() override { return std::make_unique<KmsDisplay>(options_, keeper_); }
+
+  private:
+    SoftwareGl software_;
+    KmsOptions options_;
+    UniqueFd keeper_;  // of the card, by the process before; until a display takes it
+};
+
 }  // namespace
+
+std::unique_ptr<DisplayOpener> make_kms_opener(std::optional<std::string_view> argument,
+                                               const DisplayRequest& request) {
+    if (argument && !argument->starts_with('/')) return nullptr;
+    return std::make_unique<KmsOpener>(argument.value_or(""), request.output);
+}
 
 KmsDisplay::KmsDisplay(const KmsOptions& options, UniqueFd& left)
     : is_any_card_(options.card.empty()),

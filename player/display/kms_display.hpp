@@ -1,10 +1,10 @@
 #pragma once
 
 #include "player/display/card.hpp"
+#include "player/display/display.hpp"
 #include "player/display/egl.hpp"
 #include "player/display/kms_screen.hpp"
 #include "player/display/panel_watch.hpp"
-#include "player/display/screen.hpp"
 
 #include "base/system/handle.hpp"
 
@@ -12,7 +12,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,8 @@ class KmsDisplay final : public Display {
 
     const std::shared_ptr<Egl>& gl() const override { return egl_; }
 
+    bool has_lasting_gl() const override { return device_ == nullptr; }
+
     std::string description() const override;
 
   private:
@@ -100,5 +104,11 @@ class KmsDisplay final : public Display {
     std::vector<std::unique_ptr<KmsScreen>> lit_;
     std::vector<Screen*> lent_;
 };
+
+/// Makes displays on a graphics card: "kms", "kms:/dev/dri/card1".
+/// @param argument  the text behind the colon of `output.screen`
+/// @return nothing where the argument is not understood
+std::unique_ptr<DisplayOpener> make_kms_opener(std::optional<std::string_view> argument,
+                                               const DisplayRequest& request);
 
 }  // namespace vitrine::player

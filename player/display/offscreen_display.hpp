@@ -1,12 +1,13 @@
 #pragma once
 
+#include "player/display/display.hpp"
 #include "player/display/offscreen_screen.hpp"
-#include "player/display/screen.hpp"
-#include "player/display/screen_choice.hpp"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace vitrine::player {
@@ -14,14 +15,23 @@ namespace vitrine::player {
 /// `path` for the first of several files; with a number before its ending for each further one: "wall-2.mp4".
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t index);
 
+/// The screens that `output.screen` asks for in memory instead of panels.
+struct OffscreenChoice {
+    std::vector<ScreenSize> screens;  // one at least
+
+    friend bool operator==(const OffscreenChoice&, const OffscreenChoice&) = default;
+};
+
+/// The choice of "1280x720+640x360"; nothing where it is not understood, or a side is not 16 to 16384 px.
+std::optional<OffscreenChoice> offscreen_choice(std::string_view sizes);
+
 /// Screens in memory, "offscreen-1" and so on, that are always there.
 class OffscreenDisplay final : public Display {
   public:
-    /// @param film  of the first screen; the others' are numbered()
-    /// @param rate  pictures a second that the films are told to hold
+    /// @param recording  the first screen's files; the others' are numbered()
+    /// @param rate       frames a second that the films are told to hold
     /// @throws std::runtime_error where EGL cannot draw without a device, or a film cannot be written
-    OffscreenDisplay(const OffscreenChoice& choice, const std::optional<std::filesystem::path>& film,
-                     double rate);
+    OffscreenDisplay(const OffscreenChoice& choice, Recording recording, double rate);
 
     std::span<Screen* const> screens() override { return lent_; }
 
@@ -41,18 +51,20 @@ class OffscreenDisplay final : public Display {
 
     std::string description() const override;
 
-    /// Ends the films, so that the files are whole.
-    /// @throws std::runtime_error naming the film
-    void finish_films();
-
-    /// What the screens show now, the first one's into `path`, the others' numbered().
-    /// @throws std::runtime_error naming the file
-    void save(const std::filesystem::path& path);
+    /// Completes the films, and writes what the screens show now as the snapshots.
+    std::vector<std::string> finish_recording() override;
 
   private:
+    Recording recording_;
     std::shared_ptr<Egl> egl_;  // shared with the screens, which may be used without a display
     std::vector<std::unique_ptr<OffscreenScreen>> screens_;
     std::vector<Screen*> lent_;
 };
+
+/// Makes off-screen displays: "offscreen:1280x720+640x360".
+/// @param argument  the text behind the colon of `output.screen`
+/// @return nothing where the argument is not understood
+std::unique_ptr<DisplayOpener> make_offscreen_opener(std::optional<std::string_view> argument,
+                                                     const DisplayRequest& request);
 
 }  // namespace vitrine::player

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "player/display/egl.hpp"
 #include "player/display/picture.hpp"
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace vitrine::player {
 
@@ -54,57 +50,11 @@ class Screen {
     virtual void present(std::chrono::nanoseconds time) = 0;
 };
 
-/// Something that became of a display, for the log.
-struct DisplayEvent {
-    bool is_trouble = false;
-    std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
-};
+struct ScreenSize {
+    int width = 0;  // px
+    int height = 0;
 
-/// All that there is to show on: a graphics card with its panels, or memory. Has one EGL context for all its
-/// screens, which is current for as long as it lives. One of the two true seams of the player.
-class Display {
-  public:
-    Display() = default;
-    Display(const Display&) = delete;
-    Display& operator=(const Display&) = delete;
-    Display(Display&&) = delete;
-    Display& operator=(Display&&) = delete;
-    virtual ~Display() = default;
-
-    /// Those to draw on now, always in the same order; none: no panel, or another program has the card.
-    /// Lent until the next call.
-    virtual std::span<Screen* const> screens() = 0;
-
-    /// To be polled for POLLIN between frames, then dispatch() called; -1: none.
-    virtual int event_fd() const = 0;
-    virtual void dispatch() = 0;
-
-    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended,
-    /// unless gl() is kept for another display, then this; another may be made.
-    virtual bool is_gone() const = 0;
-
-    /// Whether another program, or another terminal, has the card: nothing is shown on purpose.
-    virtual bool is_away() const { return false; }
-
-    /// Leaves the card to other programs until take_back().
-    virtual void leave() = 0;
-    virtual void take_back() = 0;
-
-    /// Whether it shows a picture of an earlier run, which stays until one is presented.
-    virtual bool has_old_picture() const { return false; }
-
-    /// The program ends in order: what is shown stays for the next one. False: it cannot.
-    virtual bool keep_picture() { return false; }
-
-    /// What has become of it since the last call.
-    virtual std::vector<DisplayEvent> take_events() = 0;
-
-    /// What draws. Where it is shared with the displays before and after, what GL has made stays good for
-    /// them.
-    virtual const std::shared_ptr<Egl>& gl() const = 0;
-
-    /// For the log: what this is, its modes, its renderer.
-    virtual std::string description() const = 0;
+    friend bool operator==(const ScreenSize&, const ScreenSize&) = default;
 };
 
 }  // namespace vitrine::player

@@ -49,12 +49,15 @@ TEST_CASE("screens side by side keep each its own picture and size") {
 
 TEST_CASE("every screen is filmed and saved") {
     const TemporaryDirectory directory;
-    OffscreenDisplay display({.screens = {{64, 32}, {48, 16}}}, directory.path / "wall.mp4", 30);
+    OffscreenDisplay display({.screens = {{64, 32}, {48, 16}}},
+                             {.film = directory.path / "wall.mp4", .snapshot = directory.path / "wall.png"},
+                             30);
 
     for (Screen* screen : display.screens())
         fill(*screen, 1, 0);
-    display.finish_films();
-    display.save(directory.path / "wall.png");
+    const std::vector<std::string> lines = display.finish_recording();
+
+    CHECK(lines.size() == 2);
 
     for (const char* name : {"wall.mp4", "wall-2.mp4", "wall.png", "wall-2.png"}) {
         CAPTURE(name);

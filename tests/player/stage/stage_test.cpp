@@ -89,7 +89,7 @@ class CountingScreen final : public Screen {
 
 /// A red and a blue photo, in folders of their own, and one wall that takes turns with them.
 struct Theatre {
-    explicit Theatre(const std::vector<OffscreenChoice::Size>& screens,
+    explicit Theatre(const std::vector<ScreenSize>& screens,
                      Settings wanted = one_photo_at_a_time(), const std::string& folder = "")
         : settings(std::move(wanted)), display({.screens = screens}, {}, 30) {
         write_photo(directory.path / "a/red.png", red);

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/display/egl.hpp"
+#include "player/display/screen.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// Something that became of a display, for the log.
+struct DisplayEvent {
+    bool is_trouble = false;
+    std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
+};
+
+/// A graphics card with its panels, or memory in place of them. Has one EGL context for all its screens,
+/// which is current for as long as the display lives. One of the two true seams of the player.
+class Display {
+  public:
+    Display() = default;
+    Display(const Display&) = delete;
+    Display& operator=(const Display&) = delete;
+    Display(Display&&) = delete;
+    Display& operator=(Display&&) = delete;
+    virtual ~Display() = default;
+
+    /// Those to draw on now, always in the same order; none: no panel, or another program has the card.
+    /// Lent until the next call.
+    virtual std::span<Screen* const> screens() = 0;
+
+    /// To be polled for POLLIN between frames, then dispatch() called; -1: none.
+    virtual int event_fd() const = 0;
+    virtual void dispatch() = 0;
+
+    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended,
+    /// unless gl() is kept for another display, then this; another may be made.
+    virtual bool is_gone() const = 0;
+
+    /// Whether another program, or another terminal, has the card: nothing is shown on purpose.
+    virtual bool is_away() const { return false; }
+
+    /// Leaves the card to other programs until take_back().
+    virtual void leave() = 0;
+    virtual void take_back() = 0;
+
+    /// Whether it shows a picture of an earlier run, which stays until one is presented.
+    virtual bool has_old_picture() const { return false; }
+
+    /// Call when the program ends in order: what is shown stays for the next process. False: it cannot.
+    virtual bool keep_picture() { return false; }
+
+    /// Call when the program ends in order: completes the files that the run was asked for (`Recording`).
+    /// @return one line for the log a file
+    /// @throws std::runtime_error naming the file
+    virtual std::vector<std::string> finish_recording() { return {}; }
+
+    /// What has become of it since the last call.
+    virtual std::vector<DisplayEvent> take_events() = 0;
+
+    /// What draws. Where it is shared with the displays before and after, what GL has made stays good for
+    /// them.
+    virtual const std::shared_ptr<Egl>& gl() const = 0;
+
+    /// Whether gl() outlives this display; else all that GL made must be destroyed before it.
+    virtual bool has_lasting_gl() const { return false; }
+
+    /// For the log: what this is, its modes, its renderer.
+    virtual std::string description() const = 0;
+};
+
+/// The files that an off-screen run writes.
+struct Recording {
+    std::optional<std::filesystem::path> film;      // MP4: every frame
+    std::optional<std::filesystem::path> snapshot;  // PNG: the last frame
+};
+
+/// The wishes of settings and command line that concern a display.
+struct DisplayRequest {
+    Settings::Output output;
+    Recording recording;
+};
+
+/// The facts about a kind of display that are known before one is open.
+struct DisplayTraits {
+    bool has_terminal = true;  // its panels belong to the terminal in front: input devices are read, too
+    bool is_awaited = true;    // a missing display is waited for; else the program ends without one
+    bool can_wait_for_pictures = false;  // nobody looks on: a frame may be drawn late, but exact
+    ScreenSize expected{.width = 1920, .height = 1080};  // the first screen's, as long as none is open
+};
+
+/// Opens displays of one kind: the first, and another one after each that was lost. Keeps what outlasts a
+/// single display. A new kind of display is one of these and a line in display_kinds.cpp.
+class DisplayOpener {
+  public:
+    explicit DisplayOpener(DisplayTraits traits) : traits_(traits) {}
+
+    DisplayOpener(const DisplayOpener&) = delete;
+    DisplayOpener& operator=(const DisplayOpener&) = delete;
+    DisplayOpener(DisplayOpener&&) = delete;
+    DisplayOpener& operator=(DisplayOpener&&) = delete;
+    virtual ~DisplayOpener() = default;
+
+    const DisplayTraits& traits() const { return traits_; }
+
+    /// @pre the display before has ended
+    /// @throws std::runtime_error, std::system_error: there is nothing to show on, or it cannot be drawn on
+    virtual std::unique_ptr<Display> open() = 0;
+
+  private:
+    DisplayTraits traits_;
+};
+
+}  // namespace vitrine::player

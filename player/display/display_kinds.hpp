@@ -1,0 +1,14 @@
+#pragma once
+
+#include "player/display/display.hpp"
+
+#include <memory>
+
+namespace vitrine::player {
+
+/// What opens the display that `output.screen` names: "kms", "kms:/dev/dri/card1" or
+/// "offscreen:1280x720+640x360". Call it once, before any thread starts (service::held()).
+/// @throws std::invalid_argument saying what is allowed
+std::unique_ptr<DisplayOpener> make_display_opener(const DisplayRequest& request);
+
+}  // namespace vitrine::player
