@@ -138,7 +138,7 @@ TEST_CASE("an animated GIF is waited for until its last picture is there, though
     CHECK(refusal_of(whole.substr(0, before_second_data), MediaFormat::gif)
               .starts_with("the copy is not complete"));
     CHECK(refusal_of(whole.substr(0, whole.size() - 1), MediaFormat::gif).empty());  // some leave the end out
-    CHECK(refusal_of(std::string(screen) + "nonsense", MediaFormat::gif).empty());   // a decoder's to say
+    CHECK(refusal_of(fmt::format("{}nonsense", screen), MediaFormat::gif).empty());  // a decoder's to say
 }
 
 TEST_CASE("an ASF file is as long as its header says, a live one as it is") {
