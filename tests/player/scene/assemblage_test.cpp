@@ -48,7 +48,7 @@ struct Player {
     }
 };
 
-Player player(AssemblageSettings settings, const std::vector<MediaRecord>& records) {
+Player make_player(AssemblageSettings settings, const std::vector<MediaRecord>& records) {
     settings.lead = 0s;
     Player player{.assemblage = Assemblage(settings)};
     player.assemblage.set_catalogue(records);
@@ -61,7 +61,7 @@ Player player(AssemblageSettings settings, const std::vector<MediaRecord>& recor
 TEST_CASE("every photo is shown once before any is shown again") {
     for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name, ShotOrder::newest}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-            Player wall = player({.slots = 4, .order = order, .seed = seed}, photos(13));
+            Player wall = make_player({.slots = 4, .order = order, .seed = seed}, photos(13));
             for (int i = 0; i < 200; ++i) {
                 wall.run(5s);
                 int least = 1000;
@@ -79,7 +79,7 @@ TEST_CASE("every photo is shown once before any is shown again") {
 
 TEST_CASE("the same seed shows the same and another seed another") {
     const auto shown = [](std::uint64_t seed) {
-        Player wall = player({.slots = 3, .seed = seed}, photos(20));
+        Player wall = make_player({.slots = 3, .seed = seed}, photos(20));
         wall.run(300s);
         return wall.order;
     };
@@ -88,7 +88,7 @@ TEST_CASE("the same seed shows the same and another seed another") {
 }
 
 TEST_CASE("a shot stays for its time, then one slot at a time changes") {
-    Player wall = player({.slots = 3, .dwell = 20s, .spacing = 3s}, photos(10));
+    Player wall = make_player({.slots = 3, .dwell = 20s, .spacing = 3s}, photos(10));
     wall.run(19900ms);
     CHECK(wall.order.size() == 3);
     wall.run(1s);
@@ -114,7 +114,7 @@ TEST_CASE("time counts only once a shot is shown") {
 
 TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
     const auto first_stay = [](std::chrono::nanoseconds shot) {
-        Player wall = player({.slots = 1, .dwell = 20s, .longest = 60s}, {film("f", 2, shot)});
+        Player wall = make_player({.slots = 1, .dwell = 20s, .longest = 60s}, {film("f", 2, shot)});
         while (wall.order.size() < 2)
             wall.run(100ms);
         return std::chrono::round<std::chrono::seconds>(wall.now - 100ms);
@@ -126,14 +126,14 @@ TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
 }
 
 TEST_CASE("fewer items than slots are fewer on the wall, and they stay") {
-    Player wall = player({.slots = 6}, photos(2));
+    Player wall = make_player({.slots = 6}, photos(2));
     wall.run(300s);
     CHECK(wall.order.size() == 2);
-    CHECK(player({.slots = 6}, {}).assemblage.wall().empty());
+    CHECK(make_player({.slots = 6}, {}).assemblage.wall().empty());
 }
 
 TEST_CASE("a single film fills the slots with its shots side by side, each once before any again") {
-    Player wall = player({.slots = 4}, {film("f", 11)});
+    Player wall = make_player({.slots = 4}, {film("f", 11)});
     CHECK(wall.order == std::vector<ShotKey>{{"f", 0}, {"f", 1}, {"f", 2}, {"f", 3}});
     for (int i = 0; i < 100; ++i) {
         wall.run(3s);
@@ -198,7 +198,7 @@ TEST_CASE("every shot of every file is shown once before any is shown again, whe
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));
     records.push_back(film("g", 50));
-    Player wall = player({.slots = 4}, records);
+    Player wall = make_player({.slots = 4}, records);
     while (wall.order.size() < 88 && wall.now < 3600s)
         wall.run(1s);
     CHECK(wall.times.size() == 88);
@@ -271,7 +271,7 @@ TEST_CASE(
     for (int k = 0; k < 1500; ++k) {
         const Files files = random_files(engine);
         const int slots = 1 + static_cast<int>(engine() % 6);
-        Player wall = player(
+        Player wall = make_player(
             {.slots = slots, .order = static_cast<ShotOrder>(engine() % 3), .seed = engine(), .dwell = 5s},
             files.records);
         REQUIRE(static_cast<int>(wall.assemblage.wall().size()) == std::min(slots, files.shots));
@@ -291,8 +291,8 @@ TEST_CASE("over thousands of random changes new files come before all that was t
     std::mt19937_64 engine(12);
     for (int k = 0; k < 1000; ++k) {
         Files files = random_files(engine);
-        Player wall = player({.slots = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s},
-                             files.records);
+        Player wall = make_player(
+            {.slots = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s}, files.records);
         wall.run(std::chrono::seconds(engine() % 60));
         const std::size_t shown = wall.order.size();
         std::set<std::string> added;
@@ -310,7 +310,7 @@ TEST_CASE("over thousands of random changes new files come before all that was t
 }
 
 TEST_CASE("in sequence, a film alone shows each shot once through, evenly staggered and in time order") {
-    Player wall = player({.slots = 4, .film = FilmShow::sequence}, {film("f", 40, 16s)});
+    Player wall = make_player({.slots = 4, .film = FilmShow::sequence}, {film("f", 40, 16s)});
     std::vector<std::chrono::nanoseconds> changes;
     for (std::size_t count = wall.order.size(); wall.now < 120s;) {
         wall.run(100ms);
@@ -331,7 +331,7 @@ TEST_CASE("in sequence, a film stands on the wall once while other files are the
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));
     records.push_back(film("g", 50));
-    Player wall = player({.slots = 4, .film = FilmShow::sequence}, records);
+    Player wall = make_player({.slots = 4, .film = FilmShow::sequence}, records);
     for (int i = 0; i < 400; ++i) {
         wall.run(3s);
         const auto paths = wall.paths();
@@ -346,7 +346,7 @@ TEST_CASE("in sequence, a film stands on the wall once while other files are the
 TEST_CASE("the shots of a film take the places that no other file wants and never a photo's only one") {
     std::vector<MediaRecord> records = photos(2);
     records.push_back(film("f", 9));
-    Player wall = player({.slots = 5}, records);
+    Player wall = make_player({.slots = 5}, records);
     for (int i = 0; i < 100; ++i) {
         wall.run(3s);
         const auto paths = wall.paths();
@@ -358,7 +358,7 @@ TEST_CASE("the shots of a film take the places that no other file wants and neve
 }
 
 TEST_CASE("a new file takes a free slot at once and is next where there is none") {
-    Player wall = player({.slots = 3}, photos(2));
+    Player wall = make_player({.slots = 3}, photos(2));
     std::vector<MediaRecord> records = photos(3);
     wall.assemblage.set_catalogue(records);
     CHECK(wall.paths().count("p102") == 1);
@@ -373,7 +373,7 @@ TEST_CASE("a new file takes a free slot at once and is next where there is none"
 }
 
 TEST_CASE("a deleted file leaves at once and another takes its place") {
-    Player wall = player({.slots = 3, .order = ShotOrder::name}, photos(5));
+    Player wall = make_player({.slots = 3, .order = ShotOrder::name}, photos(5));
     std::vector<MediaRecord> records = photos(5);
     records.erase(records.begin() + 1);
     wall.assemblage.set_catalogue(records);
@@ -386,7 +386,7 @@ TEST_CASE("a deleted file leaves at once and another takes its place") {
 }
 
 TEST_CASE("a file that is not ready any more leaves as a deleted one does") {
-    Player wall = player({.slots = 2}, photos(2));
+    Player wall = make_player({.slots = 2}, photos(2));
     std::vector<MediaRecord> records = photos(2);
     records[0].state = MediaState::waiting;
     wall.assemblage.set_catalogue(records);
@@ -394,7 +394,7 @@ TEST_CASE("a file that is not ready any more leaves as a deleted one does") {
 }
 
 TEST_CASE("a replaced file is loaded anew in its slot and the others stay") {
-    Player wall = player({.slots = 2, .order = ShotOrder::name}, photos(2));
+    Player wall = make_player({.slots = 2, .order = ShotOrder::name}, photos(2));
     const auto before = wall.assemblage.wall();
     std::vector<MediaRecord> records = photos(2);
     wall.assemblage.set_catalogue(records);
@@ -413,7 +413,7 @@ TEST_CASE("a film to which shots are added plays on, and its new shots come to t
     records[0].is_complete = false;
     std::vector<MediaRecord> first = records;
     first[0].shots.pop_back();
-    Player wall = player({.slots = 2, .order = ShotOrder::name}, first);
+    Player wall = make_player({.slots = 2, .order = ShotOrder::name}, first);
     const auto before = wall.assemblage.wall();
     REQUIRE(before.size() == 1);
     wall.assemblage.set_catalogue(records);
@@ -426,7 +426,7 @@ TEST_CASE("a film to which shots are added plays on, and its new shots come to t
 }
 
 TEST_CASE("a file that failed gives way and is tried again later or when it changes") {
-    Player wall = player({.slots = 1, .order = ShotOrder::name, .amends = 60s}, photos(1));
+    Player wall = make_player({.slots = 1, .order = ShotOrder::name, .amends = 60s}, photos(1));
     const SourceId first = wall.assemblage.wall()[0].source;
     wall.assemblage.failed(first, 0s);
     CHECK(wall.assemblage.wall().empty());
@@ -444,7 +444,7 @@ TEST_CASE("a file that failed gives way and is tried again later or when it chan
 }
 
 TEST_CASE("no source is ever named twice") {
-    Player wall = player({.slots = 2}, photos(3));
+    Player wall = make_player({.slots = 2}, photos(3));
     wall.run(300s);
     CHECK(wall.seen.size() == wall.order.size());
     CHECK(wall.seen.rbegin()->first == wall.seen.size());
