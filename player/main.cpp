@@ -91,7 +91,7 @@ void add_play_options(CommandLine& line) {
     line.app
         .add_option_function<std::string>(
             "--rehearse", [&line](const std::string& path) { line.play.rehearsal = read_rehearsal(path); },
-            "A script of files that come and go and of what visitors do (docs/operating.md)")
+            "A script of files that come and go and of what visitors do (docs/technician.md)")
         ->check(CLI::ExistingFile);
     line.app
         .add_option_function<std::string>(

@@ -20,7 +20,8 @@ HELD = {
     "vitrine-analyzer": ["usr/bin/vitrine-analyzer", "etc/vitrine/vitrine.toml", "lib/systemd/system/vitrine-analyzer.service",
                          "usr/lib/sysusers.d/vitrine.conf", "usr/lib/tmpfiles.d/vitrine.conf",
                          "usr/share/man/man1/vitrine-analyzer.1.gz", "usr/share/man/man5/vitrine.toml.5.gz",
-                         "usr/share/doc/vitrine/operating.md", "usr/share/vitrine/face_detection_yunet.onnx"],
+                         "usr/share/doc/vitrine/operator.md", "usr/share/doc/vitrine/technician.md",
+                         "usr/share/doc/vitrine/appliance.md", "usr/share/vitrine/face_detection_yunet.onnx"],
     "vitrine-player": ["usr/bin/vitrine-player", "lib/systemd/system/vitrine-player.service",
                        "lib/systemd/system/vitrine.target", "usr/share/man/man1/vitrine-player.1.gz"],
     "vitrine": ["usr/share/doc/vitrine/examples/smb.conf", "usr/share/doc/vitrine/README.Debian"]}

@@ -17,7 +17,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
 PATIENCE = 120  # seconds until something that must come is given up
 PARTS = (0.5, 0.9, 0.99)
-# What else is taken though docs/operating.md does not name it.
+# What else is taken though docs/operator.md does not name it.
 OTHERS = {
     "mpeg2.mpg": ["-c:v", "mpeg2video"], "mpeg1.mpg": ["-c:v", "mpeg1video", "-r", "25", "-f", "mpeg"],
     "vp8.mkv": ["-c:v", "libvpx", "-deadline", "realtime"],

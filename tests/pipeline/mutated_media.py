@@ -1,4 +1,4 @@
-"""Small media of every format that docs/operating.md names, and what happens to files on their way.
+"""Small media of every format that docs/operator.md names, and what happens to files on their way.
 
 The seeds are drawn with ffmpeg and vips; a format that these cannot write on a machine is left out. A mutation
 depends on nothing but its number, so that a finding can be made again.
