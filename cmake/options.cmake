@@ -1,7 +1,9 @@
-# A compiler cache is used where there is one.
+# A compiler cache is used where there is one. A later clone in another folder finds what this one has compiled: paths
+# below the source folder count as relative, and a precompiled header counts by the file .sum beside it, see below.
 find_program(VITRINE_CCACHE ccache)
 if(VITRINE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${VITRINE_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_PCH_EXTSUM=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${VITRINE_CCACHE})
 endif()
 
 # What every target of this tree is compiled with: vitrine_options, linked PRIVATE by each.
