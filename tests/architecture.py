@@ -1,14 +1,27 @@
 #!/usr/bin/env python3
-"""Holds the tree against docs/architecture.md: who may include whom, no cycles, no file too long.
+"""Holds the tree against docs/architecture.md: who may include whom, no cycles, no class or function too large.
 
-Reads the #include lines of base, analyzer and player. Prints each offence with the rule it breaks and
-exits 1 where there is one.
+    architecture.py [ROOT [BUILD]]
+
+Reads the #include lines of base, analyzer and player and, where BUILD holds compile_commands.json, their classes and
+functions as the compiler sees them (tests/code_model.py). Prints each offence with the rule it breaks and exits 1
+where there is one. Without BUILD the rules on classes and functions are not checked, and the last line says so.
 """
 import re
 import sys
 from pathlib import Path
 
-FILE_LINES = 320
+MODULES = 25  # flat in a folder
+MEMBERS = 15  # data members of a class
+METHODS = 20  # of a class; constructors and operators count, defaulted and deleted ones do not
+PARAMETERS = 5  # of a function
+FUNCTION_LINES = 40  # from its first line to its closing brace
+
+# Classes and functions that may be larger, each with the reason. At most EXCEPTIONS of them; never one of NO_EXCEPTION.
+EXCEPTIONS = 8
+MAY_BE_LARGER = {
+}
+NO_EXCEPTION = ("Player", "Stage", "Daemon", "SourcePool", "Wall", "TapestryStrip", "TapestryShow", "FilmLoop")
 
 # Folders that know no clock, no files, no GL, no GStreamer and no log; and what stands outside that rule.
 PURE = ("base/geometry", "base/hints", "player/layout", "player/input", "player/scene", "analyzer/saliency",
@@ -61,8 +74,6 @@ def check_pure(name, text, found):
 
 def check_file(root, path):
     name, text = str(path.relative_to(root)), path.read_text()
-    if text.count("\n") > FILE_LINES:
-        yield f"{name}: {text.count(chr(10))} lines, at most {FILE_LINES}"
     for include in includes(text):
         if ".." in include:
             yield f"{name}: includes '{include}': includes start at the root of the tree"
@@ -73,8 +84,11 @@ def check_file(root, path):
             if rule:
                 yield f"{name}: includes '{include}': {rule}"
     own = name.replace(".cpp", ".hpp")
-    if path.suffix == ".cpp" and (root / own).exists() and includes(text)[:1] != [own]:
-        yield f"{name}: its own header comes first"
+    if path.suffix == ".cpp" and path.name != "main.cpp":
+        if not (root / own).exists():
+            yield f"{name}: has no header of its own"
+        elif includes(text)[:1] != [own]:
+            yield f"{name}: its own header comes first"
     yield from check_pure(name, text, includes(text))
 
 
@@ -121,21 +135,123 @@ def check_cycles(root, files):
             yield f"a cycle of {what}: {' -> '.join(found)}"
 
 
-def offences(root):
+def check_folders(root, files):
+    folders = {}
+    for path in files:
+        folders.setdefault(str(path.parent.relative_to(root)), set()).add(path.stem)
+    for folder, modules in sorted(folders.items()):
+        if len(modules) > MODULES:
+            yield f"{folder}: {len(modules)} modules, at most {MODULES} in a folder"
+
+
+class Classes:
+    """The classes of a code model, and who belongs to whom."""
+
+    def __init__(self, model):
+        self.classes, self.functions = model["classes"], model["functions"]
+        self.holders = {}  # class -> those that have a member of its type
+        for usr, found in self.classes.items():
+            for _, types in found["fields"]:
+                for other in types:
+                    self.holders.setdefault(other, set()).add(usr)
+        self.known_in = {}  # class -> modules with functions that take or return it
+        for function in self.functions.values():
+            for other in function["types"] + function["returns"]:
+                self.known_in.setdefault(other, set()).add(module_of(function["file"]))
+
+    def is_private_to(self, inner, outer):
+        """Whether only `outer` holds `inner`, and nobody beyond its module knows it: state of its own by another name."""
+        if inner == outer or inner not in self.classes or self.holders.get(inner) != {outer}:
+            return False
+        module = module_of(self.classes[outer]["file"])
+        return module_of(self.classes[inner]["file"]) == module and self.known_in.get(inner, set()) <= {module}
+
+    def private_parts(self, usr):
+        types = {other for _, types in self.classes[usr]["fields"] for other in types}
+        return sorted(other for other in types if self.is_private_to(other, usr))
+
+    def members(self, usr, seen=frozenset()):
+        """Its own; in place of one that is a private struct, those of that struct."""
+        parts = set(self.private_parts(usr)) - seen
+        own = sum(1 for _, types in self.classes[usr]["fields"] if not parts & set(types))
+        return own + sum(self.members(part, seen | {usr, part}) for part in parts)
+
+    def methods(self, usr):
+        """Its own, those of its private structs, and the functions that take one of these by name."""
+        parts = self.private_parts(usr)
+        functions = sum(1 for f in self.functions.values() if f["holder"] is None and set(parts) & set(f["types"]))
+        return len(self.classes[usr]["methods"]) + functions + sum(len(self.classes[p]["methods"]) for p in parts)
+
+    def is_plain(self, usr):
+        return self.classes[usr]["is_record"] and not self.private_parts(usr)
+
+
+def module_of(name):
+    return name.rsplit(".", 1)[0]
+
+
+def check_class(classes, usr):
+    found = classes.classes[usr]
+    if found["friends"]:
+        yield found, f"has {found['friends']} friends: no class has one"
+    if classes.is_plain(usr):
+        return
+    members, methods = classes.members(usr), classes.methods(usr)
+    if members > MEMBERS:
+        yield found, f"{members} data members, at most {MEMBERS}"
+    if methods > METHODS:
+        yield found, f"{methods} methods, at most {METHODS}"
+
+
+def check_function(found):
+    if found["parameters"] > PARAMETERS:
+        yield found, f"{found['parameters']} parameters, at most {PARAMETERS}"
+    if found["lines"] > FUNCTION_LINES:
+        yield found, f"{found['lines']} lines, at most {FUNCTION_LINES}"
+
+
+def check_code(model):
+    """What is too large, but for the exceptions; and exceptions that are not needed or not allowed."""
+    classes, used = Classes(model), set()
+    found = [offence for usr in classes.classes for offence in check_class(classes, usr)]
+    found += [offence for function in model["functions"].values() for offence in check_function(function)]
+    for what, says in sorted(found, key=lambda f: (f[0]["file"], f[0]["line"])):
+        name = what["name"].replace("vitrine::", "", 1)
+        if name in MAY_BE_LARGER:
+            used.add(name)
+        else:
+            yield f"{what['file']}:{what['line']}: {name}: {says}"
+    for name in sorted(set(MAY_BE_LARGER) - used):
+        yield f"{name}: is an exception that is not needed"
+    for name in sorted(MAY_BE_LARGER):
+        if set(name.split("::")) & set(NO_EXCEPTION):
+            yield f"{name}: may not be an exception"
+    if len(MAY_BE_LARGER) > EXCEPTIONS:
+        yield f"{len(MAY_BE_LARGER)} exceptions, at most {EXCEPTIONS}"
+
+
+def offences(root, build=None):
     files = sources(root)
     if not files:
         yield f"no sources under '{root}'"
     for path in files:
         yield from check_file(root, path)
     yield from check_cycles(root, files)
+    yield from check_folders(root, files)
+    if build:
+        import code_model
+        model = code_model.model(root, build)
+        yield from (f"{name}: cannot be read: {error}" for name, error in sorted(model["errors"].items()))
+        yield from check_code(model)
 
 
 def main():
-    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent)
-    found = list(offences(root))
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
+    build = Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None
+    found = list(offences(root, build))
     for offence in found:
         print(offence)
-    print(f"{len(sources(root))} files, {len(found)} offences")
+    print(f"{len(sources(root))} files, {len(found)} offences" + ("" if build else "; classes and functions NOT CHECKED"))
     return 1 if found else 0
 
 
