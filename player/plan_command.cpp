@@ -6,7 +6,7 @@
 #include "player/display/film_writer.hpp"
 #include "player/layout/plan/nesting.hpp"
 #include "player/layout/plan/plan_output.hpp"
-#include "player/layout/plan/strip.hpp"
+#include "player/layout/plan/ribbon.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/wall.hpp"
 #include "player/stage/stage_settings.hpp"

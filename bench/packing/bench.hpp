@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/pack/effort.hpp"
+#include "player/layout/pack/search_budget.hpp"
 #include "player/layout/pack/shape.hpp"
 #include "player/layout/plan/plan.hpp"
 

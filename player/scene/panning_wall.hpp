@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/plan/strip.hpp"
+#include "player/layout/plan/ribbon.hpp"
 #include "player/scene/assemblage.hpp"
 #include "player/scene/compose.hpp"
 #include "player/scene/show.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/edit/standing.hpp"
+#include "player/layout/edit/wall_state.hpp"
 #include "player/layout/plan/plan.hpp"
 
 #include <optional>

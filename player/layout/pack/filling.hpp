@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/pack/arrangement.hpp"
-#include "player/layout/pack/effort.hpp"
+#include "player/layout/pack/search_budget.hpp"
 
 #include <span>
 

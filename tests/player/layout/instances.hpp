@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/geometry/convex_hull.hpp"
-#include "player/layout/pack/effort.hpp"
+#include "player/layout/pack/search_budget.hpp"
 #include "player/layout/plan/plan.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/geometry/convex_hull.hpp"
 #include "player/layout/cells/voronoi_circles.hpp"
-#include "player/layout/pack/effort.hpp"
+#include "player/layout/pack/search_budget.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "player/layout/plan/strip.hpp"
+#include "player/layout/plan/ribbon.hpp"
 
 #include "player/layout/plan/plan.hpp"
 
