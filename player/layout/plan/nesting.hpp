@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/plan/plan.hpp"
+#include "player/layout/plan/flat_plan.hpp"
 
 namespace vitrine::player {
 

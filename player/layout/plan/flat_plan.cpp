@@ -1,4 +1,4 @@
-#include "player/layout/plan/plan.hpp"
+#include "player/layout/plan/flat_plan.hpp"
 
 #include "player/layout/pack/arrangement.hpp"
 #include "player/layout/pack/descent.hpp"
