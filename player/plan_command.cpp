@@ -4,7 +4,7 @@
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "player/display/film_writer.hpp"
-#include "player/layout/plan/nesting.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "player/layout/plan/ribbon.hpp"
 #include "player/scene/assemblage.hpp"
@@ -76,11 +76,11 @@ Layout wall_layout(const Settings& settings, const PlanOptions& options, const F
         std::vector<LayoutItem> items;
         for (const NamedItem& item : wall.items)
             items.push_back(item.item);
-        return strip_layout(items, canvas, options.wall_width, request);
+        return ribbon_layout(items, canvas, options.wall_width, request);
     }
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         request.items.push_back({.item = wall.items[i].item, .group = wall.groups[i]});
-    return planned(request, watch);
+    return plan(request, watch);
 }
 
 }  // namespace

@@ -36,13 +36,15 @@ Items random_hulls(std::size_t count, Random& random);
 Items regions_of(const std::string& directory);
 
 /// The shapes of items, scaled so that they would cover half the canvas.
-struct Scaled {
+struct ScaledItems {
     std::vector<Shape> shapes;
     std::vector<double> scales;
-    double area = 0;  // of all, canvas px^2
+    double area = 0;  // sum over all, canvas px^2
+
+    ScaledShapes view() const { return {shapes, scales}; }
 };
 
-Scaled scaled(const Items& items);
+ScaledItems scaled(const Items& items);
 
 /// No limit of enlargement and nothing given up for filler: what is compared is density.
 PlanRequest request_for(const Items& items, std::uint64_t seed);

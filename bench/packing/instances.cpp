@@ -1,7 +1,7 @@
 #include "base/geometry/convex_hull.hpp"
 #include "base/state/catalogue.hpp"
 #include "bench/packing/bench.hpp"
-#include "player/layout/layout_item.hpp"
+#include "player/layout/layout.hpp"
 
 #include <cmath>
 #include <ctime>
@@ -47,8 +47,8 @@ Items random_hulls(std::size_t count, Random& random) {
     return items;
 }
 
-Scaled scaled(const Items& items) {
-    Scaled result;
+ScaledItems scaled(const Items& items) {
+    ScaledItems result;
     for (const LayoutItem& item : items)
         result.shapes.push_back(shape_of(item.region));
     result.scales = natural_scales(items, result.shapes);
@@ -62,7 +62,7 @@ Scaled scaled(const Items& items) {
 }
 
 PlanRequest request_for(const Items& items, std::uint64_t seed) {
-    PlanRequest request{.canvas = bench_canvas, .seed = seed, .most_scale = 100, .fills = false};
+    PlanRequest request{.canvas = bench_canvas, .seed = seed, .max_scale = 100, .fills = false};
     for (const LayoutItem& item : items)
         request.items.push_back({.item = item});
     return request;

@@ -53,11 +53,11 @@ void print_many() {
         for (int k = 1; k <= times; ++k) {
             Random random(static_cast<std::uint64_t>(k));
             const Items items = random_hulls(n, random);
-            const Scaled all = scaled(items);
+            const ScaledItems all = scaled(items);
             const double start = cpu_ms();
             Contacts contacts(all.shapes, 0);
             contacts.set_scales(all.scales);
-            initial_packing(all.shapes, contacts, all.scales, bench_ratio, PackingOrder::largest_first);
+            initial_packing(all.view(), contacts, bench_ratio, PackingOrder::largest_first);
             packing += cpu_ms() - start;
             const PlanRequest request = request_for(items, static_cast<std::uint64_t>(k));
             Layout layout;

@@ -16,11 +16,11 @@ struct MoveFigures {
 };
 
 std::vector<GridPolygon> packed_outlines(std::size_t n, Random& random) {
-    const Scaled all = scaled(random_hulls(n, random));
+    const ScaledItems all = scaled(random_hulls(n, random));
     Contacts contacts(all.shapes, 0);
     contacts.set_scales(all.scales);
     const std::vector<Vec2> places =
-        initial_packing(all.shapes, contacts, all.scales, bench_ratio, PackingOrder::as_given);
+        initial_packing(all.view(), contacts, bench_ratio, PackingOrder::as_given);
     std::vector<GridPolygon> outlines;
     for (std::size_t i = 0; i < n; ++i)
         outlines.push_back(snapped(transformed(all.shapes[i].outline, all.scales[i], places[i])));

@@ -1,7 +1,7 @@
 // How densely, how fast and how calmly I-Regions are packed: the paper's way and ours, on the same instances.
 //   packing [--only TABLE] [--instances N] [--edits N] [--catalogue DIRECTORY]
-// Tables: shares, real, paper, moves, many, changes, edits. Shares are of a 16:9 screen, times are of the
-// CPU.
+// Tables: shares, real, paper, moves, many, changes, edits. Shares are of a 16:9 screen, times are of
+// the CPU.
 
 #include "bench/packing/bench.hpp"
 

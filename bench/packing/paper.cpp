@@ -35,16 +35,16 @@ void print_paper(int instances) {
         double after = 0;
         for (int k = 1; k <= instances; ++k) {
             Random random(static_cast<std::uint64_t>(k));
-            const Scaled all = scaled(random_hulls(row.items, random));
+            const ScaledItems all = scaled(random_hulls(row.items, random));
             double start = cpu_ms();
             Contacts contacts(all.shapes, 0);
             contacts.set_scales(all.scales);
             const std::vector<Vec2> packing =
-                initial_packing(all.shapes, contacts, all.scales, bench_ratio, PackingOrder::as_given);
+                initial_packing(all.view(), contacts, bench_ratio, PackingOrder::as_given);
             initial_ms += cpu_ms() - start;
             start = cpu_ms();
-            Effort effort(100'000'000);
-            const Descended end = descended(all.shapes, all.scales, packing, bench_ratio, random, effort);
+            SearchBudget budget(100'000'000);
+            const DescentResult end = descend(all.view(), packing, bench_ratio, random, budget);
             stable_ms += cpu_ms() - start;
             steps += static_cast<double>(end.steps);
             before += end.first_energy;

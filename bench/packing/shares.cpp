@@ -42,27 +42,27 @@ struct Row {
     Figure greedy_ms, greedy;    // the paper's initial packing and the share it covers
     Figure descent_ms, descent;  // eq. 3.4 descended from there
     Figure tenth, second;        // ours after 0.1 s and 1 s
-    Figure usual_ms, usual;      // ours with the default effort
+    Figure usual_ms, usual;      // ours with the default budget
     Figure reading;              // ours after 1 s in strict order
     std::size_t inverted = 0;    // pairs
 };
 
 void measure_paper(Row& row, const Items& items, std::uint64_t seed) {
-    const Scaled all = scaled(items);
+    const ScaledItems all = scaled(items);
     const auto share = [&](std::span<const Vec2> places) {
-        return all.area / screen_area(bounds_of(all.shapes, all.scales, places), bench_ratio);
+        return all.area / screen_area(bounds_of(all.view(), places), bench_ratio);
     };
     double start = cpu_ms();
     Contacts contacts(all.shapes, 0);
     contacts.set_scales(all.scales);
     const std::vector<Vec2> packing =
-        initial_packing(all.shapes, contacts, all.scales, bench_ratio, PackingOrder::as_given);
+        initial_packing(all.view(), contacts, bench_ratio, PackingOrder::as_given);
     row.greedy_ms.add(cpu_ms() - start);
     row.greedy.add(share(packing));
     start = cpu_ms();
     Random random(seed);
-    Effort effort(10'000'000);
-    const Descended end = descended(all.shapes, all.scales, packing, bench_ratio, random, effort);
+    SearchBudget budget(10'000'000);
+    const DescentResult end = descend(all.view(), packing, bench_ratio, random, budget);
     row.descent_ms.add(cpu_ms() - start);
     row.descent.add(share(end.places));
 }
@@ -106,7 +106,7 @@ void print_shares(const char* title, const Draw& draw, int instances, bool fills
     fmt::print(
         "\n{}: share of the screen covered by I-Regions, {} instances; mean (least, lower quarter, most)\n"
         "| n | paper's greedy, ms | + eq. 3.4 descended, ms | ours 0.1 s | ours 1 s | x paper | default "
-        "effort{}, ms | reading order 1 s |\n|--|--|--|--|--|--|--|--|\n",
+        "budget{}, ms | reading order 1 s |\n|--|--|--|--|--|--|--|--|\n",
         title, instances, fills ? " and filled, as on the wall" : "");
     for (const std::size_t n : {4, 6, 8, 12, 24}) {
         Row row;

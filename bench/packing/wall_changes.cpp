@@ -58,13 +58,13 @@ Layout planned(const Items& items, Vec2 size, std::uint64_t seed) {
     return plan(request);
 }
 
-double share(const Standing& wall) {
+double share(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
 /// Sums over the instances of one edit.
 struct Row {
-    double ms = 0, most_ms = 0;
+    double ms = 0, max_ms = 0;
     double median = 0, worst = 0;  // moves of the others
     double before = 0, after = 0;
     int crossfades = 0;  // changes without a way for the items to move
@@ -77,7 +77,7 @@ Vec2 place(const LayoutItem& item, const Placement& at) {
 }
 
 /// @param others  pairs of the same item before and after
-void add(Row& row, const Standing& before, const Standing& after, double ms,
+void add(Row& row, const WallState& before, const WallState& after, double ms,
          const std::vector<std::pair<std::size_t, std::size_t>>& others) {
     std::vector<double> moves;
     Items items;
@@ -94,7 +94,7 @@ void add(Row& row, const Standing& before, const Standing& after, double ms,
     }
     std::sort(moves.begin(), moves.end());
     row.ms += ms;
-    row.most_ms = std::max(row.most_ms, ms);
+    row.max_ms = std::max(row.max_ms, ms);
     row.median += moves[moves.size() / 2];
     row.worst += moves.back();
     row.before += share(before);
@@ -115,63 +115,64 @@ std::vector<std::pair<std::size_t, std::size_t>> others_than(std::size_t item, s
 
 using Rows = std::map<std::string, Row>;
 
+/// The edits of one wall, timed.
+class TimedEdits {
+  public:
+    TimedEdits(Rows& rows, const WallState& wall) : rows_(rows), wall_(wall) {}
+
+    /// @param but  the item that is edited; the moves of the others count
+    void run(const std::string& name, std::size_t but, const std::function<WallState()>& edit,
+             bool is_gone = false) {
+        const double start = cpu_ms();
+        const WallState after = edit();
+        add(rows_[name], wall_, after, cpu_ms() - start, others_than(but, wall_.items.size(), is_gone));
+    }
+
+    /// Fifteen steps of a finger. @return the wall at the last one
+    WallState drag(std::size_t item, Vec2 to, const EditRules& rules) {
+        constexpr int steps = 15;
+        const Vec2 from = place(wall_.items[item], wall_.placements[item]);
+        WallState on_the_way = wall_;
+        for (int k = 1; k <= steps; ++k) {
+            const double start = cpu_ms();
+            const WallState next = dragged(on_the_way, item, from + (to - from) * (k / double{steps}), rules);
+            add(rows_["drag, a step"], on_the_way, next, cpu_ms() - start,
+                others_than(item, wall_.items.size(), false));
+            on_the_way = next;
+        }
+        return on_the_way;
+    }
+
+  private:
+    Rows& rows_;             // outlives this
+    const WallState& wall_;  // outlives this
+};
+
 void measure_edits(Rows& rows, const Supply& supply, std::size_t count, std::uint64_t seed) {
     Random random(seed);
     const Items items = supply.next(count, random);
-    const Standing wall = standing(items, planned(items, canvas, seed));
+    const WallState wall = wall_state(items, planned(items, canvas, seed));
     const EditRules rules{.seed = seed};
     const std::size_t item = uniform_index(random, count);
-    const auto timed = [&](const std::string& name, const std::function<Standing()>& edit, std::size_t but,
-                           bool is_gone = false) {
-        const double start = cpu_ms();
-        const Standing after = edit();
-        add(rows[name], wall, after, cpu_ms() - start, others_than(but, count, is_gone));
-        return after;
-    };
+    TimedEdits edits(rows, wall);
     const LayoutItem newcomer = supply.next(random);
-    timed(
-        "insert", [&] { return inserted(wall, newcomer, rules); }, count);
-    timed(
-        "delete", [&] { return deleted(wall, item, rules); }, item, true);
-    timed(
-        "replace", [&] { return replaced(wall, item, newcomer, rules); }, item);
-    timed(
-        "resize x1.3", [&] { return resized(wall, item, 1.3, rules); }, item);
+    edits.run("insert", count, [&] { return inserted(wall, newcomer, rules); });
+    edits.run(
+        "delete", item, [&] { return deleted(wall, item, rules); }, true);
+    edits.run("replace", item, [&] { return replaced(wall, item, newcomer, rules); });
+    edits.run("resize x1.3", item, [&] { return resized(wall, item, 1.3, rules); });
     const Vec2 to{canvas.x * uniform(random), canvas.y * uniform(random)};
-    timed(
-        "drag, at once", [&] { return dragged(wall, item, to, rules); }, item);
-    Standing on_the_way = wall;
-    const Vec2 from = place(wall.items[item], wall.placements[item]);
-    constexpr int steps = 15;
-    for (int k = 1; k <= steps; ++k) {
-        const double start = cpu_ms();
-        const Standing next = dragged(on_the_way, item, from + (to - from) * (k / double{steps}), rules);
-        add(rows["drag, a step"], on_the_way, next, cpu_ms() - start, others_than(item, count, false));
-        on_the_way = next;
-    }
-    timed(
-        "drag, 15 steps + drop", [&] { return settled(on_the_way, rules); }, item);
-    Standing pinned = wall;
+    edits.run("drag, at once", item, [&] { return dragged(wall, item, to, rules); });
+    const WallState on_the_way = edits.drag(item, to, rules);
+    edits.run("drag, 15 steps + drop", item, [&] { return settled(on_the_way, rules); });
+    WallState pinned = wall;
     for (std::size_t i = 0; i < count; i += 3)
         pinned.pinned[i] = i != item;
-    timed(
-        "replace, third pinned", [&] { return replaced(pinned, item, newcomer, rules); }, item);
-    timed(
-        "to 16:10",
-        [&] {
-            return moved_to(wall, {1920, 1200}, rules);
-        },
-        count);
-    timed(
-        "to 9:16",
-        [&] {
-            return moved_to(wall, {1080, 1920}, rules);
-        },
-        count);
-    Standing changing = wall;
+    edits.run("replace, third pinned", item, [&] { return replaced(pinned, item, newcomer, rules); });
+    WallState changing = wall;
     for (int k = 0; k < 30; ++k)
         changing = replaced(changing, uniform_index(random, count), supply.next(random), rules);
-    const Standing anew = standing(changing.items, planned(changing.items, canvas, seed));
+    const WallState anew = wall_state(changing.items, planned(changing.items, canvas, seed));
     add(rows["30 replaced, before: packed anew"], anew, changing, 0, others_than(count, count, false));
 }
 
@@ -185,7 +186,7 @@ void edits_table(const Supply& supply, int instances) {
         for (const auto& [name, row] : rows) {
             const auto mean = [&, n = row.count](double sum) { return sum / n; };
             fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {} of {} | {} |\n",
-                       count, name, mean(row.ms), row.most_ms, 100 * mean(row.median), 100 * mean(row.worst),
+                       count, name, mean(row.ms), row.max_ms, 100 * mean(row.median), 100 * mean(row.worst),
                        mean(row.before), mean(row.after), row.crossfades, row.count, row.unsound);
         }
         std::fflush(stdout);

@@ -5,7 +5,7 @@
 // I-Regions, `filler` the share where nobody has pixels.
 
 #include "base/state/catalogue.hpp"
-#include "player/layout/plan/nesting.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "player/scene/wall.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
             wall.source_ready(request.source);
         if (step.plan) {
             PlanRequest request{.items = step.plan->items, .canvas = step.plan->canvas, .clearance = 2};
-            Layout layout = planned(request);
+            Layout layout = plan(request);
             layout.generation = step.plan->generation;
             wall.set_layout(layout);
         }

@@ -1,4 +1,6 @@
-#include "player/layout/layout_item.hpp"
+#include "player/layout/layout.hpp"
+
+#include "base/state/record.hpp"
 
 #include <algorithm>
 
@@ -6,9 +8,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_side = 8;      // source px of a core that can be shown
-constexpr double least_area = 1;      // source px^2 of a region
-constexpr double middle_share = 0.6;  // side of the box that stands for a missing region, of the core's
+constexpr double min_side = 8;  // source px, of a core that can be shown
+constexpr double min_area = 1;  // source px^2 of a region
+constexpr double middle_share =
+    0.6;  // side of the box in place of a missing region, as a share of the core's
 
 Polygon middle_box(const Box& core) {
     const Vec2 half = (core.max - core.min) * (middle_share / 2);
@@ -20,10 +23,10 @@ Polygon middle_box(const Box& core) {
 LayoutItem layout_item(const MediaRecord& record, const Shot& shot) {
     LayoutItem item;
     item.core = core(record, shot);
-    if (std::min(item.core.width(), item.core.height()) < least_side)
+    if (std::min(item.core.width(), item.core.height()) < min_side)
         item.core = {{0, 0}, {std::max(1.0, 1.0 * record.width), std::max(1.0, 1.0 * record.height)}};
     item.region = clipped(shot.region.polygon, item.core);
-    if (area(item.region) < least_area) item.region = middle_box(item.core);
+    if (area(item.region) < min_area) item.region = middle_box(item.core);
     return item;
 }
 

@@ -80,9 +80,9 @@ CellMesh cell_mesh(const Cell& cell, double fringe) {
     mesh.filler.fringe = appended(vertices, [&] { append_fringe(vertices, cell.filler, fringe, 0.5); });
     mesh.parts = append_layer(vertices, cell.parts, cell.triangles);
     mesh.parts.fringe = appended(vertices, [&] {
-        if (cell.rims.empty()) append_fringe(vertices, cell.parts, fringe, cell.rim_coverage);
-        for (const Rim& rim : cell.rims)
-            append_fringe(vertices, rim.outline, rim.widths, cell.rim_coverage);
+        if (cell.fade_edges.empty()) append_fringe(vertices, cell.parts, fringe, cell.edge_coverage);
+        for (const FadeEdge& edge : cell.fade_edges)
+            append_fringe(vertices, edge.outline, edge.widths, cell.edge_coverage);
     });
     return mesh;
 }

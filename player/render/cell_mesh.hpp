@@ -36,7 +36,7 @@ struct CellMesh {
     Layer filler;
 };
 
-/// @param fringe  width of the fringe where the cell has no rims, canvas px, >= 0
+/// @param fringe  width of the fringe where the cell has no fade_edges, canvas px, >= 0
 CellMesh cell_mesh(const Cell& cell, double fringe);
 
 }  // namespace vitrine::player

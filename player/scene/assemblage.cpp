@@ -1,6 +1,6 @@
 #include "player/scene/assemblage.hpp"
 
-#include "player/layout/layout_item.hpp"
+#include "player/layout/layout.hpp"
 
 #include <algorithm>
 

@@ -62,7 +62,7 @@ std::optional<std::vector<Placement>> Enlargement::enlarge(std::span<const Place
         return std::nullopt;
     }
     const auto item = static_cast<std::size_t>(found - sources_.begin());
-    Standing standing{.canvas = canvas};
+    WallState standing{.canvas = canvas};
     standing.placements = standing.homes = before_ = placements_of(wall);
     for (const PlacedShot& placed : wall)
         standing.items.push_back(placed.shot.item);
@@ -72,7 +72,7 @@ std::optional<std::vector<Placement>> Enlargement::enlarge(std::span<const Place
     const double growth = std::clamp(wished_share * std::min(canvas.x / box.width(), canvas.y / box.height()),
                                      1.0, most_growth);
     EditRules rules = rules_;
-    rules.most_scale *= softness;
+    rules.max_scale *= softness;
     large_ = wish_;
     return resized(standing, item, growth, rules).placements;
 }

@@ -23,7 +23,7 @@ Vec2 place_of(const PlacedShot& placed) {
 }
 
 /// Share of the canvas that I-Regions cover.
-double seen_of(const Standing& wall) {
+double seen_of(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
@@ -46,7 +46,7 @@ Placement about(const LayoutItem& item, const Placement& at, Vec2 place, double 
 }
 
 /// Which other item's home is nearest to a place, nearer than that of what is held.
-std::optional<std::size_t> whose_place(const Standing& wall, std::size_t held, Vec2 place) {
+std::optional<std::size_t> whose_place(const WallState& wall, std::size_t held, Vec2 place) {
     const auto way = [&](std::size_t i) {
         return length(seat_of(wall.items[i], wall.homes[i]).centre - place);
     };
@@ -90,7 +90,7 @@ std::optional<std::vector<Placement>> Hand::step(std::span<const PlacedShot> wal
     const Vec2 wish = *finger_ + grip_;
     if (length(wish - place_of(*held)) < least_way) return std::nullopt;
     const auto item = static_cast<std::size_t>(held - wall.begin());
-    Standing standing = standing_wall(wall, canvas);
+    WallState standing = standing_wall(wall, canvas);
     standing.placements[item] =
         about(wall[item].shot.item, standing.placements[item], place_of(wall[item]), home_.scale * held_size);
     return making_way(standing, item, wish).placements;
@@ -99,13 +99,13 @@ std::optional<std::vector<Placement>> Hand::step(std::span<const PlacedShot> wal
 /// The step after which most is seen and what is held is nearest to the finger: the others make way where
 /// they were, or where they are, or the one whose place is taken changes to the place that what is held came
 /// from.
-Standing Hand::making_way(const Standing& wall, std::size_t held, Vec2 wish) const {
-    Standing here = wall;
+WallState Hand::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
+    WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         here.homes[i] = about(wall.items[i], wall.homes[i], place_of(wall.items[i], wall.placements[i]),
                               wall.homes[i].scale);
-    std::vector<Standing> tries{wall, here};
-    for (const Standing& before : {wall, here}) {
+    std::vector<WallState> tries{wall, here};
+    for (const WallState& before : {wall, here}) {
         const auto other = whose_place(before, held, wish);
         if (!other) continue;
         tries.push_back(before);
@@ -114,13 +114,13 @@ Standing Hand::making_way(const Standing& wall, std::size_t held, Vec2 wish) con
                   wall.homes[*other].scale);
     }
     const double enough = seen_of(wall) * least_seen;
-    const auto worth = [&](const Standing& after) {
+    const auto worth = [&](const WallState& after) {
         const double way = length(wish - place_of(after.items[held], after.placements[held]));
         return seen_of(after) - worth_of_way * way / length(after.canvas);
     };
-    Standing best = wall;
-    for (const Standing& before : tries) {
-        Standing after = dragged(before, held, wish, rules_);
+    WallState best = wall;
+    for (const WallState& before : tries) {
+        WallState after = dragged(before, held, wish, rules_);
         if (after.placements == before.placements || seen_of(after) < enough) continue;
         if (best.placements == wall.placements || worth(after) > worth(best)) best = std::move(after);
     }
@@ -140,8 +140,8 @@ void Hand::take_hold(std::span<const PlacedShot> wall) {
         homes_[placed.shot.source] = placed.placement;
 }
 
-Standing Hand::standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const {
-    Standing standing{.canvas = canvas};
+WallState Hand::standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const {
+    WallState standing{.canvas = canvas};
     for (const PlacedShot& placed : wall) {
         const auto home = homes_.find(placed.shot.source);
         standing.items.push_back(placed.shot.item);

@@ -50,8 +50,8 @@ class Hand {
 
   private:
     void take_hold(std::span<const PlacedShot> wall);
-    Standing standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const;
-    Standing making_way(const Standing& wall, std::size_t held, Vec2 wish) const;
+    WallState standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const;
+    WallState making_way(const WallState& wall, std::size_t held, Vec2 wish) const;
 
     EditRules rules_;
     std::optional<Vec2> finger_;

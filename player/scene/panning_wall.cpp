@@ -1,6 +1,6 @@
 #include "player/scene/panning_wall.hpp"
 
-#include "player/layout/layout_item.hpp"
+#include "player/layout/layout.hpp"
 #include "player/scene/transition.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
     : settings_(settings),
       canvas_(canvas),
       round_(settings.order, settings.seed),
-      strip_{.screen = canvas},
+      ribbon_{.screen = canvas},
       last_source_(settings.last_source) {}
 
 void PanningWall::set_canvas(Vec2 canvas) {
@@ -44,7 +44,7 @@ void PanningWall::set_canvas(Vec2 canvas) {
         if (shown.source != Source::unasked && shown.source != Source::retired)
             left_.push_back(shown.placed.shot.source);
     canvas_ = canvas;
-    strip_ = {.screen = canvas};
+    ribbon_ = {.screen = canvas};
     shots_.clear();
     extension_.reset();
     view_ = base_ = 0;
@@ -70,8 +70,8 @@ void PanningWall::drop_passed() {
         if (shown.source != Source::retired && !is_gone) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
         shots_.erase(shots_.begin() + at);
-        strip_.items.erase(strip_.items.begin() + at);
-        strip_.placements.erase(strip_.placements.begin() + at);
+        ribbon_.items.erase(ribbon_.items.begin() + at);
+        ribbon_.placements.erase(ribbon_.placements.begin() + at);
     }
 }
 
@@ -112,13 +112,13 @@ std::vector<WallShot> PanningWall::next_shots(std::size_t count) {
 
 std::optional<WallPlan> PanningWall::extend() {
     if (extension_ || files_.empty()) return std::nullopt;
-    if (!strip_.items.empty() && view_ + canvas_.x < strip_.firm - canvas_.x) return std::nullopt;
+    if (!ribbon_.items.empty() && view_ + canvas_.x < ribbon_.firm - canvas_.x) return std::nullopt;
     drop_passed();
     std::vector<LayoutItem> items;
     for (const WallShot& shot :
-         next_shots(wanted_newcomers(strip_, static_cast<std::size_t>(settings_.items_a_screen))))
+         next_shots(wanted_newcomers(ribbon_, static_cast<std::size_t>(settings_.items_a_screen))))
         items.push_back(shot.item);
-    extension_ = extension(strip_, items, {});
+    extension_ = extension(ribbon_, items, {});
     return WallPlan{.generation = ++generation_,
                     .canvas = extension_->request.canvas,
                     .items = extension_->request.items};
@@ -126,18 +126,18 @@ std::optional<WallPlan> PanningWall::extend() {
 
 void PanningWall::set_layout(const Layout& layout) {
     if (!extension_ || layout.generation != generation_ || !layout.is_final) return;
-    strip_ = extended(strip_, *extension_, layout);
+    ribbon_ = extended(ribbon_, *extension_, layout);
     extension_.reset();
     for (const WallShot& shot : newcomers_)
         shots_.push_back({.placed = {.shot = shot}});
     base_ = std::floor(view_);
     std::vector<PlacedShot> wall;
     for (std::size_t i = 0; i < shots_.size(); ++i) {
-        shots_[i].placed.placement = strip_.placements[i];
+        shots_[i].placed.placement = ribbon_.placements[i];
         shots_[i].placed.placement.offset.x -= base_;
         wall.push_back(shots_[i].placed);
     }
-    give_cells(wall, {strip_.end - base_, canvas_.y}, settings_.cells);
+    give_cells(wall, {ribbon_.end - base_, canvas_.y}, settings_.cells);
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const Box bounds = bounds_of(*wall[i].cell);
         shots_[i].placed.cell = wall[i].cell;
@@ -173,7 +173,7 @@ void PanningWall::advance(std::chrono::nanoseconds now) {
     }
     if (is_paused_) return;
     const double step = settings_.speed * std::chrono::duration<double>(passed).count();
-    view_ = std::min(view_ + step, std::max(view_, strip_.firm - canvas_.x));
+    view_ = std::min(view_ + step, std::max(view_, ribbon_.firm - canvas_.x));
 }
 
 void PanningWall::ask_and_retire(WallStep& step) {

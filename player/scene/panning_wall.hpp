@@ -51,7 +51,7 @@ class PanningWall final : public Show {
         PlacedShot placed;  // in px from base_
         Source source = Source::unasked;
         bool has_begun = false;
-        double left = 0, right = 0;  // of the cell, strip px
+        double left = 0, right = 0;  // of the cell, ribbon px
     };
 
     void drop_passed();
@@ -67,13 +67,13 @@ class PanningWall final : public Show {
     Vec2 canvas_;
     std::map<std::string, MediaRecord> files_;
     ShotRound round_;
-    Strip strip_;
-    std::vector<Shown> shots_;    // one a strip item
+    Ribbon ribbon_;
+    std::vector<Shown> shots_;    // one an item of the ribbon
     std::vector<SourceId> left_;  // of a wall that was given up
-    std::optional<StripExtension> extension_;
+    std::optional<RibbonExtension> extension_;
     std::vector<WallShot> newcomers_;  // of the extension
-    double view_ = 0;                  // strip px
-    double base_ = 0;                  // strip px that the cells' px count from
+    double view_ = 0;                  // ribbon px
+    double base_ = 0;                  // ribbon px that the cells' px count from
     std::optional<std::chrono::nanoseconds> last_;
     bool is_paused_ = false;
     std::uint64_t generation_ = 0;

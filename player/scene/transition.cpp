@@ -29,7 +29,8 @@ bool has_slot(std::span<const PlacedShot> wall, int slot) {
 
 bool is_free(const LayoutItem& item, const Placement& at, std::span<const PlacedShot> others) {
     return std::all_of(others.begin(), others.end(), [&](const PlacedShot& other) {
-        return overlap_between({item, at, at}, {other.shot.item, other.placement, other.placement}, clearance)
+        return overlap_interval({item, at, at}, {other.shot.item, other.placement, other.placement},
+                                clearance)
             .is_empty();
     });
 }

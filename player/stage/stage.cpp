@@ -2,7 +2,7 @@
 
 #include "base/system/log.hpp"
 #include "player/display/memory_target.hpp"
-#include "player/layout/plan/nesting.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "player/scene/panning_wall.hpp"
 #include "player/scene/wall.hpp"
 #include "player/stage/stage_settings.hpp"
@@ -156,7 +156,7 @@ void Stage::carry_out(const WallStep& step, Renderer& renderer) {
 }
 
 void Stage::take_layout() {
-    std::optional<Layout> layout = planner_.take();
+    std::optional<Layout> layout = planner_.pop_layout();
     if (!layout || layout->generation != asked_) return;
     take_layout(std::move(*layout));
 }
@@ -172,10 +172,10 @@ void Stage::ask(const WallPlan& wall) {
     request.items = wall.items;
     planned_ = wall;
     if (!options_.await_sources) {
-        asked_ = planner_.request(std::move(request));
+        asked_ = planner_.request_layout(std::move(request));
         return;
     }
-    Layout layout = planned(request);
+    Layout layout = plan(request);
     layout.is_final = true;
     take_layout(std::move(layout));
 }

@@ -33,7 +33,7 @@ WallSettings wall_settings(const Settings& settings) {
             .nests = settings.layout.folders == FolderMode::nested,
             .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
                       .clearance = settings.layout.clearance,
-                      .most_scale = settings.layout.max_enlargement},
+                      .max_scale = settings.layout.max_enlargement},
             .idle = settings.input.idle};
 }
 
@@ -72,7 +72,7 @@ PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
     return {.canvas = canvas,
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .clearance = settings.layout.clearance,
-            .most_scale = settings.layout.max_enlargement,
+            .max_scale = settings.layout.max_enlargement,
             .energy = settings.layout.energy,
             .order = settings.layout.order};
 }

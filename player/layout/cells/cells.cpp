@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// Takes the half of a gap along every border between two cells.
+/// Takes half a gutter from each cell along every border between two cells.
 void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, double gutter) {
     if (gutter <= 0) return;
     std::vector<Loops> wide;
@@ -34,12 +34,12 @@ void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, 
     }
 }
 
-/// How far a cell may fade out over its neighbours at each place of its outline: not onto any other I-Region,
-/// and no farther than it has pixels.
-Rim rim_of(const Polygon& outline, std::size_t item, std::span<const Polygon> regions, const Box& core,
-           double feather) {
+/// The edge along which a cell fades out over its neighbours: not onto any other I-Region, and no farther
+/// than it has pixels.
+FadeEdge fade_edge(const Polygon& outline, std::size_t item, std::span<const Polygon> regions,
+                   const Box& core, double feather) {
     const double spacing = std::max(2.0, feather / 2);  // canvas px between corners
-    Rim rim;
+    FadeEdge edge;
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const Vec2 a = outline[k];
         const Vec2 along = outline[(k + 1) % outline.size()] - a;
@@ -49,14 +49,14 @@ Rim rim_of(const Polygon& outline, std::size_t item, std::span<const Polygon> re
             double room = std::min({p.x - core.min.x, core.max.x - p.x, p.y - core.min.y, core.max.y - p.y});
             for (std::size_t j = 0; j < regions.size(); ++j)
                 if (j != item) room = std::min(room, distance_to(regions[j], p) - spacing / 2);
-            rim.outline.push_back(p);
-            rim.widths.push_back(std::clamp(room, 1.0, feather));
+            edge.outline.push_back(p);
+            edge.widths.push_back(std::clamp(room, 1.0, feather));
         }
     }
-    return rim;
+    return edge;
 }
 
-/// The loop that holds a point of the I-Region comes first.
+/// Puts the part that holds the I-Region's centroid first.
 void put_first(std::vector<Polygon>& parts, const Polygon& region) {
     if (region.empty()) return;
     const Vec2 p = centroid(region);
@@ -86,7 +86,7 @@ void add_to(std::vector<Polygon>& polygons, std::vector<std::array<Vec2, 3>>& tr
 
 std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout, const CellStyle& style) {
     const Box canvas{{0, 0}, layout.canvas};
-    SharedItems sites;
+    ItemAreas sites;
     std::vector<Box> frames;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Placement& at = layout.placements[i];
@@ -97,8 +97,8 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
         sites.cores.emplace_back();
         if (!core.is_empty()) sites.cores.back().push_back(to_grid(to_polygon(core)));
     }
-    Shares shares = shared_out(sites, layout.groups, canvas,
-                               {.spacing = style.sample_spacing, .inset = style.sample_inset});
+    CanvasShares shares = share_canvas(sites, layout.groups, canvas,
+                                       {.spacing = style.sample_spacing, .inset = style.sample_inset});
     open_gutters(shares.shown, sites.regions, style.gutter);
     round_corners(shares.shown, sites.regions, style.corner_radius);
     std::vector<Loops*> all;
@@ -114,9 +114,9 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
         add_to(cell.parts, cell.triangles, shares.shown[i]);
         add_to(cell.filler, cell.filler_triangles, shares.filler[i]);
         put_first(cell.parts, sites.regions[i]);
-        if (style.gutter > 0 || style.corner_radius > 0) cell.rim_coverage = 1;
+        if (style.gutter > 0 || style.corner_radius > 0) cell.edge_coverage = 1;
         for (std::size_t k = 0; style.feather > 1 && k < cell.parts.size(); ++k)
-            cell.rims.push_back(rim_of(cell.parts[k], i, sites.regions, frames[i], style.feather));
+            cell.fade_edges.push_back(fade_edge(cell.parts[k], i, sites.regions, frames[i], style.feather));
     }
     return result;
 }

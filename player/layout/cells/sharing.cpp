@@ -13,10 +13,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double whole_share = 0.004;  // of the canvas: a smaller orphan goes to one taker
+constexpr double whole_share = 0.004;  // share of the canvas: a smaller leftover goes to one taker
 
-/// Part of the canvas whose nearest item has no pixels there, with those that have.
-struct Orphan {
+/// A part of the canvas whose nearest item has no pixels there, with the items that have.
+struct Leftover {
     Loops area;
     std::set<std::size_t> takers;
 };
@@ -33,34 +33,34 @@ Box bounds_of(const Loops& loops) {
     return bounding_box(corners);
 }
 
-/// Splits what has no owner by who has pixels there.
-std::vector<Orphan> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
-    std::vector<Orphan> orphans;
-    if (!orphaned.empty()) orphans.push_back({orphaned, {}});
+/// Splits an area whose nearest item has no pixels there by the items that have.
+std::vector<Leftover> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
+    std::vector<Leftover> leftovers;
+    if (!orphaned.empty()) leftovers.push_back({orphaned, {}});
     for (std::size_t i = 0; i < cores.size(); ++i) {
         if (cores[i].empty()) continue;
         const Box core = bounds_of(cores[i]);
-        std::vector<Orphan> next;
-        for (Orphan& orphan : orphans) {
-            const Box bounds = bounds_of(orphan.area);
+        std::vector<Leftover> next;
+        for (Leftover& leftover : leftovers) {
+            const Box bounds = bounds_of(leftover.area);
             if (intersection(bounds, core).is_empty()) {
-                next.push_back(std::move(orphan));
+                next.push_back(std::move(leftover));
                 continue;
             }
             if (intersection(bounds, core) == bounds) {
-                orphan.takers.insert(i);
-                next.push_back(std::move(orphan));
+                leftover.takers.insert(i);
+                next.push_back(std::move(leftover));
                 continue;
             }
-            Loops inside = intersection_of(orphan.area, cores[i]);
-            Loops outside = difference_of(orphan.area, cores[i]);
-            if (!outside.empty()) next.push_back({std::move(outside), orphan.takers});
-            orphan.takers.insert(i);
-            if (!inside.empty()) next.push_back({std::move(inside), std::move(orphan.takers)});
+            Loops inside = intersection_of(leftover.area, cores[i]);
+            Loops outside = difference_of(leftover.area, cores[i]);
+            if (!outside.empty()) next.push_back({std::move(outside), leftover.takers});
+            leftover.takers.insert(i);
+            if (!inside.empty()) next.push_back({std::move(inside), std::move(leftover.takers)});
         }
-        orphans = std::move(next);
+        leftovers = std::move(next);
     }
-    return orphans;
+    return leftovers;
 }
 
 double distance(const Box& a, const Box& b) {
@@ -68,8 +68,8 @@ double distance(const Box& a, const Box& b) {
                    std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
 }
 
-/// The most that any point of a box can be away from a region, or more.
-double most_distance(const Box& box, const Polygon& region) {
+/// An upper bound of the distance from any point of a box to a region.
+double max_distance(const Box& box, const Polygon& region) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2& p : region)
         least = std::min(least, length({std::max(p.x - box.min.x, box.max.x - p.x),
@@ -77,49 +77,49 @@ double most_distance(const Box& box, const Polygon& region) {
     return least;
 }
 
-/// Those of some takers that can be the nearest somewhere in an area.
-std::set<std::size_t> likely_takers(const Orphan& orphan, std::span<const Polygon> regions) {
-    const Box bounds = bounds_of(orphan.area);
+/// The takers that can be the nearest somewhere in a leftover.
+std::set<std::size_t> likely_takers(const Leftover& leftover, std::span<const Polygon> regions) {
+    const Box bounds = bounds_of(leftover.area);
     double reach = std::numeric_limits<double>::infinity();
-    for (const std::size_t taker : orphan.takers)
-        reach = std::min(reach, most_distance(bounds, regions[taker]));
+    for (const std::size_t taker : leftover.takers)
+        reach = std::min(reach, max_distance(bounds, regions[taker]));
     std::set<std::size_t> likely;
-    for (const std::size_t taker : orphan.takers)
+    for (const std::size_t taker : leftover.takers)
         if (distance(bounds, bounding_box(regions[taker])) <= reach) likely.insert(taker);
     return likely;
 }
 
-/// Gives each orphan to its nearest takers.
-class Adoption {
+/// Shares each leftover out among its nearest takers.
+class LeftoverSharing {
   public:
-    Adoption(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites)
+    LeftoverSharing(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites)
         : regions_(regions), canvas_(canvas), sites_(sites) {}
 
-    void give(const Orphan& orphan, std::vector<Loops>& shown) {
-        const std::set<std::size_t> takers = likely_takers(orphan, regions_);
-        if (takers.size() == 1 || area_of(orphan.area) < whole_share * canvas_.area()) {
-            append(shown[nearest(orphan, takers)], orphan.area);
+    void give(const Leftover& leftover, std::vector<Loops>& shown) {
+        const std::set<std::size_t> takers = likely_takers(leftover, regions_);
+        if (takers.size() == 1 || area_of(leftover.area) < whole_share * canvas_.area()) {
+            append(shown[nearest(leftover, takers)], leftover.area);
             return;
         }
         const std::vector<Loops>& diagram = diagram_of(takers);
-        Loops rest = orphan.area;
+        Loops rest = leftover.area;
         for (const std::size_t taker : takers) {
-            append(shown[taker], intersection_of(orphan.area, diagram[taker]));
+            append(shown[taker], intersection_of(leftover.area, diagram[taker]));
             rest = difference_of(rest, diagram[taker]);
         }
-        append(shown[*orphan.takers.begin()], rest);  // what rounding left
+        append(shown[*leftover.takers.begin()], rest);  // the slivers that rounding left
     }
 
   private:
-    /// The taker whose region is nearest to the middle of the orphan.
-    std::size_t nearest(const Orphan& orphan, const std::set<std::size_t>& takers) const {
-        const Vec2 middle = bounds_of(orphan.area).centre();
+    /// The taker whose region is nearest to the middle of the leftover.
+    std::size_t nearest(const Leftover& leftover, const std::set<std::size_t>& takers) const {
+        const Vec2 middle = bounds_of(leftover.area).centre();
         return *std::min_element(takers.begin(), takers.end(), [&](std::size_t a, std::size_t b) {
             return distance_to(regions_[a], middle) < distance_to(regions_[b], middle);
         });
     }
 
-    /// The diagram of some regions only, indexed as all.
+    /// The diagram of some regions only, indexed like all regions.
     const std::vector<Loops>& diagram_of(const std::set<std::size_t>& some) {
         const auto known = diagrams_.find(some);
         if (known != diagrams_.end()) return known->second;
@@ -141,7 +141,7 @@ class Adoption {
     std::map<std::set<std::size_t>, std::vector<Loops>> diagrams_;
 };
 
-/// Pieces that meet become one, unless they would enclose a hole: cutting that open again might cut a region.
+/// Pieces that meet become one, unless they would enclose a hole: cutting the hole open might cut a region.
 Loops joined(Loops pieces) {
     if (pieces.size() < 2) return pieces;
     Loops whole = union_of(pieces, {});
@@ -155,12 +155,12 @@ bool is_within(const Box& inner, const Box& outer) {
 }
 
 /// Shares an area out among some regions.
-Shares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& cores, const Box& canvas,
-                    const Loops& area, const VoronoiSites& sites) {
+CanvasShares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& cores,
+                          const Box& canvas, const Loops& area, const VoronoiSites& sites) {
     const bool is_whole = area.size() == 1 && area[0] == to_grid(to_polygon(canvas));
     const std::vector<Loops> nearest = voronoi(regions, canvas, sites);
-    Shares shares{std::vector<Loops>(regions.size()), std::vector<Loops>(regions.size())};
-    Adoption adoption(regions, canvas, sites);
+    CanvasShares shares{std::vector<Loops>(regions.size()), std::vector<Loops>(regions.size())};
+    LeftoverSharing sharing(regions, canvas, sites);
     for (std::size_t i = 0; i < regions.size(); ++i) {
         const bool is_clipped = is_whole && (nearest[i].empty() || is_within(bounds_of(nearest[i]), canvas));
         const Loops mine = is_clipped ? nearest[i] : intersection_of(nearest[i], area);
@@ -170,11 +170,11 @@ Shares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& 
             continue;
         }
         append(shares.shown[i], intersection_of(mine, cores[i]));
-        for (const Orphan& orphan : split_by_takers(difference_of(mine, cores[i]), cores)) {
-            if (orphan.takers.empty())
-                append(shares.filler[i], orphan.area);
+        for (const Leftover& leftover : split_by_takers(difference_of(mine, cores[i]), cores)) {
+            if (leftover.takers.empty())
+                append(shares.filler[i], leftover.area);
             else
-                adoption.give(orphan, shares.shown);
+                sharing.give(leftover, shares.shown);
         }
     }
     for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
@@ -183,8 +183,8 @@ Shares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& 
     return shares;
 }
 
-/// What a group is to the others: the hull of its regions, and all between its outermost pixels.
-void add_as_one(SharedItems& units, const SharedItems& sites, const LayoutGroup& group) {
+/// Adds a group as one item: the hull of its regions, and the box round its cores.
+void add_as_one(ItemAreas& units, const ItemAreas& sites, const LayoutGroup& group) {
     std::vector<Vec2> corners;
     std::optional<Box> frame;
     for (const std::size_t i : group.items) {
@@ -213,8 +213,8 @@ double distance_to(const Polygon& region, Vec2 point) {
     return least;
 }
 
-Shares shared_out(const SharedItems& sites, const std::vector<LayoutGroup>& groups, const Box& canvas,
-                  const VoronoiSites& how) {
+CanvasShares share_canvas(const ItemAreas& sites, const std::vector<LayoutGroup>& groups, const Box& canvas,
+                          const VoronoiSites& how) {
     const Loops screen{to_grid(to_polygon(canvas))};
     if (groups.empty()) return shared_among(sites.regions, sites.cores, canvas, screen, how);
     std::vector<LayoutGroup> units = groups;
@@ -224,19 +224,19 @@ Shares shared_out(const SharedItems& sites, const std::vector<LayoutGroup>& grou
             is_grouped[i] = true;
     for (std::size_t i = 0; i < sites.regions.size(); ++i)
         if (!is_grouped[i]) units.push_back({{i}});
-    SharedItems outer;
+    ItemAreas outer;
     for (const LayoutGroup& unit : units)
         add_as_one(outer, sites, unit);
-    const Shares shares = shared_among(outer.regions, outer.cores, canvas, screen, how);
-    Shares all{std::vector<Loops>(sites.regions.size()), std::vector<Loops>(sites.regions.size())};
+    const CanvasShares shares = shared_among(outer.regions, outer.cores, canvas, screen, how);
+    CanvasShares all{std::vector<Loops>(sites.regions.size()), std::vector<Loops>(sites.regions.size())};
     for (std::size_t u = 0; u < units.size(); ++u) {
-        SharedItems inner;
+        ItemAreas inner;
         for (const std::size_t i : units[u].items) {
             inner.regions.push_back(sites.regions[i]);
             inner.cores.push_back(sites.cores[i]);
         }
         const Loops area = union_of(shares.shown[u], shares.filler[u]);
-        Shares some = shared_among(inner.regions, inner.cores, canvas, area, how);
+        CanvasShares some = shared_among(inner.regions, inner.cores, canvas, area, how);
         for (std::size_t k = 0; k < units[u].items.size(); ++k) {
             all.shown[units[u].items[k]] = std::move(some.shown[k]);
             all.filler[units[u].items[k]] = std::move(some.filler[k]);

@@ -15,7 +15,7 @@ bool is_in_triangle(CellPoint p, CellPoint a, CellPoint b, CellPoint c) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-/// The outline that is left, and which of its corners are ears.
+/// Cuts ears off an outline until none is left.
 class EarClipping {
   public:
     explicit EarClipping(const Loop& outline) : left_(outline) {}
@@ -64,7 +64,7 @@ class EarClipping {
 
 constexpr std::int64_t near_enough = 2;  // grid steps
 
-/// How far along a -> b a point lies if it is on that side, else negative.
+/// The place of a point along the side a -> b, in (0, 1); negative if it is not on that side.
 double place_on_side(CellPoint p, CellPoint a, CellPoint b) {
     if (p == a || p == b) return -1;
     if (p.x < std::min(a.x, b.x) - near_enough || p.x > std::max(a.x, b.x) + near_enough ||

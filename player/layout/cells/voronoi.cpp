@@ -25,7 +25,7 @@ constexpr double bend_tolerance = 0.25;  // canvas px between a bend and its cho
 constexpr double beyond = 4;             // canvas sizes from the canvas to the guards, which bound all cells
 constexpr std::int32_t site_origin = 1 << 25;  // grid units added to sites, see CheckedCircles
 
-/// What the diagram is built from, in units of grid_per_px from `site_origin` up and left of the canvas.
+/// The input of the diagram, in units of grid_per_px from `site_origin` up and left of the canvas.
 struct Sites {
     std::vector<GridSegment> segments;
     std::vector<SitePoint> points;
@@ -90,7 +90,8 @@ void add_guards(Sites& sites, const Box& canvas, std::size_t owner) {
     }
 }
 
-/// Corners of the bend between a point site and a line, without its ends: y = x^2 / 2p + p / 2 over the line.
+/// The corners of the bend between a point site and a line, without its ends: y = x^2 / 2p + p / 2 over the
+/// line.
 Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     const Vec2 along = (b - a) * (1 / length(b - a));
     const double p = std::abs(cross(along, focus - a));
@@ -110,10 +111,10 @@ Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     return corners;
 }
 
-/// Traces cells that belong to one owner as one.
-class Tracer {
+/// Traces the outlines of the diagram's cells; the cells of one owner are traced as one.
+class OutlineTracer {
   public:
-    Tracer(const Sites& sites, const Diagram& diagram, std::size_t owners)
+    OutlineTracer(const Sites& sites, const Diagram& diagram, std::size_t owners)
         : sites_(sites), diagram_(diagram), loops_(owners) {}
 
     std::vector<Loops> run() {
@@ -150,7 +151,7 @@ class Tracer {
         if (loop.size() >= 3) loops_[sites_.owner(first)].push_back(std::move(loop));
     }
 
-    /// Appends the edge but for its end. Both directions of an edge have the same corners.
+    /// Appends the edge without its end. Both directions of an edge have the same corners.
     void append(Loop& loop, const Edge& edge) {
         const bool forward = &edge < edge.twin();
         const Edge& base = forward ? edge : *edge.twin();
@@ -211,7 +212,7 @@ std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, 
     boost::polygon::insert(input.points.begin(), input.points.end(), &builder);
     boost::polygon::insert(input.segments.begin(), input.segments.end(), &builder);
     builder.construct(&diagram);
-    return Tracer(input, diagram, regions.size()).run();
+    return OutlineTracer(input, diagram, regions.size()).run();
 }
 
 }  // namespace vitrine::player

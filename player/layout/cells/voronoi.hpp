@@ -8,10 +8,10 @@
 
 namespace vitrine::player {
 
-/// How the outlines become Voronoi sites.
+/// The way in which outlines become Voronoi sites.
 struct VoronoiSites {
     double spacing = 0;  // px between sampled points; 0: the outlines themselves, exact
-    double inset = 0;    // px that sampled points lie inside the outline
+    double inset = 0;    // px, depth of sampled points inside the outline
 };
 
 /// The Voronoi diagram of disjoint convex polygons: for each the points nearer to it than to any other.

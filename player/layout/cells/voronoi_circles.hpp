@@ -13,10 +13,11 @@ namespace vitrine::player {
 // boost's diagram finds the circle that touches three sites in double numbers, and falls back on exact ones
 // where they may be off by more than 64 units of their last place. Over canvas coordinates, many times as
 // large as the distances of the sites, that is so for most circles, and takes most of the diagram's time.
-// Here they are found about a corner near the sites, with rounding; then it is checked how far off they can
-// be. Only where that is too far, which is where the sites hardly determine the circle, exact numbers decide.
+// Here the circles are found about a corner near the sites, with rounding, and their largest error is
+// computed. Only where it is too large, which is where the sites hardly determine the circle, exact numbers
+// decide.
 
-/// Sites' coordinates less those of a corner near them.
+/// The coordinates of sites relative to a corner near them.
 template <typename Site, typename Circle> class NearbyCorner {
   public:
     /// The corner lies left of and above the sites by their own extent, as results near 0 are never exact.
@@ -45,8 +46,8 @@ template <typename Site, typename Circle> class NearbyCorner {
     typename Site::coordinate_type x_ = 0, y_ = 0, extent_ = 0;
 };
 
-/// How well three sites determine the circle that touches them, at the place where it was found: the
-/// linearised conditions on its centre and radius, and by how much they are missed.
+/// Checks a circle that was found to touch three sites: holds the linearised conditions on its centre and
+/// radius, and the errors by which they are missed.
 class CircleCheck {
   public:
     CircleCheck(double x, double y, double radius) : x_(x), y_(y), radius_(radius) {}
@@ -77,13 +78,13 @@ class CircleCheck {
         add({dx / size, dy / size, 0}, (dx * (x_ - x0) + dy * (y_ - y0)) / size);
     }
 
-    /// Whether centre and radius are true to `tolerance`, all in the sites' units. @pre three conditions
+    /// True where centre and radius are true to `tolerance`, all in the sites' units. @pre three conditions
     bool holds(double tolerance) const {
         const auto& [a, b, c] = rows_;
         const double determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
                                    a[2] * (b[0] * c[1] - b[1] * c[0]);
-        constexpr double most_cofactors = 8;  // the sum of three of them, each entry being at most 1
-        return most_cofactors * missed_ <= tolerance * std::abs(determinant);  // not so where any is NaN
+        constexpr double max_cofactors = 8;  // bound of the sum of three of them, each entry being at most 1
+        return max_cofactors * missed_ <= tolerance * std::abs(determinant);  // not so where any is NaN
     }
 
   private:
@@ -99,7 +100,8 @@ class CircleCheck {
     double missed_ = 0;
 };
 
-/// Finds the circles of three sites: nearby, rounding, and exactly where that is not good enough.
+/// Finds the circles of three sites: relative to a corner nearby, with rounding; exactly where the error is
+/// too large.
 template <typename Site, typename Circle, typename Rounding, typename Exact> class CheckedCircles {
   public:
     void ppp(const Site& a, const Site& b, const Site& c, Circle& circle) {
@@ -166,7 +168,7 @@ template <typename Site, typename Circle, typename Rounding, typename Exact> cla
     Exact exact_;
 };
 
-/// The diagram's predicates with circles found so.
+/// The diagram's predicates with circles from CheckedCircles.
 struct VoronoiPredicates : boost::polygon::detail::voronoi_predicates<VoronoiNumbers> {
     using Rounding = boost::polygon::detail::voronoi_predicates<RoundingNumbers>;
 

@@ -64,7 +64,7 @@ class WideInt {
     explicit operator double() const { return static_cast<double>(static_cast<long double>(*this)); }
 
   private:
-    static constexpr std::size_t most_digits = 32;
+    static constexpr std::size_t max_digits = 32;
 
     static WideInt sum(const WideInt& a, const WideInt& b, bool b_is_negative) {
         if (a.is_negative_ == b_is_negative)
@@ -91,7 +91,7 @@ class WideInt {
             carry = part < carry || result.digits_[k] < other ? 1 : 0;
         }
         result.count_ = a.count_;
-        if (carry != 0 && result.count_ < most_digits) result.digits_[result.count_++] = carry;
+        if (carry != 0 && result.count_ < max_digits) result.digits_[result.count_++] = carry;
         return result;
     }
 
@@ -118,7 +118,7 @@ class WideInt {
 
     bool is_negative_ = false;
     std::size_t count_ = 0;  // digits, 0 for 0
-    std::uint64_t digits_[most_digits];
+    std::uint64_t digits_[max_digits];
 };
 
 // Digits beyond count_ are never read, which gcc does not see where this is inlined.
@@ -131,7 +131,7 @@ inline WideInt operator*(const WideInt& a, const WideInt& b) {
     __extension__ using Product = unsigned __int128;
     WideInt result;
     result.is_negative_ = a.is_negative_ != b.is_negative_;
-    result.count_ = std::min(a.count_ + b.count_, WideInt::most_digits);
+    result.count_ = std::min(a.count_ + b.count_, WideInt::max_digits);
     std::fill_n(result.digits_, result.count_, 0);
     for (std::size_t i = 0; i < a.count_; ++i) {
         std::uint64_t carry = 0;
@@ -155,16 +155,16 @@ struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }
 };
 
-/// What boost's diagram computes with where double is not enough. Its own integers
-/// have 32-bit digits, and its floating type keeps the exponent apart and takes each number to pieces at
-/// every step; long double has a wide enough exponent by itself.
+/// The numbers that boost's diagram uses where double is not enough. boost's own integers have 32-bit digits,
+/// and its floating type keeps the exponent apart and takes each number to pieces at every step; long double
+/// has a wide enough exponent by itself.
 struct VoronoiNumbers : boost::polygon::detail::voronoi_ctype_traits<boost::polygon::detail::int32> {
     using big_int_type = WideInt;
     using efpt_type = long double;
     using to_efpt_converter_type = ToLongDouble;
 };
 
-/// The same with rounding where those would be exact: fast, and hardly ever far off.
+/// The same with rounding instead of exact integers: fast, and hardly ever far off.
 struct RoundingNumbers : VoronoiNumbers {
     using big_int_type = long double;
 

@@ -7,32 +7,27 @@
 #include "player/layout/plan/plan.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-
-// Each edit is a request to the planner in which everything stands but what is edited, in a window round it.
 
 namespace vitrine::player {
 
 namespace {
 
-constexpr double worth_all_anew = 0.08;  // of the canvas: packing anew covers so much more
-
 Vec2 place_of(const LayoutItem& item, const Placement& at) {
     return seat_of(item, at).centre;
 }
 
-Placement about(const LayoutItem& item, Vec2 place, double scale) {
+Placement placed_about(const LayoutItem& item, Vec2 place, double scale) {
     return {scale, place - shape_of(item.region).centroid * scale};
 }
 
-PlanRequest request_of(const Standing& wall, const EditRules& rules) {
+PlanRequest request_of(const WallState& wall, const EditRules& rules) {
     PlanRequest request{.canvas = wall.canvas,
                         .seed = rules.seed,
                         .budget = rules.budget,
                         .clearance = rules.clearance,
                         .margin = rules.margin,
-                        .most_scale = rules.most_scale};
+                        .max_scale = rules.max_scale};
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         request.items.push_back({.item = wall.items[i],
                                  .previous = wall.placements[i],
@@ -54,46 +49,47 @@ std::vector<LayoutItem> items_of(const PlanRequest& request) {
     return items;
 }
 
-/// The wall as planned; none where nothing sound was found.
-std::optional<Standing> carried_out(const Standing& wall, const PlanRequest& request, const Box& window,
-                                    const EditRules& rules) {
+/// The wall as the request plans it; none where no sound layout was found.
+std::optional<WallState> planned_wall(const WallState& wall, const PlanRequest& request, const Box& window,
+                                      const EditRules& rules) {
     const std::optional<Layout> layout = planned_in(window, request, {.should_stop = rules.should_stop});
     std::vector<LayoutItem> items = items_of(request);
     if (!layout || !is_sound(items, *layout)) return std::nullopt;
-    Standing next{.canvas = request.canvas,
-                  .items = std::move(items),
-                  .placements = layout->placements,
-                  .homes = layout->placements,
-                  .pinned = wall.pinned};
+    WallState next{.canvas = request.canvas,
+                   .items = std::move(items),
+                   .placements = layout->placements,
+                   .homes = layout->placements,
+                   .pinned = wall.pinned};
     next.pinned.resize(next.items.size(), false);
     return next;
 }
 
-/// Everything packed anew, for a wall that no change leads to.
-Standing packed_anew(const Standing& wall, PlanRequest request, const EditRules& rules) {
+/// Everything packed anew, for a wall that no change plan was found for.
+WallState packed_anew(const WallState& wall, PlanRequest request, const EditRules& rules) {
     for (PlanItem& item : request.items) {
         if (!item.is_pinned) item.previous.reset();
         item.seat.reset();
     }
     const Layout layout = plan(request, {.should_stop = rules.should_stop});
-    Standing next = standing(items_of(request), layout);
+    WallState next = wall_state(items_of(request), layout);
     next.pinned = wall.pinned;
     next.pinned.resize(next.items.size(), false);
     return next;
 }
 
-bool meets_pinned(const Standing& wall, std::size_t item, const Placement& at, double clearance) {
+bool is_on_pinned(const WallState& wall, std::size_t item, const Placement& at, double clearance) {
     for (std::size_t j = 0; j < wall.items.size(); ++j) {
         if (j == item || !wall.pinned[j]) continue;
         const Placement& other = wall.placements[j];
-        if (!overlap_between({wall.items[item], at, at}, {wall.items[j], other, other}, clearance).is_empty())
+        if (!overlap_interval({wall.items[item], at, at}, {wall.items[j], other, other}, clearance)
+                 .is_empty())
             return true;
     }
     return false;
 }
 
-/// The placement moved so that its region lies in the canvas, as far as it is small enough for that.
-Placement held_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
+/// The placement moved so that its region lies in the canvas, as far as it is small enough.
+Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
     const Box box = box_of(item, at);
     const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
     const Vec2 high{std::max(0.0, box.max.x + margin - canvas.x),
@@ -103,20 +99,20 @@ Placement held_inside(const LayoutItem& item, Placement at, Vec2 canvas, double 
 }
 
 /// An item put down somewhere while the others make way.
-std::optional<Standing> put_down(const Standing& wall, std::size_t item, const Placement& at,
-                                 const Box& window, const EditRules& rules) {
-    if (meets_pinned(wall, item, at, rules.clearance)) return std::nullopt;
+std::optional<WallState> put_down(const WallState& wall, std::size_t item, const Placement& at,
+                                  const Box& window, const EditRules& rules) {
+    if (is_on_pinned(wall, item, at, rules.clearance)) return std::nullopt;
     PlanRequest request = request_of(wall, rules);
-    request.fills = false;  // what moves with every step of a finger would tremble
+    request.fills = false;  // items that are resized at every step of a finger would tremble
     request.items[item].previous = request.items[item].home = at;
     request.items[item].is_pinned = true;
-    auto next = carried_out(wall, request, window, rules);
+    auto next = planned_wall(wall, request, window, rules);
     if (next) next->placements[item] = next->homes[item] = at;
     return next;
 }
 
-/// The scale that a newcomer would have among what stands.
-double usual_scale(const Standing& wall, const LayoutItem& newcomer) {
+/// The scale that a newcomer would have among the items of a wall.
+double usual_scale(const WallState& wall, const LayoutItem& newcomer) {
     if (wall.items.empty()) return 1;
     std::vector<LayoutItem> items = wall.items;
     items.push_back(newcomer);
@@ -134,17 +130,17 @@ double usual_scale(const Standing& wall, const LayoutItem& newcomer) {
     return *middle * natural.back();
 }
 
-/// The newcomer put down at a place, a little smaller if it must be.
-std::optional<Standing> put_in(const Standing& wall, const LayoutItem& newcomer, Vec2 place,
-                               const EditRules& rules) {
+/// The newcomer put down at a place, made smaller where it must be.
+std::optional<WallState> put_in(const WallState& wall, const LayoutItem& newcomer, Vec2 place,
+                                const EditRules& rules) {
     constexpr double factors[] = {0.95, 0.75, 0.5, 0.3};
-    Standing with = wall;
+    WallState with = wall;
     with.items.push_back(newcomer);
     with.pinned.push_back(false);
-    const double scale = std::min(usual_scale(wall, newcomer), rules.most_scale);
+    const double scale = std::min(usual_scale(wall, newcomer), rules.max_scale);
     for (const double factor : factors) {
         const Placement at =
-            held_inside(newcomer, about(newcomer, place, scale * factor), wall.canvas, rules.margin);
+            moved_inside(newcomer, placed_about(newcomer, place, scale * factor), wall.canvas, rules.margin);
         with.placements.resize(wall.items.size());
         with.homes.resize(wall.items.size());
         with.placements.push_back(at);
@@ -157,40 +153,20 @@ std::optional<Standing> put_in(const Standing& wall, const LayoutItem& newcomer,
 
 }  // namespace
 
-Standing standing(std::vector<LayoutItem> items, const Layout& layout) {
-    assert(items.size() == layout.placements.size());
-    const std::size_t count = items.size();
-    return {.canvas = layout.canvas,
-            .items = std::move(items),
-            .placements = layout.placements,
-            .homes = layout.placements,
-            .pinned = std::vector<bool>(count, false)};
-}
-
-Layout layout_of(const Standing& wall) {
-    double covered = 0;
-    for (std::size_t i = 0; i < wall.items.size(); ++i)
-        covered += seat_of(wall.items[i], wall.placements[i]).area;
-    return {.canvas = wall.canvas,
-            .placements = wall.placements,
-            .energy = 1 - covered / (wall.canvas.x * wall.canvas.y),
-            .is_final = true};
-}
-
-Standing inserted(const Standing& wall, const LayoutItem& newcomer, const EditRules& rules,
-                  std::optional<Vec2> at) {
+WallState inserted(const WallState& wall, const LayoutItem& newcomer, const EditRules& rules,
+                   std::optional<Vec2> at) {
     if (at && !wall.items.empty())
         if (auto next = put_in(wall, newcomer, *at, rules)) return *next;
     PlanRequest request = request_of(wall, rules);
     request.items.push_back({.item = newcomer});
     if (at) request.items.back().seat = Seat{.centre = *at};
     const Vec2 place = at.value_or(emptiest_place(wall, rules));
-    if (const auto next = carried_out(wall, request, window_at(wall, place, rules), rules)) return *next;
+    if (const auto next = planned_wall(wall, request, window_at(wall, place, rules), rules)) return *next;
     return packed_anew(wall, request, rules);
 }
 
-Standing deleted(const Standing& wall, std::size_t item, const EditRules& rules) {
-    Standing rest = wall;
+WallState deleted(const WallState& wall, std::size_t item, const EditRules& rules) {
+    WallState rest = wall;
     const Vec2 place = place_of(wall.items[item], wall.placements[item]);
     const auto erase = [item](auto& from) { from.erase(from.begin() + static_cast<std::ptrdiff_t>(item)); };
     erase(rest.items);
@@ -198,31 +174,31 @@ Standing deleted(const Standing& wall, std::size_t item, const EditRules& rules)
     erase(rest.homes);
     erase(rest.pinned);
     if (rest.items.empty()) return rest;
-    return carried_out(rest, request_of(rest, rules), window_at(rest, place, rules), rules).value_or(rest);
+    return planned_wall(rest, request_of(rest, rules), window_at(rest, place, rules), rules).value_or(rest);
 }
 
-Standing replaced(const Standing& wall, std::size_t item, const LayoutItem& newcomer,
-                  const EditRules& rules) {
+WallState replaced(const WallState& wall, std::size_t item, const LayoutItem& newcomer,
+                   const EditRules& rules) {
     PlanRequest request = request_of(wall, rules);
     const Seat seat = seat_of(wall.items[item], wall.placements[item]);
     request.items[item] = {.item = newcomer, .seat = seat};
-    Standing free = wall;
+    WallState free = wall;
     free.pinned[item] = false;
-    auto next = carried_out(free, request, window_at(wall, seat.centre, rules), rules);
+    auto next = planned_wall(free, request, window_at(wall, seat.centre, rules), rules);
     if (!next) next = packed_anew(free, request, rules);
     next->pinned = wall.pinned;
     return *next;
 }
 
-Standing dragged(const Standing& wall, std::size_t item, Vec2 to, const EditRules& rules) {
+WallState dragged(const WallState& wall, std::size_t item, Vec2 to, const EditRules& rules) {
     constexpr int tries = 6;
     const LayoutItem& touched = wall.items[item];
     const Vec2 from = place_of(touched, wall.placements[item]);
     const double scale = wall.placements[item].scale;
-    double share = 1;  // of the way that the finger went
+    double share = 1;  // share of the finger's way
     for (int k = 0; k < tries; ++k, share *= 0.6) {
-        const Placement at = held_inside(touched, about(touched, from + (to - from) * share, scale),
-                                         wall.canvas, rules.margin);
+        const Placement at = moved_inside(touched, placed_about(touched, from + (to - from) * share, scale),
+                                          wall.canvas, rules.margin);
         const Box window =
             with_displaced(wall, united(window_at(wall, from, rules), window_at(wall, to, rules)));
         auto next = put_down(wall, item, at, window, rules);
@@ -234,53 +210,31 @@ Standing dragged(const Standing& wall, std::size_t item, Vec2 to, const EditRule
     return wall;
 }
 
-Standing resized(const Standing& wall, std::size_t item, double factor, const EditRules& rules) {
+WallState resized(const WallState& wall, std::size_t item, double factor, const EditRules& rules) {
     constexpr int tries = 6;
     const LayoutItem& touched = wall.items[item];
     const Shape shape = shape_of(touched.region);
     const Placement& now = wall.placements[item];
     const double fits = std::min((wall.canvas.x - 2 * rules.margin) / shape.extent.width(),
                                  (wall.canvas.y - 2 * rules.margin) / shape.extent.height());
-    double scale = std::min({now.scale * factor, std::max(rules.most_scale, now.scale), fits});
+    double scale = std::min({now.scale * factor, std::max(rules.max_scale, now.scale), fits});
     const Vec2 place = place_of(touched, now);
     for (int k = 0; k < tries; ++k, scale = std::sqrt(scale * now.scale)) {
-        const Placement at = held_inside(touched, about(touched, place, scale), wall.canvas, rules.margin);
+        const Placement at =
+            moved_inside(touched, placed_about(touched, place, scale), wall.canvas, rules.margin);
         if (auto next = put_down(wall, item, at, window_at(wall, place, rules), rules)) return *next;
     }
     return wall;
 }
 
-Standing moved_to(const Standing& wall, Vec2 canvas, const EditRules& rules) {
-    Standing next = wall;
-    next.canvas = canvas;
-    const Vec2 ratio{canvas.x / wall.canvas.x, canvas.y / wall.canvas.y};
-    const double growth = std::min(ratio.x, ratio.y);
-    for (std::size_t i = 0; i < wall.items.size(); ++i) {
-        const Vec2 place = place_of(wall.items[i], wall.placements[i]);
-        const Placement at = about(wall.items[i], {place.x * ratio.x, place.y * ratio.y},
-                                   std::min(wall.placements[i].scale * growth, rules.most_scale));
-        next.placements[i] = next.homes[i] = held_inside(wall.items[i], at, canvas, rules.margin);
-    }
+WallState settled(const WallState& wall, const EditRules& rules) {
+    WallState now = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
-        if (wall.pinned[i] && meets_pinned(next, i, next.placements[i], 0)) next.pinned[i] = false;
-    if (wall.items.empty()) return next;
-    const Box all{{rules.margin, rules.margin}, canvas - Vec2{rules.margin, rules.margin}};
-    const PlanRequest request = request_of(next, rules);
-    const auto warm = carried_out(next, request, all, rules);
-    if (!warm || layout_of(*warm).energy > layout_of(wall).energy + worth_all_anew / 2) {
-        Standing anew = packed_anew(next, request, rules);
-        if (!warm || layout_of(anew).energy < layout_of(*warm).energy - worth_all_anew) return anew;
-    }
-    return *warm;
-}
-
-Standing settled(const Standing& wall, const EditRules& rules) {
-    Standing now = wall;
-    for (std::size_t i = 0; i < wall.items.size(); ++i)
-        now.homes[i] = about(wall.items[i], place_of(wall.items[i], wall.placements[i]), wall.homes[i].scale);
+        now.homes[i] =
+            placed_about(wall.items[i], place_of(wall.items[i], wall.placements[i]), wall.homes[i].scale);
     if (wall.items.empty()) return now;
     const Box all{{rules.margin, rules.margin}, wall.canvas - Vec2{rules.margin, rules.margin}};
-    auto next = carried_out(now, request_of(now, rules), all, rules);
+    auto next = planned_wall(now, request_of(now, rules), all, rules);
     if (next) return *next;
     now.homes = now.placements;
     return now;

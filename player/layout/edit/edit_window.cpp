@@ -1,6 +1,7 @@
 #include "player/layout/edit/edit_window.hpp"
 
 #include "player/layout/pack/shape.hpp"
+#include "player/layout/plan/flat_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,11 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::size_t large_wall = 40;  // items, from which edits are local
-constexpr double window_items = 14;     // that a window holds about
+constexpr double window_items = 14;     // about as many are in a window
 constexpr double stood_still = 1e-9;    // canvas px
 constexpr double at_the_edge = 0.01;    // canvas px beyond a window that count as in it
 
-/// The part of a request that lies in a window, in the window's coordinates; `inside` says which items.
+/// The part of a request that lies in a window, in the window's coordinates. @param inside  out: its items
 PlanRequest windowed(const PlanRequest& request, const Box& window, std::vector<std::size_t>& inside) {
     const Box field{window.min - Vec2{request.margin, request.margin},
                     window.max + Vec2{request.margin, request.margin}};
@@ -50,8 +51,7 @@ Box box_of(const LayoutItem& item, const Placement& at) {
     return {shape.extent.min * at.scale + place, shape.extent.max * at.scale + place};
 }
 
-/// The window of an edit at a place: all of a small wall; else so much that some items can give way.
-Box window_at(const Standing& wall, Vec2 place, const EditRules& rules) {
+Box window_at(const WallState& wall, Vec2 place, const EditRules& rules) {
     const double edge = std::min(rules.margin, std::min(wall.canvas.x, wall.canvas.y) / 4);
     const Box field{{edge, edge}, wall.canvas - Vec2{edge, edge}};
     if (wall.items.size() <= large_wall) return field;
@@ -62,7 +62,7 @@ Box window_at(const Standing& wall, Vec2 place, const EditRules& rules) {
     return intersection(field, {middle - half, middle + half});
 }
 
-Box with_displaced(const Standing& wall, Box window) {
+Box with_displaced(const WallState& wall, Box window) {
     if (wall.items.size() <= large_wall) return window;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         if (length(wall.placements[i].offset - wall.homes[i].offset) > stood_still)
@@ -71,8 +71,7 @@ Box with_displaced(const Standing& wall, Box window) {
     return window;
 }
 
-/// Where the wall is emptiest, for a newcomer without a wish.
-Vec2 emptiest_place(const Standing& wall, const EditRules& rules) {
+Vec2 emptiest_place(const WallState& wall, const EditRules& rules) {
     constexpr int steps = 8;
     if (wall.items.size() <= large_wall) return wall.canvas * 0.5;
     Vec2 best;

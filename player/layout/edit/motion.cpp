@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-// Straight lines are free for most small changes. Where they are not, it is mostly because an item moves to
-// where another still stands: that one goes first. Items that would pass through each other become smaller
-// until they do not; about inner points a convex region gets smaller within itself, which is always free.
-// What is left are items that change places: those are sent by way of a halfway layout, its conflicts pushed
-// apart sideways.
+// Straight lines are free for most small changes. Where they are not, it is mostly because an item moves to a
+// place where another still stands: the other goes first. Items that would pass through each other become
+// smaller until they do not; a convex region that shrinks about an inner point stays within itself, which is
+// always free. Items that change places are left: they are sent by way of a halfway layout, its conflicts
+// pushed apart sideways.
 
 namespace vitrine::player {
 
@@ -20,11 +20,11 @@ namespace {
 using Placements = std::vector<Placement>;
 
 constexpr double apart = 1.0 / 128;  // canvas px; more than the grid of exact areas rounds by
-constexpr std::size_t most_stages = 4;
+constexpr std::size_t max_stages = 4;
 constexpr double shrink = 0.88;        // per try
-constexpr double least_factor = 0.5;   // of the smaller of both scales, on the way
-constexpr double detour_factor = 0.7;  // of scales halfway
-constexpr int most_pushes = 60;        // rounds of pushing halfway places apart
+constexpr double min_factor = 0.5;     // times the smaller of both scales, on the way
+constexpr double detour_factor = 0.7;  // times the smaller of both scales, halfway
+constexpr int max_pushes = 60;         // rounds of pushing halfway places apart
 
 double support(const Polygon& outline, Vec2 direction) {
     double most = -std::numeric_limits<double>::infinity();
@@ -38,13 +38,13 @@ Placement mixed(const Placement& a, const Placement& b, double t) {
 }
 
 /// A region on the way: its outline is in source px, both placements map it to the canvas.
-struct Way {
+struct MovingRegion {
     const Polygon& outline;
     Placement from, to;
 };
 
-/// Cuts `inside` down to when the gap along the outward normals of a's sides is negative.
-void cut_by_sides(const Way& a, const Way& b, double clearance, Overlap& inside) {
+/// Cuts `inside` down to the times at which the gap along the outward normals of a's sides is negative.
+void cut_by_sides(const MovingRegion& a, const MovingRegion& b, double clearance, OverlapInterval& inside) {
     for (std::size_t k = 0; k < a.outline.size() && !inside.is_empty(); ++k) {
         const Vec2 edge = a.outline[(k + 1) % a.outline.size()] - a.outline[k];
         if (edge == Vec2{}) continue;
@@ -62,8 +62,8 @@ void cut_by_sides(const Way& a, const Way& b, double clearance, Overlap& inside)
     }
 }
 
-Overlap overlap_of(const Way& a, const Way& b, double clearance) {
-    Overlap inside{0, 1};
+OverlapInterval overlap_of(const MovingRegion& a, const MovingRegion& b, double clearance) {
+    OverlapInterval inside{0, 1};
     cut_by_sides(a, b, clearance, inside);
     if (!inside.is_empty()) cut_by_sides(b, a, clearance, inside);
     return inside;
@@ -79,10 +79,10 @@ bool are_apart(const Box& a, const Box& b) {
 }
 
 /// Looks for a motion of some items.
-class Search {
+class MotionSearch {
   public:
-    Search(std::span<const LayoutItem> items, std::span<const Placement> from, std::span<const Placement> to,
-           Vec2 canvas)
+    MotionSearch(std::span<const LayoutItem> items, std::span<const Placement> from,
+                 std::span<const Placement> to, Vec2 canvas)
         : canvas_(canvas), from_(from.begin(), from.end()), to_(to.begin(), to.end()) {
         for (const LayoutItem& item : items) {
             const Shape shape = shape_of(item.region);
@@ -113,7 +113,7 @@ class Search {
         return !overlap_of({outlines_[i], a[i], b[i]}, {outlines_[j], a[j], b[j]}, apart).is_empty();
     }
 
-    /// Which items meet others on the straight way.
+    /// The items that meet others on the straight way, one flag an item.
     std::vector<bool> conflicts(const Placements& a, const Placements& b) const {
         std::vector<Box> swept;
         for (std::size_t i = 0; i < size(); ++i)
@@ -125,10 +125,10 @@ class Search {
         return found;
     }
 
-    /// Each stage moves all those that can go at once while the others stand.
+    /// Each stage moves all items that can go at once while the others stand.
     std::optional<Motion> staged() const {
         Motion motion{Motion::Kind::staged, {from_}};
-        while (motion.keys.back() != to_ && motion.keys.size() <= most_stages) {
+        while (motion.keys.back() != to_ && motion.keys.size() <= max_stages) {
             const Placements& now = motion.keys.back();
             Placements next = now;
             for (std::size_t i = 0; i < size(); ++i) {
@@ -148,7 +148,7 @@ class Search {
         return {scale, place - centroids_[item] * scale};
     }
 
-    /// All that meet others on the way get smaller first, and larger again in the end.
+    /// Items that meet others on the way get smaller first, and larger again in the end.
     std::optional<std::vector<Placements>> shrunk(const Placements& a, const Placements& b) const {
         std::vector<double> factors(size(), 1);
         for (;;) {
@@ -168,7 +168,7 @@ class Search {
             }
             for (std::size_t i = 0; i < size(); ++i) {
                 if (in_conflict[i]) factors[i] *= shrink;
-                if (factors[i] < least_factor) return std::nullopt;
+                if (factors[i] < min_factor) return std::nullopt;
             }
         }
     }
@@ -183,7 +183,7 @@ class Search {
                 moves ? about_centroid(i, even, detour_factor * std::min(from_[i].scale, to_[i].scale))
                       : even);
         }
-        for (int k = 0; k < most_pushes; ++k) {
+        for (int k = 0; k < max_pushes; ++k) {
             bool is_clear = true;
             for (std::size_t i = 0; i < size(); ++i)
                 for (std::size_t j = 0; j < i; ++j)
@@ -251,14 +251,14 @@ std::vector<Placement> placements_at(const Motion& motion, double time) {
     return now;
 }
 
-Overlap overlap_between(const Passage& a, const Passage& b, double clearance) {
+OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, double clearance) {
     return overlap_of({a.item.region, a.from, a.to}, {b.item.region, b.from, b.to}, clearance);
 }
 
 std::optional<Motion> motion_between(std::span<const LayoutItem> items, std::span<const Placement> from,
                                      std::span<const Placement> to, Vec2 canvas) {
     assert(items.size() == from.size() && items.size() == to.size());
-    return Search(items, from, to, canvas).run();
+    return MotionSearch(items, from, to, canvas).run();
 }
 
 }  // namespace vitrine::player

@@ -8,7 +8,7 @@
 
 namespace vitrine::player {
 
-/// How items get from one layout to another. Between two keys every placement's scale and offset change
+/// The way of items from one layout to another. Between two keys every placement's scale and offset change
 /// evenly, so every corner of an I-Region runs straight.
 struct Motion {
     enum class Kind {
@@ -23,13 +23,13 @@ struct Motion {
     std::vector<std::vector<Placement>> keys;  // at even times from 0 to 1; at least one
 };
 
-/// Where everything is at a time in [0, 1]; clamps.
+/// The placements at a time in [0, 1]; clamps.
 std::vector<Placement> placements_at(const Motion& motion, double time);
 
 /// The times in (0, 1) at which the I-Regions of two items share inner points while both move evenly: since
 /// the sides keep their directions, the gap along each side's normal is linear in time, and the regions
 /// overlap while all those gaps are negative. So it is one interval, and exact but for rounding.
-struct Overlap {
+struct OverlapInterval {
     double begin = 1;
     double end = 0;
 
@@ -37,18 +37,18 @@ struct Overlap {
 };
 
 /// An item on the way between two placements.
-struct Passage {
+struct MovingItem {
     const LayoutItem& item;  // outlives the call
     Placement from;
     Placement to;
 };
 
 /// @param clearance  canvas px that the regions are kept apart beyond touching, >= 0
-Overlap overlap_between(const Passage& a, const Passage& b, double clearance);
+OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, double clearance);
 
-/// Moves all items from where they are to where they shall be so that at no moment an I-Region covers
-/// another. Tries all at once, then some after others, then smaller on the way, then by way of a layout
-/// halfway. None where neither is found: then only a crossfade remains.
+/// A motion of all items from one layout to another during which no I-Region ever covers another. Tries all
+/// at once, then some after others, then smaller on the way, then by way of a layout halfway. None where none
+/// of these works: then only a crossfade remains.
 ///
 /// @param from, to  free of overlap, as many as items
 /// @param canvas    px; no region leaves it that is inside in both layouts

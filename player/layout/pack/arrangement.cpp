@@ -7,52 +7,52 @@
 
 namespace vitrine::player {
 
-double Ground::scale(std::size_t item, double growth) const {
+double PackingProblem::scale(std::size_t item, double growth) const {
     return pinned[item] ? scales[item] : std::min(scales[item] * growth, limits[item]);
 }
 
-Growing Ground::growing(std::size_t item) const {
+GrowingScale PackingProblem::growing_scale(std::size_t item) const {
     if (pinned[item]) return {std::numeric_limits<double>::infinity(), scales[item]};
     return {scales[item], limits[item]};
 }
 
-Box Ground::range(std::size_t item, double growth) const {
+Box PackingProblem::place_range(std::size_t item, double growth) const {
     if (pinned[item]) return {{-1e9, -1e9}, {1e9, 1e9}};
     const double s = scale(item, growth);
     return {field.min - shapes[item].extent.min * s, field.max - shapes[item].extent.max * s};
 }
 
-ReadingOrder reading_order(const Ground& ground, double growth) {
+ReadingOrder reading_order(const PackingProblem& problem, double growth) {
     double sum = 0;
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        sum += ground.shapes[i].extent.height() * ground.scale(i, growth);
-    return {sum / (2 * static_cast<double>(ground.size()))};
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        sum += problem.shapes[i].extent.height() * problem.scale(i, growth);
+    return {sum / (2 * static_cast<double>(problem.size()))};
 }
 
-Vec2 held(Vec2 place, const Box& range) {
+Vec2 moved_into(Vec2 place, const Box& range) {
     return {std::max(range.min.x, std::min(place.x, range.max.x)),
             std::max(range.min.y, std::min(place.y, range.max.y))};
 }
 
-std::vector<double> scales_at(const Ground& ground, double growth) {
+std::vector<double> scales_at(const PackingProblem& problem, double growth) {
     std::vector<double> scales;
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        scales.push_back(ground.scale(i, growth));
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        scales.push_back(problem.scale(i, growth));
     return scales;
 }
 
-bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts) {
-    contacts.set_scales(scales_at(ground, arrangement.growth));
-    const ReadingOrder order = reading_order(ground, arrangement.growth);
-    for (std::size_t i = 0; i < ground.size(); ++i) {
+bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Contacts& contacts) {
+    contacts.set_scales(scales_at(problem, arrangement.growth));
+    const ReadingOrder order = reading_order(problem, arrangement.growth);
+    for (std::size_t i = 0; i < problem.size(); ++i) {
         const Vec2 place = arrangement.places[i];
-        const Box range = ground.range(i, arrangement.growth);
+        const Box range = problem.place_range(i, arrangement.growth);
         const bool fits = range.max.x >= range.min.x - Contacts::precision &&
                           range.max.y >= range.min.y - Contacts::precision;
-        if (!fits || length(held(place, range) - place) > Contacts::precision) return false;
+        if (!fits || length(moved_into(place, range) - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
-            if (ground.pinned[i] && ground.pinned[j]) continue;  // nothing can be done about those
-            if (ground.reads && order.violation(arrangement.places[j], place) > Contacts::precision)
+            if (problem.pinned[i] && problem.pinned[j]) continue;  // nothing can be done about them
+            if (problem.keeps_order && order.violation(arrangement.places[j], place) > Contacts::precision)
                 return false;
             if (!contacts.is_clear(i, j, arrangement.places[j] - place)) return false;
         }
@@ -60,23 +60,23 @@ bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& con
     return true;
 }
 
-bool is_exactly_free(const Ground& ground, const Arrangement& arrangement) {
+bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangement) {
     std::vector<GridPolygon> pinned;
     std::vector<GridPolygon> all;
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        all.push_back(snapped(transformed(ground.shapes[i].outline, ground.scale(i, arrangement.growth),
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        all.push_back(snapped(transformed(problem.shapes[i].outline, problem.scale(i, arrangement.growth),
                                           arrangement.places[i])));
-        if (ground.pinned[i]) pinned.push_back(all.back());
+        if (problem.pinned[i]) pinned.push_back(all.back());
     }
     return UnionArea(std::move(all)).overlap() <= UnionArea(std::move(pinned)).overlap();
 }
 
-bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
-               std::size_t item, Vec2 place) {
+bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, const Arrangement& arrangement,
+                      std::size_t item, Vec2 place) {
     if (!contacts.is_clear(item, place, arrangement.places)) return false;
-    if (!ground.reads) return true;
-    const ReadingOrder order = reading_order(ground, arrangement.growth);
-    for (std::size_t j = 0; j < ground.size(); ++j) {
+    if (!problem.keeps_order) return true;
+    const ReadingOrder order = reading_order(problem, arrangement.growth);
+    for (std::size_t j = 0; j < problem.size(); ++j) {
         if (j == item) continue;
         const Vec2 other = arrangement.places[j];
         const double wrong = j < item ? order.violation(other, place) : order.violation(place, other);
@@ -85,11 +85,11 @@ bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement
     return true;
 }
 
-bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double growth) {
-    const ReadingOrder order = reading_order(ground, growth);
+bool is_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double growth) {
+    const ReadingOrder order = reading_order(problem, growth);
     for (std::size_t j = 0; j < places.size(); ++j)
         for (std::size_t i = 0; i < j; ++i)
-            if (!(ground.pinned[i] && ground.pinned[j]) &&
+            if (!(problem.pinned[i] && problem.pinned[j]) &&
                 order.violation(places[i], places[j]) > Contacts::precision)
                 return false;
     return true;
@@ -97,76 +97,78 @@ bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double g
 
 namespace {
 
-/// The most scale at which the region of an item fits into the field where it stands.
-double scale_in_field(const Ground& ground, std::size_t item, Vec2 place) {
-    const Box& extent = ground.shapes[item].extent;
-    const double most = std::min(std::min((place.x - ground.field.min.x) / -extent.min.x,
-                                          (ground.field.max.x - place.x) / extent.max.x),
-                                 std::min((place.y - ground.field.min.y) / -extent.min.y,
-                                          (ground.field.max.y - place.y) / extent.max.y));
+/// The largest scale at which the region of an item fits into the field where it stands.
+double scale_in_field(const PackingProblem& problem, std::size_t item, Vec2 place) {
+    const Box& extent = problem.shapes[item].extent;
+    const double most = std::min(std::min((place.x - problem.field.min.x) / -extent.min.x,
+                                          (problem.field.max.x - place.x) / extent.max.x),
+                                 std::min((place.y - problem.field.min.y) / -extent.min.y,
+                                          (problem.field.max.y - place.y) / extent.max.y));
     return std::max(0.0, most);
 }
 
-double growth_in_field(const Ground& ground, std::size_t item, Vec2 place) {
-    const Growing scale = ground.growing(item);
-    const double most = scale_in_field(ground, item, place);
+double growth_in_field(const PackingProblem& problem, std::size_t item, Vec2 place) {
+    const GrowingScale scale = problem.growing_scale(item);
+    const double most = scale_in_field(problem, item, place);
     return most >= scale.limit ? std::numeric_limits<double>::infinity() : most / scale.rate;
 }
 
-/// A growth, near the most where it can be, at which the order holds; 0: it does not at the least.
-double growth_in_order(const Ground& ground, const std::vector<Vec2>& places, double least, double most) {
+/// A growth in [min, max], near the largest, at which the order holds; 0: it does not hold at `min`.
+double growth_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double min,
+                       double max) {
     constexpr int halvings = 24;
-    if (is_in_order(ground, places, most)) return most;
-    if (!is_in_order(ground, places, least)) return 0;
+    if (is_in_order(problem, places, max)) return max;
+    if (!is_in_order(problem, places, min)) return 0;
     for (int i = 0; i < halvings; ++i) {
-        const double middle = (least + most) / 2;
-        (is_in_order(ground, places, middle) ? least : most) = middle;
+        const double middle = (min + max) / 2;
+        (is_in_order(problem, places, middle) ? min : max) = middle;
     }
-    return least;
+    return min;
 }
 
 }  // namespace
 
-double greatest_scale(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
-                      std::size_t item, double most) {
+double max_free_scale(const PackingProblem& problem, const Arrangement& arrangement, const Contacts& contacts,
+                      std::size_t item, double max) {
     const Vec2 place = arrangement.places[item];
-    const Growing growing{1, most};
-    double scale = std::min(most, scale_in_field(ground, item, place));
-    for (std::size_t j = 0; j < ground.size(); ++j) {
+    const GrowingScale growing{1, max};
+    double scale = std::min(max, scale_in_field(problem, item, place));
+    for (std::size_t j = 0; j < problem.size(); ++j) {
         if (j == item) continue;
-        const Growing stays{std::numeric_limits<double>::infinity(), ground.scale(j, arrangement.growth)};
+        const GrowingScale stays{std::numeric_limits<double>::infinity(),
+                                 problem.scale(j, arrangement.growth)};
         const Vec2 apart = arrangement.places[j] - place;
-        scale = std::min(scale, contacts.greatest_growth(item, j, apart, growing, stays, scale));
+        scale = std::min(scale, contacts.max_clear_growth(item, j, apart, {growing, stays}, scale));
     }
     return scale;
 }
 
-double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
-                       double least, double most) {
+double max_free_growth(const PackingProblem& problem, const Arrangement& arrangement,
+                       const Contacts& contacts, double min, double max) {
     const std::vector<Vec2>& places = arrangement.places;
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        if (!ground.pinned[i]) most = std::min(most, growth_in_field(ground, i, places[i]));
-        for (std::size_t j = 0; j < i && most >= least; ++j)
-            if (!ground.pinned[i] || !ground.pinned[j])
-                most = contacts.greatest_growth(i, j, places[j] - places[i], ground.growing(i),
-                                                ground.growing(j), most);
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        if (!problem.pinned[i]) max = std::min(max, growth_in_field(problem, i, places[i]));
+        for (std::size_t j = 0; j < i && max >= min; ++j)
+            if (!problem.pinned[i] || !problem.pinned[j])
+                max = contacts.max_clear_growth(i, j, places[j] - places[i],
+                                                {problem.growing_scale(i), problem.growing_scale(j)}, max);
     }
-    if (most < least) return 0;
-    return ground.reads ? growth_in_order(ground, places, least, most) : most;
+    if (max < min) return 0;
+    return problem.keeps_order ? growth_in_order(problem, places, min, max) : max;
 }
 
-double final_growth(const Ground& ground) {
+double final_growth(const PackingProblem& problem) {
     double growth = 0;
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        if (!ground.pinned[i]) growth = std::max(growth, ground.limits[i] / ground.scales[i]);
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        if (!problem.pinned[i]) growth = std::max(growth, problem.limits[i] / problem.scales[i]);
     return growth;
 }
 
-double region_area(const Ground& ground, double growth) {
+double region_area(const PackingProblem& problem, double growth) {
     double sum = 0;
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        const double s = ground.scale(i, growth);
-        sum += ground.shapes[i].area * s * s;
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        const double s = problem.scale(i, growth);
+        sum += problem.shapes[i].area * s * s;
     }
     return sum;
 }

@@ -8,8 +8,8 @@
 
 namespace vitrine::player {
 
-/// What an arrangement must respect: the shapes, their scales, the canvas.
-struct Ground {
+/// The input of a packing: the shapes, their wished scales, the canvas.
+struct PackingProblem {
     std::vector<Shape> shapes;
     std::vector<double> scales;  // wished canvas px per source px, relative: all are multiplied by one growth
     std::vector<double> limits;  // no item beyond this scale: blur, or it would not fit on the canvas
@@ -17,7 +17,7 @@ struct Ground {
     std::vector<Vec2> pinned_places;  // canvas px, centroids; of pinned items only
     Box field;                        // canvas px, where I-Regions may be
     double clearance = 0;             // canvas px between I-Regions
-    bool reads = false;               // the items are read in their order
+    bool keeps_order = false;         // the items are read in their order
 
     std::size_t size() const { return shapes.size(); }
 
@@ -25,56 +25,56 @@ struct Ground {
     double scale(std::size_t item, double growth) const;
 
     /// The same as a function of the growth.
-    Growing growing(std::size_t item) const;
+    GrowingScale growing_scale(std::size_t item) const;
 
-    /// Where an item's centroid may be for the region to lie in the field. A pinned item: anywhere.
-    Box range(std::size_t item, double growth) const;
+    /// The box of places at which an item's region lies in the field. A pinned item: anywhere.
+    Box place_range(std::size_t item, double growth) const;
 };
 
-/// Where all items stand. Places are centroids in canvas px.
+/// The places of all items: centroids in canvas px.
 struct Arrangement {
     std::vector<Vec2> places;
     double growth = 1;
 };
 
-/// What the order of items demands at a growth.
-ReadingOrder reading_order(const Ground& ground, double growth);
+/// The lines in which the items are read at a growth.
+ReadingOrder reading_order(const PackingProblem& problem, double growth);
 
-/// Moves a place into a box.
-Vec2 held(Vec2 place, const Box& range);
+/// The point of a box that is nearest to a place.
+Vec2 moved_into(Vec2 place, const Box& range);
 
-/// Whether all items keep clear of each other and inside the field, and the order where it counts. Sets the
-/// scales of `contacts`.
-bool is_free(const Ground& ground, const Arrangement& arrangement, Contacts& contacts);
+/// True where all items keep clear of each other and inside the field, and the order where it counts. Sets
+/// the scales of `contacts`.
+bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Contacts& contacts);
 
-/// Whether no two I-Regions share inner points, on the grid of exact areas; pinned items
+/// True where no two I-Regions share inner points, on the grid of exact areas; pinned items
 /// among themselves excepted.
-bool is_exactly_free(const Ground& ground, const Arrangement& arrangement);
+bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangement);
 
-/// Whether an item may stand at a place, if the others stay. @pre the scales of `contacts` are those of the
-/// arrangement
-bool may_stand(const Ground& ground, const Contacts& contacts, const Arrangement& arrangement,
-               std::size_t item, Vec2 place);
+/// True where an item may stand at a place, if the others stay. @pre the scales of `contacts` are those of
+/// the arrangement
+bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, const Arrangement& arrangement,
+                      std::size_t item, Vec2 place);
 
-/// Whether the order holds wherever it counts.
-bool is_in_order(const Ground& ground, const std::vector<Vec2>& places, double growth);
+/// True where the order holds wherever it counts.
+bool is_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double growth);
 
-/// The most growth, within bounds, at which all items are free where they stand; 0 where none is.
-double greatest_growth(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
-                       double least, double most);
+/// The largest growth in [min, max] at which all items are free where they stand; 0 where none is.
+double max_free_growth(const PackingProblem& problem, const Arrangement& arrangement,
+                       const Contacts& contacts, double min, double max);
 
-/// The most scale, up to `most`, at which an item is free where it stands if the others stay; 0 where none
-/// is. The order is not looked at.
-double greatest_scale(const Ground& ground, const Arrangement& arrangement, const Contacts& contacts,
-                      std::size_t item, double most);
+/// The largest scale, up to `max`, at which an item is free where it stands if the others stay; 0 where none
+/// is. The order does not count.
+double max_free_scale(const PackingProblem& problem, const Arrangement& arrangement, const Contacts& contacts,
+                      std::size_t item, double max);
 
 /// The growth at which every item is at its limit.
-double final_growth(const Ground& ground);
+double final_growth(const PackingProblem& problem);
 
 /// The arrangement's scales for Contacts::set_scales.
-std::vector<double> scales_at(const Ground& ground, double growth);
+std::vector<double> scales_at(const PackingProblem& problem, double growth);
 
 /// Area of all I-Regions, canvas px^2.
-double region_area(const Ground& ground, double growth);
+double region_area(const PackingProblem& problem, double growth);
 
 }  // namespace vitrine::player

@@ -9,34 +9,34 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double trusted_share = 0.05;  // of the field's diagonal: pairs farther apart are left out
-constexpr int most_rounds = 12;
-constexpr double least_win = 1e-4;      // of the growth, a round; less ends the rounds
-constexpr double shrinkage = 1e-6;      // of the growth: what rounding may have taken
+constexpr double trusted_share = 0.05;  // share of the field's diagonal: pairs farther apart are left out
+constexpr int max_rounds = 12;
+constexpr double min_gain = 1e-4;       // share of the growth, a round; less ends the rounds
+constexpr double shrinkage = 1e-6;      // share of the growth: rounding may have taken as much
 constexpr double jitter = 1e-7;         // canvas px, so that no two constraints tie
-constexpr double numbers_a_move = 500;  // of the table, changed in the time of an evaluated move
+constexpr double numbers_a_move = 500;  // numbers of the table changed in the time of an evaluated move
 
-/// One round: the program of the sides that hold the pairs apart now.
-class Program {
+/// One round: the linear program of the sides that separate the pairs now.
+class CompactionProgram {
   public:
-    Program(const Ground& ground, const Arrangement& from, const Contacts& contacts)
-        : ground_(ground),
+    CompactionProgram(const PackingProblem& problem, const Arrangement& from, const Contacts& contacts)
+        : problem_(problem),
           from_(from),
-          lp_(2 * ground.size() + 1),
-          trust_(trusted_share * length(ground.field.max - ground.field.min)) {
-        for (std::size_t i = 0; i < ground.size(); ++i)
+          lp_(2 * problem.size() + 1),
+          trust_(trusted_share * length(problem.field.max - problem.field.min)) {
+        for (std::size_t i = 0; i < problem.size(); ++i)
             add_walls(i);
-        for (std::size_t i = 0; i < ground.size(); ++i)
-            for (std::size_t j = i + 1; j < ground.size(); ++j)
+        for (std::size_t i = 0; i < problem.size(); ++i)
+            for (std::size_t j = i + 1; j < problem.size(); ++j)
                 add_pair(i, j, contacts);
-        if (ground.reads) add_order();
+        if (problem.keeps_order) add_order();
         add_limit();
     }
 
-    Arrangement solved(Effort& effort) {
-        const std::size_t n = ground_.size();
+    Arrangement solved(SearchBudget& budget) {
+        const std::size_t n = problem_.size();
         const std::vector<double> by = lp_.maximise(2 * n, static_cast<int>(20 * n + 100));
-        effort.spend(static_cast<std::int64_t>(lp_.pivots() * static_cast<double>(lp_.rows() * (2 * n + 1)) /
+        budget.spend(static_cast<std::int64_t>(lp_.pivots() * static_cast<double>(lp_.rows() * (2 * n + 1)) /
                                                numbers_a_move));
         Arrangement to = from_;
         to.growth += by[2 * n];
@@ -49,7 +49,7 @@ class Program {
   private:
     /// The scale's change per growth: none where the item is at its limit or pinned.
     double rate(std::size_t item) const {
-        const Growing scale = ground_.growing(item);
+        const GrowingScale scale = problem_.growing_scale(item);
         return from_.growth < scale.end() * (1 - 1e-9) ? scale.rate : 0;
     }
 
@@ -59,19 +59,19 @@ class Program {
     }
 
     void add_walls(std::size_t i) {
-        if (ground_.pinned[i]) {
+        if (problem_.pinned[i]) {
             for (const std::size_t k : {2 * i, 2 * i + 1})
                 for (const double turn : {1.0, -1.0})
                     lp_.add_row(0)[k] = turn;
             return;
         }
-        const Box range = ground_.range(i, from_.growth);
-        const Box& extent = ground_.shapes[i].extent;
+        const Box range = problem_.place_range(i, from_.growth);
+        const Box& extent = problem_.shapes[i].extent;
         const Vec2 place = from_.places[i];
         const auto add = [&](double slack, std::size_t k, double turn, double reach) {
             const std::span<double> row = lp_.add_row(room(slack));
             row[k] = turn;
-            row[2 * ground_.size()] = -reach * rate(i);
+            row[2 * problem_.size()] = -reach * rate(i);
         };
         add(place.x - range.min.x, 2 * i, 1, -extent.min.x);
         add(range.max.x - place.x, 2 * i, -1, extent.max.x);
@@ -80,28 +80,28 @@ class Program {
     }
 
     void add_pair(std::size_t i, std::size_t j, const Contacts& contacts) {
-        if (ground_.pinned[i] && ground_.pinned[j]) return;
+        if (problem_.pinned[i] && problem_.pinned[j]) return;
         const Vec2 apart = from_.places[j] - from_.places[i];
-        const Hold hold = contacts.hold(i, j, apart);
-        if (hold.slack > trust_) return;
-        const std::span<double> row = lp_.add_row(room(hold.slack));
-        row[2 * i] = -hold.normal.x;
-        row[2 * i + 1] = -hold.normal.y;
-        row[2 * j] = hold.normal.x;
-        row[2 * j + 1] = hold.normal.y;
-        row[2 * ground_.size()] = -(rate(i) * hold.first + rate(j) * hold.second);
+        const SeparatingSide side = contacts.separating_side(i, j, apart);
+        if (side.slack > trust_) return;
+        const std::span<double> row = lp_.add_row(room(side.slack));
+        row[2 * i] = -side.normal.x;
+        row[2 * i + 1] = -side.normal.y;
+        row[2 * j] = side.normal.x;
+        row[2 * j + 1] = side.normal.y;
+        row[2 * problem_.size()] = -(rate(i) * side.first + rate(j) * side.second);
     }
 
     /// Pairs keep the line, or the lines, on which they stand.
     void add_order() {
-        const std::size_t n = ground_.size();
-        const ReadingOrder order = reading_order(ground_, from_.growth);
-        double rise = 0;  // of half a line, per growth
+        const std::size_t n = problem_.size();
+        const ReadingOrder order = reading_order(problem_, from_.growth);
+        double rise = 0;  // change of half a line per growth
         for (std::size_t i = 0; i < n; ++i)
-            rise += rate(i) * ground_.shapes[i].extent.height() / (2 * static_cast<double>(n));
+            rise += rate(i) * problem_.shapes[i].extent.height() / (2 * static_cast<double>(n));
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = i + 1; j < n; ++j) {
-                if (ground_.pinned[i] && ground_.pinned[j]) continue;
+                if (problem_.pinned[i] && problem_.pinned[j]) continue;
                 const Vec2 by = from_.places[j] - from_.places[i];
                 const double lower = by.y - order.half_line - ReadingOrder::margin;
                 const double higher = by.y + order.half_line - ReadingOrder::margin;
@@ -120,34 +120,35 @@ class Program {
         const std::span<double> row = lp_.add_row(room(slack));
         row[from] = -1;
         row[to] = 1;
-        row[2 * ground_.size()] = growing;
+        row[2 * problem_.size()] = growing;
     }
 
-    /// Up to where the next item reaches its limit.
+    /// Ends the growth where the next item reaches its limit.
     void add_limit() {
-        double next = final_growth(ground_);
-        for (std::size_t i = 0; i < ground_.size(); ++i)
-            if (rate(i) > 0) next = std::min(next, ground_.growing(i).end());
-        lp_.add_row(std::max(0.0, next - from_.growth))[2 * ground_.size()] = -1;
+        double next = final_growth(problem_);
+        for (std::size_t i = 0; i < problem_.size(); ++i)
+            if (rate(i) > 0) next = std::min(next, problem_.growing_scale(i).end());
+        lp_.add_row(std::max(0.0, next - from_.growth))[2 * problem_.size()] = -1;
     }
 
-    const Ground& ground_;     // outlives this
-    const Arrangement& from_;  // outlives this
+    const PackingProblem& problem_;  // outlives this
+    const Arrangement& from_;        // outlives this
     LinearProgram lp_;
-    double trust_;
+    double trust_;  // canvas px of slack, above which a pair is left out
     std::uint32_t noise_ = 1;
 };
 
 }  // namespace
 
-Arrangement compacted(const Ground& ground, const Arrangement& start, Contacts& contacts, Effort& effort) {
+Arrangement compacted(const PackingProblem& problem, const Arrangement& start, Contacts& contacts,
+                      SearchBudget& budget) {
     Arrangement best = start;
-    for (int round = 0; round < most_rounds && !effort.is_spent(); ++round) {
-        contacts.set_scales(scales_at(ground, best.growth));
-        Arrangement next = Program(ground, best, contacts).solved(effort);
-        next.growth = greatest_growth(ground, next, contacts, best.growth, next.growth * (1 + 1e-3));
+    for (int round = 0; round < max_rounds && !budget.is_spent(); ++round) {
+        contacts.set_scales(scales_at(problem, best.growth));
+        Arrangement next = CompactionProgram(problem, best, contacts).solved(budget);
+        next.growth = max_free_growth(problem, next, contacts, best.growth, next.growth * (1 + 1e-3));
         if (next.growth == 0) break;
-        const bool is_worth_more = next.growth > best.growth * (1 + least_win);
+        const bool is_worth_more = next.growth > best.growth * (1 + min_gain);
         best = std::move(next);
         if (!is_worth_more) break;
     }

@@ -6,13 +6,14 @@
 namespace vitrine::player {
 
 /// Moves all items at once so that they can grow as far as any small move lets them: a local maximum of the
-/// growth. For each pair the side that holds it apart best stays between the two, which makes all constraints
-/// linear in places and growth; a linear program is solved, the sides are chosen anew, until nothing is won.
+/// growth. For each pair the side that separates it best stays between the two, which makes all constraints
+/// linear in places and growth. A linear program is solved, the sides are chosen anew, until nothing is won.
 ///
 /// @param start  free of overlap
 /// @return       at least as large as `start`, free of overlap
 /// Source: compaction by linear programs, Li & Milenkovic 1995; here with growth instead of the length of a
-/// strip.
-Arrangement compacted(const Ground& ground, const Arrangement& start, Contacts& contacts, Effort& effort);
+/// strip of cloth.
+Arrangement compacted(const PackingProblem& problem, const Arrangement& start, Contacts& contacts,
+                      SearchBudget& budget);
 
 }  // namespace vitrine::player

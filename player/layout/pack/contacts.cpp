@@ -24,7 +24,7 @@ std::vector<Vec2> normals(const Polygon& outline) {
     return result;
 }
 
-/// Supports of an outline along directions that turn the way its corners do: the corner that reaches
+/// The supports of an outline along directions that turn in the order of its corners: the corner that reaches
 /// farthest moves on with them.
 class TurningSupport {
   public:
@@ -53,8 +53,8 @@ class TurningSupport {
     bool is_first_ = true;
 };
 
-/// The most g at which two lengths that grow with g fit into the room together.
-double growth_within(double room, Growing one, Growing other) {
+/// The largest g at which two lengths that grow with g fit into the room together.
+double growth_within(double room, GrowingScale one, GrowingScale other) {
     if (one.limit + other.limit <= room) return std::numeric_limits<double>::infinity();
     if (one.end() > other.end()) std::swap(one, other);
     const double both = room / (one.rate + other.rate);
@@ -64,7 +64,7 @@ double growth_within(double room, Growing one, Growing other) {
 
 }  // namespace
 
-void Spots::assign(std::span<const Vec2> places) {
+void PlaceLanes::assign(std::span<const Vec2> places) {
     constexpr float far_away = 1e15F;
     const std::size_t whole = (places.size() + 3) / 4 * 4;
     x.assign(whole, far_away);
@@ -145,7 +145,7 @@ void Contacts::set_reach(std::size_t a, std::size_t b) {
     set_offsets(a, b, pairs_[a * size_ + b]);
 }
 
-float Contacts::inside(const Pair& p, float x, float y) const {
+float Contacts::signed_depth(const Pair& p, float x, float y) const {
     Lanes least = {infinity, infinity, infinity, infinity};
     for (std::size_t k = p.begin; k < p.end; ++k) {
         const Sides& sides = sides_[k];
@@ -160,7 +160,7 @@ double Contacts::depth(std::size_t a, std::size_t b, Vec2 apart) const {
     const float x = turn * static_cast<float>(apart.x);
     const float y = turn * static_cast<float>(apart.y);
     if (is_far(a, b, x, y)) return 0;
-    return std::max(0.0F, inside(pair(a, b), x, y));
+    return std::max(0.0F, signed_depth(pair(a, b), x, y));
 }
 
 bool Contacts::is_clear(std::size_t item, Vec2 place, std::span<const Vec2> places) const {
@@ -169,7 +169,7 @@ bool Contacts::is_clear(std::size_t item, Vec2 place, std::span<const Vec2> plac
     return true;
 }
 
-double Contacts::weighted_depth(std::size_t item, Vec2 place, const Spots& spots,
+double Contacts::weighted_depth(std::size_t item, Vec2 place, const PlaceLanes& places,
                                 std::span<const float> weights, double enough) const {
     using Mask = std::int32_t __attribute__((vector_size(16)));
     const auto x = static_cast<float>(place.x);
@@ -178,8 +178,8 @@ double Contacts::weighted_depth(std::size_t item, Vec2 place, const Spots& spots
     double sum = 0;
     for (std::size_t j = 0; j < stride_; j += lanes) {
         Lanes to_x, to_y, reaches;
-        std::memcpy(&to_x, spots.x.data() + j, sizeof(Lanes));
-        std::memcpy(&to_y, spots.y.data() + j, sizeof(Lanes));
+        std::memcpy(&to_x, places.x.data() + j, sizeof(Lanes));
+        std::memcpy(&to_y, places.y.data() + j, sizeof(Lanes));
         std::memcpy(&reaches, reach + j, sizeof(Lanes));
         to_x -= x;
         to_y -= y;
@@ -189,7 +189,7 @@ double Contacts::weighted_depth(std::size_t item, Vec2 place, const Spots& spots
             if (near[lane] == 0) continue;
             const std::size_t other = j + lane;
             const float turn = item < other ? 1.0F : -1.0F;
-            const float depth = inside(pair(item, other), turn * to_x[lane], turn * to_y[lane]);
+            const float depth = signed_depth(pair(item, other), turn * to_x[lane], turn * to_y[lane]);
             if (depth > 0) sum += static_cast<double>(weights[other] * depth);
         }
         if (sum >= enough) break;
@@ -197,12 +197,12 @@ double Contacts::weighted_depth(std::size_t item, Vec2 place, const Spots& spots
     return sum;
 }
 
-Hold Contacts::hold(std::size_t a, std::size_t b, Vec2 apart) const {
+SeparatingSide Contacts::separating_side(std::size_t a, std::size_t b, Vec2 apart) const {
     const Pair& p = pair(a, b);
     const float turn = a < b ? 1.0F : -1.0F;
     const float x = turn * static_cast<float>(apart.x);
     const float y = turn * static_cast<float>(apart.y);
-    Hold best{.slack = -std::numeric_limits<double>::infinity()};
+    SeparatingSide best{.slack = -std::numeric_limits<double>::infinity()};
     for (std::size_t k = p.begin; k < p.end; ++k) {
         const Sides& sides = sides_[k];
         const Lanes slack = sides.x * x + sides.y * y - sides.offset;
@@ -218,16 +218,16 @@ Hold Contacts::hold(std::size_t a, std::size_t b, Vec2 apart) const {
 
 Vec2 Contacts::escape(std::size_t a, std::size_t b, Vec2 apart) const {
     if (depth(a, b, apart) == 0) return {};
-    const Hold best = hold(a, b, apart);
+    const SeparatingSide best = separating_side(a, b, apart);
     return best.normal * -best.slack;
 }
 
-double Contacts::greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growing first, Growing second,
-                                 double most) const {
-    if (a > b) return greatest_growth(b, a, apart * -1, second, first, most);
-    const double far =
-        first.at(most) * radii_[a] + second.at(most) * radii_[b] + clearance_ * corner_clearance;
-    if (dot(apart, apart) >= far * far) return most;
+double Contacts::max_clear_growth(std::size_t a, std::size_t b, Vec2 apart, const GrowingScales& scales,
+                                  double max) const {
+    const auto& [first, second] = scales;
+    if (a > b) return max_clear_growth(b, a, apart * -1, {second, first}, max);
+    const double far = first.at(max) * radii_[a] + second.at(max) * radii_[b] + clearance_ * corner_clearance;
+    if (dot(apart, apart) >= far * far) return max;
     const Pair& p = pair(a, b);
     double growth = 0;
     for (std::size_t k = p.begin; k < p.end; ++k)
@@ -238,10 +238,10 @@ double Contacts::greatest_growth(std::size_t a, std::size_t b, Vec2 apart, Growi
             growth = std::max(growth, growth_within(room, first.times(sides.first[lane]),
                                                     second.times(sides.second[lane])));
         }
-    return std::min(growth, most);
+    return std::min(growth, max);
 }
 
-Stretch Contacts::blocked(std::size_t a, std::size_t b, Vec2 origin, Vec2 direction) const {
+RayStretch Contacts::blocked_stretch(std::size_t a, std::size_t b, Vec2 origin, Vec2 direction) const {
     const double aside = cross(direction, origin);
     if (aside * aside >= static_cast<double>(reach_squared_[a * stride_ + b]) * dot(direction, direction))
         return {};
@@ -265,12 +265,12 @@ Stretch Contacts::blocked(std::size_t a, std::size_t b, Vec2 origin, Vec2 direct
         begins = in > begins ? in : begins;
         ends = out < ends ? out : ends;
     }
-    Stretch inside{begins[0], ends[0]};
+    RayStretch inside{begins[0], ends[0]};
     for (std::size_t lane = 1; lane < lanes; ++lane) {
         inside.begin = std::max(inside.begin, static_cast<double>(begins[lane]));
         inside.end = std::min(inside.end, static_cast<double>(ends[lane]));
     }
-    return inside.begin < inside.end ? inside : Stretch{};
+    return inside.begin < inside.end ? inside : RayStretch{};
 }
 
 }  // namespace vitrine::player

@@ -11,31 +11,30 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto unit_step = static_cast<std::int32_t>(grid_per_px);
-constexpr double least_win = 1e-9;  // of ln E
+constexpr double min_gain = 1e-9;  // in ln E
 
 /// A layout on the grid with the energy of its present state.
 class Descent {
   public:
-    Descent(std::span<const Shape> shapes, std::span<const double> scales, std::span<const Vec2> places,
-            double ratio)
-        : areas_(outlines(shapes, scales, places)),
+    Descent(const ScaledShapes& shapes, std::span<const Vec2> places, double ratio)
+        : areas_(outlines(shapes, places)),
           places_(places.begin(), places.end()),
           ratio_(ratio),
           now_(energy()) {
         result_.first_energy = now_;
     }
 
-    /// Moves an item one step where that helps most.
-    bool improve(std::size_t item, Effort& effort) {
+    /// Moves an item one step where that lowers the energy most. @return whether it moved
+    bool improve(std::size_t item, SearchBudget& budget) {
         GridPoint best_way;
-        double best = now_ - least_win;
+        double best = now_ - min_gain;
         for (std::int32_t dx = -1; dx <= 1; ++dx)
             for (std::int32_t dy = -1; dy <= 1; ++dy) {
                 if (dx == 0 && dy == 0) continue;
                 move(item, {dx, dy});
                 const double there = energy();
                 move(item, {-dx, -dy});
-                effort.spend();
+                budget.spend();
                 if (there >= best) continue;
                 best = there;
                 best_way = {dx, dy};
@@ -47,19 +46,18 @@ class Descent {
         return true;
     }
 
-    Descended result() const {
-        Descended result = result_;
+    DescentResult result() const {
+        DescentResult result = result_;
         result.places = places_;
         result.last_energy = now_;
         return result;
     }
 
   private:
-    static std::vector<GridPolygon> outlines(std::span<const Shape> shapes, std::span<const double> scales,
-                                             std::span<const Vec2> places) {
+    static std::vector<GridPolygon> outlines(const ScaledShapes& shapes, std::span<const Vec2> places) {
         std::vector<GridPolygon> result;
         for (std::size_t i = 0; i < shapes.size(); ++i)
-            result.push_back(snapped(transformed(shapes[i].outline, scales[i], places[i])));
+            result.push_back(snapped(transformed(shapes.shapes[i].outline, shapes.scales[i], places[i])));
         return result;
     }
 
@@ -74,22 +72,22 @@ class Descent {
     std::vector<Vec2> places_;
     double ratio_;
     double now_;
-    Descended result_;  // but for the places
+    DescentResult result_;  // all but the places
 };
 
 }  // namespace
 
-Descended descended(std::span<const Shape> shapes, std::span<const double> scales,
-                    std::span<const Vec2> places, double ratio, Random& random, Effort& effort) {
-    Descent descent(shapes, scales, places, ratio);
+DescentResult descend(const ScaledShapes& shapes, std::span<const Vec2> places, double ratio, Random& random,
+                      SearchBudget& budget) {
+    Descent descent(shapes, places, ratio);
     std::vector<std::size_t> order(shapes.size());
     std::iota(order.begin(), order.end(), 0);
     bool any = true;
-    while (any && !effort.is_spent()) {
+    while (any && !budget.is_spent()) {
         std::shuffle(order.begin(), order.end(), random);
         any = false;
         for (const std::size_t item : order)
-            any = descent.improve(item, effort) || any;
+            any = descent.improve(item, budget) || any;
     }
     return descent.result();
 }

@@ -7,24 +7,25 @@
 
 namespace vitrine::player {
 
-/// Share of the canvas that lies under no frame, in [0, 1], sampled at 64 x 64 points.
-/// @param frames  of each item, source px from the centroid of its region
-double unfilled(const Ground& ground, std::span<const Box> frames, const Arrangement& arrangement);
+/// Share of the canvas that lies under no frame, in [0, 1], sampled at 64 x 36 points.
+/// @param frames  one an item, source px from the centroid of its region
+double unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
+                      const Arrangement& arrangement);
 
-/// What an arrangement is made better by.
-struct FillingWishes {
-    std::vector<Box> frames;      // of each item as in unfilled(); none: pictures need not fill the canvas
+/// The aims of a filling.
+struct FillingTargets {
+    std::vector<Box> frames;  // one an item as in unfilled_share(); none: pictures need not fill the canvas
     std::vector<double> natural;  // scales, up to a common factor, that items have by their weights
-    std::vector<Vec2> homes;      // canvas px, that items should stay near; none: they may go anywhere
+    std::vector<Vec2> homes;      // canvas px, near which items should stay; none: they may go anywhere
 };
 
-/// Moves items and makes them larger or smaller, each by itself, so that more of the canvas is covered by
-/// I-Regions and their frames fill it: a part of it without pixels counts like three without I-Regions.
-/// Sizes that grow apart and ways from home count too. Simulated annealing, every state free of overlap.
-/// @param ground  in: what `start` respects; out: with the scales that were found
-/// @param start   free of overlap
-/// @return        free of overlap, not worse in the sum of these
-Arrangement filled(Ground& ground, const FillingWishes& wishes, const Arrangement& start, Random& random,
-                   Effort& effort);
+/// Moves items and makes them larger or smaller, each by itself, so that I-Regions cover more of the canvas
+/// and their frames fill it: a part of it without pixels costs three times as much as one without I-Regions.
+/// Sizes that grow apart and distances from home cost too. Simulated annealing, every state free of overlap.
+/// @param problem  in: what `start` respects; out: with the scales that were found
+/// @param start    free of overlap
+/// @return         free of overlap, at no higher cost
+Arrangement fill_gaps(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
+                      Random& random, SearchBudget& budget);
 
 }  // namespace vitrine::player

@@ -1,5 +1,6 @@
+#include "player/layout/pack/line_packing.hpp"
+
 #include "player/layout/pack/energy.hpp"
-#include "player/layout/pack/initial_packing.hpp"
 #include "player/layout/pack/reading_order.hpp"
 
 #include <algorithm>
@@ -12,13 +13,13 @@ namespace {
 constexpr double gap = 2 * ReadingOrder::margin;  // px between boxes, and between centroids of a line
 
 /// Puts one shape beside the other until a line is as wide as it may be, then begins the next.
-class Lines {
+class LinePacking {
   public:
-    Lines(std::span<const Shape> shapes, std::span<const double> scales, double width)
-        : shapes_(shapes), scales_(scales), width_(width), places_(shapes.size()) {
+    LinePacking(const ScaledShapes& shapes, double width)
+        : shapes_(shapes), width_(width), places_(shapes.size()) {
         double height = 0;
         for (std::size_t i = 0; i < shapes.size(); ++i)
-            height += shapes[i].extent.height() * scales[i];
+            height += shapes.shapes[i].extent.height() * shapes.scales[i];
         half_line_ = height / (2 * static_cast<double>(shapes.size()));
         for (std::size_t i = 0; i < shapes.size(); ++i)
             add(i);
@@ -28,12 +29,8 @@ class Lines {
     const std::vector<Vec2>& places() const { return places_; }
 
   private:
-    Box extent(std::size_t item) const {
-        return {shapes_[item].extent.min * scales_[item], shapes_[item].extent.max * scales_[item]};
-    }
-
     void add(std::size_t item) {
-        const Box box = extent(item);
+        const Box box = shapes_.extent(item);
         if (item > begin_ && right_ + box.width() > width_) end_line(item);
         places_[item].x = right_ - box.min.x;
         right_ += box.width() + gap;
@@ -52,34 +49,33 @@ class Lines {
         right_ = above_ = below_ = 0;
     }
 
-    std::span<const Shape> shapes_;
-    std::span<const double> scales_;
-    double width_;
+    ScaledShapes shapes_;  // they outlive this
+    double width_;         // px, the longest that a line may be
     std::vector<Vec2> places_;
     double half_line_ = 0;
-    std::size_t begin_ = 0;         // of the line's items
+    std::size_t begin_ = 0;         // first item of the line
     double right_ = 0;              // end of the line so far
-    double above_ = 0, below_ = 0;  // of the line's centroids
-    double y_ = 0, bottom_ = 0;     // of the line before
+    double above_ = 0, below_ = 0;  // reach of the line's items above and below their centroids
+    double y_ = 0, bottom_ = 0;     // centroids and lower edge of the line before
 };
 
 }  // namespace
 
-std::vector<Vec2> packed_in_lines(std::span<const Shape> shapes, std::span<const double> scales,
-                                  double ratio) {
+std::vector<Vec2> packed_in_lines(const ScaledShapes& shapes, double ratio) {
     double whole = 0;
     double widest = 0;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        whole += shapes[i].extent.width() * scales[i] + gap;
-        widest = std::max(widest, shapes[i].extent.width() * scales[i]);
+        const double item_width = shapes.shapes[i].extent.width() * shapes.scales[i];
+        whole += item_width + gap;
+        widest = std::max(widest, item_width);
     }
     std::vector<Vec2> best(shapes.size());
     double least = std::numeric_limits<double>::infinity();
     for (const double slack : {1.0, 1.1, 1.2, 1.35})
         for (std::size_t lines = 1; lines <= shapes.size(); ++lines) {
             const double width = std::max(widest, whole / static_cast<double>(lines) * slack);
-            const Lines packing(shapes, scales, width);
-            const double screen = screen_area(bounds_of(shapes, scales, packing.places()), ratio);
+            const LinePacking packing(shapes, width);
+            const double screen = screen_area(bounds_of(shapes, packing.places()), ratio);
             if (screen >= least) continue;
             least = screen;
             best = packing.places();

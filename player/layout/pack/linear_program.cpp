@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t constraint = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t none = constraint;
-constexpr double least_gain = 1e-10;
-constexpr double least_slope = 1e-9;
+constexpr double min_gain = 1e-10;
+constexpr double min_slope = 1e-9;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::span<double> LinearProgram::add_row(double room) {
 /// The column whose unknown raises the objective fastest; one without sign may also fall.
 std::size_t LinearProgram::entering() const {
     std::size_t best = none;
-    double most = least_gain;
+    double most = min_gain;
     for (std::size_t k = 0; k < unknowns_; ++k) {
         const double gain = nonbasic_[k] == constraint ? gains_[k] : std::abs(gains_[k]);
         if (gain <= most) continue;
@@ -48,7 +48,7 @@ std::size_t LinearProgram::leaving(std::size_t column) {
     double steepest = 0;
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         const double fall = -turn * row(r)[column];
-        if (basic_[r] != constraint || fall <= least_slope) continue;
+        if (basic_[r] != constraint || fall <= min_slope) continue;
         const double until = rooms_[r] / fall;
         if (until > least || (until == least && fall <= steepest)) continue;
         least = until;
@@ -85,9 +85,9 @@ void LinearProgram::pivot(std::size_t r, std::size_t column) {
     ++pivots_;
 }
 
-std::vector<double> LinearProgram::maximise(std::size_t objective, int most_pivots) {
+std::vector<double> LinearProgram::maximise(std::size_t objective, int max_pivots) {
     gains_[objective] = 1;
-    while (pivots_ < most_pivots) {
+    while (pivots_ < max_pivots) {
         const std::size_t column = entering();
         if (column == none) break;
         const std::size_t r = leaving(column);

@@ -1,6 +1,7 @@
 #include "player/layout/pack/overlap.hpp"
 
 #include "base/geometry/convex_hull.hpp"
+#include "player/layout/pack/overlap_pieces.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -35,7 +36,7 @@ std::int64_t twice_area_of(const GridPolygon& polygon) {
     return sum;
 }
 
-/// Whether no corner of `other` lies on the inner side of an edge.
+/// True where no corner of `other` lies on the inner side of an edge.
 bool is_outside(const GridPolygon& polygon, std::size_t edge, const GridPolygon& other) {
     const GridPoint from = polygon[edge];
     const GridPoint along = difference(next_corner(polygon, edge), from);
@@ -55,6 +56,13 @@ GridPolygon snapped(std::span<const Vec2> convex) {
         result.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
     if (result.size() < 3) result.clear();
     return result;
+}
+
+Polygon to_px(const GridPolygon& polygon) {
+    Polygon points;
+    for (const GridPoint p : polygon)
+        points.push_back({p.x / grid_per_px, p.y / grid_per_px});
+    return points;
 }
 
 UnionArea::Extent UnionArea::extent_of(const GridPolygon& polygon) {
@@ -92,7 +100,7 @@ UnionArea::UnionArea(std::vector<GridPolygon> polygons) : separators_(polygons.s
         item.exposed = exposed(item);
 }
 
-/// Whether an edge of one has the whole other outside; remembers which.
+/// True where an edge of one has the whole other outside; remembers which.
 bool UnionArea::separates(std::size_t one, std::size_t other) {
     const GridPolygon& polygon = items_[one].polygon;
     const GridPolygon& beyond = items_[other].polygon;
@@ -104,7 +112,7 @@ bool UnionArea::separates(std::size_t one, std::size_t other) {
     return false;
 }
 
-/// Whether two polygons share no inner points.
+/// True where two polygons share no inner points.
 bool UnionArea::are_apart(std::size_t one, std::size_t other) {
     const Item& a = items_[one];
     const Item& b = items_[other];
@@ -114,8 +122,8 @@ bool UnionArea::are_apart(std::size_t one, std::size_t other) {
            separates(one, other) || separates(other, one);
 }
 
-/// The stretch of an edge inside another polygon; begin >= end: none.
-/// @param yields  whether an edge on one of other's, of the same direction, counts as inside
+/// The part of an edge inside another polygon; begin >= end: none.
+/// @param yields  whether an edge that lies on an edge of `other` of the same direction counts as inside
 UnionArea::Cover UnionArea::cover(const Item& item, std::size_t edge, const GridPolygon& other, bool yields) {
     constexpr Cover none{.begin = 1, .end = 0};
     const GridPoint a = item.polygon[edge];
@@ -152,13 +160,13 @@ void UnionArea::add_covers(std::size_t item, std::size_t by) {
     }
 }
 
-/// Sums over the edges what nobody covers. Sorts the covers, so that their order does not count.
+/// Sums over the parts of edges that nobody covers. Sorts the covers, so that their order does not count.
 double UnionArea::exposed(Item& item) {
     std::sort(item.covers.begin(), item.covers.end(), [](const Cover& a, const Cover& b) {
         if (a.edge != b.edge) return a.edge < b.edge;
         return a.begin < b.begin || (a.begin == b.begin && a.end < b.end);
     });
-    std::int64_t whole = item.twice_area;  // of the edges that nobody covers: exact
+    std::int64_t whole = item.twice_area;  // sum over the edges that nobody covers: exact
     double partly = 0;
     for (std::size_t k = 0; k < item.covers.size();) {
         const std::size_t edge = item.covers[k].edge;
@@ -205,11 +213,14 @@ double UnionArea::area() const {
 }
 
 bool UnionArea::agrees_with_fresh() const {
-    constexpr double tolerance = 1e-9;  // of the sum of areas; the other way is not exact
+    constexpr double tolerance = 1e-9;  // share of the sum of areas; the other way is not exact
     std::vector<GridPolygon> polygons;
-    for (const Item& item : items_)
+    std::vector<Polygon> in_px;
+    for (const Item& item : items_) {
         polygons.push_back(item.polygon);
-    const double other = union_area_by_pieces(polygons);
+        in_px.push_back(to_px(item.polygon));
+    }
+    const double other = union_area_by_pieces(in_px);
     const UnionArea fresh(std::move(polygons));
     return fresh.area() == area() && fresh.sum() == sum() && std::abs(other - area()) <= tolerance * sum();
 }

@@ -26,14 +26,16 @@ using GridPolygon = std::vector<GridPoint>;
 /// collinear corners; empty where no area is left.
 GridPolygon snapped(std::span<const Vec2> convex);
 
+/// The same polygon in px, exact.
+Polygon to_px(const GridPolygon& polygon);
+
 /// Areas of convex polygons that may overlap, touch or coincide, kept up to date while single polygons move.
 ///
 /// The area of the union is half the sum of x dy - y dx over the parts of all edges that no other polygon
 /// covers; an edge that lies on one of the same direction counts for the polygon that comes first. Moving
-/// a polygon changes what it covers of others and others of it, and nothing else. Each polygon's share
-/// depends on the places alone, never on the way there, so the sums equal those of a fresh object to the last
-/// bit. In debug builds every move is checked against one, and against an evaluation of another
-/// kind.
+/// a polygon changes only the covers between it and the others. Each polygon's share depends on the places
+/// alone, never on the moves before, so the sums equal the sums of a fresh object to the last bit. In debug
+/// builds every move is checked against a fresh object, and against union_area_by_pieces().
 class UnionArea {
   public:
     /// @param polygons  convex, counter-clockwise, as snapped() makes them; an empty one counts nothing
@@ -89,12 +91,8 @@ class UnionArea {
     bool agrees_with_fresh() const;
 
     std::vector<Item> items_;
-    std::vector<std::uint16_t> separators_;  // [a * size + b]: the edge of a that last had b outside
+    std::vector<std::uint16_t> separators_;  // at [a * size + b]: the edge of a that last had b outside
     double sum_ = 0;
 };
-
-/// The area of the union of convex polygons by another way, for checks: each polygon less those before it,
-/// cut into convex pieces. px^2, in double precision.
-double union_area_by_pieces(std::span<const GridPolygon> polygons);
 
 }  // namespace vitrine::player

@@ -1,12 +1,13 @@
-#include "player/layout/pack/overlap.hpp"
+#include "player/layout/pack/overlap_pieces.hpp"
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
 namespace {
 
-/// What lies on the inner (side 1) or outer (side -1) side of the line from -> to.
+/// The part on the inner (side 1) or outer (side -1) side of the line from -> to.
 Polygon cut(const Polygon& convex, Vec2 from, Vec2 to, double side) {
     Polygon result;
     for (std::size_t i = 0; i < convex.size(); ++i) {
@@ -39,15 +40,12 @@ void subtract(Polygon from, const Polygon& other, std::vector<Polygon>& pieces) 
 
 }  // namespace
 
-double union_area_by_pieces(std::span<const GridPolygon> polygons) {
+double union_area_by_pieces(std::span<const Polygon> polygons) {
     std::vector<Polygon> before;
     double sum = 0;
-    for (const GridPolygon& polygon : polygons) {
+    for (const Polygon& polygon : polygons) {
         if (polygon.empty()) continue;
-        Polygon points;
-        for (const GridPoint p : polygon)
-            points.push_back({p.x / grid_per_px, p.y / grid_per_px});
-        std::vector<Polygon> pieces{points};
+        std::vector<Polygon> pieces{polygon};
         for (const Polygon& other : before) {
             std::vector<Polygon> left;
             for (Polygon& piece : pieces)
@@ -56,7 +54,7 @@ double union_area_by_pieces(std::span<const GridPolygon> polygons) {
         }
         for (const Polygon& piece : pieces)
             sum += signed_area(piece);
-        before.push_back(std::move(points));
+        before.push_back(polygon);
     }
     return sum;
 }

@@ -19,11 +19,11 @@ inline std::size_t uniform_index(Random& random, std::size_t count) {
     return static_cast<std::size_t>(random() % count);
 }
 
-/// How much a search may still do, counted in evaluated moves: one place tried for one item. A search
-/// knows no clock; who has one passes `should_stop`, which is asked now and then.
-class Effort {
+/// The evaluated moves that a search may still make: one move is one place tried for one item. A search
+/// knows no clock; a caller who has one passes `should_stop`, which is asked now and then.
+class SearchBudget {
   public:
-    explicit Effort(std::int64_t moves, std::function<bool()> should_stop = {})
+    explicit SearchBudget(std::int64_t moves, std::function<bool()> should_stop = {})
         : left_(moves), should_stop_(std::move(should_stop)) {}
 
     void spend(std::int64_t moves = 1) {

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double thinnest = 1;        // source px
 constexpr double sliver_ratio = 0.1;  // a region counts as at least this ratio times its length squared
-constexpr double most_apart = 2;      // of a region's size and the median
+constexpr double max_apart = 2;       // quotient of a region's size and the median
 
 Box thickened(Box box) {
     const Vec2 grow{std::max(0.0, thinnest - box.width()) / 2, std::max(0.0, thinnest - box.height()) / 2};
     return {box.min - grow, box.max + grow};
 }
 
-/// Area of the region as it counts for sizing, source px^2.
+/// The area of the region for sizing, source px^2.
 double size_of(const Shape& shape) {
     const double longest = std::max(shape.extent.width(), shape.extent.height());
     return std::max(shape.area, sliver_ratio * longest * longest);
@@ -48,6 +48,15 @@ Shape shape_of(std::span<const Vec2> region) {
     return shape;
 }
 
+Box bounds_of(const ScaledShapes& shapes, std::span<const Vec2> places) {
+    Box all;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Box extent = moved(shapes.extent(i), places[i]);
+        all = i == 0 ? extent : united(all, extent);
+    }
+    return all;
+}
+
 std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<const Shape> shapes) {
     std::vector<double> scales;
     std::vector<double> sizes;
@@ -59,7 +68,7 @@ std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<
     if (items.empty()) return scales;
     const double middle = median(sizes);
     for (std::size_t i = 0; i < items.size(); ++i)
-        scales[i] *= std::sqrt(std::clamp(sizes[i], middle / most_apart, middle * most_apart) / sizes[i]);
+        scales[i] *= std::sqrt(std::clamp(sizes[i], middle / max_apart, middle * max_apart) / sizes[i]);
     return scales;
 }
 

@@ -24,7 +24,26 @@ Shape shape_of(std::span<const Vec2> region);
 /// region's size held within [1/2, 2] of the median. A sliver counts as large as a box of its length and a
 /// tenth of it, or it would be blown up without bound.
 /// @return one factor an item, canvas px per source px up to one common factor
-/// Source: ALGORITHMS (d) "Scale normalisation", s_i = sqrt(w_i A0 / (W_i H_i)); the paper leaves it open.
+/// Source: docs/algorithms.md, (d) "Scale normalisation", s_i = sqrt(w_i A0 / (W_i H_i)); the paper leaves it
+/// open.
 std::vector<double> natural_scales(std::span<const LayoutItem> items, std::span<const Shape> shapes);
+
+/// Shapes with one scale each. Both are borrowed.
+struct ScaledShapes {
+    std::span<const Shape> shapes;
+    std::span<const double> scales;  // canvas px per source px
+
+    std::size_t size() const { return shapes.size(); }
+
+    double area(std::size_t item) const { return shapes[item].area * scales[item] * scales[item]; }
+
+    /// The box of a shape's outline about its centroid, canvas px.
+    Box extent(std::size_t item) const {
+        return {shapes[item].extent.min * scales[item], shapes[item].extent.max * scales[item]};
+    }
+};
+
+/// The box round all shapes at their places, px.
+Box bounds_of(const ScaledShapes& shapes, std::span<const Vec2> places);
 
 }  // namespace vitrine::player

@@ -4,6 +4,7 @@
 #include "player/layout/pack/descent.hpp"
 #include "player/layout/pack/filling.hpp"
 #include "player/layout/pack/initial_packing.hpp"
+#include "player/layout/pack/line_packing.hpp"
 #include "player/layout/pack/optimizer.hpp"
 #include "player/layout/pack/separation.hpp"
 #include "player/layout/pack/shape.hpp"
@@ -18,217 +19,247 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr double filling_share = 0.3;         // of the budget, and on top of it
-constexpr double usual_share = 0.5;           // of the canvas covered after initial packing
+constexpr double min_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
+constexpr double filling_share = 0.3;       // share of the budget, and on top of it
+constexpr double usual_share = 0.5;         // share of the canvas covered after initial packing
 
 /// The largest scale at which an item's region lies inside the field.
 double fitting_scale(const Shape& shape, const Box& field) {
     return std::min(field.width() / shape.extent.width(), field.height() / shape.extent.height());
 }
 
-Ground ground_of(const PlanRequest& request) {
-    Ground ground;
-    ground.clearance = std::max(request.clearance, least_clearance);
-    const double most_margin = std::min(request.canvas.x, request.canvas.y) / 4;
-    const double edge = std::clamp(request.margin, least_clearance, most_margin);
-    ground.field = {{edge, edge}, request.canvas - Vec2{edge, edge}};
+std::vector<LayoutItem> items_of(const PlanRequest& request) {
     std::vector<LayoutItem> items;
-    for (const PlanItem& entry : request.items) {
+    items.reserve(request.items.size());
+    for (const PlanItem& entry : request.items)
         items.push_back(entry.item);
-        ground.shapes.push_back(shape_of(entry.item.region));
-        ground.pinned.push_back(entry.is_pinned && entry.previous.has_value());
-        const Placement at = entry.previous.value_or(Placement{});
-        ground.pinned_places.push_back(ground.shapes.back().centroid * at.scale + at.offset);
-    }
-    ground.reads = request.order == LayoutOrder::reading;
-    ground.scales = natural_scales(items, ground.shapes);
-    for (const Shape& shape : ground.shapes)
-        ground.limits.push_back(std::min(request.most_scale, fitting_scale(shape, ground.field)));
-    return ground;
+    return items;
 }
 
-/// Brings the relative scales to canvas px: a growth of 1 then covers the usual share. What would not fit
-/// on the canvas at that size is made smaller, so that it does not shrink the others.
-void bring_to_canvas(const PlanRequest& request, Ground& ground) {
+/// The problem with relative scales.
+PackingProblem problem_of(const PlanRequest& request) {
+    PackingProblem problem;
+    problem.clearance = std::max(request.clearance, min_clearance);
+    const double max_margin = std::min(request.canvas.x, request.canvas.y) / 4;
+    const double edge = std::clamp(request.margin, min_clearance, max_margin);
+    problem.field = {{edge, edge}, request.canvas - Vec2{edge, edge}};
+    for (const PlanItem& entry : request.items) {
+        problem.shapes.push_back(shape_of(entry.item.region));
+        problem.pinned.push_back(entry.is_pinned && entry.previous.has_value());
+        const Placement at = entry.previous.value_or(Placement{});
+        problem.pinned_places.push_back(problem.shapes.back().centroid * at.scale + at.offset);
+    }
+    problem.keeps_order = request.order == LayoutOrder::reading;
+    problem.scales = natural_scales(items_of(request), problem.shapes);
+    for (const Shape& shape : problem.shapes)
+        problem.limits.push_back(std::min(request.max_scale, fitting_scale(shape, problem.field)));
+    return problem;
+}
+
+/// Brings the relative scales to canvas px: a growth of 1 then covers the usual share. An item that would not
+/// fit on the canvas at that size is made smaller, so that it does not shrink the others.
+void bring_to_canvas(const PlanRequest& request, PackingProblem& problem) {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
         double sum = 0;
-        for (std::size_t i = 0; i < ground.size(); ++i)
-            sum += ground.shapes[i].area * ground.scales[i] * ground.scales[i];
-        const double growth = std::sqrt(usual_share * ground.field.area() / sum);
-        for (std::size_t i = 0; i < ground.size(); ++i)
-            ground.scales[i] =
-                std::min(ground.scales[i] * growth, fitting_scale(ground.shapes[i], ground.field));
+        for (std::size_t i = 0; i < problem.size(); ++i)
+            sum += problem.shapes[i].area * problem.scales[i] * problem.scales[i];
+        const double growth = std::sqrt(usual_share * problem.field.area() / sum);
+        for (std::size_t i = 0; i < problem.size(); ++i)
+            problem.scales[i] =
+                std::min(problem.scales[i] * growth, fitting_scale(problem.shapes[i], problem.field));
     }
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        if (ground.pinned[i]) ground.scales[i] = request.items[i].previous->scale;
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        if (problem.pinned[i]) problem.scales[i] = request.items[i].previous->scale;
+}
+
+PackingProblem problem_on_canvas(const PlanRequest& request) {
+    PackingProblem problem = problem_of(request);
+    bring_to_canvas(request, problem);
+    return problem;
 }
 
 /// Brings a packing round the origin onto the field, as large as it is free there.
-Arrangement fitted(const Ground& ground, std::span<const Vec2> places, Contacts& contacts) {
-    const Box bounds = bounds_of(ground.shapes, ground.scales, places);
+Arrangement fitted(const PackingProblem& problem, std::span<const Vec2> places, Contacts& contacts) {
+    const Box bounds = bounds_of({problem.shapes, problem.scales}, places);
     const double fit =
-        std::min(ground.field.width() / bounds.width(), ground.field.height() / bounds.height());
+        std::min(problem.field.width() / bounds.width(), problem.field.height() / bounds.height());
     Arrangement arrangement;
     for (const Vec2& place : places)
-        arrangement.places.push_back(ground.field.centre() + (place - bounds.centre()) * fit);
+        arrangement.places.push_back(problem.field.centre() + (place - bounds.centre()) * fit);
     const double least = fit * 1e-3;  // touching shapes made smaller about inner points are apart
-    arrangement.growth = greatest_growth(ground, arrangement, contacts, least, fit);
+    arrangement.growth = max_free_growth(problem, arrangement, contacts, least, fit);
     return arrangement;
 }
 
-Arrangement packed(const Ground& ground, double ratio) {
-    Contacts contacts(ground.shapes, ground.clearance);
-    if (ground.reads) return fitted(ground, packed_in_lines(ground.shapes, ground.scales, ratio), contacts);
-    Contacts touching(ground.shapes, 0);
-    touching.set_scales(ground.scales);
+/// The initial packing: in lines where the order counts, else the better of two orders round the first item.
+Arrangement packed(const PackingProblem& problem, double ratio) {
+    Contacts contacts(problem.shapes, problem.clearance);
+    const ScaledShapes shapes{problem.shapes, problem.scales};
+    if (problem.keeps_order) return fitted(problem, packed_in_lines(shapes, ratio), contacts);
+    Contacts touching(problem.shapes, 0);
+    touching.set_scales(problem.scales);
     Arrangement best;
     best.growth = -1;
     for (const PackingOrder order : {PackingOrder::largest_first, PackingOrder::as_given}) {
-        constexpr std::size_t most_packed_twice = 48;
-        if (order == PackingOrder::as_given && ground.size() > most_packed_twice) break;
-        const std::vector<Vec2> places =
-            initial_packing(ground.shapes, touching, ground.scales, ratio, order);
-        const Arrangement next = fitted(ground, places, contacts);
+        constexpr std::size_t max_packed_twice = 48;
+        if (order == PackingOrder::as_given && problem.size() > max_packed_twice) break;
+        const Arrangement next = fitted(problem, initial_packing(shapes, touching, ratio, order), contacts);
         if (next.growth > best.growth) best = next;
     }
     return best;
 }
 
-Layout layout_of(const PlanRequest& request, const Ground& ground, const Arrangement& arrangement) {
-    Layout layout;
-    layout.canvas = request.canvas;
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        const double scale = ground.scale(i, arrangement.growth);
-        const Vec2 offset = arrangement.places[i] - ground.shapes[i].centroid * scale;
-        layout.placements.push_back(ground.pinned[i] ? *request.items[i].previous : Placement{scale, offset});
-    }
-    const double canvas_area = request.canvas.x * request.canvas.y;
-    layout.energy = 1 - region_area(ground, arrangement.growth) / canvas_area;
-    return layout;
-}
-
-/// Free of overlap round pinned items, which the initial packing cannot respect. The others shrink until they
-/// find room.
-Arrangement scattered(const Ground& ground, Random& random, Effort& effort) {
-    constexpr int most_shrinks = 60;
-    constexpr double shrink = 0.85;
-    constexpr int patience = 6;
-    Contacts contacts(ground.shapes, ground.clearance);
-    Separation separation(ground, contacts, random);
-    Arrangement arrangement;
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        arrangement.places.push_back(ground.field.centre());
-    Effort unlimited(std::numeric_limits<std::int64_t>::max());
-    for (int k = 0; k < most_shrinks; ++k, arrangement.growth *= shrink) {
-        for (std::size_t i = 0; i < ground.size(); ++i)
-            if (ground.pinned[i]) arrangement.places[i] = ground.pinned_places[i];
-        if (separation.run(arrangement, {}, effort.is_spent() ? unlimited : effort, patience)) break;
-    }
-    return arrangement;
-}
-
-/// The paper's way: items packed as given, then eq. 3.4 descended.
-Arrangement papers_way(const Ground& ground, double ratio, Random& random, Effort& effort) {
-    Contacts contacts(ground.shapes, 0);
-    contacts.set_scales(ground.scales);
-    const std::vector<Vec2> packing =
-        initial_packing(ground.shapes, contacts, ground.scales, ratio, PackingOrder::as_given);
-    const Descended end = descended(ground.shapes, ground.scales, packing, ratio, random, effort);
-    Contacts apart(ground.shapes, ground.clearance);
-    return fitted(ground, end.places, apart);
-}
-
-/// What each item can show, about the centroid of its region, source px.
-std::vector<Box> frames_of(const PlanRequest& request, const Ground& ground) {
+/// The frame of each item about the centroid of its region, source px.
+std::vector<Box> frames_of(const PlanRequest& request, const PackingProblem& problem) {
     std::vector<Box> frames;
-    frames.reserve(ground.size());
-    for (std::size_t i = 0; i < ground.size(); ++i)
-        frames.push_back(moved(request.items[i].item.core, ground.shapes[i].centroid * -1));
+    frames.reserve(problem.size());
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        frames.push_back(moved(request.items[i].item.core, problem.shapes[i].centroid * -1));
     return frames;
 }
 
-/// The finish of every layout: what is left over is used up.
-Arrangement finished(const PlanRequest& request, Ground& ground, const Arrangement& arrangement,
-                     std::vector<Vec2> homes, Random& random, const PlanWatch& watch) {
-    if (!request.fills) return arrangement;
-    std::vector<LayoutItem> items;
-    for (const PlanItem& entry : request.items)
-        items.push_back(entry.item);
-    const FillingWishes wishes{.frames = frames_of(request, ground),
-                               .natural = natural_scales(items, ground.shapes),
-                               .homes = std::move(homes)};
-    Effort effort(static_cast<std::int64_t>(static_cast<double>(request.budget) * filling_share),
-                  watch.should_stop);
-    return filled(ground, wishes, arrangement, random, effort);
-}
-
-/// Where the items of a change stood, or stand now that are new.
-std::vector<Vec2> homes_of(const PlanRequest& request, const Ground& ground, const Arrangement& changed) {
+/// The places of the items before a change; newcomers count where they came in.
+std::vector<Vec2> homes_of(const PlanRequest& request, const PackingProblem& problem,
+                           const Arrangement& changed) {
     std::vector<Vec2> homes = changed.places;
     for (std::size_t i = 0; i < homes.size(); ++i)
         if (const PlanItem& item = request.items[i]; item.previous) {
             const Placement at = item.home.value_or(*item.previous);
-            homes[i] = ground.shapes[i].centroid * at.scale + at.offset;
+            homes[i] = problem.shapes[i].centroid * at.scale + at.offset;
         }
     return homes;
 }
 
-bool is_warm(const PlanRequest& request) {
+bool has_kept_items(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value(); });
 }
 
-/// Whether anything stands that would rather not move.
-bool can_be_disturbed(const PlanRequest& request) {
+/// True where an item stands that may be moved.
+bool has_movable_items(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
 }
 
-std::optional<Layout> changed_layout(const PlanRequest& request, Ground standing, const PlanWatch& watch,
-                                     Random& random, Effort& effort) {
-    if (!is_warm(request)) return std::nullopt;
-    const auto settled = warm_start(request, standing, random, effort);
-    if (!settled) return std::nullopt;
-    std::vector<Vec2> homes = homes_of(request, standing, *settled);
-    const Arrangement end = finished(request, standing, *settled, std::move(homes), random, watch);
-    return layout_of(request, standing, end);
-}
+/// One plan being made: its random numbers and its budget are used up on the way.
+class FlatPlan {
+  public:
+    /// @pre the request has items. Both are borrowed and must outlive the object.
+    FlatPlan(const PlanRequest& request, const PlanWatch& watch)
+        : request_(request),
+          watch_(watch),
+          random_(request.seed),
+          budget_(request.budget, watch.should_stop),
+          problem_(problem_on_canvas(request)),
+          ratio_(request.canvas.x / request.canvas.y) {}
+
+    /// The paper's way: items packed as given, then eq. 3.4 descended.
+    Layout paper_layout() {
+        Contacts contacts(problem_.shapes, 0);
+        contacts.set_scales(problem_.scales);
+        const ScaledShapes shapes{problem_.shapes, problem_.scales};
+        const std::vector<Vec2> packing = initial_packing(shapes, contacts, ratio_, PackingOrder::as_given);
+        const DescentResult end = descend(shapes, packing, ratio_, random_, budget_);
+        Contacts apart(problem_.shapes, problem_.clearance);
+        return layout_of(problem_, fitted(problem_, end.places, apart));
+    }
+
+    /// Kept items move as little as they can. @return none where no way was found
+    std::optional<Layout> changed_layout() {
+        PackingProblem problem = problem_;
+        const auto settled = warm_start(request_, problem, random_, budget_);
+        if (!settled) return std::nullopt;
+        const Arrangement end = with_gaps_filled(problem, *settled, homes_of(request_, problem, *settled));
+        return layout_of(problem, end);
+    }
+
+    /// All but pinned items packed anew, as large as they can be.
+    Layout fresh_layout() {
+        const bool any_pinned =
+            std::find(problem_.pinned.begin(), problem_.pinned.end(), true) != problem_.pinned.end();
+        const Arrangement start = any_pinned ? scattered() : packed(problem_, ratio_);
+        const OnBetter tell = [&](const Arrangement& arrangement) {
+            if (watch_.on_better) watch_.on_better(layout_of(problem_, arrangement));
+        };
+        tell(start);
+        const Arrangement best = densest_arrangement(problem_, start, random_, budget_, tell);
+        const Arrangement end = with_gaps_filled(problem_, best, {});
+        return layout_of(problem_, end);
+    }
+
+  private:
+    Layout layout_of(const PackingProblem& problem, const Arrangement& arrangement) const {
+        Layout layout;
+        layout.canvas = request_.canvas;
+        for (std::size_t i = 0; i < problem.size(); ++i) {
+            const double scale = problem.scale(i, arrangement.growth);
+            const Vec2 offset = arrangement.places[i] - problem.shapes[i].centroid * scale;
+            layout.placements.push_back(problem.pinned[i] ? *request_.items[i].previous
+                                                          : Placement{scale, offset});
+        }
+        const double canvas_area = request_.canvas.x * request_.canvas.y;
+        layout.energy = 1 - region_area(problem, arrangement.growth) / canvas_area;
+        return layout;
+    }
+
+    /// Free of overlap round pinned items, which the initial packing cannot respect. The others shrink until
+    /// they find room.
+    Arrangement scattered() {
+        constexpr int max_shrinks = 60;
+        constexpr double shrink = 0.85;
+        constexpr int patience = 6;
+        Contacts contacts(problem_.shapes, problem_.clearance);
+        Separation separation(problem_, contacts, random_);
+        Arrangement arrangement;
+        for (std::size_t i = 0; i < problem_.size(); ++i)
+            arrangement.places.push_back(problem_.field.centre());
+        SearchBudget unlimited(std::numeric_limits<std::int64_t>::max());
+        for (int k = 0; k < max_shrinks; ++k, arrangement.growth *= shrink) {
+            for (std::size_t i = 0; i < problem_.size(); ++i)
+                if (problem_.pinned[i]) arrangement.places[i] = problem_.pinned_places[i];
+            SearchBudget& budget = budget_.is_spent() ? unlimited : budget_;
+            if (separation.run(arrangement, {}, budget, patience)) break;
+        }
+        return arrangement;
+    }
+
+    /// The finish of every layout. @param homes  canvas px, near which the items stay; none: they may go
+    /// anywhere
+    Arrangement with_gaps_filled(PackingProblem& problem, const Arrangement& arrangement,
+                                 std::vector<Vec2> homes) {
+        if (!request_.fills) return arrangement;
+        const FillingTargets targets{.frames = frames_of(request_, problem),
+                                     .natural = natural_scales(items_of(request_), problem.shapes),
+                                     .homes = std::move(homes)};
+        SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
+                            watch_.should_stop);
+        return fill_gaps(problem, targets, arrangement, random_, budget);
+    }
+
+    const PlanRequest& request_;  // outlives this
+    const PlanWatch& watch_;      // outlives this
+    Random random_;
+    SearchBudget budget_;
+    PackingProblem problem_;
+    double ratio_;  // width / height of the canvas
+};
 
 }  // namespace
 
 std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch) {
-    if (request.items.empty()) return std::nullopt;
-    Random random(request.seed);
-    Effort effort(request.budget, watch.should_stop);
-    Ground ground = ground_of(request);
-    bring_to_canvas(request, ground);
-    return changed_layout(request, ground, watch, random, effort);
+    if (!has_kept_items(request)) return std::nullopt;
+    return FlatPlan(request, watch).changed_layout();
 }
 
-Layout plan(const PlanRequest& request, const PlanWatch& watch) {
+Layout plan_flat(const PlanRequest& request, const PlanWatch& watch) {
     assert(request.canvas.x > 0 && request.canvas.y > 0);
     if (request.items.empty()) return {.canvas = request.canvas, .energy = 1};
-    Random random(request.seed);
-    Effort effort(request.budget, watch.should_stop);
-    Ground ground = ground_of(request);
-    bring_to_canvas(request, ground);
-    const OnBetter tell = [&](const Arrangement& arrangement) {
-        if (watch.on_better) watch.on_better(layout_of(request, ground, arrangement));
-    };
-    if (request.energy == EnergyMode::paper)
-        return layout_of(request, ground,
-                         papers_way(ground, request.canvas.x / request.canvas.y, random, effort));
-    if (can_be_disturbed(request))
-        if (const auto changed = changed_layout(request, ground, watch, random, effort)) return *changed;
-    const bool any_pinned =
-        std::find(ground.pinned.begin(), ground.pinned.end(), true) != ground.pinned.end();
-    const Arrangement start =
-        any_pinned ? scattered(ground, random, effort) : packed(ground, request.canvas.x / request.canvas.y);
-    tell(start);
-    const Arrangement best = densest(ground, start, random, effort, tell);
-    return layout_of(request, ground, finished(request, ground, best, {}, random, watch));
+    FlatPlan plan(request, watch);
+    if (request.energy == EnergyMode::paper) return plan.paper_layout();
+    if (has_movable_items(request))
+        if (const auto changed = plan.changed_layout()) return *changed;
+    return plan.fresh_layout();
 }
 
 }  // namespace vitrine::player

@@ -1,5 +1,7 @@
 #include "player/layout/plan/nesting.hpp"
 
+#include "player/layout/plan/flat_plan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// Items that stand together, and what they weigh.
+/// Items that stand together, and the sum of their weights.
 struct Group {
     std::vector<std::size_t> items;
     double weight = 0;
@@ -74,7 +76,7 @@ std::vector<Placement> packed(const PlanRequest& request, const Group& group, co
         if (item.seat) item.seat->centre = item.seat->centre - part.min;
         inner.items.push_back(std::move(item));
     }
-    std::vector<Placement> placements = plan(inner, {.should_stop = watch.should_stop}).placements;
+    std::vector<Placement> placements = plan_flat(inner, {.should_stop = watch.should_stop}).placements;
     for (Placement& at : placements)
         at.offset = at.offset + part.min;
     return placements;
@@ -101,12 +103,6 @@ Layout plan_nested(const PlanRequest& request, const PlanWatch& watch) {
             layout.groups.push_back({items});
     }
     return layout;
-}
-
-Layout planned(const PlanRequest& request, const PlanWatch& watch) {
-    const bool is_nested = std::any_of(request.items.begin(), request.items.end(),
-                                       [](const PlanItem& item) { return item.group != PlanItem::no_group; });
-    return is_nested ? plan_nested(request, watch) : plan(request, watch);
 }
 
 }  // namespace vitrine::player

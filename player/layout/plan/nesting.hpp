@@ -1,16 +1,14 @@
 #pragma once
 
-#include "player/layout/plan/flat_plan.hpp"
+#include "player/layout/plan/plan_request.hpp"
 
 namespace vitrine::player {
 
-/// Where every item shall stand when those of one group stand together: the canvas is divided among the
-/// groups by what their items weigh, and each is packed on its part, so that the hulls of their I-Regions
-/// never overlap. Items without a group are one too. The layout names the groups of more than one item.
+/// The layout in which the items of one group stand together. The canvas is divided among the
+/// groups by the weights of their items, and each group is packed on its part, so that the hulls of their
+/// I-Regions never overlap. The items without a group are one group too. The layout names the groups of more
+/// than one item.
 /// Source: Dynamic Media Assemblage, future work (hierarchies of media).
 Layout plan_nested(const PlanRequest& request, const PlanWatch& watch = {});
-
-/// plan(), or plan_nested() where items stand in groups.
-Layout planned(const PlanRequest& request, const PlanWatch& watch = {});
 
 }  // namespace vitrine::player

@@ -1,7 +1,5 @@
 #include "player/layout/plan/planner.hpp"
 
-#include "player/layout/plan/nesting.hpp"
-
 #include <utility>
 
 namespace vitrine::player {
@@ -19,7 +17,7 @@ Planner::~Planner() {
     thread_.join();
 }
 
-std::uint64_t Planner::request(PlanRequest request) {
+std::uint64_t Planner::request_layout(PlanRequest request) {
     std::uint64_t generation = 0;
     {
         const std::lock_guard lock(mutex_);  // two callers keep the order of their generations
@@ -31,7 +29,7 @@ std::uint64_t Planner::request(PlanRequest request) {
     return generation;
 }
 
-std::optional<Layout> Planner::take() {
+std::optional<Layout> Planner::pop_layout() {
     std::optional<Layout> layout = layouts_.take();
     if (layout && layout->generation != newest_) layout.reset();
     return layout;
@@ -44,13 +42,13 @@ void Planner::run() {
             wake_.wait(lock, [this] { return has_news_; });
             has_news_ = false;
         }
-        if (const std::optional<Job> job = jobs_.take()) make(*job);
+        if (const std::optional<Job> job = jobs_.take()) plan_job(*job);
     }
 }
 
-void Planner::make(const Job& job) {
-    constexpr double worth_showing = 0.005;  // of the canvas
-    double shown = 2;                        // energy of the layout put last
+void Planner::plan_job(const Job& job) {
+    constexpr double worth_showing = 0.005;  // share of the canvas
+    double shown = 2;                        // energy of the layout that was put last
     const auto put = [&](Layout layout, bool is_final) {
         if (is_obsolete(job.generation)) return;
         if (!is_final && layout.energy > shown - worth_showing) return;
@@ -62,7 +60,7 @@ void Planner::make(const Job& job) {
     };
     const PlanWatch watch{.on_better = [&](const Layout& layout) { put(layout, false); },
                           .should_stop = [&] { return is_obsolete(job.generation); }};
-    put(planned(job.request, watch), true);
+    put(plan(job.request, watch), true);
 }
 
 }  // namespace vitrine::player

@@ -13,11 +13,11 @@
 
 namespace vitrine::player {
 
-/// Thread-safe. Makes plans on a thread of its own, so that the picture never waits for one. A new request
-/// supersedes the one before, which is given up.
+/// Thread-safe. Makes plans on a thread of its own, so that no frame waits for one. A new request supersedes
+/// the one before, which is given up.
 class Planner {
   public:
-    /// @param on_layout  called on the planner's thread when a layout lies ready; must not call back
+    /// @param on_layout  called on the planner's thread when a layout is ready; must not call back
     explicit Planner(std::function<void()> on_layout = {});
 
     Planner(const Planner&) = delete;
@@ -28,12 +28,13 @@ class Planner {
     /// Gives up what is being planned and joins.
     ~Planner();
 
-    /// @return the generation that the request's layouts will bear; each is greater than all before
-    std::uint64_t request(PlanRequest request);
+    /// @return the generation of all layouts of this request; greater than all before
+    std::uint64_t request_layout(PlanRequest request);
 
-    /// The best layout of the newest request that was not taken yet; none: nothing new. The last of a
-    /// request is marked `is_final`; those before it are free of overlap too, but looser.
-    std::optional<Layout> take();
+    /// Removes and returns the best layout of the newest request; none: no new one since the last call. The
+    /// last layout of a request is marked `is_final`; the layouts before it are free of overlap too, but
+    /// looser.
+    std::optional<Layout> pop_layout();
 
   private:
     struct Job {
@@ -42,7 +43,7 @@ class Planner {
     };
 
     void run();
-    void make(const Job& job);
+    void plan_job(const Job& job);
 
     bool is_obsolete(std::uint64_t generation) const { return stopping_ || generation != newest_; }
 

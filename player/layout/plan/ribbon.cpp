@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-// An extension is an ordinary plan on a window two screens wide. Its left half screen holds what is firm, so
-// the new ones fit to it; its right half screen stays loose, so that the next ones fit to them: no straight
-// seam shows where two extensions meet.
+// An extension is an ordinary plan on a window two screens wide. Its left half screen holds firm items, so
+// the new ones fit to them; its right half screen stays loose, so that the next ones fit to it. So no
+// straight seam shows where two extensions meet.
 
 namespace vitrine::player {
 
@@ -28,25 +28,25 @@ Placement shifted(Placement at, double by) {
 
 }  // namespace
 
-std::size_t wanted_newcomers(const Strip& strip, std::size_t items_a_screen) {
-    return strip.items.empty() ? 2 * items_a_screen : items_a_screen;
+std::size_t wanted_newcomers(const Ribbon& ribbon, std::size_t items_a_screen) {
+    return ribbon.items.empty() ? 2 * items_a_screen : items_a_screen;
 }
 
-StripExtension extension(const Strip& strip, std::span<const LayoutItem> newcomers,
-                         const PlanRequest& rules) {
-    const double width = strip.screen.x;
-    StripExtension next{.request = rules, .newcomers = {newcomers.begin(), newcomers.end()}};
-    next.origin = std::max(0.0, strip.firm - width / 2);
+RibbonExtension extension(const Ribbon& ribbon, std::span<const LayoutItem> newcomers,
+                          const PlanRequest& rules) {
+    const double width = ribbon.screen.x;
+    RibbonExtension next{.request = rules, .newcomers = {newcomers.begin(), newcomers.end()}};
+    next.origin = std::max(0.0, ribbon.firm - width / 2);
     next.end = next.origin + 2 * width;
-    next.request.canvas = {next.end - next.origin, strip.screen.y};
+    next.request.canvas = {next.end - next.origin, ribbon.screen.y};
     next.request.items.clear();
-    for (std::size_t i = 0; i < strip.items.size(); ++i) {
-        const LayoutItem& item = strip.items[i];
-        const Placement& at = strip.placements[i];
+    for (std::size_t i = 0; i < ribbon.items.size(); ++i) {
+        const LayoutItem& item = ribbon.items[i];
+        const Placement& at = ribbon.placements[i];
         if (item.region.empty() || right_of(item, at) <= next.origin) continue;
         next.items.push_back(i);
         PlanItem entry{.item = item};
-        if (middle_of(item, at) < strip.firm) {
+        if (middle_of(item, at) < ribbon.firm) {
             entry.previous = shifted(at, -next.origin);
             entry.is_pinned = true;
         }
@@ -57,9 +57,9 @@ StripExtension extension(const Strip& strip, std::span<const LayoutItem> newcome
     return next;
 }
 
-Strip extended(const Strip& strip, const StripExtension& extension, const Layout& layout) {
-    Strip next = strip;
-    next.firm = extension.end - strip.screen.x / 2;
+Ribbon extended(const Ribbon& ribbon, const RibbonExtension& extension, const Layout& layout) {
+    Ribbon next = ribbon;
+    next.firm = extension.end - ribbon.screen.x / 2;
     next.end = extension.end;
     for (std::size_t k = 0; k < layout.placements.size(); ++k) {
         const Placement at = shifted(layout.placements[k], extension.origin);
@@ -73,28 +73,28 @@ Strip extended(const Strip& strip, const StripExtension& extension, const Layout
     return next;
 }
 
-Layout strip_layout(std::span<const LayoutItem> items, Vec2 screen, double width, const PlanRequest& rules) {
-    Strip strip{.screen = screen};
+Layout ribbon_layout(std::span<const LayoutItem> items, Vec2 screen, double width, const PlanRequest& rules) {
+    Ribbon ribbon{.screen = screen};
     const double screens = std::max(1.0, width / screen.x);
     const auto a_screen = static_cast<std::size_t>(std::ceil(static_cast<double>(items.size()) / screens));
     std::size_t used = 0;
     while (used < items.size()) {
-        std::size_t count = std::min(items.size() - used, wanted_newcomers(strip, a_screen));
-        StripExtension next = extension(strip, items.subspan(used, count), rules);
-        if (next.end >= width) {  // the last: takes all that is left, and ends where the strip ends
-            next = extension(strip, items.subspan(used), rules);
+        std::size_t count = std::min(items.size() - used, wanted_newcomers(ribbon, a_screen));
+        RibbonExtension next = extension(ribbon, items.subspan(used, count), rules);
+        if (next.end >= width) {  // the last: takes all that is left, and ends where the ribbon ends
+            next = extension(ribbon, items.subspan(used), rules);
             next.end = width;
             next.request.canvas.x = next.end - next.origin;
             count = items.size() - used;
         }
-        strip = extended(strip, next, plan(next.request));
+        ribbon = extended(ribbon, next, plan(next.request));
         used += count;
     }
     double covered = 0;
     for (std::size_t i = 0; i < items.size(); ++i)
-        covered += seat_of(items[i], strip.placements[i]).area;
+        covered += seat_of(items[i], ribbon.placements[i]).area;
     return {.canvas = {width, screen.y},
-            .placements = strip.placements,
+            .placements = ribbon.placements,
             .energy = 1 - covered / (width * screen.y),
             .is_final = true};
 }

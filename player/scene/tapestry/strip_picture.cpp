@@ -32,25 +32,25 @@ std::shared_ptr<const Cell> box_cell(const Box& box) {
                                              .filler = {},
                                              .triangles = triangles_of(box),
                                              .filler_triangles = {},
-                                             .rims = {Rim{}}});
+                                             .fade_edges = {FadeEdge{}}});
 }
 
 /// A box that fades out over what lies around it.
 std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
     const Box inner{box.min + Vec2{edge, edge}, box.max - Vec2{edge, edge}};
     const Polygon corners = to_polygon(inner);
-    Rim rim;
+    FadeEdge fade;
     for (std::size_t i = 0; i < corners.size(); ++i)
         for (int k = 0; k < edge_points; ++k)
-            rim.outline.push_back(corners[i] + (corners[(i + 1) % corners.size()] - corners[i]) *
-                                                   (static_cast<double>(k) / edge_points));
-    rim.widths.assign(rim.outline.size(), edge);
+            fade.outline.push_back(corners[i] + (corners[(i + 1) % corners.size()] - corners[i]) *
+                                                    (static_cast<double>(k) / edge_points));
+    fade.widths.assign(fade.outline.size(), edge);
     return std::make_shared<const Cell>(Cell{.parts = {corners},
                                              .filler = {},
                                              .triangles = triangles_of(inner),
                                              .filler_triangles = {},
-                                             .rims = {rim},
-                                             .rim_coverage = 1});
+                                             .fade_edges = {fade},
+                                             .edge_coverage = 1});
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ inline LayoutItem random_item(Random& random) {
 
 inline PlanRequest random_request(std::size_t count, std::uint64_t seed) {
     Random random(seed);
-    PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 30'000, .most_scale = 4};
+    PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 30'000, .max_scale = 4};
     for (std::size_t i = 0; i < count; ++i)
         request.items.push_back({.item = random_item(random)});
     return request;

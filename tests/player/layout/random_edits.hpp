@@ -16,7 +16,7 @@ namespace vitrine::player {
 class RandomEdits {
   public:
     explicit RandomEdits(std::uint64_t seed, std::int64_t budget = 400)
-        : random_(seed), request_{.canvas = {1280, 720}, .seed = seed, .budget = budget, .most_scale = 4} {
+        : random_(seed), request_{.canvas = {1280, 720}, .seed = seed, .budget = budget, .max_scale = 4} {
         for (int k = 0; k < 4; ++k)
             request_.items.push_back({.item = random_item(random_)});
         keep(plan(request_));

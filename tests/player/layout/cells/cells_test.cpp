@@ -150,14 +150,14 @@ TEST_CASE("feathers end before the next region and before the picture does") {
     const std::vector<LayoutItem> items{item, near};
     const Layout layout{.canvas = {200, 100}, .placements = {{1, {0, 0}}, {1, {100, 0}}}};
     const std::vector<Cell> all = cells(items, layout, {.feather = 30});
-    REQUIRE_FALSE(all[0].rims.empty());
+    REQUIRE_FALSE(all[0].fade_edges.empty());
     double widest = 0;
-    for (const Rim& rim : all[0].rims)
-        for (std::size_t k = 0; k < rim.outline.size(); ++k) {
-            const Vec2 p = rim.outline[k];
-            widest = std::max(widest, rim.widths[k]);
-            if (std::abs(p.y - 50) < 8 && p.x > 60) CHECK(p.x + rim.widths[k] <= 76 + 1e-9);
+    for (const FadeEdge& edge : all[0].fade_edges)
+        for (std::size_t k = 0; k < edge.outline.size(); ++k) {
+            const Vec2 p = edge.outline[k];
+            widest = std::max(widest, edge.widths[k]);
+            if (std::abs(p.y - 50) < 8 && p.x > 60) CHECK(p.x + edge.widths[k] <= 76 + 1e-9);
         }
     CHECK(widest > 8);
-    CHECK(cells(items, layout)[0].rims.empty());
+    CHECK(cells(items, layout)[0].fade_edges.empty());
 }

@@ -28,7 +28,7 @@ std::vector<Placement> thrown(const std::vector<LayoutItem>& items, Vec2 canvas,
             const Placement at{scale, corner - box.min * scale};
             is_free = true;
             for (std::size_t j = 0; j < i && is_free; ++j)
-                is_free = overlap_between({items[i], at, at}, {items[j], placements[j], placements[j]}, 0.1)
+                is_free = overlap_interval({items[i], at, at}, {items[j], placements[j], placements[j]}, 0.1)
                               .is_empty();
             if (is_free) placements.push_back(at);
         }
@@ -49,22 +49,22 @@ void check_motion(const std::vector<LayoutItem>& items, const Motion& motion, Ve
 
 TEST_CASE("two squares on a collision course overlap from touch to touch") {
     // 20 wide, the gap of 60 closes at 200 px a unit of time, and opens behind after another 40 px.
-    const Overlap overlap =
-        overlap_between({square, {1, {0, 0}}, {1, {200, 0}}}, {square, {1, {80, 0}}, {1, {80, 0}}}, 0);
+    const OverlapInterval overlap =
+        overlap_interval({square, {1, {0, 0}}, {1, {200, 0}}}, {square, {1, {80, 0}}, {1, {80, 0}}}, 0);
     CHECK(overlap.begin == doctest::Approx(60.0 / 200));
     CHECK(overlap.end == doctest::Approx(100.0 / 200));
 }
 
 TEST_CASE("squares that slide along each other do not overlap") {
-    const Overlap overlap =
-        overlap_between({square, {1, {0, 0}}, {1, {200, 0}}}, {square, {1, {80, 20}}, {1, {80, 20}}}, 0);
+    const OverlapInterval overlap =
+        overlap_interval({square, {1, {0, 0}}, {1, {200, 0}}}, {square, {1, {80, 20}}, {1, {80, 20}}}, 0);
     CHECK(overlap.is_empty());
 }
 
 TEST_CASE("a square that grows overlaps from the moment it reaches the other") {
     // Its right side runs from 10 to 50, the other's left side stands at 30.
-    const Overlap overlap =
-        overlap_between({square, {1, {0, 0}}, {5, {0, 0}}}, {square, {1, {40, 0}}, {1, {40, 0}}}, 0);
+    const OverlapInterval overlap =
+        overlap_interval({square, {1, {0, 0}}, {5, {0, 0}}}, {square, {1, {40, 0}}, {1, {40, 0}}}, 0);
     CHECK(overlap.begin == doctest::Approx(0.5));
     CHECK(overlap.end == 1);
 }

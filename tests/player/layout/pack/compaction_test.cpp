@@ -11,18 +11,18 @@ using namespace vitrine::player;
 
 namespace {
 
-Ground ground_of(std::span<const LayoutItem> items, Vec2 canvas) {
-    Ground ground;
+PackingProblem problem_of(std::span<const LayoutItem> items, Vec2 canvas) {
+    PackingProblem problem;
     for (const LayoutItem& item : items) {
-        ground.shapes.push_back(shape_of(item.region));
-        ground.limits.push_back(100);
-        ground.pinned.push_back(false);
-        ground.pinned_places.emplace_back();
+        problem.shapes.push_back(shape_of(item.region));
+        problem.limits.push_back(100);
+        problem.pinned.push_back(false);
+        problem.pinned_places.emplace_back();
     }
-    ground.scales = natural_scales(items, ground.shapes);
-    ground.field = {{0, 0}, canvas};
-    ground.clearance = 1;
-    return ground;
+    problem.scales = natural_scales(items, problem.shapes);
+    problem.field = {{0, 0}, canvas};
+    problem.clearance = 1;
+    return problem;
 }
 
 }  // namespace
@@ -61,49 +61,49 @@ TEST_CASE("a linear program without room stays where it is, and one without boun
 
 TEST_CASE("an item larger than the field is free nowhere") {
     const LayoutItem square{.region = to_polygon({{0, 0}, {10, 10}}), .core = {{0, 0}, {10, 10}}};
-    const Ground ground = ground_of(std::vector<LayoutItem>{square}, {200, 100});
-    Contacts contacts(ground.shapes, ground.clearance);
-    const double growth = 150 / (10 * ground.scales[0]);  // a side of 150 px
+    const PackingProblem problem = problem_of(std::vector<LayoutItem>{square}, {200, 100});
+    Contacts contacts(problem.shapes, problem.clearance);
+    const double growth = 150 / (10 * problem.scales[0]);  // a side of 150 px
     for (const double y : {25.0, 50.0, 75.0})
-        CHECK_FALSE(is_free(ground, {{{100, y}}, growth}, contacts));
-    CHECK(is_free(ground, {{{100, 50}}, growth / 1.6}, contacts));
+        CHECK_FALSE(is_free(problem, {{{100, y}}, growth}, contacts));
+    CHECK(is_free(problem, {{{100, 50}}, growth / 1.6}, contacts));
 }
 
 TEST_CASE("two squares in a box twice as wide as high grow until they fill it") {
     const LayoutItem square{.region = to_polygon({{0, 0}, {10, 10}}), .core = {{0, 0}, {10, 10}}};
     const std::vector<LayoutItem> items{square, square};
-    Ground ground = ground_of(items, {200, 100});
-    ground.clearance = 0.5;
-    Contacts contacts(ground.shapes, ground.clearance);
-    Effort effort(1'000'000);
-    const double growth = 30 / (10 * ground.scales[0]);  // a side of 30 px
-    const Arrangement packed = compacted(ground, {{{40, 30}, {120, 70}}, growth}, contacts, effort);
-    CHECK(10 * ground.scale(0, packed.growth) == doctest::Approx(99.75).epsilon(1e-4));
-    CHECK(is_free(ground, packed, contacts));
+    PackingProblem problem = problem_of(items, {200, 100});
+    problem.clearance = 0.5;
+    Contacts contacts(problem.shapes, problem.clearance);
+    SearchBudget budget(1'000'000);
+    const double growth = 30 / (10 * problem.scales[0]);  // a side of 30 px
+    const Arrangement packed = compacted(problem, {{{40, 30}, {120, 70}}, growth}, contacts, budget);
+    CHECK(10 * problem.scale(0, packed.growth) == doctest::Approx(99.75).epsilon(1e-4));
+    CHECK(is_free(problem, packed, contacts));
 }
 
 TEST_CASE("compacted arrangements are free and never smaller, pinned items stay, order holds") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const std::vector<LayoutItem> items = items_of(random_request(2 + seed % 9, seed));
-        Ground ground = ground_of(items, {1600, 900});
-        ground.reads = seed % 2 == 0;
+        PackingProblem problem = problem_of(items, {1600, 900});
+        problem.keeps_order = seed % 2 == 0;
         Random random(seed);
-        Contacts contacts(ground.shapes, ground.clearance);
+        Contacts contacts(problem.shapes, problem.clearance);
         Arrangement start;  // on a line, as large as they are free there
         for (std::size_t i = 0; i < items.size(); ++i)
             start.places.push_back(
                 {1600.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(items.size()), 450});
-        start.growth = greatest_growth(ground, start, contacts, 0, 1e9);
+        start.growth = max_free_growth(problem, start, contacts, 0, 1e9);
         REQUIRE(start.growth > 0);
         if (seed % 3 == 0) {
-            ground.pinned[1] = true;
-            ground.scales[1] *= start.growth;
-            ground.pinned_places[1] = start.places[1];
+            problem.pinned[1] = true;
+            problem.scales[1] *= start.growth;
+            problem.pinned_places[1] = start.places[1];
         }
-        Effort effort(1'000'000);
-        const Arrangement end = compacted(ground, start, contacts, effort);
+        SearchBudget budget(1'000'000);
+        const Arrangement end = compacted(problem, start, contacts, budget);
         CHECK(end.growth >= start.growth);
-        CHECK(is_free(ground, end, contacts));
-        if (ground.pinned[1]) CHECK(length(end.places[1] - start.places[1]) < 1e-3);
+        CHECK(is_free(problem, end, contacts));
+        if (problem.pinned[1]) CHECK(length(end.places[1] - start.places[1]) < 1e-3);
     }
 }

@@ -72,9 +72,9 @@ TEST_CASE("shapes grow until they touch, or reach their limits first") {
         const std::size_t a = uniform_index(random, 5);
         const std::size_t b = (a + 1 + uniform_index(random, 4)) % 5;
         const Vec2 apart = random_vector(random, 300);
-        const Growing first{0.1, 0.05 + 0.2 * uniform(random)};
-        const Growing second{0.12, round % 3 == 0 ? 0.2 : 0.05 + 0.2 * uniform(random)};
-        const double growth = contacts.greatest_growth(a, b, apart, first, second, 1e9);
+        const GrowingScale first{0.1, 0.05 + 0.2 * uniform(random)};
+        const GrowingScale second{0.12, round % 3 == 0 ? 0.2 : 0.05 + 0.2 * uniform(random)};
+        const double growth = contacts.max_clear_growth(a, b, apart, {first, second}, 1e9);
         const auto is_clear_at = [&](double g) {
             std::vector<double> scales(5, 1.0);
             scales[a] = std::min(first.rate * g, first.limit);
@@ -118,11 +118,12 @@ TEST_CASE("a ray is blocked exactly between its crossings of the Minkowski diffe
                                     shape_of(to_polygon({{0, 0}, {4, 2}}))};
     Contacts contacts(shapes, 0);
     contacts.set_scales(std::vector<double>{1, 1});
-    const Stretch along = contacts.blocked(0, 1, {-10, 0}, {1, 0});  // the difference is 6 x 4 round 0
+    const RayStretch along =
+        contacts.blocked_stretch(0, 1, {-10, 0}, {1, 0});  // the difference is 6 x 4 round 0
     CHECK(along.begin == doctest::Approx(7));
     CHECK(along.end == doctest::Approx(13));
-    const Stretch beside = contacts.blocked(0, 1, {-10, 2}, {1, 0});
+    const RayStretch beside = contacts.blocked_stretch(0, 1, {-10, 2}, {1, 0});
     CHECK_FALSE(beside.begin < beside.end);
-    const Stretch behind = contacts.blocked(1, 0, {10, 0}, {1, 0});
+    const RayStretch behind = contacts.blocked_stretch(1, 0, {10, 0}, {1, 0});
     CHECK_FALSE(behind.begin < behind.end);
 }

@@ -56,7 +56,7 @@ TEST_CASE("initial packing touches without overlap and descent never raises the 
         const std::vector<double> scales(shapes.size(), 0.1);
         Contacts contacts(shapes, 0);
         contacts.set_scales(scales);
-        const auto packing = initial_packing(shapes, contacts, scales, 1.5, PackingOrder::as_given);
+        const auto packing = initial_packing({shapes, scales}, contacts, 1.5, PackingOrder::as_given);
         CHECK(packing[0] == Vec2{});
         const auto measure = [&](std::span<const Vec2> places) {
             std::vector<GridPolygon> outlines;
@@ -68,8 +68,8 @@ TEST_CASE("initial packing touches without overlap and descent never raises the 
         const Measure before = measure(packing);
         CHECK(before.hidden < 1e-3 * before.united);  // corners are rounded to 1/512 px
         Random random(seed);
-        Effort effort(1'000'000);
-        const Descended end = descended(shapes, scales, packing, 1.5, random, effort);
+        SearchBudget budget(1'000'000);
+        const DescentResult end = descend({shapes, scales}, packing, 1.5, random, budget);
         const Measure after = measure(end.places);
         CHECK(end.steps > 0);
         CHECK(end.last_energy <= end.first_energy);

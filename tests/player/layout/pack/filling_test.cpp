@@ -26,16 +26,16 @@ double background(const PlanRequest& request, const Layout& layout) {
 
 TEST_CASE("what no frame reaches is counted") {
     const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{0, 0}, {100, 100}}};
-    Ground ground;
-    ground.shapes = {shape_of(item.region)};
-    ground.scales = {1};
-    ground.limits = {2};
-    ground.pinned = {false};
-    ground.field = {{0, 0}, {200, 200}};
-    const std::vector<Box> frames{moved(item.core, ground.shapes[0].centroid * -1)};
-    CHECK(unfilled(ground, frames, {{{50, 50}}, 1}) == doctest::Approx(0.75));
-    CHECK(unfilled(ground, frames, {{{100, 100}}, 2}) == doctest::Approx(0));
-    CHECK(unfilled(ground, frames, {{{200, 200}}, 2}) == doctest::Approx(0.75));
+    PackingProblem problem;
+    problem.shapes = {shape_of(item.region)};
+    problem.scales = {1};
+    problem.limits = {2};
+    problem.pinned = {false};
+    problem.field = {{0, 0}, {200, 200}};
+    const std::vector<Box> frames{moved(item.core, problem.shapes[0].centroid * -1)};
+    CHECK(unfilled_share(problem, frames, {{{50, 50}}, 1}) == doctest::Approx(0.75));
+    CHECK(unfilled_share(problem, frames, {{{100, 100}}, 2}) == doctest::Approx(0));
+    CHECK(unfilled_share(problem, frames, {{{200, 200}}, 2}) == doctest::Approx(0.75));
 }
 
 TEST_CASE(
@@ -57,7 +57,7 @@ TEST_CASE(
 
 TEST_CASE("an item that may not be enlarged stays as large as it may be") {
     PlanRequest request = random_request(5, 2);
-    request.most_scale = 1.5;
+    request.max_scale = 1.5;
     request.items.push_back(
         {.item = {.region = to_polygon({{20, 10}, {50, 35}}), .core = {{0, 0}, {60, 40}}}});
     CHECK(plan(request).placements[5].scale > 1.45);
@@ -73,9 +73,9 @@ TEST_CASE("an order holds while items are resized") {
 
 TEST_CASE("a drag makes those smaller that are in its way, and not all") {
     PlanRequest request = random_request(14, 5);
-    const Standing wall = standing(items_of(request), plan(request));
-    const EditRules rules{.budget = 30'000, .most_scale = 4};
-    const Standing after = dragged(wall, 3, {960, 540}, rules);
+    const WallState wall = wall_state(items_of(request), plan(request));
+    const EditRules rules{.budget = 30'000, .max_scale = 4};
+    const WallState after = dragged(wall, 3, {960, 540}, rules);
     std::size_t as_large = 0;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         if (after.placements[i].scale >= 0.98 * wall.placements[i].scale) ++as_large;
@@ -84,11 +84,11 @@ TEST_CASE("a drag makes those smaller that are in its way, and not all") {
 
 TEST_CASE("a wall does not wear out, however many shots follow each other") {
     PlanRequest request = random_request(8, 6);
-    Standing wall = standing(items_of(request), plan(request));
+    WallState wall = wall_state(items_of(request), plan(request));
     Random random(8);
     for (std::uint64_t k = 1; k <= 25; ++k)
         wall = replaced(wall, uniform_index(random, 8), random_item(random),
-                        {.seed = k, .budget = 40'000, .most_scale = 4});
+                        {.seed = k, .budget = 40'000, .max_scale = 4});
     CHECK(is_sound(wall.items, layout_of(wall), "after_many"));
     request.items.clear();
     for (const LayoutItem& item : wall.items)

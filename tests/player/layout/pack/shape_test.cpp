@@ -62,7 +62,7 @@ TEST_CASE("no region is larger than twice the median or smaller than half of it"
 TEST_CASE("no item is enlarged beyond what the request allows, however small it is") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         PlanRequest request = random_request(5, seed);
-        request.most_scale = 1.5;
+        request.max_scale = 1.5;
         request.items.push_back({.item = item_of({60, 40}, 0.7, 4)});
         request.items.push_back({.item = item_of({300, 200}, 0.7)});
         const Layout layout = plan(request);

@@ -15,7 +15,7 @@ namespace {
 /// Whether all regions lie in the canvas and none covers another; leaves a picture where not.
 bool is_sound(const PlanRequest& request, const Layout& layout, const std::string& name) {
     for (const Placement& placement : layout.placements)
-        if (placement.scale > request.most_scale * (1 + 1e-9)) return false;
+        if (placement.scale > request.max_scale * (1 + 1e-9)) return false;
     return layout.canvas == request.canvas && is_sound(items_of(request), layout, name);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a plan of few items ends when it has converged, long before its budge
         PlanRequest request = random_request(count, 4);
         request.fills = false;
         request.budget = 600'000;
-        request.most_scale = 100;
+        request.max_scale = 100;
         int questions = 0;  // one in 1000 moves
         plan(request, {.should_stop = [&] { return ++questions < 0; }});
         CHECK(questions < 300);
@@ -57,7 +57,7 @@ TEST_CASE("a plan of few items ends when it has converged, long before its budge
     PlanRequest request = random_request(5, 4);  // would gain nothing for seconds
     request.fills = false;
     request.budget = 100'000'000;
-    request.most_scale = 100;
+    request.max_scale = 100;
     int questions = 0;
     plan(request, {.should_stop = [&] { return ++questions > 20'000; }});
     CHECK(questions < 3'000);
@@ -87,11 +87,11 @@ TEST_CASE("degenerate regions and extreme frames are laid out") {
 }
 
 TEST_CASE("a single region fills the canvas as far as it may be enlarged") {
-    PlanRequest request{.canvas = {1000, 500}, .margin = 0, .most_scale = 10};
+    PlanRequest request{.canvas = {1000, 500}, .margin = 0, .max_scale = 10};
     request.items.push_back(
         {.item = {.region = to_polygon({{10, 10}, {60, 60}}), .core = {{0, 0}, {80, 80}}}});
     CHECK(plan(request).placements[0].scale == doctest::Approx(10).epsilon(0.001));
-    request.most_scale = 3;
+    request.max_scale = 3;
     CHECK(plan(request).placements[0].scale == doctest::Approx(3));
 }
 

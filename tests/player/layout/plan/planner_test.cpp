@@ -15,7 +15,7 @@ namespace {
 Layout final_layout(Planner& planner, std::counting_semaphore<>& ready) {
     for (;;) {
         ready.acquire();
-        const std::optional<Layout> layout = planner.take();
+        const std::optional<Layout> layout = planner.pop_layout();
         if (layout && layout->is_final) return *layout;
     }
 }
@@ -26,7 +26,7 @@ TEST_CASE("the planner's last layout is the plan of the request") {
     std::counting_semaphore<> ready(0);
     Planner planner([&] { ready.release(); });
     const PlanRequest request = random_request(6, 3);
-    const std::uint64_t generation = planner.request(request);
+    const std::uint64_t generation = planner.request_layout(request);
     const Layout layout = final_layout(planner, ready);
     CHECK(layout.generation == generation);
     CHECK(layout.placements == plan(request).placements);
@@ -37,8 +37,8 @@ TEST_CASE("only layouts of the newest request are handed out") {
     Planner planner([&] { ready.release(); });
     std::uint64_t newest = 0;
     for (std::uint64_t k = 0; k < 30; ++k) {
-        newest = planner.request(random_request(3 + k % 5, k));
-        const std::optional<Layout> layout = planner.take();
+        newest = planner.request_layout(random_request(3 + k % 5, k));
+        const std::optional<Layout> layout = planner.pop_layout();
         if (layout) CHECK(layout->generation == newest);
     }
     const Layout layout = final_layout(planner, ready);
@@ -51,8 +51,8 @@ TEST_CASE("a planner at work can be destroyed") {
         Planner planner;
         PlanRequest request = random_request(12, 1);
         request.budget = 1'000'000'000'000;
-        planner.request(std::move(request));
+        planner.request_layout(std::move(request));
     }
     Planner idle;
-    CHECK_FALSE(idle.take());
+    CHECK_FALSE(idle.pop_layout());
 }
