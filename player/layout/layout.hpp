@@ -23,7 +23,7 @@ struct LayoutItem {
     Box core;           // the part that every frame of the shot shows: a cell may show no more
     double weight = 1;  // wished area relative to the others, > 0
 
-    friend bool operator==(const LayoutItem&, const LayoutItem&) = default;
+    bool operator==(const LayoutItem&) const = default;
 };
 
 /// The place of an item: canvas = source * scale + offset.
@@ -31,14 +31,14 @@ struct Placement {
     double scale = 1;  // canvas px per source px
     Vec2 offset;       // canvas px
 
-    friend bool operator==(const Placement&, const Placement&) = default;
+    bool operator==(const Placement&) const = default;
 };
 
 /// Items that stand together, as the items of one folder: the hull of their I-Regions counts as one.
 struct LayoutGroup {
     std::vector<std::size_t> items;
 
-    friend bool operator==(const LayoutGroup&, const LayoutGroup&) = default;
+    bool operator==(const LayoutGroup&) const = default;
 };
 
 /// The places of all items on a canvas, in the order of the items. An immutable value.

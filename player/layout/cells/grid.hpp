@@ -17,9 +17,9 @@ struct CellPoint {
     std::int64_t x = 0;
     std::int64_t y = 0;
 
-    friend bool operator==(const CellPoint&, const CellPoint&) = default;
+    bool operator==(const CellPoint&) const = default;
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
-    friend auto operator<=>(const CellPoint&, const CellPoint&) = default;
+    auto operator<=>(const CellPoint&) const = default;
 };
 
 using Loop = std::vector<CellPoint>;  // closed, not self-crossing

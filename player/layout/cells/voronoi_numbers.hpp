@@ -41,17 +41,17 @@ class WideInt {
         return result;
     }
 
-    friend WideInt operator+(const WideInt& a, const WideInt& b) { return sum(a, b, b.is_negative_); }
+    WideInt operator+(const WideInt& b) const { return sum(*this, b, b.is_negative_); }
 
-    friend WideInt operator-(const WideInt& a, const WideInt& b) { return sum(a, b, !b.is_negative_); }
+    WideInt operator-(const WideInt& b) const { return sum(*this, b, !b.is_negative_); }
 
-    friend WideInt operator*(const WideInt& a, const WideInt& b);
+    WideInt operator*(const WideInt& b) const;
 
-    friend bool is_zero(const WideInt& value) { return value.count_ == 0; }
-
-    friend bool is_neg(const WideInt& value) { return value.count_ != 0 && value.is_negative_; }
-
-    friend bool is_pos(const WideInt& value) { return value.count_ != 0 && !value.is_negative_; }
+    /// -1, 0 or 1.
+    int sign() const {
+        if (count_ == 0) return 0;
+        return is_negative_ ? -1 : 1;
+    }
 
     /// True to 2^-62 of the value.
     explicit operator long double() const {
@@ -127,17 +127,17 @@ class WideInt {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-inline WideInt operator*(const WideInt& a, const WideInt& b) {
+inline WideInt WideInt::operator*(const WideInt& b) const {
     __extension__ using Product = unsigned __int128;
     WideInt result;
-    result.is_negative_ = a.is_negative_ != b.is_negative_;
-    result.count_ = std::min(a.count_ + b.count_, WideInt::max_digits);
+    result.is_negative_ = is_negative_ != b.is_negative_;
+    result.count_ = std::min(count_ + b.count_, max_digits);
     std::fill_n(result.digits_, result.count_, 0);
-    for (std::size_t i = 0; i < a.count_; ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
         std::uint64_t carry = 0;
         std::size_t k = i;
         for (std::size_t j = 0; j < b.count_ && k < result.count_; ++j, ++k) {
-            const Product part = Product{a.digits_[i]} * b.digits_[j] + result.digits_[k] + carry;
+            const Product part = Product{digits_[i]} * b.digits_[j] + result.digits_[k] + carry;
             result.digits_[k] = static_cast<std::uint64_t>(part);
             carry = static_cast<std::uint64_t>(part >> 64);
         }
@@ -150,6 +150,20 @@ inline WideInt operator*(const WideInt& a, const WideInt& b) {
 #ifndef __clang__
 #pragma GCC diagnostic pop
 #endif
+
+// boost finds these three by their names.
+
+inline bool is_zero(const WideInt& value) {
+    return value.sign() == 0;
+}
+
+inline bool is_neg(const WideInt& value) {
+    return value.sign() < 0;
+}
+
+inline bool is_pos(const WideInt& value) {
+    return value.sign() > 0;
+}
 
 struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }

@@ -90,28 +90,31 @@ Contacts::Contacts(std::span<const Shape> shapes, double clearance)
 void Contacts::add_pair(std::size_t a, std::size_t b) const {
     const Polygon& first = outlines_[a];
     const Polygon& second = outlines_[b];
-    pair_sides_.clear();
+    const std::size_t begin = sides_.size();
+    std::size_t count = 0;
+    const auto add_side = [&](Vec2 normal, double first_support, double second_support) {
+        const std::size_t lane = count++ % lanes;
+        if (lane == 0) sides_.emplace_back();
+        Sides& sides = sides_.back();
+        sides.x[lane] = static_cast<float>(normal.x);
+        sides.y[lane] = static_cast<float>(normal.y);
+        sides.first[lane] = static_cast<float>(first_support);
+        sides.second[lane] = static_cast<float>(second_support);
+    };
     TurningSupport along_second(second);
     for (std::size_t k = 0; k < normals_[a].size(); ++k) {
         const Vec2 normal = normals_[a][k];
-        pair_sides_.push_back({normal, dot(first[k], normal), along_second.along(normal * -1)});
+        add_side(normal, dot(first[k], normal), along_second.along(normal * -1));
     }
     TurningSupport along_first(first);
     for (std::size_t k = 0; k < normals_[b].size(); ++k) {
         const Vec2 normal = normals_[b][k] * -1;
-        pair_sides_.push_back({normal, along_first.along(normal), dot(second[k], normals_[b][k])});
+        add_side(normal, along_first.along(normal), dot(second[k], normals_[b][k]));
     }
-    const std::size_t begin = sides_.size();
-    for (std::size_t k = 0; k < pair_sides_.size(); k += lanes) {
-        Sides& sides = sides_.emplace_back();
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Side& side = pair_sides_[std::min(k + lane, pair_sides_.size() - 1)];
-            sides.x[lane] = static_cast<float>(side.normal.x);
-            sides.y[lane] = static_cast<float>(side.normal.y);
-            sides.first[lane] = static_cast<float>(side.first);
-            sides.second[lane] = static_cast<float>(side.second);
-        }
-    }
+    const Vec2 last = normals_[b].back() * -1;  // repeated, so that all lanes are sides of the pair
+    const double last_support = along_first.along(last);
+    while (count % lanes != 0)
+        add_side(last, last_support, dot(second[normals_[b].size() - 1], normals_[b].back()));
     const Pair pair{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(sides_.size())};
     pairs_[a * size_ + b] = pairs_[b * size_ + a] = pair;
     set_offsets(a, b, pair);

@@ -131,11 +131,6 @@ class Contacts {
         std::uint32_t begin = 0, end = 0;  // into sides_
     };
 
-    struct Side {
-        Vec2 normal;
-        double first = 0, second = 0;
-    };
-
     /// The sides of a pair. @pre a != b
     const Pair& pair(std::size_t a, std::size_t b) const {
         const Pair& found = pairs_[a * size_ + b];
@@ -163,7 +158,6 @@ class Contacts {
     std::vector<float> reach_squared_;  // at [a * stride + b]: beyond this distance they are clear
     mutable std::vector<Pair> pairs_;   // at [a * size + b] and [b * size + a]; empty: not made yet
     mutable std::vector<Sides> sides_;
-    mutable std::vector<Side> pair_sides_;  // of the pair that add_pair() adds; a member for its memory
 };
 
 }  // namespace vitrine::player

@@ -90,9 +90,6 @@ class GapFilling {
           now_{start.places, 1},
           resized_(problem.size(), 0),
           min_resized_(problem.size(), 0) {
-        const double diagonal = length(problem.field.max - problem.field.min);
-        pull_ = pull_weight / (diagonal * static_cast<double>(problem.size()));
-        farthest_ = targets.homes.empty() ? farthest : farthest_from_home;
         problem_.scales = scales_at(problem, start.growth);
         contacts_.set_scales(problem_.scales);
         base_ = problem_.scales;
@@ -128,7 +125,7 @@ class GapFilling {
         const auto count = static_cast<double>(problem_.size());
         const double unevenness = spread_.variance(count);
         const double empty = targets_.frames.empty() ? 0 : unfilled_share(problem_, targets_.frames, now_);
-        return background_weight * empty - covered_ + unevenness_weight * unevenness + pull_ * moved_;
+        return background_weight * empty - covered_ + unevenness_weight * unevenness + pull() * moved_;
     }
 
     /// Tries one change of an item. @param wide  from 1 at first to 0 at the end: steps get smaller, and the
@@ -140,7 +137,7 @@ class GapFilling {
         if (uniform_index(random, 2) == 0)
             resize(item, wide, random);
         else
-            set(item, resized, place + random_move(problem_, wide * farthest_, random));
+            set(item, resized, place + random_move(problem_, wide * max_move(), random));
         set(item, resized_[item], moved_into(now_.places[item], problem_.place_range(item, 1)));
         if (is_allowed(item)) {
             const double there = cost();
@@ -195,6 +192,15 @@ class GapFilling {
         }
     }
 
+    /// The cost of each px in moved_.
+    double pull() const {
+        const double diagonal = length(problem_.field.max - problem_.field.min);
+        return pull_weight / (diagonal * static_cast<double>(problem_.size()));
+    }
+
+    /// The limit of a random move, share of the field's diagonal.
+    double max_move() const { return targets_.homes.empty() ? farthest : farthest_from_home; }
+
     double distance_home(std::size_t item) const {
         return targets_.homes.empty() ? 0 : length(now_.places[item] - targets_.homes[item]);
     }
@@ -225,8 +231,6 @@ class GapFilling {
     SizeSpread spread_;                // of resized_
     double covered_ = 0;               // share of the field
     double moved_ = 0;                 // canvas px from home, the sum over all items
-    double pull_ = 0;                  // cost of each px in moved_
-    double farthest_ = 0;              // share of the field's diagonal, limit of a random move
     double cost_ = 0;
     FillingState best_;
 };

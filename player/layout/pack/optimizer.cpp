@@ -147,6 +147,10 @@ Arrangement densest_arrangement(const PackingProblem& problem, const Arrangement
     return best.arrangement();
 }
 
+SeparationStyle calm_style(const std::vector<Vec2>& homes) {
+    return {.roams = false, .homes = homes, .pull = 0.05};
+}
+
 Arrangement calmly_grown(const PackingProblem& problem, const Arrangement& start,
                          const std::vector<Vec2>& homes, Random& random, SearchBudget& budget) {
     constexpr int failures_allowed = 3;
@@ -155,7 +159,7 @@ Arrangement calmly_grown(const PackingProblem& problem, const Arrangement& start
     Contacts contacts(problem.shapes, problem.clearance);
     BestArrangement best(problem, contacts, start, nobody);
     Separation separation(problem, contacts, random);
-    const SeparationStyle style{.roams = false, .homes = homes, .pull = 0.05};
+    const SeparationStyle style = calm_style(homes);
     double step = calm_step;
     int failures = 0;
     while (!budget.is_spent() && !best.is_final() && failures < failures_allowed) {

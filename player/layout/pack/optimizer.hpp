@@ -29,6 +29,9 @@ Arrangement densest_arrangement(const PackingProblem& problem, const Arrangement
 Arrangement calmly_grown(const PackingProblem& problem, const Arrangement& start,
                          const std::vector<Vec2>& homes, Random& random, SearchBudget& budget);
 
+/// The style of separation for a wall that people look at: items stay near their homes.
+SeparationStyle calm_style(const std::vector<Vec2>& homes);
+
 /// Moves each item back towards its home as far as the way is free; never farther away from it.
 void pull_home(const PackingProblem& problem, Arrangement& arrangement, const std::vector<Vec2>& homes,
                Contacts& contacts);

@@ -17,7 +17,7 @@ struct GridPoint {
     std::int32_t x = 0;
     std::int32_t y = 0;
 
-    friend bool operator==(const GridPoint&, const GridPoint&) = default;
+    bool operator==(const GridPoint&) const = default;
 };
 
 using GridPolygon = std::vector<GridPoint>;

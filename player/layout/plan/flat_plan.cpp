@@ -229,12 +229,15 @@ class FlatPlan {
     Arrangement with_gaps_filled(PackingProblem& problem, const Arrangement& arrangement,
                                  std::vector<Vec2> homes) {
         if (!request_.fills) return arrangement;
-        const FillingTargets targets{.frames = frames_of(request_, problem),
-                                     .natural = natural_scales(items_of(request_), problem.shapes),
-                                     .homes = std::move(homes)};
         SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
                             watch_.should_stop);
-        return fill_gaps(problem, targets, arrangement, random_, budget);
+        return fill_gaps(problem, filling_targets(problem, std::move(homes)), arrangement, random_, budget);
+    }
+
+    FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {
+        return {.frames = frames_of(request_, problem),
+                .natural = natural_scales(items_of(request_), problem.shapes),
+                .homes = std::move(homes)};
     }
 
     const PlanRequest& request_;  // outlives this

@@ -12,7 +12,6 @@ namespace vitrine::player {
 namespace {
 
 constexpr double max_apart = 2;  // quotient of a scale and the natural one
-constexpr double pull = 0.05;    // loss per px from home
 constexpr int patience = 4;      // rounds of separation without less overlap
 constexpr double newcomer_shrink = 0.93;
 constexpr double first_common_shrink = 0.02;  // share of the scale; each further one is larger
@@ -174,7 +173,7 @@ class WarmStart {
 
     /// Newcomers make themselves small, then the items that are in each other's way, then all.
     bool separate(Arrangement& arrangement, const std::vector<Vec2>& homes) {
-        const SeparationStyle style{.roams = false, .homes = homes, .pull = pull};
+        const SeparationStyle style = calm_style(homes);
         Separation separation(problem_, contacts_, random_);
         const std::vector<Vec2> starts = arrangement.places;
         constexpr int from_all = shrinks_of_newcomers + shrinks_of_colliding;
