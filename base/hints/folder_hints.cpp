@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <stdexcept>
 
 namespace vitrine {
@@ -16,52 +17,50 @@ namespace {
 
 constexpr int current_version = 1;
 
+Json to_json(const HintValue& value) {
+    return std::visit([](const auto& one) { return Json(one); }, value);
+}
+
+std::optional<HintValue> value_of(const Json& json) {
+    if (json.is_boolean()) return HintValue(json.get<bool>());
+    if (json.is_number_integer()) return HintValue(json.get<std::int64_t>());
+    if (json.is_string()) return HintValue(json.get<std::string>());
+    return std::nullopt;
+}
+
 Json to_object(const std::string& folder, const Hints& hints) {
     Json object{{"folder", folder}};
     if (!is_utf8(folder)) object["folder_hex"] = to_hex(folder);
-    if (hints.period) object["period"] = to_text(*hints.period);
-    if (hints.hours) object["hours"] = to_text(*hints.hours);
-    if (hints.dwell) object["seconds"] = hints.dwell->count();
-    if (hints.repeat) object["repeat"] = *hints.repeat;
-    if (hints.sound) object["sound"] = *hints.sound;
+    for (const HintWord& word : hint_words())
+        if (const auto value = word.value(hints)) object[std::string(word.key)] = to_json(*value);
     return object;
 }
 
-template <typename T> std::optional<T> known(std::optional<T> value, const char* key) {
-    if (!value) throw std::runtime_error(fmt::format("hints: '{}' is not understood", key));
-    return value;
-}
-
-std::optional<int> number_in(const Json& object, const char* key, int most) {
-    const int value = object.at(key).get<int>();
-    return known(value >= 1 && value <= most ? std::optional(value) : std::nullopt, key);
-}
-
+/// @throws std::runtime_error naming the key at fault
 Hints hints_in(const Json& object) {
     Hints hints;
-    if (object.contains("period"))
-        hints.period = known(period_named(object.at("period").get<std::string>()), "period");
-    if (object.contains("hours"))
-        hints.hours = known(hours_named(object.at("hours").get<std::string>()), "hours");
-    if (object.contains("seconds"))
-        hints.dwell = std::chrono::seconds(*number_in(object, "seconds", most_dwell_seconds));
-    if (object.contains("repeat")) hints.repeat = number_in(object, "repeat", most_repeats);
-    if (object.contains("sound")) hints.sound = object.at("sound").get<bool>();
+    for (const HintWord& word : hint_words()) {
+        const auto found = object.find(std::string(word.key));
+        if (found == object.end()) continue;
+        const auto value = value_of(*found);
+        if (!value || !word.assign(hints, *value))
+            throw std::runtime_error(fmt::format("hints: '{}' is not understood", word.key));
+    }
     return hints;
 }
 
 }  // namespace
 
 Hints hints_of(std::string_view path, const FolderHints& folders) {
-    const auto folder_says = [&](std::string_view folder) {
+    const auto said_by = [&](std::string_view folder) {
         const auto found = folders.find(std::string(folder));
         return found == folders.end() ? Hints{} : found->second;
     };
-    Hints hints = folder_says("");
+    Hints hints = said_by("");
     std::size_t begin = 0;
     for (std::size_t end; (end = path.find('/', begin)) != std::string_view::npos; begin = end + 1) {
         hints = merged(hints, hints_in_name(path.substr(begin, end - begin), NamePart::folder));
-        hints = merged(hints, folder_says(path.substr(0, end)));
+        hints = merged(hints, said_by(path.substr(0, end)));
     }
     return merged(hints, hints_in_name(path.substr(begin), NamePart::file));
 }
@@ -78,7 +77,7 @@ FolderHints folder_hints_from_json(std::string_view text) {
     try {
         const Json json = Json::parse(text);
         if (json.at("version").get<int>() != current_version)
-            throw std::runtime_error("hints: of another version");
+            throw std::runtime_error("hints: the version is not known");
         FolderHints folders;
         for (const Json& object : json.at("folders")) {
             std::string folder = object.at("folder").get<std::string>();

@@ -8,18 +8,19 @@
 
 namespace vitrine {
 
-/// What the files `.vitrine.toml` say, by the folder's path below the media folder, "" being that itself.
+/// The hints of the files `.vitrine.toml` by the path of the folder below the media folder; "" is the media
+/// folder.
 using FolderHints = std::map<std::string, Hints>;
 
-/// All that is said of one file: by the folders from the outermost on, each by its name and then by its
-/// `.vitrine.toml`, and at last by the file's own name. What is said later counts.
+/// The hints of one file. They come from the folders, the outermost first, each by its name and then by its
+/// `.vitrine.toml`, and last from the file's own name. Later hints count.
 /// @param path  below the media folder, '/' between folders, any bytes
 Hints hints_of(std::string_view path, const FolderHints& folders);
 
-/// STATE/hints.json, by which the analyzer tells the player (docs/catalogue.md).
+/// The content of STATE/hints.json, which the analyzer writes for the player (docs/catalogue.md).
 std::string to_json(const FolderHints& folders);
 
-/// @throws std::runtime_error where the text is not of that form
+/// @throws std::runtime_error if the text has another form
 FolderHints folder_hints_from_json(std::string_view text);
 
 }  // namespace vitrine

@@ -8,17 +8,17 @@
 
 namespace vitrine {
 
-/// The name of a folder's own file of hints.
+/// The name of a folder's file of hints.
 constexpr std::string_view hint_file_name = ".vitrine.toml";
 
-/// What it says, and what is wrong with it. What is right counts all the same.
+/// The content of a folder's file of hints. A fault in one line leaves the hints of the others in force.
 struct HintFile {
     Hints hints;
-    std::vector<std::string> faults;  // file, line, what is allowed
+    std::vector<std::string> faults;  // each with file, line and allowed values
 };
 
-/// Reads the keys period, hours, seconds, repeat and sound.
-/// @param source  what the faults call the text
+/// Reads a key for each hint of hint_words().
+/// @param source  name of the text in the faults
 HintFile read_hints(std::string_view toml, const std::string& source);
 
 }  // namespace vitrine

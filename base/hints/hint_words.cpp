@@ -1,14 +1,17 @@
 #include "base/hints/hint_words.hpp"
 
+#include "base/hints/hint_times.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <utility>
+#include <array>
 
 namespace vitrine {
 
 namespace {
 
 constexpr std::string_view separators = " _";
-constexpr int minutes_of_day = 24 * 60;
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -16,70 +19,6 @@ bool is_digit(char c) {
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-/// Of so many digits and nothing else; at most nine.
-std::optional<int> number(std::string_view text, std::size_t least, std::size_t most) {
-    if (text.size() < least || text.size() > most || !std::all_of(text.begin(), text.end(), is_digit))
-        return std::nullopt;
-    int value = 0;
-    for (const char c : text)
-        value = value * 10 + (c - '0');
-    return value;
-}
-
-/// "20s": from 1 to `most`, without a zero before it.
-std::optional<int> counted(std::string_view word, char unit, int most) {
-    if (word.empty() || word.back() != unit || word.front() == '0') return std::nullopt;
-    const auto value = number(word.substr(0, word.size() - 1), 1, 5);
-    return value && *value <= most ? value : std::nullopt;
-}
-
-std::optional<std::chrono::local_days> date_named(std::string_view text) {
-    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
-    const auto year = number(text.substr(0, 4), 4, 4);
-    const auto month = number(text.substr(5, 2), 2, 2);
-    const auto day = number(text.substr(8, 2), 2, 2);
-    if (!year || !month || !day) return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(*year),
-                                           std::chrono::month(static_cast<unsigned>(*month)),
-                                           std::chrono::day(static_cast<unsigned>(*day))};
-    if (!date.ok()) return std::nullopt;
-    return std::chrono::local_days(date);
-}
-
-struct DayTime {
-    int minutes = 0;
-    bool is_to_the_minute = false;
-};
-
-std::optional<DayTime> time_named(std::string_view text) {
-    const auto hours = number(text.substr(0, 2), 2, 2);
-    if (!hours) return std::nullopt;
-    if (text.size() == 2 && *hours <= 24) return DayTime{.minutes = *hours * 60};
-    if (text.size() != 5 || (text[2] != ':' && text[2] != '.')) return std::nullopt;
-    const auto minutes = number(text.substr(3), 2, 2);
-    if (!minutes || *minutes >= 60) return std::nullopt;
-    const int time = *hours * 60 + *minutes;
-    if (time > minutes_of_day) return std::nullopt;
-    return DayTime{.minutes = time, .is_to_the_minute = true};
-}
-
-struct TimeSpan {
-    DayTime from, to;
-};
-
-std::optional<TimeSpan> span_named(std::string_view text) {
-    const std::size_t dash = text.find('-');
-    if (dash == std::string_view::npos) return std::nullopt;
-    const auto from = time_named(text.substr(0, dash));
-    const auto to = time_named(text.substr(dash + 1));
-    if (!from || !to || from->minutes == to->minutes || from->minutes == minutes_of_day) return std::nullopt;
-    return TimeSpan{*from, *to};
-}
-
-Hours hours_of(const TimeSpan& span) {
-    return {.from = std::chrono::minutes(span.from.minutes), .to = std::chrono::minutes(span.to.minutes)};
 }
 
 std::string_view without_extension(std::string_view name) {
@@ -93,26 +32,51 @@ std::string_view without_extension(std::string_view name) {
     return is_one ? name.substr(0, dot) : name;
 }
 
-/// Takes the next word off. Empty at the end.
-std::string_view take_word(std::string_view& rest) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(separators), rest.size()));
-    const std::string_view word = rest.substr(0, rest.find_first_of(separators));
-    rest.remove_prefix(word.size());
-    return word;
+/// Parses "20s": a number from 1 to `max` without a leading zero, then the unit.
+std::optional<int> number_with_unit(std::string_view word, char unit, int max) {
+    constexpr std::size_t max_digits = 5;
+    if (word.empty() || word.back() != unit || word.front() == '0') return std::nullopt;
+    word.remove_suffix(1);
+    if (word.empty() || word.size() > max_digits || !std::all_of(word.begin(), word.end(), is_digit))
+        return std::nullopt;
+    int value = 0;
+    for (const char c : word)
+        value = value * 10 + (c - '0');
+    return value <= max ? std::optional(value) : std::nullopt;
 }
 
-/// Sets what was not said yet.
-template <typename T> bool say(std::optional<T>& kind, std::optional<T> value) {
-    if (!value || kind) return false;
-    kind = std::move(value);
-    return true;
+std::optional<int> number_in(const HintValue& value, int max) {
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (number == nullptr || *number < 1 || *number > max) return std::nullopt;
+    return static_cast<int>(*number);
 }
 
-/// "from 2026-12-01", "until 2026-12-24"; both together where they follow each other.
-bool take_bound(Hints& hints, std::string_view word, std::string_view& rest) {
+std::string_view text_in(const HintValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    return text != nullptr ? std::string_view(*text) : std::string_view();
+}
+
+/// Sets a member from a value. @return  false if there is no value
+template <typename T> bool assigned(std::optional<T>& member, const std::optional<T>& value) {
+    if (value) member = value;
+    return value.has_value();
+}
+
+/// Sets a member that has not been said yet from a word. @return  false if there is no value, or it was said
+/// before
+template <typename T> bool said(std::optional<T>& member, const std::optional<T>& value) {
+    return !member && assigned(member, value);
+}
+
+template <auto member> void merge(Hints& outer, const Hints& inner) {
+    if (inner.*member) outer.*member = inner.*member;
+}
+
+/// Reads "from 2026-12-01" and "until 2026-12-24", also both after each other.
+bool read_bound(Hints& hints, std::string_view word, NameWords& words) {
     if (word != "from" && word != "until") return false;
-    std::string_view after = rest;
-    const auto day = date_named(take_word(after));
+    NameWords after = words;
+    const auto day = date_named(after.next());
     if (!day) return false;
     Period period = hints.period.value_or(Period{});
     std::optional<std::chrono::local_days>& side = word == "from" ? period.first : period.last;
@@ -120,52 +84,133 @@ bool take_bound(Hints& hints, std::string_view word, std::string_view& rest) {
     side = day;
     if (period.first && period.last && *period.first > *period.last) return false;
     hints.period = period;
-    rest = after;
+    words = after;
     return true;
 }
 
-bool take_hours(Hints& hints, std::string_view word, NamePart part) {
-    const auto span = span_named(word);
-    if (!span) return false;
-    if (part == NamePart::file && !(span->from.is_to_the_minute && span->to.is_to_the_minute)) return false;
-    return say(hints.hours, std::optional(hours_of(*span)));
+std::string period_in_words(const Hints& hints) {
+    const Period& period = *hints.period;
+    if (period.first && period.first == period.last) return "on " + to_text(period.first);
+    if (period.first && period.last) return "from " + to_text(period.first) + " to " + to_text(period.last);
+    return period.first ? "from " + to_text(period.first) : "until " + to_text(period.last);
 }
 
-bool take(Hints& hints, std::string_view word, std::string_view& rest, NamePart part) {
-    if (word == "mute" || word == "sound") return say(hints.sound, std::optional(word == "sound"));
-    if (const auto seconds = counted(word, 's', most_dwell_seconds))
-        return say(hints.dwell, std::optional(std::chrono::seconds(*seconds)));
-    if (const auto times = counted(word, 'x', most_repeats)) return say(hints.repeat, times);
-    return say(hints.period, period_named(word)) || take_hours(hints, word, part) ||
-           take_bound(hints, word, rest);
+constexpr HintWord period_word{
+    .key = "period",
+    .allowed = R"(days like "2026-12-01..2026-12-24", "2026-12-01.." or "..2026-12-24")",
+    .assign = [](Hints& h, const HintValue& v) { return assigned(h.period, period_named(text_in(v))); },
+    .value = [](const Hints& h) -> std::optional<HintValue> {
+        return h.period ? std::optional(to_text(*h.period)) : std::nullopt;
+    },
+    .read = [](Hints& h, std::string_view word,
+               NameWords& words) { return said(h.period, period_named(word)) || read_bound(h, word, words); },
+    .in_words = &period_in_words,
+    .merge = &merge<&Hints::period>};
+
+constexpr HintWord hours_word{
+    .key = "hours",
+    .allowed = R"(times like "08-18", "22-06" or "08:30-18:00")",
+    .assign = [](Hints& h, const HintValue& v) { return assigned(h.hours, hours_named(text_in(v))); },
+    .value = [](const Hints& h) -> std::optional<HintValue> {
+        return h.hours ? std::optional(to_text(*h.hours)) : std::nullopt;
+    },
+    .read =
+        [](Hints& h, std::string_view word, NameWords& words) {
+            const bool is_file = words.part == NamePart::file;
+            return said(h.hours, hours_named(word, is_file ? TimePrecision::minute : TimePrecision::hour));
+        },
+    .in_words =
+        [](const Hints& h) { return "from " + to_text(h.hours->from) + " to " + to_text(h.hours->to); },
+    .merge = &merge<&Hints::hours>};
+
+std::optional<std::chrono::seconds> seconds_of(std::optional<int> number) {
+    return number ? std::optional(std::chrono::seconds(*number)) : std::nullopt;
 }
+
+constexpr HintWord seconds_word{
+    .key = "seconds",
+    .allowed = "a whole number from 1 to 86400",
+    .assign =
+        [](Hints& h, const HintValue& v) {
+            return assigned(h.dwell, seconds_of(number_in(v, max_dwell_seconds)));
+        },
+    .value = [](const Hints& h) -> std::optional<HintValue> {
+        return h.dwell ? std::optional(std::int64_t{h.dwell->count()}) : std::nullopt;
+    },
+    .read =
+        [](Hints& h, std::string_view word, NameWords& /*words*/) {
+            return said(h.dwell, seconds_of(number_with_unit(word, 's', max_dwell_seconds)));
+        },
+    .in_words = [](const Hints& h) { return fmt::format("for {} seconds", h.dwell->count()); },
+    .merge = &merge<&Hints::dwell>};
+
+constexpr HintWord repeat_word{
+    .key = "repeat",
+    .allowed = "a whole number from 1 to 20",
+    .assign = [](Hints& h, const HintValue& v) { return assigned(h.repeat, number_in(v, max_repeats)); },
+    .value = [](const Hints& h) -> std::optional<HintValue> {
+        return h.repeat ? std::optional(std::int64_t{*h.repeat}) : std::nullopt;
+    },
+    .read = [](Hints& h, std::string_view word,
+               NameWords& /*words*/) { return said(h.repeat, number_with_unit(word, 'x', max_repeats)); },
+    .in_words = [](const Hints& h) { return fmt::format("{} times as often", *h.repeat); },
+    .merge = &merge<&Hints::repeat>};
+
+constexpr HintWord sound_word{
+    .key = "sound",
+    .allowed = "true or false",
+    .assign =
+        [](Hints& h, const HintValue& v) {
+            const bool* is_on = std::get_if<bool>(&v);
+            return is_on != nullptr && assigned(h.sound, std::optional(*is_on));
+        },
+    .value = [](const Hints& h) -> std::optional<HintValue> { return h.sound; },
+    .read =
+        [](Hints& h, std::string_view word, NameWords& /*words*/) {
+            return (word == "sound" || word == "mute") && said(h.sound, std::optional(word == "sound"));
+        },
+    .in_words = [](const Hints& h) { return std::string(*h.sound ? "with sound" : "without sound"); },
+    .merge = &merge<&Hints::sound>};
+
+constexpr std::array table{period_word, hours_word, seconds_word, repeat_word, sound_word};
 
 }  // namespace
 
-std::optional<Period> period_named(std::string_view text) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string_view::npos) return std::nullopt;
-    const std::string_view before = text.substr(0, dots);
-    const std::string_view after = text.substr(dots + 2);
-    const Period period{.first = date_named(before), .last = date_named(after)};
-    if (before.empty() && after.empty()) return std::nullopt;
-    if ((!before.empty() && !period.first) || (!after.empty() && !period.last)) return std::nullopt;
-    if (period.first && period.last && *period.first > *period.last) return std::nullopt;
-    return period;
+std::string_view NameWords::next() {
+    rest.remove_prefix(std::min(rest.find_first_not_of(separators), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(separators));
+    rest.remove_prefix(word.size());
+    return word;
 }
 
-std::optional<Hours> hours_named(std::string_view text) {
-    const auto span = span_named(text);
-    if (!span) return std::nullopt;
-    return hours_of(*span);
+std::span<const HintWord> hint_words() {
+    return table;
 }
 
 Hints hints_in_name(std::string_view name, NamePart part) {
-    std::string_view rest = part == NamePart::file ? without_extension(name) : name;
+    NameWords words{.rest = part == NamePart::file ? without_extension(name) : name, .part = part};
     Hints hints;
-    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
-        if (!take(hints, word, rest, part)) break;
+    const auto reads = [&](std::string_view word) {
+        return std::any_of(table.begin(), table.end(),
+                           [&](const HintWord& one) { return one.read(hints, word, words); });
+    };
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+        if (!reads(word)) break;
     return hints;
+}
+
+Hints merged(const Hints& outer, const Hints& inner) {
+    Hints hints = outer;
+    for (const HintWord& word : table)
+        word.merge(hints, inner);
+    return hints;
+}
+
+std::string in_words(const Hints& hints) {
+    std::string text;
+    for (const HintWord& word : table)
+        if (word.value(hints)) text += (text.empty() ? "" : ", ") + word.in_words(hints);
+    return text;
 }
 
 }  // namespace vitrine

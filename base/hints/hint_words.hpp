@@ -2,34 +2,60 @@
 
 #include "base/hints/hints.hpp"
 
-#include <optional>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
-
-// How hints are written. A word counts only where it is exactly one of these; everything else is a name.
-//
-//     2026-12-01..2026-12-24   2026-12-01..   ..2026-12-24   from 2026-12-01   until 2026-12-24
-//     08-18   22-06   08:30-18:00   08.30-18.00
-//     20s   3x   mute   sound
+#include <variant>
 
 namespace vitrine {
 
-constexpr int most_dwell_seconds = 86400;
-constexpr int most_repeats = 20;
+constexpr int max_dwell_seconds = 86400;
+constexpr int max_repeats = 20;
 
-/// Dates that exist, the first not after the last. Nothing where it is none.
-std::optional<Period> period_named(std::string_view text);
-
-/// Two digits for hours, after ':' or '.' two for minutes; until "24" at most. Nothing where both are the
-/// same.
-std::optional<Hours> hours_named(std::string_view text);
-
+/// The name that is read: of a folder, or of a file with its extension.
 enum class NamePart { folder, file };
 
-/// The hints that a name begins with, divided by spaces or '_'. They end at the first word that is none, or
-/// whose kind was there before. An extension does not count.
-///
-/// "12-14 team.jpg" is no hint: in the names of files hours need their minutes.
+/// The words of a name that have not been read yet. Words are divided by spaces or '_'.
+struct NameWords {
+    std::string_view rest;
+    NamePart part = NamePart::folder;
+
+    /// Removes the next word and returns it; empty at the end.
+    std::string_view next();
+};
+
+/// A value in `.vitrine.toml` or hints.json.
+using HintValue = std::variant<bool, std::int64_t, std::string>;
+
+/// One hint. A new hint needs its member of Hints, its entry in the table of hint_words.cpp, its user, and
+/// its line in the operator's document.
+struct HintWord {
+    std::string_view key;      // in `.vitrine.toml` and hints.json
+    std::string_view allowed;  // the values that may stand there, in words
+
+    bool (*assign)(Hints&, const HintValue&);                 // false: the value is not allowed
+    std::optional<HintValue> (*value)(const Hints&);          // nothing: not said
+    bool (*read)(Hints&, std::string_view word, NameWords&);  // false: the word is another hint or a name, or
+                                                              // the hint was said before
+    std::string (*in_words)(const Hints&);            // for the operator; only if the hint is said
+    void (*merge)(Hints& outer, const Hints& inner);  // the inner one counts, if it is said
+};
+
+/// All hints, in the order in which files and sentences list them.
+std::span<const HintWord> hint_words();
+
+/// The hints that a name begins with. They end at the first word that is no hint or a repeated one. The
+/// extension of a file does not count. "12-14 team.jpg" has no hint: in the names of files hours need their
+/// minutes.
 /// @param name  one folder or file without its path, any bytes
 Hints hints_in_name(std::string_view name, NamePart part);
+
+/// The hints of something inside something else: of each kind the inner one counts.
+Hints merged(const Hints& outer, const Hints& inner);
+
+/// A sentence part for the operator: "from 2026-12-01 to 2026-12-24, from 08:00 to 18:00, for 20 seconds, 3
+/// times as often". Empty for no hints.
+std::string in_words(const Hints& hints);
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
 #include "base/hints/folder_hints.hpp"
 #include "base/hints/hint_file.hpp"
+#include "base/hints/hint_times.hpp"
 #include "base/hints/hint_words.hpp"
 
 #include <cstdint>
@@ -19,8 +20,8 @@ void require(bool is_so) {
 /// What is read is within its limits, and is read again as it is written.
 void require_sound(const Hints& hints) {
     using namespace std::chrono_literals;
-    if (hints.dwell) require(*hints.dwell >= 1s && *hints.dwell <= std::chrono::seconds(most_dwell_seconds));
-    if (hints.repeat) require(*hints.repeat >= 1 && *hints.repeat <= most_repeats);
+    if (hints.dwell) require(*hints.dwell >= 1s && *hints.dwell <= std::chrono::seconds(max_dwell_seconds));
+    if (hints.repeat) require(*hints.repeat >= 1 && *hints.repeat <= max_repeats);
     if (hints.period) require(period_named(to_text(*hints.period)) == hints.period);
     if (hints.hours) {
         require(hours_named(to_text(*hints.hours)) == hints.hours);

@@ -1,3 +1,4 @@
+#include "base/hints/hint_times.hpp"
 #include "base/hints/hint_words.hpp"
 
 #include <doctest/doctest.h>
@@ -126,7 +127,7 @@ TEST_CASE("whatever bytes a name has, what is taken of it can be written and rea
             if (hints.hours) CHECK(hours_named(to_text(*hints.hours)) == hints.hours);
             if (hints.period) CHECK(period_named(to_text(*hints.period)) == hints.period);
             if (hints.dwell) CHECK((*hints.dwell >= 1s && *hints.dwell <= 24h));
-            if (hints.repeat) CHECK((*hints.repeat >= 1 && *hints.repeat <= most_repeats));
+            if (hints.repeat) CHECK((*hints.repeat >= 1 && *hints.repeat <= max_repeats));
         }
     }
     CHECK(taken > 100);

@@ -1,0 +1,96 @@
+#include "base/hints/hint_times.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int minutes_of_day = 24 * 60;
+
+/// Parses exactly `digits` digits.
+std::optional<int> digits_named(std::string_view text, std::size_t digits) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (text.size() != digits || !std::all_of(text.begin(), text.end(), is_digit)) return std::nullopt;
+    int value = 0;
+    for (const char c : text)
+        value = value * 10 + (c - '0');
+    return value;
+}
+
+struct DayTime {
+    int minutes = 0;
+    TimePrecision precision = TimePrecision::hour;
+};
+
+std::optional<DayTime> time_named(std::string_view text) {
+    const auto hours = digits_named(text.substr(0, 2), 2);
+    if (!hours) return std::nullopt;
+    if (text.size() == 2 && *hours <= 24) return DayTime{.minutes = *hours * 60};
+    if (text.size() != 5 || (text[2] != ':' && text[2] != '.')) return std::nullopt;
+    const auto minutes = digits_named(text.substr(3), 2);
+    if (!minutes || *minutes >= 60) return std::nullopt;
+    const int time = *hours * 60 + *minutes;
+    if (time > minutes_of_day) return std::nullopt;
+    return DayTime{.minutes = time, .precision = TimePrecision::minute};
+}
+
+}  // namespace
+
+std::optional<std::chrono::local_days> date_named(std::string_view text) {
+    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
+    const auto year = digits_named(text.substr(0, 4), 4);
+    const auto month = digits_named(text.substr(5, 2), 2);
+    const auto day = digits_named(text.substr(8, 2), 2);
+    if (!year || !month || !day) return std::nullopt;
+    const std::chrono::year_month_day date{std::chrono::year(*year),
+                                           std::chrono::month(static_cast<unsigned>(*month)),
+                                           std::chrono::day(static_cast<unsigned>(*day))};
+    if (!date.ok()) return std::nullopt;
+    return std::chrono::local_days(date);
+}
+
+std::optional<Period> period_named(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    const std::string_view before = text.substr(0, dots);
+    const std::string_view after = text.substr(dots + 2);
+    const Period period{.first = date_named(before), .last = date_named(after)};
+    if (before.empty() && after.empty()) return std::nullopt;
+    if ((!before.empty() && !period.first) || (!after.empty() && !period.last)) return std::nullopt;
+    if (period.first && period.last && *period.first > *period.last) return std::nullopt;
+    return period;
+}
+
+std::optional<Hours> hours_named(std::string_view text, TimePrecision least) {
+    const std::size_t dash = text.find('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    const auto from = time_named(text.substr(0, dash));
+    const auto to = time_named(text.substr(dash + 1));
+    if (!from || !to || from->precision < least || to->precision < least) return std::nullopt;
+    if (from->minutes == to->minutes || from->minutes == minutes_of_day) return std::nullopt;
+    return Hours{.from = std::chrono::minutes(from->minutes), .to = std::chrono::minutes(to->minutes)};
+}
+
+std::string to_text(const std::optional<std::chrono::local_days>& day) {
+    if (!day) return {};
+    const std::chrono::year_month_day date(*day);
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                       static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+}
+
+std::string to_text(const Period& period) {
+    return to_text(period.first) + ".." + to_text(period.last);
+}
+
+std::string to_text(std::chrono::minutes time_of_day) {
+    return fmt::format("{:02}:{:02}", time_of_day.count() / 60, time_of_day.count() % 60);
+}
+
+std::string to_text(const Hours& hours) {
+    return to_text(hours.from) + "-" + to_text(hours.to);
+}
+
+}  // namespace vitrine

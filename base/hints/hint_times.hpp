@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/hints/hints.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+// Periods and hours as text.
+
+/// Parses "2026-12-24". @return  nothing if there is no such date
+std::optional<std::chrono::local_days> date_named(std::string_view text);
+
+/// Parses "2026-12-01..2026-12-24", "2026-12-01.." or "..2026-12-24".
+/// @return  nothing for other texts, for dates that do not exist, and if the first is after the last
+std::optional<Period> period_named(std::string_view text);
+
+/// The digits that each time must have.
+enum class TimePrecision { hour, minute };
+
+/// Parses "08-18" or "08:30-18.00": two digits for the hours, at most "24", and two for the minutes after ':'
+/// or '.'.
+/// @param least  minute: each of the two times needs its minutes
+/// @return       nothing for other texts, and if both times are the same
+std::optional<Hours> hours_named(std::string_view text, TimePrecision least = TimePrecision::hour);
+
+/// "2026-12-24"; empty for no day.
+std::string to_text(const std::optional<std::chrono::local_days>& day);
+
+/// A text that period_named() reads: "2026-12-01..2026-12-24".
+std::string to_text(const Period& period);
+
+/// "08:00"
+std::string to_text(std::chrono::minutes time_of_day);
+
+/// A text that hours_named() reads: "08:00-18:30".
+std::string to_text(const Hours& hours);
+
+}  // namespace vitrine
