@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 constexpr int photo_side = 2880;                  // px: one and a half of a screen 1920 px wide
 constexpr std::uintmax_t small_photo = 3U << 20;  // bytes
 
-/// Formats that are read as fast as what would be made of them.
-bool is_plain_format(MediaFormat format) {
-    return format == MediaFormat::jpeg || format == MediaFormat::png || format == MediaFormat::webp;
-}
-
 /// Makes the file by `write`, which is given the name to write to, unless it is there or there is no room.
 template <typename Write>
 std::optional<StoredShot> stored(StoredShot place_of, const StorePlace& place, const Write& write) {
@@ -61,7 +56,7 @@ std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& 
     std::error_code unknown;  // then it is as large as can be
     const bool is_small = longest <= photo_side && fs::file_size(file, unknown) <= small_photo;
     StoredShot place_of{.file = place.id + "/photo", .width = size.width, .height = size.height};
-    if (is_small && is_plain_format(media_format(file))) return copied(file, std::move(place_of), place);
+    if (is_small && is_fast_to_decode(media_format(file))) return copied(file, std::move(place_of), place);
     const double scale = std::min(1.0, static_cast<double>(photo_side) / longest);
     place_of.width = std::max(1, static_cast<int>(std::lround(size.width * scale)));
     place_of.height = std::max(1, static_cast<int>(std::lround(size.height * scale)));

@@ -21,13 +21,28 @@ namespace {
 
 using namespace std::string_view_literals;
 
+/// The facts about one format that do not depend on a file.
+struct FormatRow {
+    MediaFormat format;
+    MediaKind kind = MediaKind::film;
+    bool is_fast_to_decode = false;
+};
+
+constexpr std::array formats{
+    FormatRow{MediaFormat::jpeg, MediaKind::photo, true}, FormatRow{MediaFormat::png, MediaKind::photo, true},
+    FormatRow{MediaFormat::webp, MediaKind::photo, true}, FormatRow{MediaFormat::heif, MediaKind::photo},
+    FormatRow{MediaFormat::gif, MediaKind::photo},        FormatRow{MediaFormat::tiff, MediaKind::photo},
+    FormatRow{MediaFormat::bmp, MediaKind::photo},
+};
+
+/// Bytes at a fixed place in the file that tell its format.
 struct Magic {
     std::size_t at;  // byte
     std::string_view bytes;
     MediaFormat format;
 };
 
-constexpr std::array shown{
+constexpr std::array magics{
     Magic{0, "\xff\xd8\xff"sv, MediaFormat::jpeg},
     Magic{0, "\x89PNG\r\n\x1a\n"sv, MediaFormat::png},
     Magic{8, "WEBPVP8"sv, MediaFormat::webp},
@@ -46,50 +61,50 @@ constexpr std::array shown{
     Magic{0, "\x06\x0e\x2b\x34\x02\x05\x01\x01"sv, MediaFormat::mxf},
 };
 
-struct Other {
+struct RejectedType {
     std::string_view bytes;  // at the start, letters in lower case
-    std::string_view what;
+    std::string_view name;
 };
 
 // Formats that refer to other files (playlists, drawings, pages) are never followed.
-constexpr std::array not_shown{
-    Other{"#extm3u", "a playlist; playlists are not played"},
-    Other{"ffconcat", "a playlist; playlists are not played"},
-    Other{"[playlist]", "a playlist; playlists are not played"},
-    Other{"#!", "a script, not a picture or film"},
-    Other{"v=0", "a network session description, not a film"},
-    Other{"<!doctype html", "a web page, not a picture or film"},
-    Other{"<html", "a web page, not a picture or film"},
-    Other{"<svg", "an SVG drawing; drawings are not shown"},
-    Other{"<!doctype svg", "an SVG drawing; drawings are not shown"},
-    Other{"%pdf", "a PDF document; documents are not shown"},
-    Other{"%!ps", "a PostScript document; documents are not shown"},
-    Other{"pk\3\4", "an archive (ZIP or an office document), not a picture or film"},
-    Other{"pk\5\6", "an empty ZIP archive, not a picture or film"},
-    Other{"7z\xbc\xaf", "a 7z archive, not a picture or film"},
-    Other{"rar!", "a RAR archive, not a picture or film"},
-    Other{"\x1f\x8b", "a compressed file, not a picture or film"},
-    Other{"\x7f"
-          "elf",
-          "a program, not a picture or film"},
-    Other{"mz", "a program, not a picture or film"},
-    Other{"id3", "only sound"},
-    Other{"flac", "only sound"},
-    Other{"\xff\x0a", "a JPEG XL picture; JPEG XL is not shown"},
-    Other{"8bps", "a Photoshop file; save it as JPEG or PNG"},
-    Other{"\0\0\0\x0cjxl "sv, "a JPEG XL picture; JPEG XL is not shown"},
-    Other{"\0\0\0\x0cjp  "sv, "a JPEG 2000 picture; JPEG 2000 is not shown"},
-    Other{"\0\0\1\xb3"sv, "a bare video stream; put it into an MP4 or MKV container"},
-    Other{"\0\0\0\1bud1"sv, "a file of macOS about a folder, not a picture or film"},
-    Other{"\0\0\0\1"sv, "a bare video stream; put it into an MP4 or MKV container"},
-    Other{"\0\5\x16\7"sv, "a file of macOS about another file, not a picture or film"},
+constexpr std::array rejected_types{
+    RejectedType{"#extm3u", "a playlist; playlists are not played"},
+    RejectedType{"ffconcat", "a playlist; playlists are not played"},
+    RejectedType{"[playlist]", "a playlist; playlists are not played"},
+    RejectedType{"#!", "a script, not a picture or film"},
+    RejectedType{"v=0", "a network session description, not a film"},
+    RejectedType{"<!doctype html", "a web page, not a picture or film"},
+    RejectedType{"<html", "a web page, not a picture or film"},
+    RejectedType{"<svg", "an SVG drawing; drawings are not shown"},
+    RejectedType{"<!doctype svg", "an SVG drawing; drawings are not shown"},
+    RejectedType{"%pdf", "a PDF document; documents are not shown"},
+    RejectedType{"%!ps", "a PostScript document; documents are not shown"},
+    RejectedType{"pk\3\4", "an archive (ZIP or an office document), not a picture or film"},
+    RejectedType{"pk\5\6", "an empty ZIP archive, not a picture or film"},
+    RejectedType{"7z\xbc\xaf", "a 7z archive, not a picture or film"},
+    RejectedType{"rar!", "a RAR archive, not a picture or film"},
+    RejectedType{"\x1f\x8b", "a compressed file, not a picture or film"},
+    RejectedType{"\x7f"
+                 "elf",
+                 "a program, not a picture or film"},
+    RejectedType{"mz", "a program, not a picture or film"},
+    RejectedType{"id3", "only sound"},
+    RejectedType{"flac", "only sound"},
+    RejectedType{"\xff\x0a", "a JPEG XL picture; JPEG XL is not shown"},
+    RejectedType{"8bps", "a Photoshop file; save it as JPEG or PNG"},
+    RejectedType{"\0\0\0\x0cjxl "sv, "a JPEG XL picture; JPEG XL is not shown"},
+    RejectedType{"\0\0\0\x0cjp  "sv, "a JPEG 2000 picture; JPEG 2000 is not shown"},
+    RejectedType{"\0\0\1\xb3"sv, "a bare video stream; put it into an MP4 or MKV container"},
+    RejectedType{"\0\0\0\1bud1"sv, "a file of macOS about a folder, not a picture or film"},
+    RejectedType{"\0\0\0\1"sv, "a bare video stream; put it into an MP4 or MKV container"},
+    RejectedType{"\0\5\x16\7"sv, "a file of macOS about another file, not a picture or film"},
 };
 
 bool has_at(std::string_view head, std::size_t at, std::string_view bytes) {
     return head.size() >= at + bytes.size() && head.substr(at, bytes.size()) == bytes;
 }
 
-// The type of an ISO base media file: pictures and films share the container and differ by brand.
+// The format of an ISO base media file. Photos and films share the container and differ by brand.
 std::optional<MediaFormat> iso_format(std::string_view head) {
     constexpr std::array film_boxes{"moov"sv, "mdat"sv, "free"sv, "skip"sv, "wide"sv, "pnot"sv, "styp"sv};
     if (std::ranges::any_of(film_boxes, [&](auto box) { return has_at(head, 4, box); }))
@@ -139,10 +154,10 @@ bool is_text(std::string_view head) {
     });
 }
 
-std::string what_instead(std::string_view head) {
+std::string reason_for_rejection(std::string_view head) {
     const std::string start = lower_start(head);
-    for (const Other& other : not_shown)
-        if (start.starts_with(other.bytes)) return fmt::format("this is {}", other.what);
+    for (const RejectedType& type : rejected_types)
+        if (start.starts_with(type.bytes)) return fmt::format("this is {}", type.name);
     if (has_at(head, 8, "WAVE")) return "this is only sound";
     if (start.find("<svg") != std::string::npos) return "this is an SVG drawing; drawings are not shown";
     if (start.find("<html") != std::string::npos) return "this is a web page, not a picture or film";
@@ -166,10 +181,20 @@ std::string read_head(int fd) {
     return head;
 }
 
+/// A format without a row is a container of films.
+FormatRow row_of(MediaFormat format) {
+    const auto row = std::ranges::find(formats, format, &FormatRow::format);
+    return row != formats.end() ? *row : FormatRow{.format = format};
+}
+
 }  // namespace
 
 MediaKind kind_of(MediaFormat format) {
-    return format < MediaFormat::mp4 ? MediaKind::photo : MediaKind::film;
+    return row_of(format).kind;
+}
+
+bool is_fast_to_decode(MediaFormat format) {
+    return row_of(format).is_fast_to_decode;
 }
 
 MediaFormat media_format(std::span<const std::byte> bytes) {
@@ -177,14 +202,14 @@ MediaFormat media_format(std::span<const std::byte> bytes) {
     if (!bytes.empty()) std::memcpy(text.data(), bytes.data(), bytes.size());
     const std::string_view head = text;
     if (head.empty()) throw MediaError(MediaState::waiting, "the file is empty");
-    for (const Magic& magic : shown)
+    for (const Magic& magic : magics)
         if (has_at(head, magic.at, magic.bytes)) return magic.format;
     if (const auto iso = iso_format(head)) return *iso;
     if (is_transport_stream(head)) return MediaFormat::mpeg_ts;
     if (is_bitmap(head)) return MediaFormat::bmp;
     if (std::ranges::all_of(head, [](char letter) { return letter == '\0'; }))
         throw MediaError(MediaState::waiting, "the copy is not complete: the file holds only zeros so far");
-    throw MediaError(MediaState::unsupported, what_instead(head));
+    throw MediaError(MediaState::unsupported, reason_for_rejection(head));
 }
 
 MediaFormat media_format(const std::string& path) {

@@ -8,7 +8,8 @@
 
 namespace vitrine {
 
-/// The formats that are shown: still pictures first, then film containers.
+/// The formats that are shown, photos and containers of films. media_type.cpp has the table of the photos and
+/// of the bytes by which each format is known.
 enum class MediaFormat {
     jpeg,
     png,
@@ -30,18 +31,21 @@ enum class MediaFormat {
 
 MediaKind kind_of(MediaFormat format);
 
-/// So many first bytes decide what a file is.
+/// A photo of this format is decoded as fast as the copy of it that the store would make.
+bool is_fast_to_decode(MediaFormat format);
+
+/// Number of bytes at the start of a file that decide its format.
 constexpr std::size_t media_head_bytes = 4096;
 
-/// What a file is by its first bytes, never by its name.
+/// The format of a file by its first bytes. The name of the file does not count.
 ///
 /// @param head  the first bytes of the file, up to media_head_bytes of them
-/// @throws MediaError unsupported or waiting, with what it is instead: "this is a web page, not a picture or
-/// film"
+/// @throws MediaError unsupported or waiting; the reason names what it is instead: "this is a web page, not a
+/// picture or film"
 MediaFormat media_format(std::span<const std::byte> head);
 
-/// The same of the file at `path`.
-/// @throws MediaError also where it is empty, no regular file or cannot be read
+/// The format of the file at `path`.
+/// @throws MediaError also if the file is empty, not a regular file, or cannot be read
 MediaFormat media_format(const std::string& path);
 
 }  // namespace vitrine
