@@ -71,7 +71,7 @@ void Operation::look(std::chrono::nanoseconds now) {
         items += stage->count();
     health_.see({.screens = screens, .is_away = parts_.display && parts_.display->is_away(), .items = items},
                 now);
-    if (health_.is_alive(now)) service::alive();
+    if (health_.is_alive(now)) service::feed_watchdog();
 }
 
 void Operation::tell(std::chrono::nanoseconds now) {

@@ -55,7 +55,7 @@ void Daemon::get_on() {
     const auto interval = service::watchdog_interval();
     const Schedule::Time now = EventLoop::Clock::now();
     if (!interval || (fed_ && now < *fed_ + *interval / 4)) return;
-    service::alive();
+    service::feed_watchdog();
     fed_ = now;
     watchdog_.arm(*interval / 2);  // what waits in the loop meanwhile comes first
 }

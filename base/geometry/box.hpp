@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// An axis-parallel rectangle; empty where max is not beyond min in both axes.
+/// An axis-parallel rectangle. It is empty if max is not beyond min in both axes.
 struct Box {
     Vec2 min;
     Vec2 max;

@@ -6,7 +6,7 @@ namespace vitrine {
 
 namespace {
 
-/// Walks sorted points and keeps those at which the walk turns counter-clockwise.
+/// Walks along sorted points and keeps the points at which the walk turns counter-clockwise.
 template <typename Iterator> void append_chain(Polygon& hull, Iterator first, Iterator last) {
     const std::size_t start = hull.size();
     for (; first != last; ++first) {

@@ -67,7 +67,7 @@ bool is_inside_convex(std::span<const Vec2> polygon, Vec2 point, double toleranc
 
 namespace {
 
-/// Keeps what lies on the side normal . p <= limit (Sutherland-Hodgman, one plane).
+/// Keeps the part on the side normal . p <= limit (Sutherland-Hodgman, one plane).
 Polygon clipped_by_plane(const Polygon& polygon, Vec2 normal, double limit) {
     Polygon result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -4,7 +4,7 @@
 
 namespace vitrine {
 
-/// A point or a displacement. x to the right, y down; the unit is said by whoever holds one.
+/// A point or a displacement, x to the right, y down. Each use names its unit.
 struct Vec2 {
     double x = 0;
     double y = 0;

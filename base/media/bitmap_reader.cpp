@@ -19,7 +19,7 @@ using Rgb = std::array<std::uint8_t, 3>;
 }
 
 struct Header {
-    std::uint32_t pixels_at = 0;  // byte of the file
+    std::uint32_t pixels_at = 0;  // byte in the file
     int width = 0;                // px
     int height = 0;
     bool bottom_up = true;
@@ -156,7 +156,7 @@ StillPicture read_bitmap(const std::string& path) {
     for (std::size_t line = 0; line < height; ++line) {
         file.read(row);
         if (picture.pixels.empty())
-            picture.pixels.resize(4 * width * height);  // not before a first row is there
+            picture.pixels.resize(4 * width * height);  // only now: a first row is there
         std::byte* out = picture.pixels.data() + 4 * width * (header.bottom_up ? height - 1 - line : line);
         for (std::size_t x = 0; x < width; ++x) {
             for (const std::uint8_t value : pixel_at(header, row, x))

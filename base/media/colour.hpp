@@ -7,7 +7,7 @@
 
 namespace vitrine {
 
-/// 8-bit sRGB.
+/// A colour in 8-bit sRGB.
 struct Colour {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -16,7 +16,7 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// The colour that is written "#rrggbb", in digits of either case; nothing for any other text.
+/// Parses "#rrggbb" with digits of either case. @return  nothing for any other text
 inline std::optional<Colour> colour_named(std::string_view text) {
     constexpr int hexadecimal = 16;
     if (text.size() != 7 || text.front() != '#') return std::nullopt;

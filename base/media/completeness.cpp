@@ -16,11 +16,10 @@ namespace vitrine {
 
 namespace {
 
-constexpr int max_boxes = 100'000;                // walked at the top level of one file
-constexpr std::uint64_t slack = 8;                // bytes that sloppy writers promise too much
-constexpr std::uint64_t trailing_zeros = 65'536;  // bytes: padding that a sparse copy may leave out
-constexpr std::uint64_t unlimited = std::uint64_t{1}
-                                    << 62;  // larger sizes are nonsense: kept from overflowing
+constexpr int max_boxes = 100'000;                // that are read at the top level of one file
+constexpr std::uint64_t slack = 8;                // bytes that sloppy writers declare too much
+constexpr std::uint64_t trailing_zeros = 65'536;  // bytes of padding that a sparse copy may leave out
+constexpr std::uint64_t unlimited = std::uint64_t{1} << 62;  // larger sizes are nonsense and would overflow
 
 template <std::size_t N>
 std::uint64_t big_endian(const std::array<std::uint8_t, N>& bytes, std::size_t from, int count) {
@@ -43,7 +42,7 @@ bool is_name(const std::array<std::uint8_t, N>& bytes, std::size_t from, const c
     return std::memcmp(bytes.data() + from, name, 4) == 0;
 }
 
-// ISO base media: boxes of size and type follow each other to the end of the file.
+// ISO base media: boxes with size and type follow each other to the end of the file.
 FileExtent iso_extent(const FileBytes& file, const char* index) {
     FileExtent extent{.present = file.size(), .declared = 0, .has_index = false};
     std::uint64_t offset = 0;
@@ -59,7 +58,7 @@ FileExtent iso_extent(const FileBytes& file, const char* index) {
         const bool named = std::all_of(head->begin() + 4, head->begin() + 8, [](auto c) { return c >= 32; });
         if (size == 1) size = big_endian(*head, 8, 8);
         if (is_name(*head, 4, index)) extent.has_index = true;
-        if (!named || size < 8) return extent;  // "to the end", or no box any more
+        if (!named || size < 8) return extent;  // the box reaches to the end, or this is no box
         extent.declared = offset + std::min(size, unlimited);
         if (extent.declared >= file.size()) return extent;
         offset = extent.declared;
@@ -76,14 +75,14 @@ FileExtent riff_extent(const FileBytes& file) {
         if (!head || !is_name(*head, 0, "RIFF")) return extent;
         const std::uint64_t size = little_endian(*head, 4, 4);
         if (size == 0 || size == std::numeric_limits<std::uint32_t>::max())
-            return extent;  // written while recording
+            return extent;  // a recording writes the size at its end
         extent.declared = offset + 8 + size;
         offset = extent.declared + (size & 1);
     }
     return extent;
 }
 
-// Matroska: the EBML header, then a segment that says its size, or that it does not know it.
+// Matroska: the EBML header, then a segment with its size or the mark of an unknown size.
 FileExtent matroska_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     constexpr std::uint64_t segment = 0x18538067;
@@ -108,7 +107,7 @@ FileExtent matroska_extent(const FileBytes& file) {
     return extent;
 }
 
-// PNG: chunks up to IEND; what follows it does not matter.
+// PNG: chunks up to IEND; data behind it does not matter.
 FileExtent png_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     std::uint64_t offset = 8;
@@ -130,12 +129,12 @@ FileExtent png_extent(const FileBytes& file) {
     return extent;
 }
 
-// The numbers of a TIFF file, which says by its first letter in which order their bytes stand.
+// Reads the numbers of a TIFF file. The first letter of the file tells the order of their bytes.
 class TiffNumbers {
   public:
     TiffNumbers(const FileBytes& file, bool big) : file_(file), big_(big) {}
 
-    /// Nothing where it lies beyond the end. @param count  bytes, up to 8
+    /// A number; nothing if it lies beyond the end. @param count  bytes, up to 8
     std::optional<std::uint64_t> at(std::uint64_t offset, std::uint64_t count) const {
         if (offset > file_.size() || offset + count > file_.size()) return std::nullopt;
         std::uint64_t value = 0;
@@ -152,14 +151,15 @@ class TiffNumbers {
     bool big_;
 };
 
-// Where the pieces of a picture end: `starts` and `lengths` are the positions of two lists of 32-bit numbers
-// (or short ones) in the file.
+// A list of numbers in a TIFF file.
 struct TiffList {
     std::uint64_t at = 0;
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  // a number
+    std::uint64_t bytes = 0;  // of one number, 2 to 8
 };
 
+// The byte behind the last piece of a picture. @param starts, lengths  lists of the pieces' places and
+// lengths
 std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, const TiffList& lengths) {
     std::uint64_t end = 0;
     const std::uint64_t count = std::min({starts.count, lengths.count, std::uint64_t{max_boxes}});
@@ -171,10 +171,10 @@ std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, con
     return end;
 }
 
-// Where a directory has what: TIFF counts with 4 bytes, BigTIFF, for files beyond 4 GiB, with 8.
+// The layout of a directory: TIFF counts with 4 bytes, BigTIFF, for files beyond 4 GiB, with 8.
 struct TiffLayout {
-    std::uint64_t directory_at = 4;  // where its position stands
-    std::uint64_t number_bytes = 4;  // of positions and counts
+    std::uint64_t directory_at = 4;  // byte of the file that holds its position
+    std::uint64_t number_bytes = 4;  // of a position or a count
     std::uint64_t entries_bytes = 2;
 
     std::uint64_t entry_bytes() const { return 4 + 2 * number_bytes; }
@@ -203,14 +203,14 @@ FileExtent tiff_extent(const FileBytes& file) {
         const auto value = numbers.at(value_at, layout.number_bytes);
         if (!value) return extent;
         constexpr std::array<std::uint8_t, 17> type_bytes{0, 1, 1, 2, 4, 8, 0, 0, 0,
-                                                          0, 0, 0, 0, 0, 0, 0, 8};  // others: not looked at
+                                                          0, 0, 0, 0, 0, 0, 0, 8};  // other types are ignored
         const std::uint64_t type = numbers.at(entry + 2, 2).value_or(0);
         TiffList list{.at = std::min(*value, unlimited),
                       .count =
                           std::min(numbers.at(entry + 4, layout.number_bytes).value_or(0), unlimited >> 4),
                       .bytes = type < type_bytes.size() ? type_bytes[type] : std::uint64_t{0}};
         if (list.count * list.bytes <= layout.number_bytes)
-            list.at = value_at;  // it stands in the entry itself
+            list.at = value_at;  // the value stands in the entry itself
         extent.declared = std::max(extent.declared, list.at + list.count * list.bytes);
         const std::uint64_t tag = numbers.at(entry, 2).value_or(0);
         if (tag == 273 || tag == 324) starts = list;  // StripOffsets, TileOffsets
@@ -220,7 +220,7 @@ FileExtent tiff_extent(const FileBytes& file) {
     return extent;
 }
 
-// ASF: among the objects of the header one says how long the file is, unless it is sent as it is recorded.
+// ASF: one object of the header holds the length of the file, except in a live recording.
 FileExtent asf_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     constexpr std::array<std::uint8_t, 16> properties{0xa1, 0xdc, 0xab, 0x8c, 0x47, 0xa9, 0xcf, 0x11,

@@ -8,19 +8,18 @@
 
 namespace vitrine {
 
-/// What the structure of a file says of itself, without decoding.
+/// The size of a file and the size that its structure declares, read without decoding.
 struct FileExtent {
     std::uint64_t present = 0;   // bytes of the file
-    std::uint64_t declared = 0;  // bytes that its boxes or chunks need; 0: the format does not say
-    bool has_index = true;       // false: an MP4 without moov cannot be played yet
+    std::uint64_t declared = 0;  // bytes that its boxes or chunks need; 0: the format does not tell
+    bool has_index = true;       // false: an MP4 without moov, which cannot be played yet
 };
 
 FileExtent file_extent(const std::string& path, MediaFormat format);
 
-/// Refuses a copy that is still under way: a decoder's success does not show it, for half a film plays and
-/// half a JPEG decodes (measured with GStreamer 1.22). Holes, which preallocating copies leave, are seen as
-/// well.
-/// @throws MediaError waiting, with what is missing
+/// Refuses a file that is still being copied. A decoder does not notice: half a film plays and half a JPEG
+/// decodes (measured with GStreamer 1.22). Holes, which preallocating copies leave, count as missing too.
+/// @throws MediaError waiting, with the missing part
 void require_complete(const std::string& path, MediaFormat format);
 
 }  // namespace vitrine

@@ -1,6 +1,7 @@
-// Why not decodebin or parsebin: they choose among all plugins of the machine by what the file says, start a
-// thread and a queue for every stream, decode sound that nobody hears, and have been seen not to end on odd
-// files. The video stream of a film needs four elements, and a table of thirty rows knows them.
+// This is not decodebin or parsebin, for these reasons: they choose among all plugins of the machine by the
+// file's content, start a thread and a queue for every stream, decode sound that nobody hears, and did not
+// end on some odd files. The video stream of a film needs four elements, and a table of thirty rows knows
+// them.
 
 #include "base/media/decode_chain.hpp"
 
@@ -18,10 +19,10 @@
 
 namespace vitrine {
 
-// What the demuxer's callbacks know; they run in its thread.
+// The data of the demuxer's callbacks, which run in its thread.
 struct DecodeChain::Links {
     GstBin* bin = nullptr;              // the pipeline, outlives the links
-    GstElement* deinterlace = nullptr;  // where the decoder is linked to, owned by the bin
+    GstElement* deinterlace = nullptr;  // the decoder is linked to it; owned by the bin
     DecodeOptions options;
     bool linked = false;
     bool has_sound = false;
@@ -38,16 +39,16 @@ namespace {
 
 constexpr const char* not_linkable = "the film is damaged: its pictures cannot be decoded";
 
-constexpr std::chrono::seconds longest_stall{20};
+constexpr std::chrono::seconds max_stall{20};
 constexpr GstClockTime look_interval = GST_SECOND;
 
-constexpr const char* own_words = "vitrine-reason";  // on messages of ours, whose text is for the operator
+constexpr const char* own_words = "vitrine-reason";  // marks our own messages, whose text is for the operator
 
 void post_own(GstElement* element, GstStreamError code, const std::string& text) {
     post_error(element, code, text, own_words);
 }
 
-// What the libraries' errors mean to who put the film there.
+// Plain words for the libraries' errors, for the person who put the film there.
 MediaError in_plain_words(const GError* error) {
     if (error->domain == GST_RESOURCE_ERROR) return {MediaState::failed, "the film's file cannot be read"};
     if (error->domain != GST_STREAM_ERROR) return {MediaState::failed, "the film cannot be played"};
@@ -69,7 +70,7 @@ MediaError in_plain_words(const GError* error) {
     }
 }
 
-// The decoders name their number of threads differently; av1dec takes what it gets.
+// Each decoder has its own name for the number of threads; av1dec has none.
 void limit_threads(GstElement* decoder, int threads) {
     for (const char* property : {"max-threads", "threads"})
         if (g_object_class_find_property(G_OBJECT_GET_CLASS(decoder), property))
@@ -113,7 +114,8 @@ void DecodeChain::Links::add_stream(GstElement* demuxer, GstPad* pad) {
 
 void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
     GstElement* last = deinterlace;
-    for (const char* factory : {row.decoder, row.parser}) {  // from the back, so that data finds its way
+    for (const char* factory :
+         {row.decoder, row.parser}) {  // the last first, so that data finds a linked element
         if (!factory) continue;
         const auto other = options.instead.find(factory);
         GstElement* element =
@@ -141,7 +143,7 @@ DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, Decod
     GstBin* bin = GST_BIN(pipeline_.get());
     GstElement* deinterlace = add_element(bin, "deinterlace");
     gst_bin_add(bin, tail_.get());
-    gst_util_set_object_arg(G_OBJECT(deinterlace), "fields", "top");  // a frame a frame, not one a field
+    gst_util_set_object_arg(G_OBJECT(deinterlace), "fields", "top");  // one picture a frame, not one a field
     if (!gst_element_link(deinterlace, tail_.get()))
         throw std::runtime_error(
             "the tail of a decode chain cannot be linked: it needs a pad 'sink' for raw video");
@@ -157,17 +159,17 @@ DecodeChain::~DecodeChain() {
 }
 
 void DecodeChain::preroll() {
-    gst_element_set_state(pipeline_.get(), GST_STATE_PAUSED);  // a failure comes as a message
+    gst_element_set_state(pipeline_.get(), GST_STATE_PAUSED);  // a failure arrives as a message
     constexpr auto awaited = static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_ASYNC_DONE);
     GstPtr<GstMessage> message;
-    for (Stall stall(longest_stall); !message && !stall.has_come();)
+    for (Stall stall(max_stall); !message && !stall.is_hanging();)
         message.reset(gst_bus_timed_pop_filtered(bus_.get(), look_interval, awaited));
     if (!message) throw MediaError(MediaState::failed, "the film does not start: no picture comes");
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
 }
 
 GstPtr<GstSample> DecodeChain::pull(GstAppSink* sink) {
-    for (Stall stall(longest_stall); !stall.has_come();) {
+    for (Stall stall(max_stall); !stall.is_hanging();) {
         if (GstPtr<GstSample> sample{gst_app_sink_try_pull_sample(sink, look_interval)}) return sample;
         throw_pending_error();
         if (gst_app_sink_is_eos(sink)) return nullptr;

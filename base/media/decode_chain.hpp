@@ -11,33 +11,32 @@
 
 namespace vitrine {
 
-/// Names of decoder elements to be used, by the names of those of the table (decoder_table.hpp).
+/// Decoder elements that replace others: name in decoder_table.hpp -> name of the element to use.
 using DecoderMap = std::map<std::string, std::string>;
 
 struct DecodeOptions {
     int max_threads = 1;  // of the decoder; 1 decodes in the demuxer's own thread
-    DecoderMap instead;   // decoders other than the table's
+    DecoderMap instead;   // decoders that replace those of the table
 };
 
-/// A pipeline of our own that decodes the first usable video stream of one film and nothing else:
+/// A pipeline that decodes the first usable video stream of one film and nothing else:
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! deinterlace ! tail
 ///
-/// The demuxer follows from the file's content, parser and decoder from a table, so that nothing else in the
-/// machine's plugins is ever reached by a file. Sound, subtitles and further video streams are left
-/// undecoded. `deinterlace` passes progressive pictures through untouched. The decoder's frames arrive in the
-/// tail as they are coded: in any raw format, with their pixel aspect ratio in the caps and their rotation as
-/// the tag image-orientation (videoflip video-direction=auto obeys it).
+/// The content of the file selects the demuxer, and a table the parser and the decoder, so that no file
+/// reaches another plugin of the machine. Sound, subtitles and further video streams are not decoded.
+/// `deinterlace` does not change progressive pictures. The decoder's pictures arrive in the tail as they are
+/// coded: in any raw format, with the pixel aspect ratio in the caps and the rotation as the tag
+/// image-orientation (videoflip video-direction=auto obeys it).
 ///
-/// The pipeline is a plain GstPipeline: seeks (SEGMENT ones too), states and its bus are the caller's to use.
-/// A queue belongs at the start of the tail where decoding ahead is wanted; without one it all runs in a
-/// single thread.
+/// The pipeline is a plain GstPipeline. The caller may seek (also with SEGMENT), set its state and read its
+/// bus. To decode ahead, begin the tail with a queue; without one, all elements run in a single thread.
 class DecodeChain {
   public:
-    /// Nothing runs yet: the pipeline stands in state NULL.
+    /// Builds the pipeline and leaves it in state NULL.
     /// @param path  any bytes
     /// @param tail  an element or bin with one pad "sink" that ends in a sink; make_bin() makes one
-    /// @throws MediaError where the file is no film
+    /// @throws MediaError if the file is no film
     DecodeChain(const std::string& path, GstPtr<GstElement> tail, DecodeOptions options = {});
     ~DecodeChain();
     DecodeChain(const DecodeChain&) = delete;
@@ -47,24 +46,24 @@ class DecodeChain {
 
     GstBus* bus() const { return bus_.get(); }
 
-    /// The tail that was given, lent.
+    /// The tail given to the constructor, lent.
     GstElement* tail() const { return tail_.get(); }
 
     MediaFormat format() const { return format_; }
 
-    /// Goes to PAUSED and waits until the first frame stands in the sink.
-    /// @throws MediaError where the film cannot be played, or stalls
+    /// Goes to PAUSED and waits until the first picture is in the sink.
+    /// @throws MediaError if the film cannot be played, or stalls
     void preroll();
 
-    /// The next sample of an appsink in the tail; none at the film's end.
-    /// @throws MediaError where the film fails on the way, or stalls: for 20 s nothing comes and next to
-    /// nothing is computed. How long a slow machine may take is for others to say
+    /// Waits for the next sample of an appsink in the tail; none at the film's end.
+    /// @throws MediaError if the film fails on the way, or stalls: for 20 s no sample comes and next to
+    /// nothing is computed. This is no limit for a slow machine; the caller sets one
     GstPtr<GstSample> pull(GstAppSink* sink);
 
-    /// What the container declares, zero where it does not. Known once prerolled.
+    /// The duration that the container declares, zero if it declares none. Known after preroll().
     std::chrono::nanoseconds duration() const;
 
-    /// Throws the error that waits on the bus, if any: for use while frames are awaited.
+    /// Throws the error that waits on the bus, if there is one. For use while the caller waits for pictures.
     void throw_pending_error() const;
 
   private:

@@ -9,18 +9,18 @@ namespace vitrine {
 
 /// The elements that turn one kind of coded stream into raw pictures or raw sound.
 struct DecoderRow {
-    const char* caps;     // what the demuxer's pad says
+    const char* caps;     // on the demuxer's pad
     const char* parser;   // nullptr: none needed
     const char* decoder;  // nullptr: the stream is raw already
 };
 
-/// How a coded stream is decoded here, nothing where it is not.
+/// The decoder of a coded video stream; nothing if it is not decoded here.
 std::optional<DecoderRow> decoder_for(const GstCaps* stream);
 
-/// The same of a coded stream of sound.
+/// The decoder of a coded sound stream; nothing if it is not decoded here.
 std::optional<DecoderRow> sound_decoder_for(const GstCaps* stream);
 
-/// The demuxer element of a film's container.
+/// The name of the demuxer element for a film's container.
 const char* demuxer_for(MediaFormat container);
 
 }  // namespace vitrine

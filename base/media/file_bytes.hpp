@@ -19,10 +19,10 @@
 
 namespace vitrine {
 
-/// A few bytes here and there of one file, without decoding it.
+/// Reads single bytes of a file without decoding it.
 class FileBytes {
   public:
-    /// @throws MediaError failed where it cannot be opened
+    /// @throws MediaError failed if the file cannot be opened
     explicit FileBytes(const std::string& path)
         : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
         struct stat status {};
@@ -35,10 +35,10 @@ class FileBytes {
 
     std::uint64_t size() const { return size_; }
 
-    /// Bytes up to the hole at the end, if there is one.
+    /// Bytes up to the hole at the end of the file, or all bytes if there is none.
     std::uint64_t written() const { return written_size(fd_.get()); }
 
-    /// Nothing where they lie beyond the end.
+    /// N bytes; nothing if they reach beyond the end.
     template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
         std::array<std::uint8_t, N> bytes{};
         const ssize_t got = ::pread(fd_.get(), bytes.data(), N, static_cast<off_t>(offset));
@@ -46,9 +46,9 @@ class FileBytes {
         return bytes;
     }
 
-    /// Up to so many bytes before the end.
-    std::string tail(std::size_t most_bytes) const {
-        std::string bytes(std::min<std::uint64_t>(most_bytes, size_), '\0');
+    /// The last bytes of the file, at most max_bytes.
+    std::string tail(std::size_t max_bytes) const {
+        std::string bytes(std::min<std::uint64_t>(max_bytes, size_), '\0');
         const ssize_t got =
             ::pread(fd_.get(), bytes.data(), bytes.size(), static_cast<off_t>(size_ - bytes.size()));
         bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));

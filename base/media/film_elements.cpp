@@ -25,7 +25,7 @@ FilmBegin begin_film(const std::string& path) {
 
 GstElement* add_element(GstBin* bin, const char* factory) {
     const GstPtr<GstElement> element = make_element(factory);
-    GstElement* const held = element.get();  // by the bin
+    GstElement* const held = element.get();  // owned by the bin
     gst_bin_add(bin, held);
     return held;
 }
@@ -40,7 +40,7 @@ GstPtr<GstCaps> stream_caps(GstPad* pad) {
 void post_error(GstElement* element, GstStreamError code, const std::string& text, const char* mark) {
     gst_element_message_full_with_details(element, GST_MESSAGE_ERROR, GST_STREAM_ERROR, code,
                                           g_strdup(text.c_str()), nullptr, __FILE__, __func__, __LINE__,
-                                          gst_structure_new_empty(mark));  // which it takes
+                                          gst_structure_new_empty(mark));  // the message owns it
 }
 
 bool is_marked(GstMessage* error, const char* mark) {

@@ -9,28 +9,29 @@
 
 namespace vitrine {
 
-// What a chain for a film's pictures and one for its sound have in common.
+// The common parts of DecodeChain, for a film's pictures, and SoundChain, for its sound.
 
-/// A new pipeline with the film's file and its demuxer in it, for a chain behind that.
+/// A new pipeline that holds the film's file and its demuxer. A chain adds the elements behind the demuxer.
 struct FilmBegin {
     GstPtr<GstElement> pipeline;
     GstElement* demuxer = nullptr;  // held by the pipeline
     MediaFormat format{};
 };
 
-/// Starts GStreamer.
-/// @throws MediaError what media_type() throws, or: it is not a film
+/// Starts GStreamer and makes the pipeline.
+/// @throws MediaError as media_format(), and if the file is not a film
 FilmBegin begin_film(const std::string& path);
 
-/// A new element in a bin, which holds it. @throws std::runtime_error where the plugin is not there
+/// Makes an element in a bin, which owns it. @throws std::runtime_error if the plugin is not installed
 GstElement* add_element(GstBin* bin, const char* factory);
 
-/// Of a stream that a demuxer has just found; none where it does not say.
+/// The caps of a stream that a demuxer has just found; none if the demuxer does not tell.
 GstPtr<GstCaps> stream_caps(GstPad* pad);
 
-/// An error message of ours, as an element would post it: exceptions must not cross GStreamer's threads.
+/// Posts an error message of ours as an element would do it, because exceptions must not cross GStreamer's
+/// threads.
 ///
-/// @param mark  tells it from others: is_marked()
+/// @param mark  name by which is_marked() knows the message
 void post_error(GstElement* element, GstStreamError code, const std::string& text, const char* mark);
 bool is_marked(GstMessage* error, const char* mark);
 

@@ -4,18 +4,18 @@ namespace vitrine {
 
 namespace {
 
-constexpr int most_parts = 4'000'000;  // of 255 bytes: a gigabyte
+constexpr int max_parts = 4'000'000;  // parts of 255 bytes: a gigabyte
 
-/// Bytes of the colour table that a byte of flags promises.
+/// Size in bytes of the colour table that a byte of flags announces.
 std::uint64_t table_bytes(std::uint8_t flags) {
     return (flags & 0x80) != 0 ? std::uint64_t{3} << ((flags & 7) + 1) : 0;
 }
 
-/// Behind the parts that follow each other from here on, each with its length before it; the last is empty.
-/// Beyond the end where that one is missing.
+/// The byte behind a chain of parts, each with its length before it; an empty part ends the chain.
+/// @return  beyond the file's end if the empty part is missing
 std::uint64_t behind_parts(const FileBytes& file, std::uint64_t offset) {
     constexpr std::uint64_t missing = 256;
-    for (int part = 0; part < most_parts; ++part) {
+    for (int part = 0; part < max_parts; ++part) {
         const auto length = file.at<1>(offset);
         if (!length) return std::max(offset, file.size()) + missing;
         offset += 1 + (*length)[0];
@@ -31,9 +31,9 @@ std::uint64_t gif_end(const FileBytes& file) {
     const auto head = file.at<13>(0);
     if (!head) return 13;
     std::uint64_t offset = 13 + table_bytes((*head)[10]);
-    for (int block = 0; block < most_parts; ++block) {
+    for (int block = 0; block < max_parts; ++block) {
         const auto kind = file.at<1>(offset);
-        if (!kind) return offset;  // the end is not marked: some writers leave that out
+        if (!kind) return offset;  // no end mark: some writers leave it out
         if ((*kind)[0] == end) return offset + 1;
         if ((*kind)[0] == extension) {
             offset = behind_parts(file, offset + 2);

@@ -6,8 +6,9 @@
 
 namespace vitrine {
 
-/// Where a GIF ends: of an animated one, whose first picture alone is shown, behind the last. Beyond the
-/// file's end where a picture is cut off; 0 where this is no GIF to its end.
+/// The byte behind the last picture of a GIF, also of an animated one, of which only the first picture is
+/// shown.
+/// @return  beyond the file's end if a picture is cut off; 0 if the file is no GIF up to its end
 std::uint64_t gif_end(const FileBytes& file);
 
 }  // namespace vitrine

@@ -32,7 +32,8 @@ GstPtr<GstElement> make_bin(const char* description) {
     GstElement* bin = gst_parse_bin_from_description(description, TRUE, &error);
     if (bin) gst_object_ref_sink(bin);
     GstPtr<GstElement> owned(bin);
-    const GstPtr<GError> why(error);  // a warning may come with a bin: no bin of ours is allowed one
+    const GstPtr<GError> why(
+        error);  // GStreamer may warn and still give a bin; our bins must not have warnings
     if (why || !owned)
         throw std::runtime_error(
             fmt::format("build '{}': {}", description, why ? why->message : "no reason given"));

@@ -7,7 +7,7 @@
 
 namespace vitrine {
 
-/// Gives back one reference. One overload a type and no default: a type not listed does not compile.
+/// Releases one reference. Each type has its overload; a type without one does not compile.
 struct GstUnref {
     void operator()(GstElement* element) const { gst_object_unref(element); }
 
@@ -30,18 +30,19 @@ struct GstUnref {
     void operator()(gchar* text) const { g_free(text); }
 };
 
-/// The one owner of one reference.
+/// The only owner of one reference.
 template <typename T> using GstPtr = std::unique_ptr<T, GstUnref>;
 
-/// Loads GStreamer, once a process; to be called before anything of it. Thread-safe.
-/// @throws std::runtime_error where it cannot start
+/// Loads GStreamer once in a process. Call it before any other function of GStreamer. Thread-safe.
+/// @throws std::runtime_error if GStreamer cannot start
 void start_gstreamer();
 
-/// A new element, no longer floating. @throws std::runtime_error where the plugin is not installed
+/// Makes an element, no longer floating. @throws std::runtime_error if the plugin is not installed
 GstPtr<GstElement> make_element(const char* factory);
 
-/// A bin from a pipeline description in gst-launch's words, with its open ends as pads "sink" and "src".
-/// @throws std::runtime_error where the description is wrong or a plugin is missing
+/// Makes a bin from a pipeline description in the syntax of gst-launch. Its open ends are the pads "sink" and
+/// "src".
+/// @throws std::runtime_error if the description is wrong or a plugin is missing
 GstPtr<GstElement> make_bin(const char* description);
 
 }  // namespace vitrine

@@ -22,7 +22,7 @@ void require(const heif_error& error) {
         throw picture_failure(PictureFailure::too_large, error.message);
     const bool is_unknown = error.code == heif_error_Unsupported_feature ||
                             error.code == heif_error_Unsupported_filetype ||
-                            error.subcode == heif_suberror_Nonexisting_item_referenced;  // items left out
+                            error.subcode == heif_suberror_Nonexisting_item_referenced;  // an item is missing
     throw picture_failure(is_unknown ? PictureFailure::unknown_coding : PictureFailure::damaged,
                           error.message);
 }
@@ -32,7 +32,7 @@ ImageHandle main_picture(heif_context* context) {
     const heif_error error = heif_context_get_primary_image_handle(context, &handle);
     ImageHandle picture(handle);
     require(error);
-    const int width = heif_image_handle_get_ispe_width(handle);  // as coded, before any crop
+    const int width = heif_image_handle_get_ispe_width(handle);  // as coded, before the crop
     const int height = heif_image_handle_get_ispe_height(handle);
     if (width <= 0 || height <= 0) throw picture_failure(PictureFailure::damaged, "no size");
     require_within_limits({.width = width, .height = height});
@@ -59,7 +59,7 @@ Handle<heif_image, &heif_image_release> decoded(const heif_image_handle* picture
     return image;
 }
 
-// Colours that were multiplied by their alpha are divided by it again.
+// Divides colours that were multiplied by their alpha by it again.
 void straighten(std::uint8_t* row, int width) {
     for (int x = 0; x < width; ++x, row += 4)
         for (int i = 0; i < 3 && row[3] > 0; ++i)
@@ -81,7 +81,8 @@ HeifPicture read_heif(const std::string& path) {
         picture.channels == 4 && heif_image_handle_is_premultiplied_alpha(source.get()) != 0;
     picture.profile = profile_of(source.get());
     picture.image = decoded(source.get(), picture.channels);
-    // What the header says of a turned picture's size depends on the order of its boxes: this is the truth.
+    // The header's size of a turned picture depends on the order of its boxes; the decoded size is the right
+    // one.
     picture.width = heif_image_get_width(picture.image.get(), heif_channel_interleaved);
     picture.height = heif_image_get_height(picture.image.get(), heif_channel_interleaved);
     int stride = 0;

@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-/// A picture beyond these is refused by its header, before it is decoded.
+// Limits of photos. A photo beyond them is refused by its header, before it is decoded.
 constexpr std::int64_t max_still_pixels = 200'000'000;
 constexpr int max_still_side = 65'000;                  // px
 constexpr std::int64_t max_bitmap_pixels = 50'000'000;  // BMP cannot be shrunk while it is read
@@ -23,7 +23,7 @@ struct StillInfo {
 struct StillPicture {
     int width = 0;  // px
     int height = 0;
-    StillInfo full;                 // before it was shrunk
+    StillInfo full;                 // size before it was shrunk
     std::vector<std::byte> pixels;  // 4 * width * height
 };
 

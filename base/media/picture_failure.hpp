@@ -7,13 +7,14 @@
 
 namespace vitrine {
 
-/// Why a photo is not shown, as far as it matters to who put it there.
+/// The reasons for which a photo is not shown that matter to the person who put it there.
 enum class PictureFailure { cut_short, damaged, too_large, unknown_coding };
 
-/// State and words of a failure. What the library said goes to the debug log: the operator cannot use it.
+/// The state and the words of a failure. The library's own words go to the debug log: they are of no use to
+/// operators.
 MediaError picture_failure(PictureFailure failure, std::string_view said);
 
-/// @throws MediaError where a photo of this size is too large
+/// @throws MediaError if a photo of this size is too large
 void require_within_limits(const StillInfo& info);
 
 }  // namespace vitrine

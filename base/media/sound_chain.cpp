@@ -12,7 +12,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr const char* without_sound = "vitrine-without-sound";  // the details of our own errors
+constexpr const char* without_sound = "vitrine-without-sound";  // marks our own errors
 
 void post_lack(GstElement* element, const std::string& text) {
     post_error(element, GST_STREAM_ERROR_CODEC_NOT_FOUND, text, without_sound);
@@ -48,7 +48,8 @@ struct SoundChain::Links {
     void link(GstPad* pad, const DecoderRow& row) {
         GstElement* last = tail;
         const char* const decoder = form == Form::raw ? row.decoder : nullptr;
-        for (const char* factory : {decoder, row.parser}) {  // from the back, so that data finds its way
+        for (const char* factory :
+             {decoder, row.parser}) {  // the last first, so that data finds a linked element
             if (!factory) continue;
             GstElement* const made = add_element(bin, factory);
             if (!gst_element_link(made, last) || !gst_element_sync_state_with_parent(made))

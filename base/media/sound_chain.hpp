@@ -8,23 +8,23 @@
 
 namespace vitrine {
 
-/// A pipeline of our own for the first usable sound of one film, and nothing else of it:
+/// A pipeline for the first usable sound stream of one film and nothing else:
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! tail
 ///
-/// As in a DecodeChain only what the table of decoders names is ever reached by a file. The pipeline is the
-/// caller's to use; its errors come as messages, a film without sound is one of them.
+/// As in a DecodeChain, a file reaches only the elements that the table of decoders names. The caller may use
+/// the pipeline freely. Its errors arrive as messages; a film without sound is one of them.
 class SoundChain {
   public:
     enum class Form {
         raw,    // decoded
-        coded,  // as it is in the film, without the decoder
+        coded,  // as in the film, without the decoder
     };
 
-    /// Nothing runs yet: the pipeline stands in state NULL.
+    /// Builds the pipeline and leaves it in state NULL.
     /// @param path  any bytes
     /// @param tail  an element or bin with one pad "sink" that ends in a sink
-    /// @throws MediaError where the file is no film
+    /// @throws MediaError if the file is no film
     SoundChain(const std::string& path, GstPtr<GstElement> tail, Form form);
     ~SoundChain();
     SoundChain(const SoundChain&) = delete;
@@ -46,10 +46,10 @@ class SoundChain {
     std::unique_ptr<Links> links_;  // used by the demuxer's thread while the pipeline runs
 };
 
-/// Whether an error says that the film has no sound that could be heard here.
+/// Tells if an error means that the film has no sound that can be heard here.
 bool lacks_sound(GstMessage* error);
 
-/// What an error says.
+/// The text of an error.
 std::string text_of(GstMessage* error);
 
 }  // namespace vitrine

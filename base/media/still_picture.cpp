@@ -1,6 +1,6 @@
-// libvips reads all still formats but BMP and HEIF with one set of rules: shrinking while it decodes, so that
-// a photo of a hundred megapixels costs what its thumbnail costs. Files go in as sources, never by name,
-// because libvips and its loaders read options, patterns and protocols in names.
+// libvips reads all photo formats but BMP and HEIF. It shrinks a photo while it decodes it, so that a hundred
+// megapixels cost as much as their thumbnail. Files are passed as sources, never by name, because libvips and
+// its loaders find options, patterns and protocols in names.
 
 #include "base/media/still_picture.hpp"
 
@@ -50,8 +50,8 @@ void start_vips() {
     });
 }
 
-// What the libraries under libvips say of a JPEG or GIF that ends too soon; the other formats tell their
-// length, completeness.hpp. "Premature end of data segment" is damage.
+// The words of the libraries under libvips for a JPEG or GIF that ends too soon. The other formats tell their
+// length (completeness.hpp). "Premature end of data segment" is damage.
 constexpr std::array signs_of_a_cut{"premature end of jpeg", "premature end of input", "unexpected end of",
                                     "vipssource: end of file"};
 
@@ -65,8 +65,8 @@ MediaError vips_failure() {
     return picture_failure(is_cut ? PictureFailure::cut_short : PictureFailure::damaged, said);
 }
 
-/// One libvips call: `call` is given the place for its picture and returns 0 where it worked.
-/// @throws MediaError where it failed
+/// Runs one libvips call. `call` gets the place for its picture and returns 0 for success.
+/// @throws MediaError if the call fails
 template <typename Call> VipsPtr<VipsImage> step(const Call& call) {
     VipsImage* out = nullptr;
     const int failed = call(&out);
@@ -81,7 +81,8 @@ VipsPtr<VipsSource> open_source(const std::string& path) {
     return source;
 }
 
-// Opens a picture 1/shrink of its size where its format is decoded cheaper so; read from top to bottom, once.
+// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It is read once, from the
+// top down.
 VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int shrink = 1) {
     const VipsPtr<VipsSource> source = open_source(path);
     VipsSource* from = source.get();
@@ -107,7 +108,7 @@ VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int
     });
 }
 
-// How much of the shrinking the decoder can do; the last factor of two is the resampler's, for a clean
+// The part of the shrinking that the decoder does. The resampler does the last factor of two, for a clean
 // picture.
 int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     const double wanted =
@@ -118,7 +119,7 @@ int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     return shrink;
 }
 
-// What libvips reads says of its size, upright, by the header only.
+// The upright size by the header, of a format that libvips reads.
 StillInfo header_size(const std::string& path, MediaFormat format) {
     const VipsPtr<VipsImage> image = open_picture(path, format);
     StillInfo info{.width = vips_image_get_width(image.get()), .height = vips_image_get_height(image.get())};
@@ -127,10 +128,10 @@ StillInfo header_size(const std::string& path, MediaFormat format) {
     return info;
 }
 
-// No larger than asked, upright, in sRGB where the file says what its colours are, in its own space where
-// not.
+// Shrinks a picture and turns it upright. Its colours become sRGB if the file has a profile, else they keep
+// their space.
 VipsPtr<VipsImage> shrunk(VipsImage* image, int max_width, int max_height) {
-    // Without a profile in the file the conversion would only cost accuracy: ten levels of a plain red.
+    // Without a profile the conversion only costs accuracy: ten levels of a plain red.
     const char* profile = vips_image_get_typeof(image, VIPS_META_ICC_NAME) != 0 ? "srgb" : nullptr;
     return step([&](auto** out) {
         return vips_thumbnail_image(image, out, max_width, "height", max_height, "size", VIPS_SIZE_DOWN,
@@ -138,7 +139,7 @@ VipsPtr<VipsImage> shrunk(VipsImage* image, int max_width, int max_height) {
     });
 }
 
-// `pixels` is lent to what is returned.
+// Wraps pixels without a copy; they must outlive the returned picture.
 VipsPtr<VipsImage> lent_image(std::span<const std::byte> pixels, int width, int height, int bands) {
     VipsPtr<VipsImage> image = step([&](auto** out) {
         *out =
@@ -149,7 +150,7 @@ VipsPtr<VipsImage> lent_image(std::span<const std::byte> pixels, int width, int 
     return image;
 }
 
-// Any number of bands, depth and colour space to three bands of 8-bit sRGB over the background.
+// Converts any number of bands, depth and colour space to three bands of 8-bit sRGB over the background.
 VipsPtr<VipsImage> opaque(VipsImage* any, Colour background) {
     VipsPtr<VipsImage> image =
         step([&](auto** out) { return vips_colourspace(any, out, VIPS_INTERPRETATION_sRGB, nullptr); });
@@ -190,8 +191,8 @@ VipsPtr<VipsImage> lent_image(const HeifPicture& picture) {
     return image;
 }
 
-/// Into a file, in colours that any reader takes for sRGB, with its transparency; without what its author's
-/// camera said. WebP where there is transparency, JPEG where not.
+/// Writes a picture into a file, in colours that any reader takes for sRGB, with its transparency and without
+/// the camera's notes: a WebP if it is transparent, else a JPEG.
 void save(VipsImage* any, const std::string& to) {
     constexpr int quality = 90;
     VipsPtr<VipsImage> image =
@@ -199,22 +200,22 @@ void save(VipsImage* any, const std::string& to) {
     image = step([&](auto** out) { return vips_cast_uchar(image.get(), out, nullptr); });
     const VipsPtr<VipsTarget> target(vips_target_new_to_file(to.c_str()));
     if (!target) throw vips_failure();
-    constexpr int least_effort = 1;
+    constexpr int min_effort = 1;
     const int failed =
         vips_image_hasalpha(image.get())
-            ? vips_webpsave_target(image.get(), target.get(), "Q", quality, "effort", least_effort, "strip",
+            ? vips_webpsave_target(image.get(), target.get(), "Q", quality, "effort", min_effort, "strip",
                                    TRUE, nullptr)
             : vips_jpegsave_target(image.get(), target.get(), "Q", quality, "strip", TRUE, nullptr);
     if (failed != 0) throw vips_failure();
 }
 
-/// Hands the upright photo, no larger than asked, with its full size to `use`, and gives what that gives.
+/// Opens a photo, upright and shrunk, calls `use` with it and its full size, and returns the result.
 template <typename Use>
 auto with_still(const std::string& path, int max_width, int max_height, const Use& use) {
     const MediaFormat format = media_format(path);
     require_complete(path, format);
     start_vips();
-    vips_error_clear();  // what others left
+    vips_error_clear();  // errors that earlier calls left
     const auto finished = [&](VipsImage* image, StillInfo full) {
         return use(shrunk(image, max_width, max_height).get(), full);
     };
@@ -226,7 +227,7 @@ auto with_still(const std::string& path, int max_width, int max_height, const Us
         const HeifPicture all = read_heif(path);
         return finished(lent_image(all).get(), {.width = all.width, .height = all.height});
     }
-    const StillInfo full = header_size(path, format);  // the limits, before anything is decoded
+    const StillInfo full = header_size(path, format);  // checks the limits before anything is decoded
     return finished(open_picture(path, format, decoder_shrink(full, max_width, max_height)).get(), full);
 }
 
@@ -245,8 +246,8 @@ StillPicture load_still(const std::string& path, int max_width, int max_height, 
                       [&](VipsImage* image, StillInfo full) { return in_memory(image, full, background); });
 }
 
-void save_smaller(const std::string& path, int longest_side, const std::string& to) {
-    with_still(path, longest_side, longest_side, [&](VipsImage* image, StillInfo) { save(image, to); });
+void save_smaller(const std::string& path, int max_side, const std::string& to) {
+    with_still(path, max_side, max_side, [&](VipsImage* image, StillInfo) { save(image, to); });
 }
 
 }  // namespace vitrine

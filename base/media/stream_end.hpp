@@ -6,11 +6,10 @@
 
 namespace vitrine {
 
-/// Refuses a stream that breaks off inside a packet. For formats that nowhere say how long they are, this is
-/// all that tells half a copy from a whole one: MPEG-TS, MPEG-PS, Ogg, FLV; others are not looked at.
+/// Refuses a stream that breaks off inside a packet. MPEG-TS, MPEG-PS, Ogg and FLV do not store their length,
+/// so this is the only sign of half a copy. Files of other formats pass.
 ///
-/// A recording that was cut off for good looks the same: after it has been waited for long enough, this is
-/// not to be asked.
+/// A recording that was cut off for good looks the same. Do not call this after a long enough wait.
 /// @throws MediaError waiting
 void require_whole_packets(const std::string& path, MediaFormat format);
 

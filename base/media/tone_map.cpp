@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::int32_t full_light = 16'383;
 constexpr double paper_white = 203;  // cd/m2, BT.2408
-constexpr double peak = 1000;        // cd/m2: what is brighter is full
+constexpr double peak = 1000;        // cd/m2; brighter values are full
 
-// Light in cd/m2 of a coded value in [0, 1]. ST 2084.
+// The light in cd/m2 of a coded value in [0, 1]. Source: ST 2084.
 double perceptual_quantizer(double value) {
     constexpr double m1 = 2610.0 / 16384;
     constexpr double m2 = 2523.0 / 4096 * 128;
@@ -23,7 +23,8 @@ double perceptual_quantizer(double value) {
     return 10'000 * std::pow(std::max(root - c1, 0.0) / (c2 - c3 * root), 1 / m1);
 }
 
-// The same of hybrid log-gamma on a screen of `peak`, its system gamma taken a channel. BT.2100.
+// The light in cd/m2 of a value in hybrid log-gamma on a screen of `peak`, with the system gamma for each
+// channel. Source: BT.2100.
 double hybrid_log_gamma(double value) {
     constexpr double a = 0.17883277;
     constexpr double b = 1 - 4 * a;
@@ -32,13 +33,13 @@ double hybrid_log_gamma(double value) {
     return peak * std::pow(scene, 1.2);
 }
 
-// Light relative to paper white to a share of what a usual screen gives.
+// Converts light relative to paper white to a share of the light of a usual screen.
 double toned(double light) {
     constexpr double white = peak / paper_white;
     return std::min(1.0, light * (1 + light / (white * white)) / (1 + light));
 }
 
-// Of a usual film and its screen, which is BT.1886: so that a grey stays what it is.
+// The light of a value of a usual film on its screen (BT.1886), so that a grey stays the same.
 constexpr double usual_gamma = 2.4;
 
 double srgb(double light) {

@@ -11,13 +11,13 @@ namespace vitrine {
 
 namespace {
 
-constexpr const char* installed_file = VITRINE_SETTINGS_FILE;  // of the build
+constexpr const char* installed_file = VITRINE_SETTINGS_FILE;  // set by the build
 
 }  // namespace
 
 void SettingOptions::add_to(CLI::App& app) {
     app.add_option("--config", config_,
-                   fmt::format("Settings file (default: {}, where it exists)", installed_file));
+                   fmt::format("Settings file (default: {}, if it exists)", installed_file));
     for (const SettingKey& key : setting_keys()) {
         const std::string name(key.name);
         Given& given = given_[name];

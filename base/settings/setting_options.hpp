@@ -12,16 +12,16 @@ class Option;
 
 namespace vitrine {
 
-/// The settings as options of a command line: --config FILE, and --SECTION.KEY VALUE for every key.
+/// The settings as command line options: --config FILE, and --SECTION.KEY VALUE for every key.
 class SettingOptions {
   public:
     /// Adds the options; `this` must outlive the parse.
     void add_to(CLI::App& app);
 
-    /// An option given under a shorter name: --slots for --layout.slots.
+    /// Adds a shorter name for an option: --slots for --layout.slots.
     void add_alias(CLI::App& app, const std::string& alias, const std::string& key);
 
-    /// Defaults, then the file (--config, else the installed one where it exists), then the options.
+    /// Reads the defaults, then the file (--config, else the installed one if it exists), then the options.
     /// @throws SettingsError
     Settings settings() const;
 

@@ -9,8 +9,7 @@
 
 namespace vitrine {
 
-/// Everything an operator or a technician may turn, with its one default. config/vitrine.toml says what
-/// each key does; setting_keys() what each accepts.
+/// All settings with their defaults. setting_keys() has the allowed values and the explanation of each.
 struct Settings {
     struct Media {
         std::string root = "/srv/vitrine/media";
@@ -21,16 +20,16 @@ struct Settings {
     } state;
 
     struct Store {
-        std::int64_t max_bytes = std::int64_t{8} << 30;  // of copies and clips; 0: none are made
-        int clip_size = 0;  // px, longest side of a clip; 0: as layout.slots makes cells
+        std::int64_t max_bytes = std::int64_t{8} << 30;  // for copies and clips; 0: none are made
+        int clip_size = 0;  // px, longest side of a clip; 0: as large as layout.slots makes cells
     } store;
 
     struct Tapestry {
-        std::int64_t max_bytes = std::int64_t{2} << 30;  // of all films' together; 0: none are woven
+        std::int64_t max_bytes = std::int64_t{2} << 30;  // for the tapestries of all films; 0: none are made
     } tapestry;
 
     struct Status {
-        std::string folder = "_STATUS";  // in the media folder, for its operators; empty: none
+        std::string folder = "_STATUS";  // in the media folder; empty: none
     } status;
 
     struct Log {
@@ -44,7 +43,7 @@ struct Settings {
     struct Analyzer {
         int children = 0;  // 0: one for every two cores
         std::chrono::seconds deadline{120};
-        double deadline_per_mebibyte = 2;  // seconds added for each MiB of the file
+        double deadline_per_mebibyte = 2;  // seconds for each MiB of the file
         int memory = 2048;                 // MiB that one child may allocate
         std::chrono::seconds rescan{60};
         std::chrono::milliseconds quiet{2000};
@@ -52,13 +51,13 @@ struct Settings {
         double samples_per_second = 5;
         double motion_weight = 0.5;
         double image_weight = 0.5;
-        double face_weight = 0;      // faces count in image saliency already
-        std::string saliency_model;  // an ONNX file, empty: image saliency of our own
+        double face_weight = 0;      // image saliency includes faces already
+        std::string saliency_model;  // an ONNX file; empty: the built-in image saliency
         std::string face_model = "/usr/share/vitrine/face_detection_yunet.onnx";  // empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
         RegionMode region = RegionMode::min_area;
         double region_mass = 0.64;
-        double region_margin = 0.008;  // of the picture's diagonal
+        double region_margin = 0.008;  // share of the picture's diagonal
     } analyzer;
 
     struct Layout {
@@ -90,7 +89,7 @@ struct Settings {
 
     struct Input {
         std::string devices = "auto";   // auto, none, or device nodes separated by commas
-        std::chrono::seconds idle{30};  // without a touch, until the wall is as before
+        std::chrono::seconds idle{30};  // time without a touch until the wall is as before
     } input;
 
     struct Output {
@@ -102,7 +101,7 @@ struct Settings {
         int frame_rate = 30;
         DecoderChoice decoders = DecoderChoice::automatic;
         KmsApi api = KmsApi::best;
-        std::string sound = "default";  // a device of ALSA; empty: nothing is heard
+        std::string sound = "default";  // a device of ALSA; empty: silent
     } output;
 };
 

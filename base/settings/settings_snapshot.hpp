@@ -7,8 +7,8 @@
 
 namespace vitrine {
 
-/// Settings as a file in memory for programs that are started later: they have what was right when it was
-/// read, whatever somebody is writing into the file of settings meanwhile.
+/// A copy of the settings in a file in memory, for child processes that start later. They get the settings
+/// that were valid when the file was read, also while somebody edits it.
 class SettingsSnapshot {
   public:
     /// @throws std::system_error
@@ -17,7 +17,7 @@ class SettingsSnapshot {
     /// @throws std::system_error
     void replace(const Settings& settings);
 
-    /// Can be read by this user's processes for as long as this lives.
+    /// The path of the file. Processes of this user can read it for as long as this object lives.
     std::string path() const;
 
   private:

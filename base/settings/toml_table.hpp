@@ -4,15 +4,15 @@
 #include <string>
 #include <string_view>
 
-// What the parser takes for granted of a text, and texts like "[=show]" break, is an error of the text. With
-// NDEBUG the parser would take it for impossible instead, whatever TOML_ASSERT is.
+// Texts like "[=show]" break assumptions that the parser asserts. Such a broken assertion becomes an error of
+// the text here. With NDEBUG the parser ignores TOML_ASSERT and takes these cases for impossible.
 #ifdef NDEBUG
 #error "toml++ must not be built with NDEBUG: texts of strangers would be undefined behaviour"
 #endif
 
 namespace vitrine {
 
-/// What the parser asserts. @throws std::invalid_argument where it does not hold
+/// Replaces the assertions of the parser. @throws std::invalid_argument if one does not hold
 constexpr void expect_toml(bool holds) {
     if (!holds) throw std::invalid_argument("this is no TOML: a name is missing");
 }
@@ -28,10 +28,10 @@ namespace vitrine {
 struct TomlError : std::runtime_error {
     TomlError(unsigned at, const std::string& what) : std::runtime_error(what), line(at) {}
 
-    unsigned line;  // from 1 on
+    unsigned line;  // counted from 1
 };
 
-/// The only way to toml++. @param source  what the places in the text are called
+/// Parses TOML; nothing else calls toml++. @param source  name of the text in the places of toml++
 /// @throws TomlError
 toml::table toml_table(std::string_view text, const std::string& source);
 

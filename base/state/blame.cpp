@@ -45,27 +45,28 @@ ContentName content_name(const MediaRecord& record) {
 bool is_quarantined(const Blame& blame, const MediaRecord& record) {
     if (blame.empty()) return false;
     const auto found = blame.find(content_name(record));
-    return found != blame.end() && found->second >= most_blame;
+    return found != blame.end() && found->second >= quarantine_points;
 }
 
 Blame blame_after(const Blame& before, const PlayingNote& crashed) {
     Blame after;
     for (const auto& [name, points] : before)
-        if (points >= most_blame) after[name] = points;
+        if (points >= quarantine_points) after[name] = points;
     const bool was_opening = !crashed.opening.empty();
     for (const ContentName& name : was_opening ? crashed.opening : crashed.playing) {
         const auto known = before.find(name);
         const int points =
             (known == before.end() ? 0 : known->second) + (was_opening ? opening_points : playing_points);
-        after[name] = std::min(points, most_blame);
+        after[name] = std::min(points, quarantine_points);
     }
     const auto is_new = [&](const auto& entry) {
         const auto known = before.find(entry.first);
-        return entry.second == most_blame && (known == before.end() || known->second < most_blame);
+        return entry.second == quarantine_points &&
+               (known == before.end() || known->second < quarantine_points);
     };
     if (std::ranges::count_if(after, is_new) > 1)
         for (auto& entry : after)
-            if (is_new(entry)) entry.second = most_blame - 1;
+            if (is_new(entry)) entry.second = quarantine_points - 1;
     return after;
 }
 
@@ -119,7 +120,7 @@ Blame blame_from(const std::string& text) {
     for_each_line(text, [&](const std::string& first, std::istream& words) {
         const auto name = name_in(words);
         if (name && first.size() == 1 && first >= "1" && first <= "9")
-            blame[*name] = std::min(first[0] - '0', most_blame);
+            blame[*name] = std::min(first[0] - '0', quarantine_points);
     });
     return blame;
 }

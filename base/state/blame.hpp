@@ -12,11 +12,11 @@
 
 namespace vitrine {
 
-// Which files bring the player down. It notes in STATE/playing what it has open, before it opens it; a note
-// that is found at the next start was left by a crash. Who is to blame stands in STATE/blamed, which the
-// analyzer reads: docs/catalogue.md.
+// This module finds the files that crash the player. The player notes each file in STATE/playing before it
+// opens it. A note that it finds at the next start was left by a crash. It writes the files at fault into
+// STATE/blamed, which the analyzer reads: docs/catalogue.md.
 
-constexpr const char* playing_file = "playing";  // below the state directory; written by the player alone
+constexpr const char* playing_file = "playing";  // below the state directory; only the player writes it
 constexpr const char* blamed_file = "blamed";    // likewise
 
 /// One content of one file.
@@ -31,43 +31,43 @@ struct ContentName {
 
 ContentName content_name(const MediaRecord& record);
 
-/// What one run of the player has open.
+/// The files that one run of the player has open.
 struct PlayingNote {
-    std::string boot;  // of the kernel: what ended with the machine is nobody's fault
+    std::string boot;  // ID of the kernel's boot: if the machine went down too, no file is at fault
     int process = 0;
-    std::set<ContentName> opening;  // since a few seconds
-    std::set<ContentName> playing;  // longer
+    std::set<ContentName> opening;  // opened a few seconds ago
+    std::set<ContentName> playing;  // opened earlier
 
     friend bool operator==(const PlayingNote&, const PlayingNote&) = default;
 };
 
-/// Points of each content.
+/// The points of each content.
 using Blame = std::map<ContentName, int>;
 
-/// A content with so many points is quarantined: it was being opened in two crashes in a row, or played in
-/// four, and was the only one of which that is true.
-constexpr int most_blame = 4;
+/// Points at which a content is quarantined: it was being opened in two crashes in a row, or played in four,
+/// and it is the only such content.
+constexpr int quarantine_points = 4;
 
-/// With fewer, but so many, it is a suspect.
-constexpr int least_suspicion = 2;
+/// Points at which a content is a suspect.
+constexpr int suspect_points = 2;
 
-/// The reason that its record gets.
+/// The reason in the record of a quarantined content.
 constexpr const char* brought_the_player_down = "it brought the player down, again and again";
 
 bool is_quarantined(const Blame& blame, const MediaRecord& record);
 
-/// Those that were being opened are to blame, where there were any, else all that played. Who had no part in
-/// the last crash is forgiven the one before, unless quarantined. Where several would be quarantined at once
-/// it is not known whose fault it is: they stay suspects.
+/// Gives points after a crash to the contents that were being opened, or, if there were none, to all that
+/// played. A content that had no part in the last crash loses its points, unless it is quarantined. If
+/// several would be quarantined at once, it is not known which is at fault, and they stay suspects.
 Blame blame_after(const Blame& before, const PlayingNote& crashed);
 
-/// Those of the paths that anything is known of.
+/// The paths with points.
 std::vector<std::string> suspects(const Blame& blame, const std::vector<std::string>& paths);
 
-/// What the player has found out so far. @param state  the state directory
+/// Reads STATE/blamed. @param state  the state directory
 Blame read_blame(const std::filesystem::path& state);
 
-/// Lines of words; what is not understood in them is passed over, for they only protect.
+// The text form: lines of words. Words that are not understood are ignored, for the notes only protect.
 std::string to_text(const PlayingNote& note);
 std::string to_text(const Blame& blame);
 PlayingNote playing_note_from(const std::string& text);

@@ -10,14 +10,14 @@
 
 namespace vitrine {
 
-/// The directory of records, one file ID.json a medium: the only contract between the two programs.
-/// The analyzer is its only writer; any number of readers see each record whole or not at all.
+/// The directory of records, one file ID.json for each medium. The analyzer is its only writer. Readers, any
+/// number, see each record whole or not at all.
 class Catalogue {
   public:
-    /// Called for each record file that cannot be read or parsed, with its name and why.
+    /// Called for each record file that cannot be read or parsed, with its name and the reason.
     using Complaint = std::function<void(const std::string& file, const std::string& reason)>;
 
-    /// @param directory  created with its parents where missing, when writing
+    /// @param directory  store() creates it with its parents if it is missing
     explicit Catalogue(std::filesystem::path directory);
 
     const std::filesystem::path& directory() const { return directory_; }
@@ -27,10 +27,10 @@ class Catalogue {
 
     std::optional<MediaRecord> find(const std::string& path) const;
 
-    /// Replaces the record of that path by write + fsync + rename. @throws std::system_error
+    /// Replaces the record of that path by write, fsync and rename. @throws std::system_error
     void store(const MediaRecord& record) const;
 
-    /// Nothing happens where there is none. @throws std::system_error
+    /// Removes the record of that path, if there is one. @throws std::system_error
     void remove(const std::string& path) const;
 
   private:

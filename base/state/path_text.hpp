@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-// Paths are any bytes, JSON is UTF-8: a path that is not stands there a second time, in hex digits.
+// Paths are any bytes, JSON is UTF-8. A path that is not UTF-8 stands in JSON a second time, in hex digits.
 
 namespace vitrine {
 
@@ -11,7 +11,7 @@ bool is_utf8(std::string_view text);
 
 std::string to_hex(std::string_view bytes);
 
-/// @throws std::runtime_error where these are no pairs of lower-case hex digits
+/// @throws std::runtime_error if these are no pairs of lower-case hex digits
 std::string from_hex(std::string_view hex);
 
 }  // namespace vitrine

@@ -15,22 +15,22 @@ namespace vitrine {
 
 enum class MediaKind { photo, film };
 
-/// What the analyzer could say of a file. Only `ready` is ever shown.
+/// The result of the analysis of a file. Only `ready` files are shown.
 enum class MediaState {
     ready,        // shots and regions are known
-    waiting,      // incomplete as it is now: a copy under way, an index still missing; tried again
-    unsupported,  // whole, but nothing that can be shown
+    waiting,      // incomplete: a copy is under way or an index is missing; it is tried again
+    unsupported,  // complete, but not a file that can be shown
     failed,       // looked like media and could not be read
-    quarantined,  // killed its analysing child repeatedly; tried again only when it changes
+    quarantined,  // killed its analysing child repeatedly; it is tried again only when it changes
 };
 
-/// How a shot ends; a transition belongs to neither of its shots.
+/// The end of a shot. A transition belongs to neither of its two shots.
 enum class ShotEnd { cut, dissolve, fade, end };
 
 /// The region that must not be covered (paper 1, section 3.3).
 struct IRegion {
     Polygon polygon;  // convex, counter-clockwise, px of the upright picture at the shot's begin
-    Vec2 drift;       // px per second that the subject moves: at time t the region is polygon + drift * t
+    Vec2 drift;       // px per second, movement of the subject: at time t the region is polygon + drift * t
 
     friend bool operator==(const IRegion&, const IRegion&) = default;
 };
@@ -40,14 +40,14 @@ struct Shot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
-    std::optional<StoredShot> stored;  // what is played; nothing: the file itself, or not made yet
+    std::optional<StoredShot> stored;  // the file to play; nothing: the medium itself, or not made yet
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
     friend bool operator==(const Shot&, const Shot&) = default;
 };
 
-/// All that is known of one file: the analyzer writes it, the player reads it.
+/// The facts about one file. The analyzer writes them, the player reads them.
 struct MediaRecord {
     static constexpr int current_version = 3;
 
@@ -56,13 +56,13 @@ struct MediaRecord {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
     MediaState state = MediaState::waiting;
-    bool is_complete = true;  // false: its analysis goes on, shots may be added behind
-    std::string reason;       // plain words for the operator; of a ready film, why it is not shown to its end
-    int width = 0;            // px of the upright picture, square pixels
+    bool is_complete = true;  // false: the analysis goes on and may add shots at the end
+    std::string reason;  // plain words for the operator; for a ready film, why it is not shown to its end
+    int width = 0;       // px of the upright picture, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
-    std::optional<StoredSound> sound;      // of a film that is to be heard; nothing: not kept
+    std::optional<StoredSound> sound;      // for a film that is to be heard; nothing: not kept
 
     friend bool operator==(const MediaRecord&, const MediaRecord&) = default;
 };
@@ -71,15 +71,14 @@ struct MediaRecord {
 /// in px of the shot's first frame: the intersection over t of Frame - drift * t.
 Box core(const MediaRecord& record, const Shot& shot);
 
-/// Whether `after` says of the same content all that `before` says, and at most further shots behind. Where
-/// they are stored does not count.
+/// Tells if `after` is about the same content as `before`, with the same shots and perhaps further shots at
+/// the end. The places in the store do not count.
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
 
-/// The path by which the record of a file names it: relative to the media root where it lies in there, else
-/// as it is given.
+/// The path of a file in its record: relative to the media root if the file lies in there, else unchanged.
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root);
 
-/// Names the file's record: 16 hex digits, the same for the same path.
+/// The name of the record of a path: 16 hex digits, always the same for the same path.
 std::string record_id(const std::string& path);
 
 }  // namespace vitrine

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_shots = 100'000;
 constexpr std::size_t max_corners = 1'000;
-constexpr double most_pixels = 1e9;  // of a place, or of a second's way
+constexpr double max_pixels = 1e9;  // for a place, and for the way in a second
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
 
@@ -53,7 +53,7 @@ Json to_array(Vec2 v) {
     return Json::array({rounded(v.x), rounded(v.y)});
 }
 
-/// nlohmann::json casts whatever number stands there, and a cast beyond the range is undefined.
+/// nlohmann::json casts any number to the type asked for; a cast beyond the range is undefined.
 template <std::integral Number> Number whole(const Json& json, const char* key) {
     const Json& value = json.at(key);
     if (value.is_number_unsigned() && std::in_range<Number>(value.get<std::uint64_t>()))
@@ -66,7 +66,7 @@ template <std::integral Number> Number whole(const Json& json, const char* key) 
 
 Vec2 to_vec2(const Json& json) {
     const Vec2 v{json.at(0).get<double>(), json.at(1).get<double>()};
-    if (!(std::abs(v.x) <= most_pixels && std::abs(v.y) <= most_pixels))
+    if (!(std::abs(v.x) <= max_pixels && std::abs(v.y) <= max_pixels))
         throw std::runtime_error("record: a place beyond any picture");
     return v;
 }

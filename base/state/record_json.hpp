@@ -11,7 +11,7 @@ namespace vitrine {
 /// A path that is not UTF-8 is written with replacement characters, and exactly in "path_hex".
 std::string to_json(const MediaRecord& record);
 
-/// @throws std::runtime_error naming the key at fault where the text is no record of a known version
+/// @throws std::runtime_error naming the key at fault if the text is no record of a known version
 MediaRecord record_from_json(std::string_view text);
 
 std::string_view name_of(MediaState state);

@@ -12,9 +12,9 @@ namespace vitrine {
 
 namespace {
 
-constexpr const char* file_name = "screen";  // below the state directory; written by the player alone
+constexpr const char* file_name = "screen";  // below the state directory; only the player writes it
 constexpr std::size_t most_bytes = 32;
-constexpr int longest_side = 16384;  // px
+constexpr int max_side = 16384;  // px
 
 }  // namespace
 
@@ -28,7 +28,7 @@ int noted_screen_side(const std::filesystem::path& state) {
     int side = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
     const bool is_whole = error == std::errc() && std::string_view(end, text.data() + text.size()) == "\n";
-    return is_whole && side > 0 && side <= longest_side ? side : 0;
+    return is_whole && side > 0 && side <= max_side ? side : 0;
 }
 
 void note_screen_side(const std::filesystem::path& state, int side) {

@@ -7,32 +7,32 @@
 
 namespace vitrine {
 
-/// Where the analyzer keeps a shot apart from the media folder, so that nothing that happens there disturbs
-/// it: a clip of it made for playing, or a copy of its file.
+/// A shot in the store, out of reach of changes in the media folder: a clip made for playing, or a copy of
+/// the file.
 struct StoredShot {
     std::string file;                   // in the store: ID/NAME
-    std::chrono::nanoseconds begin{0};  // of the shot in that file; 0 in a clip
-    int width = 0;                      // px of its pictures: upright, square pixels
+    std::chrono::nanoseconds begin{0};  // time of the shot in that file; 0 in a clip
+    int width = 0;                      // px of its upright pictures, square pixels
     int height = 0;
-    bool is_dropped = false;  // it lost its place to others, or was too large for one
+    bool is_dropped = false;  // it lost its place to others, or was too large for a place
 
     friend bool operator==(const StoredShot&, const StoredShot&) = default;
 };
 
-/// Where the analyzer keeps the sound of a film that is to be heard, its times those of the film.
+/// The sound of a film in the store, with the times of the film.
 struct StoredSound {
-    std::string file;         // in the store: ID/NAME; empty: the film has none that can be heard
-    bool is_dropped = false;  // it lost its place to others, or was too large for one
+    std::string file;         // in the store: ID/NAME; empty: the film has no sound that can be heard
+    bool is_dropped = false;  // it lost its place to others, or was too large for a place
 
     friend bool operator==(const StoredSound&, const StoredSound&) = default;
 };
 
-/// The folder of the store that holds one content of one file: 16 hex digits.
-/// @param path  in the record
+/// The name of the folder in the store for one content of one file: 16 hex digits.
+/// @param path  as in the record
 std::string store_id(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);
 
-/// Whether this names a file of the store, and cannot name any other: an ID, a slash, letters, digits, '-'
-/// and single dots.
+/// Tells if this is the name of a file in the store, and of no file elsewhere: an ID, a slash, letters,
+/// digits, '-' and single dots.
 bool is_store_name(std::string_view file);
 
 }  // namespace vitrine

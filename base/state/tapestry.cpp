@@ -19,9 +19,9 @@ namespace {
 constexpr int version = 1;
 constexpr const char* index_name = "index.json";
 constexpr std::size_t most_levels = 32;
-constexpr std::size_t most_keyframes = 200'000;  // a level
-constexpr int most_side = 4096;                  // px of a tile or a brick
-constexpr int most_width = 100'000'000;          // px of a strip
+constexpr std::size_t max_keyframes = 200'000;  // of a level
+constexpr int max_side = 4096;                  // px, of a tile or a brick
+constexpr int max_width = 100'000'000;          // px, of a level
 
 void require(bool is_so, std::string_view what) {
     if (!is_so) throw std::runtime_error(fmt::format("tapestry: {}", what));
@@ -30,9 +30,9 @@ void require(bool is_so, std::string_view what) {
 TapestryLevel to_level(const Json& json) {
     TapestryLevel level{
         .width = json.at("width").get<int>(), .keyframes = {}, .has_zoom = json.value("zoom", false)};
-    require(level.width > 0 && level.width <= most_width, "a level's width is out of range");
+    require(level.width > 0 && level.width <= max_width, "a level's width is out of range");
     const Json& keyframes = json.at("keyframes_ns");
-    require(!keyframes.empty() && keyframes.size() <= most_keyframes,
+    require(!keyframes.empty() && keyframes.size() <= max_keyframes,
             "a level's keyframes are none or too many");
     for (const Json& time : keyframes)
         level.keyframes.emplace_back(time.get<std::int64_t>());
@@ -46,7 +46,7 @@ bool is_folder_name(const std::string& name) {
            name.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
 }
 
-/// The value at x of a line from (x0, y0) to (x1, y1), x in between.
+/// The value at x of a line from (x0, y0) to (x1, y1); x lies between x0 and x1.
 double between(double x, double x0, double x1, double y0, double y1) {
     return x1 > x0 ? y0 + (y1 - y0) * (x - x0) / (x1 - x0) : y0;
 }
@@ -138,7 +138,7 @@ Tapestry tapestry_from_json(std::string_view text) {
                       .levels = {}};
     require(is_folder_name(tapestry.folder), "'folder' is no plain name");
     for (const int side : {tapestry.height, tapestry.tile_width, tapestry.brick_width})
-        require(side > 0 && side <= most_side, "a size is out of range");
+        require(side > 0 && side <= max_side, "a size is out of range");
     require(json.at("levels").size() <= most_levels, "too many levels");
     for (const Json& level : json.at("levels"))
         tapestry.levels.push_back(to_level(level));

@@ -7,28 +7,28 @@
 #include <cstdint>
 #include <stdexcept>
 
-// A word that says what it is, the tile's size, the origin that all places count from, then the places. All
-// numbers little-endian.
+// The file holds a magic word, the tile's size, the origin of all places, then the places. All numbers are
+// little-endian.
 
 namespace vitrine {
 
 namespace {
 
 constexpr std::string_view magic = "vzoom-1\n";
-constexpr int most_side = 4096;                             // px of a tile
-constexpr std::int64_t most_place = std::int64_t{1} << 27;  // px of a strip
-constexpr std::size_t head = magic.size() + 2 + 2 + 8;      // bytes
+constexpr int max_side = 4096;                             // px, of a tile
+constexpr std::int64_t max_place = std::int64_t{1} << 27;  // px, of a level
+constexpr std::size_t head = magic.size() + 2 + 2 + 8;     // bytes
 constexpr std::size_t point_bytes = 4 + 2 + 1;
-constexpr double parts = 16;         // of a px
-constexpr double growth_parts = 32;  // of 1
-constexpr int most_growth = 255;     // of them
+constexpr double parts = 16;         // in a px
+constexpr double growth_parts = 32;  // in 1
+constexpr int max_growth = 255;      // in parts
 
 void append(std::string& bytes, std::uint64_t number, int count) {
     for (int i = 0; i < count; ++i)
         bytes.push_back(static_cast<char>(number >> (8 * i) & 0xff));
 }
 
-/// Reads from the front.
+/// Reads numbers from the front of the bytes.
 class Reader {
   public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -51,7 +51,7 @@ void require(bool is_so, std::string_view what) {
     if (!is_so) throw std::runtime_error(fmt::format("zoom field: {}", what));
 }
 
-/// As many points as there are for a tile of this width.
+/// Number of points for a tile of this width.
 std::size_t count_of(int width) {
     return static_cast<std::size_t>(ZoomField::columns_of(width)) * ZoomField::rows;
 }
@@ -80,7 +80,7 @@ std::string to_bytes(const ZoomField& field) {
         const long long growth = std::llround(field.growths[i] * growth_parts);
         append(bytes, static_cast<std::uint64_t>(std::llround((place.x - origin) * parts)), 4);
         append(bytes, static_cast<std::uint64_t>(std::llround(place.y * parts)), 2);
-        append(bytes, static_cast<std::uint64_t>(std::clamp<long long>(growth, 0, most_growth)), 1);
+        append(bytes, static_cast<std::uint64_t>(std::clamp<long long>(growth, 0, max_growth)), 1);
     }
     return bytes;
 }
@@ -92,10 +92,10 @@ ZoomField zoom_field_from_bytes(std::string_view bytes) {
     ZoomField field;
     field.width = static_cast<int>(reader.number(2));
     field.height = static_cast<int>(reader.number(2));
-    require(field.width > 0 && field.width <= most_side && field.height > 0 && field.height < most_side,
+    require(field.width > 0 && field.width <= max_side && field.height > 0 && field.height < max_side,
             "its size is out of range");
     const auto origin = static_cast<std::int64_t>(reader.number(8));
-    require(origin >= 0 && origin <= most_place, "its origin is out of range");
+    require(origin >= 0 && origin <= max_place, "its origin is out of range");
     require(bytes.size() == head + count_of(field.width) * point_bytes, "it has not as many bytes as points");
     for (std::size_t i = 0; i < count_of(field.width); ++i) {
         const auto x = static_cast<std::int32_t>(static_cast<std::uint32_t>(reader.number(4)));

@@ -17,7 +17,7 @@ constexpr std::uint32_t wanted = IN_CLOSE_WRITE | IN_MOVED_FROM | IN_MOVED_TO | 
                                  IN_DELETE_SELF | IN_MOVE_SELF | IN_ATTRIB | IN_ONLYDIR | IN_DONT_FOLLOW |
                                  IN_EXCL_UNLINK;
 
-/// Nothing for what does not concern us: a new file that is still being written.
+/// The kind of an event; nothing for events that do not matter: a new file that is still being written.
 std::optional<DirectoryEvent::Kind> kind_of(std::uint32_t mask) {
     using Kind = DirectoryEvent::Kind;
     if ((mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT)) != 0) return Kind::self_gone;
@@ -55,7 +55,7 @@ bool DirectoryWatch::add(const std::filesystem::path& directory) {
 
 void DirectoryWatch::remove(const std::filesystem::path& directory) {
     for (auto it = by_path_.lower_bound(directory); it != by_path_.end() && is_in(it->first, directory);) {
-        ::inotify_rm_watch(inotify_.get(), it->second);  // fails where the kernel was first: it is gone
+        ::inotify_rm_watch(inotify_.get(), it->second);  // fails if the kernel removed it first
         by_id_.erase(it->second);
         it = by_path_.erase(it);
     }
@@ -83,7 +83,7 @@ std::vector<DirectoryEvent> DirectoryWatch::read() {
             at += sizeof head + head.len;
             if ((head.mask & IN_Q_OVERFLOW) != 0) events.push_back({DirectoryEvent::Kind::overflow, {}, {}});
             const auto known = by_id_.find(head.wd);
-            if (known == by_id_.end()) continue;  // of a directory removed in the meantime
+            if (known == by_id_.end()) continue;  // the directory was removed in the meantime
             const auto kind = kind_of(head.mask);
             const bool of_itself = name.empty() && kind != DirectoryEvent::Kind::self_gone;
             if (kind && !of_itself) events.push_back({*kind, known->second, name});

@@ -9,16 +9,16 @@
 
 namespace vitrine {
 
-/// One thing that happened in a watched directory.
+/// A change in a watched directory.
 struct DirectoryEvent {
     enum class Kind {
-        written,            // a file was closed by who wrote it, or moved in
+        written,            // a writer closed a file, or a file was moved in
         changed,            // a file's attributes changed
         removed,            // a file was deleted or moved away
         directory_added,    // made or moved in; it may already hold files: add() it, then read it
         directory_removed,  // deleted or moved away
         self_gone,          // the watched directory itself was deleted, moved or unmounted
-        overflow,           // events were lost: read everything anew. directory and name are empty
+        overflow,           // events were lost: read everything anew; directory and name are empty
     };
 
     Kind kind = Kind::changed;
@@ -28,8 +28,8 @@ struct DirectoryEvent {
     friend bool operator==(const DirectoryEvent&, const DirectoryEvent&) = default;
 };
 
-/// Changes in directories as the kernel sees them (inotify). What others do on a network share is not
-/// among them, nor what happens below a directory: each is added by itself.
+/// Reports the changes in directories that the kernel sees (inotify). It does not see changes that others
+/// make on a network share, nor changes in sub-folders: add each folder by itself.
 class DirectoryWatch {
   public:
     DirectoryWatch();
@@ -37,10 +37,11 @@ class DirectoryWatch {
     /// Becomes readable when there are events.
     int fd() const { return inotify_.get(); }
 
-    /// Adding before reading the directory leaves no gap; adding again does no harm.
-    /// @return false, with errno, where it cannot be watched: it is already gone (ENOENT), is none (ENOTDIR),
-    /// or
-    ///         too many are (ENOSPC: fs.inotify.max_user_watches)
+    /// Begins to watch a directory. Add it before you read it, so that no change is missed. Adding it again
+    /// does no harm.
+    /// @return  false, with errno, if it cannot be watched: it is already gone (ENOENT), is no directory
+    /// (ENOTDIR), or
+    ///          too many are watched (ENOSPC: fs.inotify.max_user_watches)
     bool add(const std::filesystem::path& directory);
 
     /// Forgets the directory and all below it.
@@ -48,7 +49,7 @@ class DirectoryWatch {
 
     std::size_t size() const { return by_path_.size(); }
 
-    /// All events that have come, in order; does not wait.
+    /// Returns all events so far, in order, without waiting.
     std::vector<DirectoryEvent> read();
 
   private:

@@ -9,13 +9,13 @@
 
 namespace vitrine {
 
-/// Lives at one address for as long as its source, which sd-event knows by that address.
+/// Stays at one address for as long as its source lives, because sd-event keeps that address.
 struct EventLoop::Callback {
     EventLoop& loop;
     std::function<void(std::uint32_t)> call;
 
-    /// The one place where exceptions are stopped before they reach C. The copy keeps the function alive
-    /// where it destroys its own source.
+    /// Stops exceptions before they reach C, at this place only. The copy keeps the function alive if it
+    /// destroys its own source.
     int guarded(std::uint32_t events) const {
         EventLoop& keeper = loop;
         try {

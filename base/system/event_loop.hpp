@@ -11,17 +11,17 @@ struct sd_event_source;
 
 namespace vitrine {
 
-/// Waits for files, times and signals in one thread and calls back, over sd-event.
+/// Waits for files, times and signals in one thread and calls functions (sd-event).
 ///
-/// An exception of a callback ends the loop and comes out of run(); it never crosses sd-event itself.
+/// An exception from a callback ends the loop, and run() throws it again; it never crosses sd-event itself.
 class EventLoop {
     struct Callback;
 
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// What a callback hangs on: nothing is called any more once it is gone. Must not outlive the loop.
-    /// A callback may destroy its own source as its last deed.
+    /// Keeps a callback: once it is destroyed, its callback is not called any more. It must not outlive the
+    /// loop. A callback may destroy its own source as its last action.
     class [[nodiscard]] Source {
       public:
         Source();
@@ -31,9 +31,7 @@ class EventLoop {
         Source& operator=(const Source&) = delete;
         ~Source();
 
-        bool is_set() const { return source_ != nullptr; }
-
-        /// Timers only: calls back once, this long from now, whether it already did or not.
+        /// For timers: calls back once, after this delay from now, also if it did so before.
         void arm(Clock::duration delay);
 
         void disarm();
@@ -53,29 +51,29 @@ class EventLoop {
     EventLoop& operator=(EventLoop&&) = delete;
     ~EventLoop();
 
-    /// @param events  EPOLLIN, EPOLLOUT; the callback gets those that came, with EPOLLHUP and EPOLLERR
-    /// @param fd      borrowed: open for as long as the source lives
+    /// @param events  EPOLLIN, EPOLLOUT; the callback gets the events that came, with EPOLLHUP and EPOLLERR
+    /// @param fd      borrowed: keep it open for as long as the source lives
     Source watch(int fd, std::uint32_t events, std::function<void(std::uint32_t)> call);
 
-    /// A timer, not armed yet.
+    /// Makes a timer that is not armed yet.
     Source timer(std::function<void()> call);
 
-    /// Blocks the signal for this thread and takes it in turn with everything else.
+    /// Blocks the signal for this thread and calls back in turn with all other events.
     Source signal(int number, std::function<void()> call);
 
-    /// Calls once, as soon as the loop runs.
+    /// Calls back once, as soon as the loop runs.
     Source defer(std::function<void()> call);
 
-    /// Runs until quit(). @throws what a callback threw
+    /// Runs until quit(). @throws the exception of a callback
     void run();
 
-    /// Waits for one event at most this long and deals with it. @return false where none came or the loop
+    /// Waits for one event, at most this long, and handles it. @return  false if no event came or the loop
     /// quit
     bool run_once(Clock::duration at_most);
 
     void quit();
 
-    /// For a library that brings its own sd-event sources.
+    /// The sd-event loop, for a library that adds its own sources.
     sd_event* get() const { return event_.get(); }
 
   private:

@@ -4,12 +4,12 @@
 
 namespace vitrine {
 
-/// Calls the C function that frees what a Handle owns.
+/// Calls the C function that frees the object of a Handle.
 template <auto free> struct FreedBy {
     template <typename T> void operator()(T* object) const { free(object); }
 };
 
-/// The one owner of an object of a C library: Handle<drmModeConnector, &drmModeFreeConnector>.
+/// The only owner of an object of a C library: Handle<drmModeConnector, &drmModeFreeConnector>.
 template <typename T, auto free> using Handle = std::unique_ptr<T, FreedBy<free>>;
 
 }  // namespace vitrine

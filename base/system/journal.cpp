@@ -13,7 +13,7 @@ namespace vitrine::log {
 
 std::vector<std::string> journal_entry(Level level, std::string_view message,
                                        const std::vector<Field>& fields) {
-    const std::string line = line_of(level, message, true);  // "<6>...\n", fit to be printed
+    const std::string line = line_of(level, message, true);  // "<6>...\n", safe to print
     std::vector<std::string> entry{"MESSAGE=" + line.substr(3, line.size() - 4),
                                    std::string("PRIORITY=") + line[1],
                                    std::string("SYSLOG_IDENTIFIER=") + ::program_invocation_short_name};

@@ -8,20 +8,20 @@
 
 namespace vitrine::log {
 
-/// What a line says beside its words, to be searched for in the journal:
+/// A value of a log line by which the journal can be searched:
 /// `journalctl VITRINE_FILE=trips/a.jpg`, `journalctl VITRINE_STATE=quarantined`.
 struct Field {
     std::string_view name;  // capitals and underscores, beginning with VITRINE_, or MESSAGE_ID
     std::string value;      // any bytes
 };
 
-/// MESSAGE_ID of the line that names a file at fault, by which it is found whatever its words.
+/// MESSAGE_ID of the line that names a file at fault. It finds the line whatever its words are.
 constexpr const char* file_at_fault = "9d0f6a5c1e7b4c2f8a3be5d27c41f06b";
 
-/// One line, with fields where the standard error is the journal, else as write() does.
+/// Writes one line, with fields if the standard error is the journal, else as write() does.
 void write_with(Level level, std::string_view message, const std::vector<Field>& fields);
 
-/// The assignments that the journal gets, "MESSAGE=..." and so on.
+/// The assignments for the journal: "MESSAGE=..." and so on.
 std::vector<std::string> journal_entry(Level level, std::string_view message,
                                        const std::vector<Field>& fields);
 

@@ -56,7 +56,7 @@ void write(Level level, std::string_view message) {
     if (!is_wanted(level)) return;
     static const bool for_journal = is_journal(STDERR_FILENO);
     const std::string line = line_of(level, message, for_journal);
-    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // nobody left to tell
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // there is no other place to report it
 }
 
 }  // namespace vitrine::log

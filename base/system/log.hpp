@@ -6,21 +6,21 @@
 #include <string_view>
 #include <utility>
 
-/// The journal's or the terminal's lines. Thread-safe: each line is one write to the standard error.
-/// Only the daemon, the player and the two main() log above debug; one event, one line.
+/// Writes log lines for the journal or a terminal. Thread-safe: each line is one write to the standard error.
+/// Only the daemon, the player and the two main() log above debug; one event gives one line.
 namespace vitrine::log {
 
 enum class Level { error, warning, info, debug };
 
-/// Lines less important than this are dropped. Starts at info.
+/// Drops lines that are less important than this. It starts at info.
 void set_level(Level level);
 
 bool is_wanted(Level level);
 
-/// One line; control characters of names from outside are written as \xNN, so that no name forges a line.
+/// Writes one line. Control characters are written as \xNN, so that a file name cannot forge a line.
 void write(Level level, std::string_view message);
 
-/// The line as it stands in the stream. @param for_journal  with the priority that the journal reads, "<6>"
+/// The line in the stream. @param for_journal  begin it with the priority that the journal reads, "<6>"
 std::string line_of(Level level, std::string_view message, bool for_journal);
 
 template <typename... Args> void error(fmt::format_string<Args...> text, Args&&... args) {

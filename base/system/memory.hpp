@@ -2,8 +2,8 @@
 
 namespace vitrine {
 
-/// Keeps a process that runs for years from growing by fragments: few arenas for its many threads, and blocks
-/// of pictures that go back to the system when they are freed. To be called before any thread starts.
+/// Keeps a process that runs for years from growing by fragments: it gets few arenas for its many threads,
+/// and blocks of pictures go back to the system when they are freed. Call it before any thread starts.
 void bound_memory();
 
 }  // namespace vitrine

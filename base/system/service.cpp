@@ -17,7 +17,7 @@ void notify(const std::string& message) {
     if (result < 0) log::debug("systemd was not told '{}': {}", message, std::strerror(-result));
 }
 
-/// A status is one line.
+/// Makes one line of a status.
 std::string one_line(std::string text) {
     for (char& c : text)
         if (c == '\n') c = ' ';
@@ -38,7 +38,7 @@ void stopping() {
     notify("STOPPING=1");
 }
 
-void alive() {
+void feed_watchdog() {
     notify("WATCHDOG=1");
 }
 

@@ -6,31 +6,34 @@
 #include <optional>
 #include <string>
 
-/// What is told to systemd (sd_notify); nothing happens where systemd did not start the program.
+/// Messages to systemd (sd_notify). They do nothing if systemd did not start the program.
 namespace vitrine::service {
 
 void ready(const std::string& status);
 void status(const std::string& text);
 void stopping();
 
-/// Whether systemd, or who stands in for it, is told anything at all.
+/// Tells if messages reach systemd, or a program that stands in for it.
 bool is_told();
 
-/// Has systemd hold a descriptor for the next process of the service, in place of what it held under that
-/// name. It is closed when the service is stopped for good. FileDescriptorStoreMax= allows it.
+/// Lets systemd hold a descriptor for the next process of the service. It replaces a descriptor that systemd
+/// held under that name. systemd closes it when the service is stopped for good. FileDescriptorStoreMax= must
+/// allow it.
 void hold(const std::string& name, int fd);
 
-/// It is not held any more.
+/// Lets systemd close a descriptor that it holds.
 void forget(const std::string& name);
 
-/// What the last process of the service had held under this name. All others that were handed over are
-/// closed. To be called once, before any thread starts.
+/// Takes the descriptor that the last process of the service left with systemd under this name, and closes
+/// all others that it left. Call it once, before any thread starts.
 UniqueFd held(const std::string& name);
 
-/// To be called more often than watchdog_interval(), and only while what the service is for is being done.
-void alive();
+/// Feeds the watchdog of systemd. Call it more often than watchdog_interval(), and only while the service
+/// does its work.
+void feed_watchdog();
 
-/// How long systemd waits for alive() before it restarts the service; nothing where it does not.
+/// The time that systemd waits for feed_watchdog() before it restarts the service; nothing if it does not
+/// wait.
 std::optional<std::chrono::microseconds> watchdog_interval();
 
 }  // namespace vitrine::service

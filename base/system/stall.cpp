@@ -16,16 +16,16 @@ Stall::Duration time_of(clockid_t clock) {
 
 }  // namespace
 
-bool Stall::has_come(Duration now, Duration busy) {
+bool Stall::is_hanging(Duration now, Duration busy) {
     if (since_.count() < 0 || busy - busy_ > next_to_nothing) {
         since_ = now;
         busy_ = busy;
     }
-    return now - since_ >= longest_;
+    return now - since_ >= patience_;
 }
 
-bool Stall::has_come() {
-    return has_come(time_of(CLOCK_MONOTONIC), time_of(CLOCK_PROCESS_CPUTIME_ID));
+bool Stall::is_hanging() {
+    return is_hanging(time_of(CLOCK_MONOTONIC), time_of(CLOCK_PROCESS_CPUTIME_ID));
 }
 
 }  // namespace vitrine

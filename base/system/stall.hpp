@@ -4,27 +4,27 @@
 
 namespace vitrine {
 
-/// Tells work that hangs from work on a slow machine: it hangs where for so long next to nothing was
-/// computed.
+/// Tells work that hangs from slow work: work hangs if this process computes next to nothing for the time
+/// given to the constructor.
 class Stall {
   public:
     using Duration = std::chrono::nanoseconds;
 
-    explicit Stall(Duration longest) : longest_(longest) {}
+    explicit Stall(Duration patience) : patience_(patience) {}
 
-    /// To be asked about once a second while something is waited for.
+    /// Tells if the work hangs. Ask about once a second while you wait for it.
     ///
-    /// @param now   of a clock that goes on
+    /// @param now   time of a steady clock
     /// @param busy  processor time that this process has used so far
-    bool has_come(Duration now, Duration busy);
+    bool is_hanging(Duration now, Duration busy);
 
-    /// The same, by this process' clocks.
-    bool has_come();
+    /// Tells if the work hangs, by this process' clocks.
+    bool is_hanging();
 
   private:
-    Duration longest_;
-    Duration since_{-1};  // when it last computed
-    Duration busy_{};     // by then
+    Duration patience_;
+    Duration since_{-1};  // time at which it last computed
+    Duration busy_{};     // processor time at that time
 };
 
 }  // namespace vitrine

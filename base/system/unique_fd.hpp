@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// The one owner of a file descriptor; -1: none.
+/// The only owner of a file descriptor; -1: none.
 class UniqueFd {
   public:
     UniqueFd() = default;

@@ -46,7 +46,7 @@ CrashNote::CrashNote(fs::path state)
       note_{.boot = this_boot(), .process = ::getpid(), .opening = {}, .playing = {}} {
     count_crash();
     for (const auto& [name, points] : blame_)
-        if (points >= least_suspicion && points < most_blame) suspects_.insert(name);
+        if (points >= suspect_points && points < quarantine_points) suspects_.insert(name);
     if (suspects_.size() > 1)
         log::info("{} files are shown again one after the other, for one of them may bring the player down",
                   suspects_.size());
@@ -114,7 +114,7 @@ void CrashNote::open(const MediaRecord& record, Time now) {
 
 std::chrono::seconds CrashNote::opening_time(const ContentName& name) const {
     const auto found = blame_.find(name);
-    return found != blame_.end() && found->second == most_blame - 1 ? longest_opening : usual_opening;
+    return found != blame_.end() && found->second == quarantine_points - 1 ? longest_opening : usual_opening;
 }
 
 bool CrashNote::keep(const std::set<ContentName>& open, Time now) {
@@ -147,7 +147,8 @@ bool CrashNote::end_trial(Time now) {
 }
 
 void CrashNote::forgive() {
-    const auto forgiven = std::erase_if(blame_, [](const auto& entry) { return entry.second < most_blame; });
+    const auto forgiven =
+        std::erase_if(blame_, [](const auto& entry) { return entry.second < quarantine_points; });
     if (forgiven == 0 || !is_active_) return;
     try {
         replace_file(state_ / blamed_file, to_text(blame_));

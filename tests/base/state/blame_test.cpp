@@ -43,7 +43,7 @@ TEST_CASE("a content that played in four crashes in a row is quarantined, not on
     Blame blame = crashes(3, {.playing = {evil, photo}});
     blame = blame_after(blame, {.playing = {photo, film}});
     CHECK_FALSE(blame.contains(evil));
-    CHECK(blame.at(photo) == most_blame);
+    CHECK(blame.at(photo) == quarantine_points);
     CHECK(blame.at(film) == 1);
 }
 
@@ -52,14 +52,14 @@ TEST_CASE(
     Blame blame = crashes(2, {.opening = {film, photo, third}});
     CHECK(blame == Blame{{film, 3}, {photo, 3}, {third, 3}});
     blame = blame_after(blame, {.opening = {photo}, .playing = {film}});
-    CHECK(blame == Blame{{photo, most_blame}});
+    CHECK(blame == Blame{{photo, quarantine_points}});
     CHECK(blame_after(blame, {.opening = {photo, film}}).at(film) == 2);
 }
 
 TEST_CASE("one that is quarantined stays so whoever crashes next") {
     Blame blame = crashes(2, {.opening = {film}});
     blame = blame_after(blame, {.opening = {photo}});
-    CHECK(blame.at(film) == most_blame);
+    CHECK(blame.at(film) == quarantine_points);
 }
 
 TEST_CASE("note and blame are read as they were written, and nonsense is nothing") {

@@ -96,5 +96,4 @@ TEST_CASE("a callback may end its own source and use what it captured afterwards
     source.arm(0s);
     loop.run();
     CHECK(told.size() > 20);
-    CHECK_FALSE(source.is_set());
 }

@@ -78,7 +78,7 @@ TEST_CASE("systemd is told what the service does, in one line, and where there i
     ::setenv("NOTIFY_SOCKET", path.c_str(), 1);
     service::ready("3 files\nFDSTORE=1");
     CHECK(received(systemd) == "READY=1\nSTATUS=3 files FDSTORE=1");
-    service::alive();
+    service::feed_watchdog();
     CHECK(received(systemd) == "WATCHDOG=1");
     service::stopping();
     CHECK(received(systemd) == "STOPPING=1");

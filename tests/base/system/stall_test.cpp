@@ -16,7 +16,7 @@ std::optional<std::chrono::seconds> found(std::chrono::milliseconds a_second,
     Stall stall(20s);
     Stall::Duration busy = 0s;
     for (std::chrono::seconds now = 100s; now < 700s; now += 1s) {
-        if (stall.has_come(now, busy)) return now - 100s;
+        if (stall.is_hanging(now, busy)) return now - 100s;
         if (now - 100s < until) busy += a_second;
     }
     return std::nullopt;
@@ -35,6 +35,6 @@ TEST_CASE("a stall is counted from when it last computed") {
 }
 
 TEST_CASE("this process stalls at once where it may not wait") {
-    CHECK(Stall(0s).has_come());
-    CHECK_FALSE(Stall(1h).has_come());
+    CHECK(Stall(0s).is_hanging());
+    CHECK_FALSE(Stall(1h).is_hanging());
 }
