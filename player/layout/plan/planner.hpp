@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/system/mailbox.hpp"
+#include "player/layout/plan/mailbox.hpp"
 #include "player/layout/plan/plan.hpp"
 
 #include <atomic>

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-namespace vitrine {
+namespace vitrine::player {
 
-/// Thread-safe. Holds the newest value that one thread hands to another; an older one is dropped.
+/// Thread-safe. Hands values from one thread to another. Only the newest value is kept.
 template <typename T> class Mailbox {
   public:
     void put(T value) {
@@ -24,4 +24,4 @@ template <typename T> class Mailbox {
     std::optional<T> value_;  // guarded by mutex_
 };
 
-}  // namespace vitrine
+}  // namespace vitrine::player
