@@ -38,8 +38,8 @@ struct HintWord {
     std::optional<HintValue> (*value)(const Hints&);          // nothing: not said
     bool (*read)(Hints&, std::string_view word, NameWords&);  // false: the word is another hint or a name, or
                                                               // the hint was said before
-    std::string (*in_words)(const Hints&);            // for the operator; only if the hint is said
-    void (*merge)(Hints& outer, const Hints& inner);  // the inner one counts, if it is said
+    std::string (*in_words)(const Hints&);                    // for the operator; only if the hint is said
+    void (*merge)(Hints& outer, const Hints& inner);          // the inner one counts, if it is said
 };
 
 /// All hints, in the order in which files and sentences list them.
