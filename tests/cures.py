@@ -2,9 +2,10 @@
 """Each cure of docs/testing.md's table of defects is taken out of the tree, and its test must fail.
 
     cures.py [PRESET [NAME...]]      PRESET: of a build that is there and up to date (dev)
+    cures.py --check                 builds nothing: is the text of each cure found once?
 
-Works on this tree, which must be as committed, and puts everything back; the build is behind afterwards by what was put
-back. A cure that stands no longer where it stood, and a test that passes without it, are failures.
+It works on this tree, which must be as committed, and restores every file; the build must be brought up to date
+afterwards. A cure whose text is not found once, and a test that passes without its cure, are failures.
 """
 import subprocess
 import sys
@@ -97,13 +98,20 @@ def failing_tests(cure, preset):
     return [line for line in tested.stdout.splitlines() if "***" in line]
 
 
-def tried(cure, preset):
-    """Whether its test fails without the cure."""
+def is_found_once(cure):
     file = TREE / cure.file
-    text = file.read_text()
-    if text.count(cure.cure) != 1:
-        print(f"{cure.name}: its cure stands in {cure.file} {text.count(cure.cure)} times")
+    count = file.read_text().count(cure.cure) if file.exists() else 0
+    if count != 1:
+        print(f"{cure.name}: its text is found {count} times in {cure.file}:\n{cure.cure}")
+    return count == 1
+
+
+def is_proven(cure, preset):
+    """Takes the cure out; true if its test fails then."""
+    file = TREE / cure.file
+    if not is_found_once(cure):
         return False
+    text = file.read_text()
     try:
         file.write_text(text.replace(cure.cure, cure.without))
         failing = failing_tests(cure, preset)
@@ -117,11 +125,13 @@ def tried(cure, preset):
 
 
 def main():
+    if sys.argv[1:] == ["--check"]:
+        sys.exit(not all([is_found_once(cure) for cure in CURES]))
     if run("git", "status", "--porcelain", "--untracked-files=no").stdout:
         sys.exit("the tree is not as committed")
     preset, names = (sys.argv[1:2] or ["dev"])[0], sys.argv[2:]
     chosen = [cure for cure in CURES if not names or cure.name in names]
-    proven = [cure for cure in chosen if tried(cure, preset)]
+    proven = [cure for cure in chosen if is_proven(cure, preset)]
     print(f"{len(proven)} of {len(chosen)} proven")
     sys.exit(len(proven) != len(chosen))
 
