@@ -13,8 +13,8 @@ MEDIA = "/srv/vitrine/media"
 STILLS = {"red": (220, 30, 30), "green": (30, 170, 50), "blue": (40, 60, 220)}
 FILM = {"magenta": (200, 40, 200)}
 COLOURS = STILLS | FILM
-LEAST_SHARE = 0.01  # of the screen that each file's colour covers; a fair part would be 0.2
-MOST_BLACK = 0.05  # of the screen; the wall leaves none
+MIN_SHARE = 0.01  # of the screen that each file's colour covers; a fair part would be 0.2
+MAX_BLACK = 0.05  # of the screen; the wall leaves none
 # An emulated machine is twenty times slower: little is analysed, and few pictures a second are drawn.
 SETTINGS = {
     "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 5, "show.crossfade_milliseconds": 0,
@@ -190,11 +190,11 @@ class Appliance:
         return picture
 
     def files_in(self, picture):
-        return {name for name, colour in COLOURS.items() if picture.share_of(colour) >= LEAST_SHARE}
+        return {name for name, colour in COLOURS.items() if picture.share_of(colour) >= MIN_SHARE}
 
     def lacking(self, picture, files=COLOURS):
         """Those files that a picture is without; and where it does not fill the panel, "a full panel"."""
-        return sorted(set(files) - self.files_in(picture)) + ["a full panel"] * (picture.share_of((0, 0, 0), 8) > MOST_BLACK)
+        return sorted(set(files) - self.files_in(picture)) + ["a full panel"] * (picture.share_of((0, 0, 0), 8) > MAX_BLACK)
 
     def wait_for_wall(self, what, head=0, size=None, part=None, keeps=True, files=COLOURS):
         """Until the wall with these files fills a panel, of this size where one is given, or a part of it; the picture.

@@ -197,7 +197,7 @@ def large(folder, name, colour):
 
 
 def shows(box, colour):
-    return box.machine.picture().share_of(colour) > appliance.LEAST_SHARE
+    return box.machine.picture().share_of(colour) > appliance.MIN_SHARE
 
 
 ORANGE, TEAL, OLIVE = (255, 120, 0), (0, 110, 110), (110, 110, 0)

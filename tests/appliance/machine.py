@@ -16,7 +16,7 @@ from picture import Picture
 
 # s for a boot, and for whatever else must come, without the time that the host keeps the machine waiting
 PATIENCE = int(os.environ.get("VITRINE_RIG_PATIENCE", 480))
-MOST_PATIENCE = max(2400, PATIENCE)  # s with it
+MAX_PATIENCE = max(2400, PATIENCE)  # s with it
 WIDTH, HEIGHT = 640, 360  # px of the first panel
 CONSOLE = "org.qemu.Display1.Console"
 
@@ -37,7 +37,7 @@ def wait_for(what, look, patience=PATIENCE, pause=0.3):
     begin, kept = time.monotonic(), kept_waiting()
     while not (seen := look()):
         waited, own = time.monotonic() - begin, time.monotonic() - begin - (kept_waiting() - kept)
-        if own > patience or waited > MOST_PATIENCE:
+        if own > patience or waited > MAX_PATIENCE:
             raise AssertionError(f"waited {waited:.0f} s in vain for {what}, {own:.0f} s of them the machine's own")
         time.sleep(pause)
     return seen

@@ -10,7 +10,7 @@ from machine import wait_for
 MORE = int(os.environ.get("VITRINE_RIG_RESTARTS", 0))
 RESTARTS = 2 + MORE
 KILLS = 1 + MORE
-MOST_BLACK = 0.3  # of the screen; the wall leaves none, the console is black
+MAX_BLACK = 0.3  # of the screen; the wall leaves none, the console is black
 
 
 def buffers(box):
@@ -26,7 +26,7 @@ def unit(box, what):
 def never_black(box, what, act):
     """Does something that brings another process, and looks at the panel until that one has shown its first picture."""
     before = box.machine.picture()
-    assert before.share_of((0, 0, 0), 8) <= MOST_BLACK, "the wall to begin with"
+    assert before.share_of((0, 0, 0), 8) <= MAX_BLACK, "the wall to begin with"
     pid, begin = box.pid(), box.now()
     act()
     looks, same, whole, first = 0, 0, 0, None
@@ -34,7 +34,7 @@ def never_black(box, what, act):
     while first is None and time.monotonic() < end:
         picture = box.machine.picture()
         looks += 1
-        if picture.share_of((0, 0, 0), 8) > MOST_BLACK:
+        if picture.share_of((0, 0, 0), 8) > MAX_BLACK:
             box.look(f"black after {what}")
             raise AssertionError(f"{what}: the screen is black, look {looks}")
         same += picture.size == before.size
@@ -65,7 +65,7 @@ def run(box):
 
     # Who stops it has the console back, and the card.
     box.sh("systemctl stop vitrine-player")
-    wait_for("the console", lambda: box.machine.picture().share_of((0, 0, 0), 8) > MOST_BLACK)
+    wait_for("the console", lambda: box.machine.picture().share_of((0, 0, 0), 8) > MAX_BLACK)
     assert unit(box, "NFileDescriptorStore") == "0", "nothing is held of a stopped service"
     box.look("stopped")
     box.sh("systemctl start vitrine-player")
