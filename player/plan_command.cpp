@@ -7,8 +7,8 @@
 #include "player/layout/plan/plan.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "player/layout/plan/ribbon.hpp"
-#include "player/scene/assemblage.hpp"
 #include "player/scene/wall.hpp"
+#include "player/scene/wall_slots.hpp"
 #include "player/stage/stage_settings.hpp"
 
 #include <fmt/format.h>

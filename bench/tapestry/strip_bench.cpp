@@ -3,7 +3,7 @@
 
 #include "player/display/offscreen_screen.hpp"
 #include "player/render/renderer.hpp"
-#include "player/scene/tapestry/tapestry_strip.hpp"
+#include "player/scene/tapestry/tapestry_show.hpp"
 
 #include <GLES3/gl3.h>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "player/playback/film_sound.hpp"
 #include "player/playback/media_places.hpp"
-#include "player/scene/hearing.hpp"
+#include "player/scene/chosen_sound.hpp"
 
 #include <chrono>
 #include <memory>

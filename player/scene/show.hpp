@@ -5,7 +5,7 @@
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
-#include "player/scene/shot_round.hpp"
+#include "player/scene/shot_rotation.hpp"
 #include "player/scene/wishes.hpp"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/edit/motion.hpp"
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
 
 #include <chrono>
 #include <optional>

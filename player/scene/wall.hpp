@@ -1,11 +1,11 @@
 #pragma once
 
-#include "player/scene/assemblage.hpp"
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/scene/drag.hpp"
 #include "player/scene/enlargement.hpp"
-#include "player/scene/hand.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"
+#include "player/scene/wall_slots.hpp"
 
 #include <cstdint>
 #include <map>

@@ -7,7 +7,7 @@
 #include "player/layout/plan/planner.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
-#include "player/scene/hearing.hpp"
+#include "player/scene/chosen_sound.hpp"
 #include "player/scene/show.hpp"
 #include "player/stage/strip_stage.hpp"
 

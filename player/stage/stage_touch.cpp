@@ -2,7 +2,7 @@
 
 #include "base/state/tapestry.hpp"
 #include "base/system/log.hpp"
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -3,7 +3,7 @@
 #include "player/playback/tile_loader.hpp"
 #include "player/render/renderer.hpp"
 #include "player/scene/show.hpp"
-#include "player/scene/tapestry/tapestry_strip.hpp"
+#include "player/scene/tapestry/tapestry_show.hpp"
 
 #include <chrono>
 #include <cstdint>

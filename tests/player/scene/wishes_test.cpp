@@ -1,4 +1,4 @@
-#include "player/scene/assemblage.hpp"
+#include "player/scene/wall_slots.hpp"
 
 #include "tests/player/scene/scene_media.hpp"
 

@@ -1,4 +1,4 @@
-#include "player/scene/hearing.hpp"
+#include "player/scene/chosen_sound.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "player/scene/tapestry/strip_motion.hpp"
+#include "player/scene/tapestry/tapestry_motion.hpp"
 
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
 
 #include <algorithm>
 #include <cmath>

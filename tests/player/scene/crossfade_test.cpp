@@ -1,4 +1,4 @@
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
 
 #include "tests/player/scene/scene_media.hpp"
 

@@ -4,7 +4,7 @@
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
-#include "player/scene/shot_round.hpp"
+#include "player/scene/shot_rotation.hpp"
 #include "player/scene/wishes.hpp"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "player/scene/hand.hpp"
+#include "player/scene/drag.hpp"
 
 #include "player/layout/pack/energy.hpp"
 #include "player/layout/plan/plan.hpp"

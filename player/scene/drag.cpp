@@ -1,4 +1,4 @@
-#include "player/scene/hand.hpp"
+#include "player/scene/drag.hpp"
 
 #include "player/layout/edit/edit.hpp"
 #include "player/layout/plan/plan_request.hpp"

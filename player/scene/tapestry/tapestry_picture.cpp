@@ -1,5 +1,5 @@
-#include "player/scene/compose.hpp"
-#include "player/scene/tapestry/tapestry_strip.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/scene/tapestry/tapestry_show.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
-#include "player/scene/tapestry/strip_motion.hpp"
+#include "player/scene/tapestry/tapestry_motion.hpp"
 #include "player/scene/tapestry/tile_cache.hpp"
 
 #include <chrono>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "player/layout/plan/plan_request.hpp"
-#include "player/scene/assemblage.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
+#include "player/scene/wall_slots.hpp"
 
 #include <chrono>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "player/scene/shot_round.hpp"
+#include "player/scene/shot_rotation.hpp"
 
 #include <algorithm>
 #include <functional>

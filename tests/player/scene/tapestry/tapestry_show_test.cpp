@@ -1,4 +1,4 @@
-#include "player/scene/tapestry/tapestry_strip.hpp"
+#include "player/scene/tapestry/tapestry_show.hpp"
 
 #include "tests/player/scene/tapestry/drawn_tapestry.hpp"
 

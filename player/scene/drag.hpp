@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/edit/wall_state.hpp"
-#include "player/scene/compose.hpp"
+#include "player/scene/crossfade.hpp"
 
 #include <map>
 #include <optional>
