@@ -36,13 +36,13 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
         Catalogue(directory).load([](const std::string& file, const std::string& reason) {
             log::warning("record '{}' unreadable, ignoring: {}", file, reason);
         });
-    AssemblageSettings wanted = assemblage_settings(settings);
-    wanted.slots *= screens;
-    Assemblage assemblage(wanted);
-    assemblage.set_catalogue(records);
+    SlotSettings wanted = slot_settings(settings);
+    wanted.count *= screens;
+    WallSlots slots(wanted);
+    slots.set_catalogue(records);
     FirstWall wall;
     std::map<std::string, int> folders;
-    for (const WallShot& shot : assemblage.wall()) {
+    for (const WallShot& shot : slots.shots()) {
         wall.items.push_back(
             {.path = shot.key.path, .shot = static_cast<std::size_t>(shot.key.shot), .item = shot.item});
         const bool nests = settings.layout.folders == FolderMode::nested;

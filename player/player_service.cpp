@@ -57,7 +57,7 @@ void Operation::export_to_bus() {
 
 void Operation::tell_wishes() const {
     for (const auto& stage : parts_.stages)
-        stage->set_wishes(wishes_);
+        stage->set_controls(controls_);
 }
 
 void Operation::look(std::chrono::nanoseconds now) {
@@ -114,8 +114,8 @@ PlayerReport Operation::report() const {
                         .rate = rate_,
                         .since_flip =
                             std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
-                        .is_paused = wishes_.is_paused,
-                        .pinned = {wishes_.files.begin(), wishes_.files.end()},
+                        .is_paused = controls_.is_paused,
+                        .pinned = {controls_.files.begin(), controls_.files.end()},
                         .dismissed = dismissals_.paths()};
     if (parts_.display)
         for (const Screen* screen : parts_.display->screens())
@@ -126,11 +126,11 @@ PlayerReport Operation::report() const {
                                       .flips = screen->flips()});
     for (const auto& stage : parts_.stages)
         for (const SlotShot& shot : stage->standing())
-            report.cells.push_back(
-                {.slot = shot.slot,
-                 .path = shot.key.path,
-                 .shot = shot.key.shot,
-                 .is_pinned = wishes_.slots.contains(shot.slot) || wishes_.files.contains(shot.key.path)});
+            report.cells.push_back({.slot = shot.slot,
+                                    .path = shot.key.path,
+                                    .shot = shot.key.shot,
+                                    .is_pinned = controls_.slots.contains(shot.slot) ||
+                                                 controls_.files.contains(shot.key.path)});
     for (const SourceState& source : parts_.sources.states())
         report.sources.push_back({.path = source.path,
                                   .tier = tier_of(source),
@@ -156,7 +156,7 @@ FileReport Operation::described(const MediaRecord& record) const {
                       .width = record.width,
                       .height = record.height,
                       .shots = record.shots.size(),
-                      .is_pinned = wishes_.files.contains(record.path),
+                      .is_pinned = controls_.files.contains(record.path),
                       .is_dismissed = dismissals_.contains(record.path)};
     for (const auto& stage : parts_.stages)
         for (const SlotShot& shot : stage->standing())
@@ -203,7 +203,7 @@ void Operation::require_turns() const {
 }
 
 void Operation::pin(const std::string& path, bool is_on) {
-    put(wishes_.files, path, is_on);
+    put(controls_.files, path, is_on);
     tell_wishes();
     log::info("{}: '{}'", is_on ? "pinned" : "not pinned any more", path);
 }
@@ -218,19 +218,20 @@ Controls Operation::controls() {
     controls.reload = [this] { parts_.reload(); };
     controls.next = [this] {
         require_turns();
-        ++wishes_.turns;
+        ++controls_.turns;
         tell_wishes();
     };
     controls.pause = [this](bool is_on) {
-        if (wishes_.is_paused != is_on) log::info("the wall is {}", is_on ? "paused" : "not paused any more");
-        wishes_.is_paused = is_on;
+        if (controls_.is_paused != is_on)
+            log::info("the wall is {}", is_on ? "paused" : "not paused any more");
+        controls_.is_paused = is_on;
         tell_wishes();
     };
     controls.pin_slot = [this](int slot, bool is_on) {
         require_turns();
         if (slot >= parts_.settings.layout.slots)
             throw std::runtime_error(fmt::format("there is no slot {}", slot));
-        put(wishes_.slots, slot, is_on);
+        put(controls_.slots, slot, is_on);
         tell_wishes();
     };
     controls.pin = [this](const std::string& file, const std::string& folder, bool is_on) {
@@ -241,7 +242,7 @@ Controls Operation::controls() {
     };
     controls.remove = [this](const std::string& file, const std::string& folder) {
         const MediaRecord record = shown_record(file, folder);
-        put(wishes_.files, record.path, false);
+        put(controls_.files, record.path, false);
         tell_wishes();
         dismissals_.add(record);
         log::info("removed from the wall: '{}'", record.path);

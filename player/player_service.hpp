@@ -10,7 +10,7 @@
 #include "player/display/display.hpp"
 #include "player/frame_clock.hpp"
 #include "player/playback/source_pool.hpp"
-#include "player/scene/wishes.hpp"
+#include "player/scene/show_controls.hpp"
 #include "player/stage/stage.hpp"
 
 #include <chrono>
@@ -75,7 +75,7 @@ class Operation {
     OperatedParts parts_;
     Health health_;
     Dismissals dismissals_;
-    Wishes wishes_;
+    ShowControls controls_;
     std::chrono::nanoseconds now_{0};  // as of the last look
     std::chrono::nanoseconds told_{0};
     std::uint64_t flips_ = 0;  // of the first screen when systemd was told

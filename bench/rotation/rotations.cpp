@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     const int slots = argc > 3 ? std::atoi(argv[3]) : 12;
     const int stretch_length = std::max(1, rotations / 5);
     const auto ignore = [](const std::string&, const std::string&) {};
-    Wall wall(canvas, {.assemblage = {.slots = slots}});
+    Wall wall(canvas, {.slots = {.count = slots}});
     const std::vector<MediaRecord> records = Catalogue(argv[1]).load(ignore);
     if (records.size() < 2) return std::fprintf(stderr, "no records to take turns\n"), 1;
     wall.set_catalogue(records);

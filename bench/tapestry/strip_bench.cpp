@@ -103,7 +103,7 @@ struct Noise {
 struct Bench {
     OffscreenScreen screen{{.width = 1280, .height = 720, .film = {}}};
     Renderer renderer{1280, 720};
-    TapestryStrip strip{two_hours(), {1280, 720}, canvas, {.first_source = 1, .patience = {}}};
+    TapestryShow strip{two_hours(), {1280, 720}, canvas, {.first_source = 1, .patience = {}}};
     Noise tile{512, 150};
     std::chrono::nanoseconds now = 0s;
     double scene = 0;  // CPU ms, in all, of what is no drawing
@@ -116,7 +116,7 @@ struct Bench {
 
     void step() {
         const double before = cpu_milliseconds();
-        StripStep step = strip.step(now);
+        TapestryStep step = strip.step(now);
         scene += cpu_milliseconds() - before;
         for (const TileId& id : step.missing) {
             renderer.upload(strip.source_of(id), tile.sample);
@@ -132,7 +132,7 @@ struct Bench {
             step();
     }
 
-    void key(Key key) { strip.take({.kind = Gesture::Kind::key, .key = key}); }
+    void key(Key key) { strip.handle_gesture({.kind = Gesture::Kind::key, .key = key}); }
 };
 
 void print(const char* what, Cost spent, double one_picture) {

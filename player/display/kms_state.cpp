@@ -134,12 +134,12 @@ std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& mo
     return once;
 }
 
-std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& wishes, bool needs_plane,
+std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& controls, bool needs_plane,
                                    const Refusals& refusals) {
     std::vector<std::pair<const Connector*, drmModeModeInfo>> wanted;
     for (const Connector& connector : card.connectors) {
         if (!connector.is_connected) continue;
-        const std::vector<drmModeModeInfo> modes = modes_to_try(connector.modes, wishes.of(connector.name));
+        const std::vector<drmModeModeInfo> modes = modes_to_try(connector.modes, controls.of(connector.name));
         const auto refused = refusals.find(connector.id);
         const std::size_t next = refused == refusals.end() ? 0 : refused->second;
         if (next < modes.size()) wanted.emplace_back(&connector, modes[next]);

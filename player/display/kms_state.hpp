@@ -68,7 +68,7 @@ using Refusals = std::map<std::uint32_t, std::size_t>;
 /// mode, of those that its own wish leads to, that was not refused; a panel with an empty list of modes is
 /// none yet. What feeds a panel already is kept where that does not keep another panel dark.
 /// @param needs_plane  the card takes atomic requests, which name planes
-std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& wishes, bool needs_plane,
+std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& controls, bool needs_plane,
                                    const Refusals& refusals = {});
 
 /// What lies on the way of an output and has to go in the same request, or it is refused: connectors that its

@@ -27,7 +27,7 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     std::erase_if(sound, [&](const AudibleShot& shot) {
         return shot.duration() <= 0ns || failed_.contains(shot.source);
     });
-    const AudibleShot* one = heard_one(sound, heard());
+    const AudibleShot* one = chosen_sound(sound, heard());
     const auto origin = one ? moment - one->local : 0ns;
     if (now_ &&
         (!one || one->source != now_->shot.source || std::chrono::abs(origin - now_->origin) > most_apart))

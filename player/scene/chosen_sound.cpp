@@ -10,7 +10,7 @@ constexpr double much_larger = 2;  // times the area
 
 }  // namespace
 
-const AudibleShot* heard_one(std::span<const AudibleShot> shots, std::optional<SourceId> heard) {
+const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard) {
     const auto largest = std::ranges::max_element(shots, {}, &AudibleShot::area);
     if (largest == shots.end()) return nullptr;
     const auto now =

@@ -27,6 +27,6 @@ struct AudibleShot {
 /// unless another is at least twice as large, as one that a visitor has tapped; else the largest.
 /// @param heard  the source that is heard
 /// @return none of those given: nothing
-const AudibleShot* heard_one(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
+const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
 
 }  // namespace vitrine::player

@@ -67,17 +67,17 @@ bool is_touched(const PlacedShot& placed, Vec2 point) {
     return placed.cell && (is_in_one(placed.cell->parts) || is_in_one(placed.cell->filler));
 }
 
-void Hand::forget() {
+void Drag::forget() {
     finger_.reset();
     held_ = 0;
 }
 
-std::optional<std::pair<SourceId, Placement>> Hand::held() const {
+std::optional<std::pair<SourceId, Placement>> Drag::held() const {
     if (held_ == 0) return std::nullopt;
     return std::pair{held_, home_};
 }
 
-std::optional<std::vector<Placement>> Hand::step(std::span<const PlacedShot> wall, Vec2 canvas) {
+std::optional<std::vector<Placement>> Drag::step(std::span<const PlacedShot> wall, Vec2 canvas) {
     if (!finger_) has_tried_ = false;
     if (finger_ && !has_tried_) take_hold(wall);
     if (!is_holding()) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<std::vector<Placement>> Hand::step(std::span<const PlacedShot> wal
 /// The step after which most is seen and what is held is nearest to the finger: the others make way where
 /// they were, or where they are, or the one whose place is taken changes to the place that what is held came
 /// from.
-WallState Hand::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
+WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         here.homes[i] = about(wall.items[i], wall.homes[i], place_of(wall.items[i], wall.placements[i]),
@@ -127,7 +127,7 @@ WallState Hand::making_way(const WallState& wall, std::size_t held, Vec2 wish) c
     return best;
 }
 
-void Hand::take_hold(std::span<const PlacedShot> wall) {
+void Drag::take_hold(std::span<const PlacedShot> wall) {
     has_tried_ = true;
     homes_.clear();
     for (const PlacedShot& placed : wall) {
@@ -140,7 +140,7 @@ void Hand::take_hold(std::span<const PlacedShot> wall) {
         homes_[placed.shot.source] = placed.placement;
 }
 
-WallState Hand::standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const {
+WallState Drag::standing_wall(std::span<const PlacedShot> wall, Vec2 canvas) const {
     WallState standing{.canvas = canvas};
     for (const PlacedShot& placed : wall) {
         const auto home = homes_.find(placed.shot.source);

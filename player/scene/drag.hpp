@@ -17,9 +17,9 @@ bool is_touched(const PlacedShot& placed, Vec2 point);
 /// A finger on the wall, and the shot that it holds. What is held follows it, the others make way and go back
 /// once it has passed; where it is lifted all settles.
 /// Source: Dynamic Media Assemblage, chapter 4 and fig. 4.1.
-class Hand {
+class Drag {
   public:
-    explicit Hand(const EditRules& rules) : rules_(rules) {}
+    explicit Drag(const EditRules& rules) : rules_(rules) {}
 
     /// Where the finger is and where it came down, canvas px.
     void touch(Vec2 finger, Vec2 from) {

@@ -34,7 +34,7 @@ Box bounds_of(const Cell& cell) {
 PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
     : settings_(settings),
       canvas_(canvas),
-      round_(settings.order, settings.seed),
+      rotation_(settings.order, settings.seed),
       ribbon_{.screen = canvas},
       last_source_(settings.last_source) {}
 
@@ -57,7 +57,7 @@ void PanningWall::set_catalogue(std::span<const MediaRecord> records, const Show
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
         known.push_back(&record);
-    round_.set_files(known, hints);
+    rotation_.set_files(known, hints);
 }
 
 /// Forgets what has passed, and what has not come yet and is gone.
@@ -86,10 +86,10 @@ std::optional<ShotKey> PanningWall::next_key() {
         return !is_on_wall(key) && std::none_of(newcomers_.begin(), newcomers_.end(),
                                                 [&](const WallShot& shot) { return shot.key == key; });
     };
-    if (auto key = round_.take(fits)) return key;
-    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); });
-    if (auto key = round_.take(fits)) return key;
-    return round_.take([](const ShotKey&) { return true; });
+    if (auto key = rotation_.next_shot(fits)) return key;
+    rotation_.restart_finished([&](const ShotKey& key) { return is_on_wall(key); });
+    if (auto key = rotation_.next_shot(fits)) return key;
+    return rotation_.next_shot([](const ShotKey&) { return true; });
 }
 
 std::vector<WallShot> PanningWall::next_shots(std::size_t count) {

@@ -35,7 +35,7 @@ class PanningWall final : public Show {
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
     /// A wall that is paused stands; it has no turns and nothing to pin.
-    void set_wishes(const Wishes& wishes) override { is_paused_ = wishes.is_paused; }
+    void set_controls(const ShowControls& controls) override { is_paused_ = controls.is_paused; }
 
     WallStep step(std::chrono::nanoseconds now) override;
     std::size_t count() const override;
@@ -66,7 +66,7 @@ class PanningWall final : public Show {
     PanSettings settings_;
     Vec2 canvas_;
     std::map<std::string, MediaRecord> files_;
-    ShotRound round_;
+    ShotRotation rotation_;
     Ribbon ribbon_;
     std::vector<Shown> shots_;    // one an item of the ribbon
     std::vector<SourceId> left_;  // of a wall that was given up

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-void ShotRound::set_files(std::span<const MediaRecord* const> files, const ShowHints& hints) {
+void ShotRotation::set_files(std::span<const MediaRecord* const> files, const ShowHints& hints) {
     std::map<std::string, File> now;
     for (const MediaRecord* record : files) {
         const auto said = hints.find(record->path);
@@ -38,7 +38,7 @@ void ShotRound::set_files(std::span<const MediaRecord* const> files, const ShowH
     waiting_.insert(waiting_.end(), later.begin(), later.end());
 }
 
-std::optional<ShotKey> ShotRound::take(const Fits& fits) {
+std::optional<ShotKey> ShotRotation::next_shot(const Fits& fits) {
     const auto found = std::find_if(waiting_.begin(), waiting_.end(), fits);
     if (found == waiting_.end()) return std::nullopt;
     ShotKey key = std::move(*found);
@@ -46,7 +46,7 @@ std::optional<ShotKey> ShotRound::take(const Fits& fits) {
     return key;
 }
 
-void ShotRound::begin_again(const Fits& is_on_wall, const std::string& only) {
+void ShotRotation::restart_finished(const Fits& is_on_wall, const std::string& only) {
     std::set<std::string> unfinished;
     for (const ShotKey& key : waiting_)
         unfinished.insert(key.path);
@@ -59,7 +59,7 @@ void ShotRound::begin_again(const Fits& is_on_wall, const std::string& only) {
     append(std::move(again), is_on_wall);
 }
 
-void ShotRound::begin_all_again(const Fits& is_on_wall) {
+void ShotRotation::restart_all(const Fits& is_on_wall) {
     Turns left;
     for (const ShotKey& key : waiting_)
         ++left[key];
@@ -70,7 +70,7 @@ void ShotRound::begin_all_again(const Fits& is_on_wall) {
     append(std::move(again), is_on_wall, left);
 }
 
-void ShotRound::append(std::vector<ShotKey> again, const Fits& is_on_wall, const Turns& left) {
+void ShotRotation::append(std::vector<ShotKey> again, const Fits& is_on_wall, const Turns& left) {
     again = ordered(std::move(again));
     std::stable_partition(again.begin(), again.end(), [&](const ShotKey& key) { return !is_on_wall(key); });
     again = repeated(again, left);
@@ -79,7 +79,7 @@ void ShotRound::append(std::vector<ShotKey> again, const Fits& is_on_wall, const
 
 /// As often as its file comes, each turn as far along its part of the round as the shot in the order.
 /// @param left  turns that it still has
-std::vector<ShotKey> ShotRound::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
+std::vector<ShotKey> ShotRotation::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
     std::vector<std::pair<double, const ShotKey*>> places;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const auto has = left.find(keys[i]);
@@ -97,7 +97,7 @@ std::vector<ShotKey> ShotRound::repeated(const std::vector<ShotKey>& keys, const
     return round;
 }
 
-std::vector<ShotKey> ShotRound::ordered(std::vector<ShotKey> keys) {
+std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
     std::sort(keys.begin(), keys.end());
     if (order_ == ShotOrder::newest) {
         std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
@@ -111,7 +111,7 @@ std::vector<ShotKey> ShotRound::ordered(std::vector<ShotKey> keys) {
 }
 
 /// Each file keeps the places it drew, and fills them in time order.
-void ShotRound::keep_time_order(std::vector<ShotKey>& keys) const {
+void ShotRotation::keep_time_order(std::vector<ShotKey>& keys) const {
     std::map<std::string, std::vector<int>> shots;
     for (const ShotKey& key : keys)
         shots[key.path].push_back(key.shot);

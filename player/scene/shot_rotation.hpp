@@ -31,11 +31,11 @@ struct ShotKey {
 
 /// Whose turn it is: each shot once before any of its file comes again, new files first. Of files that come
 /// more often each shot has so many turns in a round, evenly spread over it.
-class ShotRound {
+class ShotRotation {
   public:
     using Fits = std::function<bool(const ShotKey&)>;
 
-    ShotRound(ShotOrder order, std::uint64_t seed) : order_(order), engine_(seed) {}
+    ShotRotation(ShotOrder order, std::uint64_t seed) : order_(order), engine_(seed) {}
 
     /// What there is to show. Shots that are gone lose their turn; the first shot of a file that was not
     /// there before is next, its others come last.
@@ -43,17 +43,17 @@ class ShotRound {
     void set_files(std::span<const MediaRecord* const> files, const ShowHints& hints = {});
 
     /// Takes the first shot that fits off the round.
-    std::optional<ShotKey> take(const Fits& fits);
+    std::optional<ShotKey> next_shot(const Fits& fits);
 
     /// Whether anything left fits.
-    bool has(const Fits& fits) const { return std::any_of(waiting_.begin(), waiting_.end(), fits); }
+    bool has_shot(const Fits& fits) const { return std::any_of(waiting_.begin(), waiting_.end(), fits); }
 
     /// The files of which nothing is left begin anew, their shots on the wall last.
     /// @param only  the one file that may; empty: all
-    void begin_again(const Fits& is_on_wall, const std::string& only = "");
+    void restart_finished(const Fits& is_on_wall, const std::string& only = "");
 
     /// Everything but what waits still begins anew, what is on the wall last.
-    void begin_all_again(const Fits& is_on_wall);
+    void restart_all(const Fits& is_on_wall);
 
   private:
     struct File {

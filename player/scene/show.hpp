@@ -6,7 +6,7 @@
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/shot_rotation.hpp"
-#include "player/scene/wishes.hpp"
+#include "player/scene/show_controls.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -67,13 +67,13 @@ class Show {
     virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
 
     /// What a visitor does, canvas px. A show that cannot be touched ignores it.
-    virtual void take(const Gesture& /*gesture*/) {}
+    virtual void handle_gesture(const Gesture& /*gesture*/) {}
 
     /// The shot that is seen at a canvas point; none: none, or one that cannot be touched.
     virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
     /// What holds from now on; a show that has no turns ignores what concerns them.
-    virtual void set_wishes(const Wishes& /*wishes*/) {}
+    virtual void set_controls(const ShowControls& /*controls*/) {}
 
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;

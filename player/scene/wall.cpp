@@ -50,8 +50,8 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders) 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
     : settings_(settings),
       canvas_(canvas),
-      assemblage_(settings.assemblage),
-      hand_(settings.touch),
+      slots_(settings.slots),
+      drag_(settings.touch),
       enlargement_(settings.touch, settings.idle) {}
 
 void Wall::set_canvas(Vec2 canvas) {
@@ -60,15 +60,15 @@ void Wall::set_canvas(Vec2 canvas) {
 }
 
 void Wall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
-    const std::vector<WallShot> before = assemblage_.wall();
-    assemblage_.set_catalogue(records, hints);
-    if (!std::ranges::equal(assemblage_.wall(), before, {}, &WallShot::source, &WallShot::source))
+    const std::vector<WallShot> before = slots_.shots();
+    slots_.set_catalogue(records, hints);
+    if (!std::ranges::equal(slots_.shots(), before, {}, &WallShot::source, &WallShot::source))
         enlargement_.end();
     follow_store();
 }
 
 void Wall::follow_store() {
-    const std::vector<WallShot> known = assemblage_.wall();
+    const std::vector<WallShot> known = slots_.shots();
     const auto follow = [&](std::vector<PlacedShot>& wall, bool is_asked) {
         for (PlacedShot& placed : wall) {
             const auto now = std::ranges::find(known, placed.shot.source, &WallShot::source);
@@ -138,18 +138,18 @@ void Wall::source_ready(SourceId source) {
 void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
     const auto found = sources_.find(source);
     if (found != sources_.end()) found->second = Source::failed;
-    assemblage_.failed(source, now);
+    slots_.source_failed(source, now);
 }
 
 WallStep Wall::step(std::chrono::nanoseconds now) {
     WallStep step{.requests = std::exchange(restored_, {})};
     end_fade(now);
-    const bool is_touched = hand_.is_wanted() || enlargement_.is_on() || dismissed_ != 0;
+    const bool is_touched = drag_.is_wanted() || enlargement_.is_on() || dismissed_ != 0;
     if (is_touched && incoming_ && !is_fading() && !incoming_->is_by_hand && !shown_.empty())
         incoming_.reset();  // it waits
     if (!incoming_ && canvas_ == shown_canvas_) follow_hand(now);
     const bool is_left_alone = !is_touched && !(incoming_ && incoming_->is_by_hand);
-    if (!incoming_ && is_left_alone) assemblage_.advance(now);
+    if (!incoming_ && is_left_alone) slots_.advance(now);
     if (!is_fading() && is_left_alone) step.plan = follow_assemblage();
     if (!step.plan) step.plan = ask_anew();
     if (incoming_ && incoming_->has_layout && !is_fading()) prepare(step, now);
@@ -177,7 +177,7 @@ void Wall::let_arrive(std::chrono::nanoseconds now) {
         if (placed.began != never || source == Source::failed) continue;
         if (source == Source::ready) {
             placed.began = now;
-            assemblage_.shown(placed.shot.source, now);
+            slots_.shot_appeared(placed.shot.source, now);
         } else if (is_too_late) {
             source_failed(placed.shot.source, now);
         }
@@ -191,9 +191,9 @@ bool Wall::has_arrived(std::chrono::nanoseconds now) const {
     });
 }
 
-/// A new plan where the assemblage wants something else than what stands or is on its way.
+/// A new plan where the slots wants something else than what stands or is on its way.
 std::optional<WallPlan> Wall::follow_assemblage() {
-    const std::vector<WallShot> wanted = assemblage_.wall();
+    const std::vector<WallShot> wanted = slots_.shots();
     if (is_same(incoming_ ? incoming_->wall : shown_, wanted) && !is_canvas_new_) return std::nullopt;
     is_canvas_new_ = false;
     if (!incoming_ && wanted.empty() && shown_.empty()) return std::nullopt;
@@ -241,7 +241,7 @@ void Wall::prepare(WallStep& step, std::chrono::nanoseconds now) {
     if (is_ready()) {
         if (incoming_->acts.empty()) incoming_->acts = acts();
         const bool is_turn = !incoming_->is_by_hand && incoming_->canvas == shown_canvas_;
-        const auto due = is_turn ? assemblage_.due() : std::nullopt;
+        const auto due = is_turn ? slots_.due() : std::nullopt;
         if (!due || now >= *due - duration_of(incoming_->acts)) begin_fade(now);
     } else if (now - *incoming_->waiting >= settings_.patience) {
         give_up_waiting(now);
@@ -287,14 +287,14 @@ void Wall::begin_fade(std::chrono::nanoseconds now) {
     for (PlacedShot& placed : incoming_->wall) {
         const PlacedShot* same = find_source(shown_, placed.shot.source);
         placed.began = same != nullptr ? same->began : appears;
-        assemblage_.shown(placed.shot.source, placed.began);
+        slots_.shot_appeared(placed.shot.source, placed.began);
     }
     if (!acts.back().motion) acts.back().to = incoming_->wall;
 }
 
 std::vector<SourceId> Wall::retire() {
     std::vector<SourceId> retired;
-    const std::vector<WallShot> wanted = assemblage_.wall();
+    const std::vector<WallShot> wanted = slots_.shots();
     for (const auto& [source, ready] : sources_) {
         const bool is_coming = incoming_ && find_source(incoming_->wall, source) != nullptr;
         const bool is_wanted = std::any_of(wanted.begin(), wanted.end(),

@@ -16,7 +16,7 @@
 namespace vitrine::player {
 
 struct WallSettings {
-    AssemblageSettings assemblage;
+    SlotSettings slots;
     TransitionStyle transition;
     bool nests = false;                                            // the files of a folder stand together
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
@@ -28,7 +28,7 @@ struct WallSettings {
 /// @param folders  those known; a new one is added
 int folder_number(const std::string& path, std::map<std::string, int>& folders);
 
-/// The wall from wish to picture. What the assemblage wants is planned; once its layout is there its
+/// The wall from wish to picture. What the slots wants is planned; once its layout is there its
 /// sources are asked for; once they are ready and the shot that goes has had its time, the old wall, which
 /// plays on, moves and fades into the new one; then the sources that are not on it any more retire. One such
 /// change at a time; a wish that changes before its fade has begun is replaced. The first wall waits for none
@@ -49,7 +49,7 @@ class Wall final : public Show {
     /// What a finger drags follows it; what it taps grows, and goes back by itself; what it holds is large
     /// until it is let go; what it flicks out of the canvas leaves, and the next shot comes. Nothing else
     /// changes before all has settled again. Folders that stand together cannot be touched.
-    void take(const Gesture& gesture) override;
+    void handle_gesture(const Gesture& gesture) override;
 
     std::optional<ShotKey> shot_at(Vec2 point) const override;
 
@@ -63,7 +63,7 @@ class Wall final : public Show {
     /// Its file gives way to another; what is on the wall of it stays until the other is ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
-    void set_wishes(const Wishes& wishes) override { assemblage_.set_wishes(wishes); }
+    void set_controls(const ShowControls& controls) override { slots_.set_controls(controls); }
 
     /// @param now  since the player's start; never goes back
     WallStep step(std::chrono::nanoseconds now) override;
@@ -123,8 +123,8 @@ class Wall final : public Show {
 
     WallSettings settings_;
     Vec2 canvas_;
-    Assemblage assemblage_;
-    Hand hand_;
+    WallSlots slots_;
+    Drag drag_;
     Enlargement enlargement_;
     SourceId dismissed_ = 0;          // to leave; 0: none
     std::map<int, Seat> left_seats_;  // of slots whose shots were dismissed

@@ -18,13 +18,13 @@ bool can_be_shown(const MediaRecord& record) {
 
 }  // namespace
 
-Assemblage::Assemblage(const AssemblageSettings& settings)
+WallSlots::WallSlots(const SlotSettings& settings)
     : settings_(settings),
-      round_(settings.order, settings.seed),
-      slots_(static_cast<std::size_t>(std::max(1, settings.slots))),
+      rotation_(settings.order, settings.seed),
+      slots_(static_cast<std::size_t>(std::max(1, settings.count))),
       last_source_(settings.last_source) {}
 
-void Assemblage::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+void WallSlots::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
     hints_ = hints;
     std::map<std::string, MediaRecord> files;
     for (const MediaRecord& record : records) {
@@ -40,12 +40,12 @@ void Assemblage::set_catalogue(std::span<const MediaRecord> records, const ShowH
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
         known.push_back(&record);
-    round_.set_files(known, hints_);
+    rotation_.set_files(known, hints_);
     follow_changes(files);
     fill();
 }
 
-void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before) {
+void WallSlots::follow_changes(const std::map<std::string, MediaRecord>& before) {
     for (Slot& slot : slots_) {
         if (!slot.shot) continue;
         const ShotKey key = slot.shot->key;
@@ -62,38 +62,39 @@ void Assemblage::follow_changes(const std::map<std::string, MediaRecord>& before
     }
 }
 
-void Assemblage::set_wishes(const Wishes& wishes) {
-    if (wishes.files != wishes_.files) next_turn_ = {};
-    wishes_ = wishes;
+void WallSlots::set_controls(const ShowControls& controls) {
+    if (controls.files != controls_.files) next_turn_ = {};
+    controls_ = controls;
 }
 
-bool Assemblage::is_pinned(const Slot& slot) const {
+bool WallSlots::is_pinned(const Slot& slot) const {
     return slot.shot &&
-           (wishes_.slots.contains(slot.shot->slot) || wishes_.files.contains(slot.shot->key.path));
+           (controls_.slots.contains(slot.shot->slot) || controls_.files.contains(slot.shot->key.path));
 }
 
-const std::string* Assemblage::pinned_and_missing() const {
-    const auto found = std::find_if(wishes_.files.begin(), wishes_.files.end(), [&](const std::string& path) {
-        return files_.contains(path) && !avoided_.contains(path) && count_on_wall(path) == 0;
-    });
-    return found == wishes_.files.end() ? nullptr : &*found;
+const std::string* WallSlots::pinned_and_missing() const {
+    const auto found =
+        std::find_if(controls_.files.begin(), controls_.files.end(), [&](const std::string& path) {
+            return files_.contains(path) && !avoided_.contains(path) && count_on_wall(path) == 0;
+        });
+    return found == controls_.files.end() ? nullptr : &*found;
 }
 
 /// Its next shot, also where it is not its turn.
-std::optional<ShotKey> Assemblage::take_pinned(const std::string& path) {
+std::optional<ShotKey> WallSlots::take_pinned(const std::string& path) {
     const auto fits = [&](const ShotKey& key) { return key.path == path; };
-    if (auto key = round_.take(fits)) return key;
-    round_.begin_again([&](const ShotKey& key) { return is_on_wall(key); }, path);
-    return round_.take(fits);
+    if (auto key = rotation_.next_shot(fits)) return key;
+    rotation_.restart_finished([&](const ShotKey& key) { return is_on_wall(key); }, path);
+    return rotation_.next_shot(fits);
 }
 
-void Assemblage::advance(std::chrono::nanoseconds now) {
+void WallSlots::advance(std::chrono::nanoseconds now) {
     if (std::erase_if(avoided_, [&](const auto& avoided) { return avoided.second <= now; }) > 0) fill();
-    const bool is_asked = turns_taken_ < wishes_.turns;
+    const bool is_asked = turns_taken_ < controls_.turns;
     const bool is_missing = pinned_and_missing() != nullptr;
-    if (!is_asked && (now < next_turn_ || (wishes_.is_paused && !is_missing))) return;
+    if (!is_asked && (now < next_turn_ || (controls_.is_paused && !is_missing))) return;
     const bool is_at_once = is_asked || is_missing;
-    turns_taken_ = wishes_.turns;
+    turns_taken_ = controls_.turns;
     const std::vector<Turn> next = turns(is_at_once ? std::chrono::nanoseconds::max() : now + settings_.lead);
     for (const Turn& turn : next) {
         const auto key = next_for(*turn.slot);
@@ -109,7 +110,7 @@ void Assemblage::advance(std::chrono::nanoseconds now) {
 
 /// A film that has to stay longer than its time leaves at the end of a loop, where that does not hold up the
 /// next change.
-std::chrono::nanoseconds Assemblage::leaves(const Turn& turn, std::chrono::nanoseconds earliest) const {
+std::chrono::nanoseconds WallSlots::leaves(const Turn& turn, std::chrono::nanoseconds earliest) const {
     if (earliest <= turn.due) return turn.due;
     if (turn.loop.count() <= 0) return earliest;
     const auto loops = (earliest - turn.due + turn.loop - std::chrono::nanoseconds(1)) / turn.loop;
@@ -117,35 +118,35 @@ std::chrono::nanoseconds Assemblage::leaves(const Turn& turn, std::chrono::nanos
     return seam - earliest <= settings_.spacing ? seam : earliest;
 }
 
-void Assemblage::shown(SourceId source, std::chrono::nanoseconds now) {
+void WallSlots::shot_appeared(SourceId source, std::chrono::nanoseconds now) {
     for (Slot& slot : slots_) {
         if (slot.shot && slot.shot->source == source && !slot.shown) slot.shown = now;
     }
 }
 
-void Assemblage::failed(SourceId source, std::chrono::nanoseconds now) {
+void WallSlots::source_failed(SourceId source, std::chrono::nanoseconds now) {
     const auto at = std::find_if(slots_.begin(), slots_.end(),
                                  [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
     if (at == slots_.end()) return;
     const std::string path = at->shot->key.path;
-    avoided_[path] = now + settings_.amends;
+    avoided_[path] = now + settings_.retry_after;
     for (Slot& slot : slots_) {
         if (slot.shot && slot.shot->key.path == path) slot = {};
     }
     fill();
 }
 
-void Assemblage::dismiss(SourceId source, std::chrono::nanoseconds now) {
+void WallSlots::dismiss_shot(SourceId source, std::chrono::nanoseconds now) {
     const auto at = std::find_if(slots_.begin(), slots_.end(),
                                  [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
     if (at == slots_.end()) return;
     due_.reset();
     if (const auto key = next_for(*at)) return put(*at, *key);
-    avoided_[at->shot->key.path] = now + settings_.amends;
+    avoided_[at->shot->key.path] = now + settings_.retry_after;
     *at = {};
 }
 
-std::vector<WallShot> Assemblage::wall() const {
+std::vector<WallShot> WallSlots::shots() const {
     std::vector<WallShot> shots;
     for (const Slot& slot : slots_) {
         if (slot.shot) shots.push_back(*slot.shot);
@@ -153,7 +154,7 @@ std::vector<WallShot> Assemblage::wall() const {
     return shots;
 }
 
-void Assemblage::fill() {
+void WallSlots::fill() {
     std::vector<Slot*> filled;
     for (Slot& slot : slots_) {
         if (slot.shot) continue;
@@ -168,7 +169,7 @@ void Assemblage::fill() {
 
 /// Shots of one film in sequence that come at once leave one after the other, evenly spread over their time.
 /// Source: Dynamic Media Assemblage, chapter 4, "sequentially with time overlaps"; ALGORITHMS (d).
-void Assemblage::spread(const std::vector<Slot*>& filled) {
+void WallSlots::spread(const std::vector<Slot*>& filled) {
     if (settings_.film != FilmShow::sequence) return;
     std::map<std::string, std::vector<Slot*>> films;
     for (Slot* slot : filled)
@@ -183,7 +184,7 @@ void Assemblage::spread(const std::vector<Slot*>& filled) {
 }
 
 /// The slots whose shots will have had their time until then, the longest overdue first.
-std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) {
+std::vector<WallSlots::Turn> WallSlots::turns(std::chrono::nanoseconds until) {
     std::vector<Turn> turns;
     for (Slot& slot : slots_) {
         if (!slot.shot || !slot.shown || is_pinned(slot)) continue;
@@ -200,19 +201,19 @@ std::vector<Assemblage::Turn> Assemblage::turns(std::chrono::nanoseconds until) 
 
 /// So long as the operator says. Else films leave at the end of a loop, unless that is too long; those in
 /// sequence beside other shots of their own after one.
-std::chrono::nanoseconds Assemblage::stay(const WallShot& shot) const {
+std::chrono::nanoseconds WallSlots::stay(const WallShot& shot) const {
     const auto hints = hints_.find(shot.key.path);
     if (hints != hints_.end() && hints->second.dwell) return *hints->second.dwell;
     if (shot.kind == MediaKind::photo) return settings_.dwell;
     const std::chrono::nanoseconds loop = shot.shot.duration();
     if (settings_.film == FilmShow::sequence && count_on_wall(shot.key.path) > 1)
-        return std::min(loop, settings_.longest);
+        return std::min(loop, settings_.max_dwell);
     const auto loops = (settings_.dwell + loop - std::chrono::nanoseconds(1)) / loop;
-    const std::chrono::nanoseconds longest = std::max(settings_.dwell, settings_.longest);
-    return std::min(loop * std::max<std::int64_t>(1, loops), longest);
+    const std::chrono::nanoseconds max_dwell = std::max(settings_.dwell, settings_.max_dwell);
+    return std::min(loop * std::max<std::int64_t>(1, loops), max_dwell);
 }
 
-std::optional<ShotKey> Assemblage::next_for(const Slot& slot) {
+std::optional<ShotKey> WallSlots::next_for(const Slot& slot) {
     if (const std::string* pinned = pinned_and_missing())
         if (auto key = take_pinned(*pinned)) return key;
     const std::string present = slot.shot ? slot.shot->key.path : std::string();
@@ -226,18 +227,18 @@ std::optional<ShotKey> Assemblage::next_for(const Slot& slot) {
     const bool is_strict = settings_.film == FilmShow::side_by_side;
     const bool takes_turns = files_.size() > slots_.size();
     const auto stands = [&](const ShotKey& key) { return is_on_wall(key); };
-    if (auto key = round_.take(stands_alone)) return key;
+    if (auto key = rotation_.next_shot(stands_alone)) return key;
     if (is_strict && (can_double || takes_turns))
-        if (auto key = round_.take(is_free)) return key;
-    if (is_strict && !round_.has(is_free))
-        round_.begin_all_again(stands);
+        if (auto key = rotation_.next_shot(is_free)) return key;
+    if (is_strict && !rotation_.has_shot(is_free))
+        rotation_.restart_all(stands);
     else
-        round_.begin_again(stands, is_strict ? present : "");
-    if (auto key = round_.take(stands_alone)) return key;
-    return can_double ? round_.take(is_free) : std::nullopt;
+        rotation_.restart_finished(stands, is_strict ? present : "");
+    if (auto key = rotation_.next_shot(stands_alone)) return key;
+    return can_double ? rotation_.next_shot(is_free) : std::nullopt;
 }
 
-void Assemblage::put(Slot& slot, const ShotKey& key) {
+void WallSlots::put(Slot& slot, const ShotKey& key) {
     const MediaRecord& record = files_.at(key.path);
     const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
     slot.shown.reset();
@@ -251,12 +252,12 @@ void Assemblage::put(Slot& slot, const ShotKey& key) {
                          .shot = shot};
 }
 
-bool Assemblage::is_on_wall(const ShotKey& key) const {
+bool WallSlots::is_on_wall(const ShotKey& key) const {
     return std::any_of(slots_.begin(), slots_.end(),
                        [&](const Slot& slot) { return slot.shot && slot.shot->key == key; });
 }
 
-long Assemblage::count_on_wall(const std::string& path) const {
+long WallSlots::count_on_wall(const std::string& path) const {
     return std::count_if(slots_.begin(), slots_.end(),
                          [&](const Slot& slot) { return slot.shot && slot.shot->key.path == path; });
 }

@@ -5,7 +5,7 @@
 #include "player/scene/frame.hpp"
 #include "player/scene/programme.hpp"
 #include "player/scene/shot_rotation.hpp"
-#include "player/scene/wishes.hpp"
+#include "player/scene/show_controls.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -17,17 +17,18 @@
 
 namespace vitrine::player {
 
-struct AssemblageSettings {
-    int slots = 12;
+struct SlotSettings {
+    int count = 12;
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
     FilmShow film = FilmShow::side_by_side;
-    std::chrono::nanoseconds dwell = std::chrono::seconds(20);    // that a shot stays at least
-    std::chrono::nanoseconds longest = std::chrono::seconds(60);  // stay, where whole loops would take more
-    std::chrono::nanoseconds spacing = std::chrono::seconds(3);   // between two changes of turn
-    std::chrono::nanoseconds lead = std::chrono::seconds(4);      // that the next shot is chosen early
-    std::chrono::nanoseconds amends = std::chrono::seconds(60);   // before a file that failed is tried again
-    SourceId last_source = 0;  // its own are numbered from there on: apart from those of other walls
+    std::chrono::nanoseconds dwell = std::chrono::seconds(20);      // that a shot stays at least
+    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // stay, where whole loops would take more
+    std::chrono::nanoseconds spacing = std::chrono::seconds(3);     // between two changes of turn
+    std::chrono::nanoseconds lead = std::chrono::seconds(4);        // that the next shot is chosen early
+    std::chrono::nanoseconds retry_after =
+        std::chrono::seconds(60);  // before a file that failed is tried again
+    SourceId last_source = 0;      // its own are numbered from there on: apart from those of other walls
 };
 
 /// A shot that has a place on the wall, with all that showing it takes: it outlives its record.
@@ -52,9 +53,9 @@ struct WallShot {
 /// stands twice. As long as shots of
 /// other files wait a file stands once; a film alone fills all slots with its shots in time order, which then
 /// leave one after the other. Where all files fit on the wall, none ever leaves it altogether.
-class Assemblage {
+class WallSlots {
   public:
-    explicit Assemblage(const AssemblageSettings& settings);
+    explicit WallSlots(const SlotSettings& settings);
 
     /// Everything there is. What is gone or no longer ready leaves at once, a file that changed is loaded
     /// anew in its slots, free slots are filled.
@@ -63,7 +64,7 @@ class Assemblage {
 
     /// A turn that is asked for is taken whatever else is wished; a file that is pinned and not on the wall
     /// takes the next one.
-    void set_wishes(const Wishes& wishes);
+    void set_controls(const ShowControls& controls);
 
     /// At most one shot whose time is nearly over makes room, so that the next can be got ready; free slots
     /// are filled.
@@ -73,17 +74,17 @@ class Assemblage {
     std::optional<std::chrono::nanoseconds> due() const { return due_; }
 
     /// From then on the time of this shot counts.
-    void shown(SourceId source, std::chrono::nanoseconds now);
+    void shot_appeared(SourceId source, std::chrono::nanoseconds now);
 
     /// The file is avoided until it changes or some time has passed; its slots go to others.
-    void failed(SourceId source, std::chrono::nanoseconds now);
+    void source_failed(SourceId source, std::chrono::nanoseconds now);
 
     /// The shot leaves now for the next one; where there is none, it and its file do not come back for a
     /// while.
-    void dismiss(SourceId source, std::chrono::nanoseconds now);
+    void dismiss_shot(SourceId source, std::chrono::nanoseconds now);
 
     /// What is to be shown, in the order of the slots; free slots are left out.
-    std::vector<WallShot> wall() const;
+    std::vector<WallShot> shots() const;
 
   private:
     struct Slot {
@@ -112,14 +113,14 @@ class Assemblage {
     bool is_on_wall(const ShotKey& key) const;
     long count_on_wall(const std::string& path) const;
 
-    AssemblageSettings settings_;
+    SlotSettings settings_;
     std::map<std::string, MediaRecord> files_;  // what can be shown
     ShowHints hints_;
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
-    ShotRound round_;
+    ShotRotation rotation_;
     std::vector<Slot> slots_;
     SourceId last_source_;
-    Wishes wishes_;
+    ShowControls controls_;
     std::uint64_t turns_taken_ = 0;          // of those wished
     std::chrono::nanoseconds next_turn_{0};  // not before
     std::optional<std::chrono::nanoseconds> due_;

@@ -15,7 +15,7 @@ constexpr double flight = 0.2;                              // s, that a flicked
 
 }  // namespace
 
-void Wall::take(const Gesture& gesture) {
+void Wall::handle_gesture(const Gesture& gesture) {
     if (settings_.nests) return;
     const PlacedShot* shot = touched(gesture.from);
     switch (gesture.kind) {
@@ -28,13 +28,13 @@ void Wall::take(const Gesture& gesture) {
         return enlargement_.end();
     case Gesture::Kind::drag:
         enlargement_.end();
-        return hand_.touch(gesture.at, gesture.from);
+        return drag_.touch(gesture.at, gesture.from);
     case Gesture::Kind::flick:
-        if (const auto held = hand_.held(); leaves(gesture) && (held || shot != nullptr))
+        if (const auto held = drag_.held(); leaves(gesture) && (held || shot != nullptr))
             dismissed_ = held ? held->first : shot->shot.source;
-        return hand_.lift();
+        return drag_.lift();
     case Gesture::Kind::drop:
-        return hand_.lift();
+        return drag_.lift();
     default:
         return;
     }
@@ -65,7 +65,7 @@ void Wall::follow_hand(std::chrono::nanoseconds now) {
     std::optional<std::chrono::nanoseconds> pace;
     auto placements = enlargement_.step(shown_, canvas_, now);
     if (!placements) {
-        placements = hand_.step(shown_, canvas_);
+        placements = drag_.step(shown_, canvas_);
         pace = hand_step;
     }
     if (!placements) return;
@@ -90,11 +90,11 @@ void Wall::dismiss(std::chrono::nanoseconds now) {
     const SourceId source = std::exchange(dismissed_, 0);
     const auto shot = std::ranges::find(shown_, source, [](const PlacedShot& p) { return p.shot.source; });
     if (shot == shown_.end()) return;
-    const auto held = hand_.held();
+    const auto held = drag_.held();
     left_seats_[shot->shot.slot] =
         seat_of(shot->shot.item, held && held->first == source ? held->second : shot->placement);
-    hand_.forget();
-    assemblage_.dismiss(source, now);
+    drag_.forget();
+    slots_.dismiss_shot(source, now);
     if (shown_.size() < 2) return;
     std::vector<PlacedShot> rest = shown_;
     std::erase_if(rest, [&](const PlacedShot& placed) { return placed.shot.source == source; });

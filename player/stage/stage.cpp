@@ -28,7 +28,7 @@ std::unique_ptr<Show> make_show(const Settings& settings, Vec2 canvas, SourceId 
         return std::make_unique<PanningWall>(canvas, pan);
     }
     WallSettings wall = wall_settings(settings);
-    wall.assemblage.last_source = last_source;
+    wall.slots.last_source = last_source;
     return std::make_unique<Wall>(canvas, wall);
 }
 

@@ -85,7 +85,7 @@ class Stage {
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
     void show_strip(const std::filesystem::path& directory, std::optional<std::chrono::nanoseconds> patience);
 
-    void set_wishes(const Wishes& wishes);
+    void set_controls(const ShowControls& controls);
 
     /// The shots on its screens, by the last show(), that are to be heard by what names and folders say;
     /// none while the wall is paused.

@@ -8,13 +8,13 @@
 
 namespace vitrine::player {
 
-AssemblageSettings assemblage_settings(const Settings& settings) {
-    return {.slots = settings.layout.slots,
+SlotSettings slot_settings(const Settings& settings) {
+    return {.count = settings.layout.slots,
             .order = settings.show.order,
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .film = settings.show.film,
             .dwell = settings.show.dwell,
-            .longest = settings.show.longest};
+            .max_dwell = settings.show.longest};
 }
 
 CellStyle cell_style(const Settings& settings) {
@@ -26,7 +26,7 @@ CellStyle cell_style(const Settings& settings) {
 }
 
 WallSettings wall_settings(const Settings& settings) {
-    return {.assemblage = assemblage_settings(settings),
+    return {.slots = slot_settings(settings),
             .transition = {.crossfade = settings.show.crossfade,
                            .motion = settings.show.motion,
                            .cells = cell_style(settings)},
@@ -38,10 +38,10 @@ WallSettings wall_settings(const Settings& settings) {
 }
 
 PanSettings pan_settings(const Settings& settings) {
-    const AssemblageSettings assemblage = assemblage_settings(settings);
-    return {.order = assemblage.order,
-            .seed = assemblage.seed,
-            .items_a_screen = assemblage.slots,
+    const SlotSettings slots = slot_settings(settings);
+    return {.order = slots.order,
+            .seed = slots.seed,
+            .items_a_screen = slots.count,
             .speed = settings.show.pan_speed,
             .cells = cell_style(settings)};
 }

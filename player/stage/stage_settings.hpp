@@ -12,7 +12,7 @@ namespace vitrine::player {
 
 // What the settings mean to the player's stages.
 
-AssemblageSettings assemblage_settings(const Settings& settings);
+SlotSettings slot_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 WallSettings wall_settings(const Settings& settings);
 PanSettings pan_settings(const Settings& settings);

@@ -6,9 +6,9 @@
 
 namespace vitrine::player {
 
-void Stage::set_wishes(const Wishes& wishes) {
-    is_paused_ = wishes.is_paused;
-    show_->set_wishes(wishes);
+void Stage::set_controls(const ShowControls& controls) {
+    is_paused_ = controls.is_paused;
+    show_->set_controls(controls);
 }
 
 void Stage::note_film(const ShotRequest& request) {

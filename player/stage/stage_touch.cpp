@@ -47,7 +47,7 @@ void Stage::take_gestures(std::chrono::nanoseconds now) {
         else if (opens_folder(gesture))
             show_folder(opened_.empty() ? top_folder(show_->shot_at(gesture.at)) : "");
         else
-            show_->take(gesture);
+            show_->handle_gesture(gesture);
     }
     if (!opened_.empty() && now - touched_ >= settings_.input.idle) show_folder("");
 }

@@ -22,16 +22,15 @@ TileId tile_of(std::uint64_t number) {
 }
 
 /// Its film is the one that the record names, wherever it was when it was woven.
-TapestryStrip strip_of(const std::filesystem::path& directory, Vec2 canvas,
-                       const StripStageOptions& options) {
+TapestryShow strip_of(const std::filesystem::path& directory, Vec2 canvas, const StripStageOptions& options) {
     Tapestry tapestry = read_tapestry(directory);
     if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
     Vec2 picture{static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
-    StripSettings settings{.first_source = options.first_source,
-                           .patience = options.patience,
-                           .shots = {},
-                           .plays_at_once = options.film.has_value(),
-                           .first_seen = options.first_seen};
+    TapestrySettings settings{.first_source = options.first_source,
+                              .patience = options.patience,
+                              .shots = {},
+                              .plays_at_once = options.film.has_value(),
+                              .first_seen = options.first_seen};
     if (options.film) {
         tapestry.path = options.film->path;
         picture = {static_cast<double>(options.film->width), static_cast<double>(options.film->height)};
@@ -67,7 +66,7 @@ void StripStage::set_catalogue(std::span<const MediaRecord> records) {
 WallStep StripStage::step(std::chrono::nanoseconds now, Renderer& renderer) {
     if (!std::exchange(has_mark_, true))
         renderer.upload(strip_.mark(), {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
-    StripStep step = strip_.step(now);
+    TapestryStep step = strip_.step(now);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
     if (give_tiles(step.missing, renderer) && options_.awaits_tiles) {
         step = strip_.step(now);

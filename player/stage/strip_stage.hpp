@@ -16,11 +16,11 @@
 namespace vitrine::player {
 
 struct StripStageOptions {
-    SourceId first_source = 0;                         // as StripSettings
+    SourceId first_source = 0;                         // as TapestrySettings
     std::optional<std::chrono::nanoseconds> patience;  // likewise
     bool awaits_tiles = false;                         // every picture is whole, however long it takes
     std::optional<MediaRecord> film;                   // what is known of it; none: nothing
-    std::chrono::nanoseconds first_seen{0};            // as StripSettings
+    std::chrono::nanoseconds first_seen{0};            // as TapestrySettings
 };
 
 /// Whether a tapestry is of the film as it is now.
@@ -36,7 +36,7 @@ class StripStage {
 
     void set_canvas(Vec2 canvas) { strip_.set_canvas(canvas); }
 
-    void take(const Gesture& gesture) { strip_.take(gesture); }
+    void take(const Gesture& gesture) { strip_.handle_gesture(gesture); }
 
     void source_ready(SourceId source) { strip_.source_ready(source); }
 
@@ -56,7 +56,7 @@ class StripStage {
     /// It is given up: the sources that it used.
     std::vector<SourceId> close() { return strip_.close(); }
 
-    const TapestryStrip& strip() const { return strip_; }
+    const TapestryShow& strip() const { return strip_; }
 
     /// Tiles given to the renderer in one frame, at most, unless they are awaited.
     static constexpr std::size_t most_uploads = 2;
@@ -68,7 +68,7 @@ class StripStage {
 
     std::filesystem::path directory_;
     StripStageOptions options_;
-    TapestryStrip strip_;
+    TapestryShow strip_;
     std::set<TileId> unreadable_;
     std::vector<TileId> asked_;
     bool has_mark_ = false;

@@ -20,7 +20,7 @@ double seconds(nanoseconds time) {
 
 }  // namespace
 
-void StripMotion::take(const Gesture& gesture, const TapestryPlace& place) {
+void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace& place) {
     touch();
     const double middle = (place.box().min.x + place.box().max.x) / 2;
     switch (gesture.kind) {
@@ -61,16 +61,16 @@ void StripMotion::take(const Gesture& gesture, const TapestryPlace& place) {
     }
 }
 
-void StripMotion::zoom_to(double level, double at) {
+void TapestryMotion::zoom_to(double level, double at) {
     zoom_ = Zoom{.from = view_.level, .to = level, .at = at};
 }
 
 /// To the nearest whole level, which is the sharpest.
-void StripMotion::settle(double at) {
+void TapestryMotion::settle(double at) {
     if (view_.level != std::round(view_.level)) zoom_to(std::round(view_.level), at);
 }
 
-const TapestryView& StripMotion::advance(nanoseconds now, const TapestryPlace& place) {
+const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace& place) {
     const nanoseconds passed = last_ ? now - *last_ : nanoseconds(0);
     last_ = now;
     if (is_touched_) {
@@ -88,7 +88,7 @@ const TapestryView& StripMotion::advance(nanoseconds now, const TapestryPlace& p
     return view_;
 }
 
-void StripMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
+void TapestryMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
     if (!zoom_) return;
     if (!zoom_->has_begun) {
         zoom_->began = now;
@@ -103,7 +103,7 @@ void StripMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
 }
 
 /// A flung strip slows down evenly in each moment, and stands at its ends.
-void StripMotion::glide(nanoseconds passed, const TapestryPlace& place) {
+void TapestryMotion::glide(nanoseconds passed, const TapestryPlace& place) {
     if (speed_ == 0) return;
     const double time = seconds(pace_.glide);
     const double kept = std::exp(-seconds(passed) / time);
@@ -114,7 +114,7 @@ void StripMotion::glide(nanoseconds passed, const TapestryPlace& place) {
     if (std::abs(speed_) < least_speed || stands) speed_ = 0;
 }
 
-void StripMotion::go_by_itself(nanoseconds now, nanoseconds passed, const TapestryPlace& place) {
+void TapestryMotion::go_by_itself(nanoseconds now, nanoseconds passed, const TapestryPlace& place) {
     const TapestryView before = view_;
     view_ = place.moved(view_, -way_ * pace_.drift * place.box().width() * seconds(passed));
     if (view_ == before && passed.count() > 0) way_ = -way_;
@@ -125,7 +125,7 @@ void StripMotion::go_by_itself(nanoseconds now, nanoseconds passed, const Tapest
     zoom_to(std::round(view_.level) + nearer_, (place.box().min.x + place.box().max.x) / 2);
 }
 
-double StripMotion::direction() const {
+double TapestryMotion::direction() const {
     if (speed_ != 0) return -speed_;
     return is_by_itself_ ? way_ : 0;
 }

@@ -8,7 +8,7 @@
 
 namespace vitrine::player {
 
-struct StripPace {
+struct TapestryPace {
     std::chrono::nanoseconds zoom =
         std::chrono::milliseconds(600);  // of a step from level to level (paper, 6)
     std::chrono::nanoseconds glide =
@@ -20,12 +20,12 @@ struct StripPace {
 
 /// How a view of a tapestry moves: with fingers, on after them, from level to level, and by itself where
 /// nobody touches it: to and fro through the film, nearer and farther. Knows no clock.
-class StripMotion {
+class TapestryMotion {
   public:
-    StripMotion(const TapestryView& view, const StripPace& pace) : view_(view), pace_(pace) {}
+    TapestryMotion(const TapestryView& view, const TapestryPace& pace) : view_(view), pace_(pace) {}
 
     /// Drags, flicks, pinches, the wheel and keys; others are ignored.
-    void take(const Gesture& gesture, const TapestryPlace& place);
+    void handle_gesture(const Gesture& gesture, const TapestryPlace& place);
 
     /// Somebody is there: it does not begin to move by itself for a while.
     void touch() { is_touched_ = true; }
@@ -56,7 +56,7 @@ class StripMotion {
                       const TapestryPlace& place);
 
     TapestryView view_;
-    StripPace pace_;
+    TapestryPace pace_;
     std::optional<Zoom> zoom_;
     double speed_ = 0;  // of the strip, canvas px a second to the right
     bool is_touched_ = true;

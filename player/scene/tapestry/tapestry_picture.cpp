@@ -55,7 +55,7 @@ std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
 
 }  // namespace
 
-Frame TapestryStrip::picture(nanoseconds now) {
+Frame TapestryShow::picture(nanoseconds now) {
     Frame frame{.canvas = canvas_, .idle = 1, .time = now};
     draw_levels(frame);
     draw_in_place(frame);
@@ -64,7 +64,7 @@ Frame TapestryStrip::picture(nanoseconds now) {
     return frame;
 }
 
-void TapestryStrip::draw_levels(Frame& frame) const {
+void TapestryShow::draw_levels(Frame& frame) const {
     const auto coarse = static_cast<std::size_t>(view().level);
     const double share = view().level - static_cast<double>(coarse);
     if (share > 0 && tapestry_.levels[coarse + 1].has_zoom) {
@@ -83,14 +83,14 @@ void TapestryStrip::draw_levels(Frame& frame) const {
     if (alpha > 0) draw_level(frame, coarse + 1, alpha);
 }
 
-const ZoomMesh* TapestryStrip::zoom_of(const TileId& tile, bool is_to_finer) const {
+const ZoomMesh* TapestryShow::zoom_of(const TileId& tile, bool is_to_finer) const {
     const auto found = zooms_.find(tile);
     if (found == zooms_.end()) return nullptr;
     return (is_to_finer ? found->second.to_finer : found->second.to_coarser).get();
 }
 
 /// A level's tiles on their way to the one next to it.
-void TapestryStrip::draw_zoom(Frame& frame, std::size_t level, bool is_to_finer) const {
+void TapestryShow::draw_zoom(Frame& frame, std::size_t level, bool is_to_finer) const {
     const double share = view().level - std::floor(view().level);
     for (const auto& [tile, middle] : place().tiles(view(), level, box_.min.x, box_.max.x)) {
         const ZoomMesh* mesh = zoom_of(tile, is_to_finer);
@@ -118,26 +118,26 @@ void TapestryStrip::draw_zoom(Frame& frame, std::size_t level, bool is_to_finer)
 }
 
 /// Whether all that is seen of a level can be drawn.
-bool TapestryStrip::is_whole(std::size_t level) const {
+bool TapestryShow::is_whole(std::size_t level) const {
     return std::ranges::all_of(place().tiles(view(), level, box_.min.x, box_.max.x),
                                [&](const auto& tile) { return cache_.has(tile.first); });
 }
 
 /// Whether all that is seen of a level can be drawn on its way to the finer one.
-bool TapestryStrip::goes_over_whole(std::size_t coarse) const {
+bool TapestryShow::goes_over_whole(std::size_t coarse) const {
     return std::ranges::all_of(place().tiles(view(), coarse, box_.min.x, box_.max.x), [&](const auto& tile) {
         return cache_.has(tile.first) && zoom_of(tile.first, true) != nullptr;
     });
 }
 
 /// The strip is drawn whole: all of its box that the film reaches.
-void TapestryStrip::cover(Frame& frame) const {
+void TapestryShow::cover(Frame& frame) const {
     const double left = place().canvas_x(view(), 0ns);
     const double right = place().canvas_x(view(), tapestry_.duration);
     frame.covered.push_back(intersection(box_, {{left, box_.min.y}, {right, box_.max.y}}));
 }
 
-void TapestryStrip::draw_level(Frame& frame, std::size_t level, double alpha) const {
+void TapestryShow::draw_level(Frame& frame, std::size_t level, double alpha) const {
     for (const TilePiece& piece : place().pieces(view(), level, box_.min.x, box_.max.x)) {
         if (!cache_.has(piece.tile)) continue;
         const double width = (piece.right - piece.left) / (piece.last - piece.first);
@@ -150,7 +150,7 @@ void TapestryStrip::draw_level(Frame& frame, std::size_t level, double alpha) co
     }
 }
 
-void TapestryStrip::draw_in_place(Frame& frame) {
+void TapestryShow::draw_in_place(Frame& frame) {
     if (!in_place_ || !in_place_->began) return;
     if (in_place_->began->count() < 0) in_place_->began = frame.time;
     const nanoseconds local = frame.time - *in_place_->began;
@@ -165,7 +165,7 @@ void TapestryStrip::draw_in_place(Frame& frame) {
                            .alpha = std::min(alpha, 0.999)});
 }
 
-void TapestryStrip::draw_preview(Frame& frame) {
+void TapestryShow::draw_preview(Frame& frame) {
     if (!shown_ || !shown_->began) return;
     if (shown_->began->count() < 0) shown_->began = frame.time;
     nanoseconds local = frame.time - *shown_->began;
@@ -180,7 +180,7 @@ void TapestryStrip::draw_preview(Frame& frame) {
 }
 
 /// A line through the strip at what plays above it.
-void TapestryStrip::draw_playhead(Frame& frame, const Playing& playing) const {
+void TapestryShow::draw_playhead(Frame& frame, const Playing& playing) const {
     const nanoseconds length = playing.end - playing.begin;
     const nanoseconds local = frame.time - *playing.began;
     const double x =

@@ -32,7 +32,7 @@ std::size_t most_tiles(const Tapestry& tapestry, std::int64_t bytes) {
 
 }  // namespace
 
-TapestryStrip::TapestryStrip(Tapestry tapestry, Vec2 picture, Vec2 canvas, const StripSettings& settings)
+TapestryShow::TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings)
     : tapestry_(std::move(tapestry)),
       picture_(picture),
       settings_(settings),
@@ -43,7 +43,7 @@ TapestryStrip::TapestryStrip(Tapestry tapestry, Vec2 picture, Vec2 canvas, const
     if (settings_.plays_at_once) play(settings_.first_seen);
 }
 
-void TapestryStrip::lay_out(Vec2 canvas) {
+void TapestryShow::lay_out(Vec2 canvas) {
     canvas_ = canvas;
     box_ = {{0, std::round(strip_top * canvas.y)},
             {canvas.x, std::round((strip_top + strip_height) * canvas.y)}};
@@ -54,19 +54,19 @@ void TapestryStrip::lay_out(Vec2 canvas) {
                 {std::round(canvas.x / 2 + half), std::round(top + height)}};
 }
 
-void TapestryStrip::set_canvas(Vec2 canvas) {
+void TapestryShow::set_canvas(Vec2 canvas) {
     if (canvas == canvas_) return;
     lay_out(canvas);
     retire(incoming_);
     retire(in_place_);
 }
 
-SourceId TapestryStrip::source_of(const TileId& tile) const {
+SourceId TapestryShow::source_of(const TileId& tile) const {
     return settings_.first_source + (SourceId{tile.level + 1} << level_bits) +
            static_cast<SourceId>(tile.tile);
 }
 
-void TapestryStrip::take(const Gesture& gesture) {
+void TapestryShow::handle_gesture(const Gesture& gesture) {
     is_touched_ = true;
     const bool is_on_strip = gesture.from.y >= box_.min.y;
     switch (gesture.kind) {
@@ -93,11 +93,11 @@ void TapestryStrip::take(const Gesture& gesture) {
     default:
         break;
     }
-    motion_.take(gesture, place());
+    motion_.handle_gesture(gesture, place());
 }
 
 /// A tap on the preview puts it away, one beside it leaves the strip.
-void TapestryStrip::close_or_end(Vec2 at) {
+void TapestryShow::close_or_end(Vec2 at) {
     const bool is_on_preview = shown_ && at.x >= preview_.min.x && at.x <= preview_.max.x &&
                                at.y >= preview_.min.y && at.y <= preview_.max.y;
     if (!is_on_preview) is_over_ = true;
@@ -106,12 +106,12 @@ void TapestryStrip::close_or_end(Vec2 at) {
 }
 
 /// Fingers that come together where it cannot get any smaller.
-void TapestryStrip::pinch_shut(const Gesture& gesture) {
+void TapestryShow::pinch_shut(const Gesture& gesture) {
     pinched_ = view().level > 0 ? 1 : pinched_ * gesture.factor;
     if (pinched_ < shut) is_over_ = true;
 }
 
-void TapestryStrip::tile_ready(const TileId& tile, TileZooms zooms) {
+void TapestryShow::tile_ready(const TileId& tile, TileZooms zooms) {
     zooms_[tile] = std::move(zooms);
     for (const TileId& gone : cache_.add(tile)) {
         retired_.push_back(source_of(gone));
@@ -119,7 +119,7 @@ void TapestryStrip::tile_ready(const TileId& tile, TileZooms zooms) {
     }
 }
 
-std::vector<SourceId> TapestryStrip::close() {
+std::vector<SourceId> TapestryShow::close() {
     for (std::optional<Playing>* playing : {&shown_, &incoming_, &in_place_})
         retire(*playing);
     for (const TileId& tile : cache_.clear())
@@ -129,12 +129,12 @@ std::vector<SourceId> TapestryStrip::close() {
     return std::exchange(retired_, {});
 }
 
-void TapestryStrip::forget_tiles() {
+void TapestryShow::forget_tiles() {
     cache_.clear();
     zooms_.clear();
 }
 
-void TapestryStrip::source_ready(SourceId source) {
+void TapestryShow::source_ready(SourceId source) {
     if (incoming_ && incoming_->source == source && incoming_->follows) {
         incoming_->began = nanoseconds(-1);
     } else if (incoming_ && incoming_->source == source) {
@@ -145,17 +145,17 @@ void TapestryStrip::source_ready(SourceId source) {
     if (in_place_ && in_place_->source == source) in_place_->began = nanoseconds(-1);
 }
 
-void TapestryStrip::source_failed(SourceId source) {
+void TapestryShow::source_failed(SourceId source) {
     for (std::optional<Playing>* playing : {&shown_, &incoming_, &in_place_})
         if (*playing && (*playing)->source == source) retire(*playing);
 }
 
-void TapestryStrip::retire(std::optional<Playing>& playing) {
+void TapestryShow::retire(std::optional<Playing>& playing) {
     if (playing) retired_.push_back(playing->source);
     playing.reset();
 }
 
-TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds length, double width) {
+TapestryShow::Playing TapestryShow::stretch(nanoseconds from, nanoseconds length, double width) {
     Shot shot{.begin = std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), tapestry_.duration - 1s)),
               .stored = {}};
     const Shot* within = shot_at(shot.begin);
@@ -180,7 +180,7 @@ TapestryStrip::Playing TapestryStrip::stretch(nanoseconds from, nanoseconds leng
 
 /// The shot that a moment lies in, or the next one: what lies between two of them belongs to neither. Behind
 /// the last it is the last; none where they are not known.
-const Shot* TapestryStrip::shot_at(nanoseconds time) const {
+const Shot* TapestryShow::shot_at(nanoseconds time) const {
     const auto found = std::ranges::upper_bound(settings_.shots, time, std::less<>(),
                                                 [](const Shot& shot) { return shot.end; });
     if (settings_.shots.empty()) return nullptr;
@@ -188,7 +188,7 @@ const Shot* TapestryStrip::shot_at(nanoseconds time) const {
 }
 
 /// The next stretch of what plays above: got ready in time, shown once the one before has ended.
-void TapestryStrip::play_on(nanoseconds now) {
+void TapestryShow::play_on(nanoseconds now) {
     if (!shown_ || !shown_->began || shown_->began->count() < 0) return;
     const nanoseconds left = *shown_->began + shown_->length() - now;
     const nanoseconds end = settings_.shots.empty() ? tapestry_.duration - 1s : settings_.shots.back().end;
@@ -202,13 +202,13 @@ void TapestryStrip::play_on(nanoseconds now) {
     shown_->follows = false;
 }
 
-void TapestryStrip::play(nanoseconds from) {
+void TapestryShow::play(nanoseconds from) {
     retire(incoming_);
     incoming_ = stretch(from, preview_length, preview_.width());
 }
 
 /// Within one shot: what follows it belongs elsewhere on the strip.
-void TapestryStrip::play_in_place(nanoseconds from) {
+void TapestryShow::play_in_place(nanoseconds from) {
     retire(in_place_);
     nanoseconds length = in_place_length;
     if (const Shot* within = shot_at(from); within != nullptr) {
@@ -219,7 +219,7 @@ void TapestryStrip::play_in_place(nanoseconds from) {
 }
 
 /// Where a keyframe's picture is about, of the moment that plays: in the upper row or in the lower one.
-Box TapestryStrip::brick(nanoseconds time) const {
+Box TapestryShow::brick(nanoseconds time) const {
     const auto level = static_cast<std::size_t>(std::lround(view().level));
     const auto& keyframes = tapestry_.levels[level].keyframes;
     const double x = place().canvas_x(view(), time);
@@ -237,7 +237,7 @@ Box TapestryStrip::brick(nanoseconds time) const {
 }
 
 /// Where it moves by itself the film plays what is in the middle, anew every now and then.
-void TapestryStrip::play_by_itself(nanoseconds now) {
+void TapestryShow::play_by_itself(nanoseconds now) {
     if (!motion_.is_by_itself()) {
         played_ = now - own_interval;
         return;
@@ -248,7 +248,7 @@ void TapestryStrip::play_by_itself(nanoseconds now) {
     play(view().centre);
 }
 
-StripStep TapestryStrip::step(nanoseconds now) {
+TapestryStep TapestryShow::step(nanoseconds now) {
     if (std::exchange(is_touched_, false)) touched_ = now;
     if (settings_.patience && now - touched_ >= *settings_.patience) is_over_ = true;
     const TapestryPlace here = place();
@@ -256,7 +256,7 @@ StripStep TapestryStrip::step(nanoseconds now) {
     cache_.wish(wanted_tiles(here, view(), motion_.direction(), cache_.most()));
     play_by_itself(now);
     play_on(now);
-    StripStep step{.frame = picture(now), .missing = cache_.missing()};
+    TapestryStep step{.frame = picture(now), .missing = cache_.missing()};
     step.requests = std::exchange(requests_, {});
     step.retired = std::exchange(retired_, {});
     return step;

@@ -13,11 +13,11 @@
 
 namespace vitrine::player {
 
-struct StripSettings {
+struct TapestrySettings {
     SourceId first_source = 0;                               // its own are numbered from there on
     std::optional<std::chrono::nanoseconds> patience;        // without a touch, then it is over; none: never
     std::int64_t most_tile_bytes = std::int64_t{128} << 20;  // of tiles as textures, RGBA
-    StripPace pace;
+    TapestryPace pace;
     std::vector<Shot> shots;                 // of the film, as its record has them; none: they are not known
     bool plays_at_once = false;              // what is in the middle at first
     std::chrono::nanoseconds first_seen{0};  // in the middle at first, as far as the film's ends allow
@@ -30,7 +30,7 @@ struct TileZooms {
 };
 
 /// What is to be done in this frame, beside drawing it.
-struct StripStep {
+struct TapestryStep {
     Frame frame;
     std::vector<TileId> missing;  // to be read, the most urgent first; replaces what was asked for before
     std::vector<ShotRequest> requests;  // stretches of the film to be played
@@ -44,18 +44,18 @@ struct StripStep {
 /// they are there. Source: Video Tapestries 5 and 6 (preview above, zoom in 0.6 s); animated tapestries: 7,
 /// future work. From level to level it goes as its zoom fields say (4.3), where there are any; else one level
 /// fades into the other.
-class TapestryStrip {
+class TapestryShow {
   public:
     /// @param picture  size of the film's upright picture, px; only its shape counts
     /// @param canvas   px
-    TapestryStrip(Tapestry tapestry, Vec2 picture, Vec2 canvas, const StripSettings& settings);
+    TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings);
 
     void set_canvas(Vec2 canvas);
 
     /// Of the film, as its record has them by now: more of them are stored.
     void set_shots(std::vector<Shot> shots) { settings_.shots = std::move(shots); }
 
-    void take(const Gesture& gesture);
+    void handle_gesture(const Gesture& gesture);
 
     /// A tile can be drawn from now on.
     void tile_ready(const TileId& tile, TileZooms zooms = {});
@@ -73,7 +73,7 @@ class TapestryStrip {
     void source_failed(SourceId source);
 
     /// @param now  never goes back
-    StripStep step(std::chrono::nanoseconds now);
+    TapestryStep step(std::chrono::nanoseconds now);
 
     /// A visitor has had enough of it, or nobody has touched it for long.
     bool is_over() const { return is_over_; }
@@ -133,10 +133,10 @@ class TapestryStrip {
     Tapestry tapestry_;
     Vec2 picture_;
     Vec2 canvas_;
-    StripSettings settings_;
+    TapestrySettings settings_;
     Box box_;      // of the strip, canvas px
     Box preview_;  // canvas px
-    StripMotion motion_;
+    TapestryMotion motion_;
     TileCache cache_;
     std::map<TileId, TileZooms> zooms_;  // of those in the cache
     std::optional<Playing> shown_;       // above the strip

@@ -44,7 +44,7 @@ double share_seen(const std::vector<PlacedShot>& wall) {
 }
 
 /// One step; true where something moved. Checks what must hold after every one.
-bool step(Hand& hand, std::vector<PlacedShot>& wall) {
+bool step(Drag& hand, std::vector<PlacedShot>& wall) {
     const auto placements = hand.step(wall, canvas);
     if (!placements) return false;
     REQUIRE(placements->size() == wall.size());
@@ -63,7 +63,7 @@ bool step(Hand& hand, std::vector<PlacedShot>& wall) {
     return true;
 }
 
-void touch(Hand& hand, Vec2 at) {
+void touch(Drag& hand, Vec2 at) {
     hand.touch(at, at);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("what is held follows the finger across the wall, and settles at its s
     const double scale = wall[0].placement.scale;
     const Vec2 from = place(wall[0]);
     const Vec2 to{canvas.x - from.x, canvas.y - from.y};
-    Hand hand({.budget = 20'000});
+    Drag hand({.budget = 20'000});
     for (int k = 0; k <= 12; ++k) {
         hand.touch(from + (to - from) * (k / 12.0), from);
         step(hand, wall);
@@ -100,7 +100,7 @@ TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the 
     std::uniform_real_distribution<double> share(-0.2, 1.2);
     for (const int count : {1, 2, 7}) {
         std::vector<PlacedShot> wall = packed_wall(count);
-        Hand hand({.budget = 10'000});
+        Drag hand({.budget = 10'000});
         for (int k = 0; k < 40; ++k) {
             if (k % 9 == 8)
                 hand.lift();
@@ -113,19 +113,19 @@ TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the 
 
 TEST_CASE("a finger that rests moves nothing, and none at all neither") {
     std::vector<PlacedShot> wall = packed_wall(5);
-    Hand hand({});
+    Drag hand({});
     CHECK_FALSE(hand.step(wall, canvas));
     touch(hand, place(wall[2]));
     CHECK_FALSE(hand.step(wall, canvas));
     CHECK(hand.is_holding());
-    Hand empty({});
+    Drag empty({});
     touch(empty, {10, 10});
     CHECK_FALSE(empty.step({}, canvas));
 }
 
 TEST_CASE("a shot that leaves the wall leaves the hand") {
     std::vector<PlacedShot> wall = packed_wall(5);
-    Hand hand({.budget = 10'000});
+    Drag hand({.budget = 10'000});
     touch(hand, place(wall[4]));
     hand.step(wall, canvas);
     REQUIRE(hand.is_holding());

@@ -17,16 +17,16 @@ bool never(const ShotKey& /*key*/) {
     return false;
 }
 
-void set(ShotRound& round, const std::vector<MediaRecord>& records) {
+void set(ShotRotation& round, const std::vector<MediaRecord>& records) {
     std::vector<const MediaRecord*> files;
     for (const MediaRecord& record : records)
         files.push_back(&record);
     round.set_files(files);
 }
 
-std::vector<ShotKey> take_all(ShotRound& round) {
+std::vector<ShotKey> take_all(ShotRotation& round) {
     std::vector<ShotKey> keys;
-    while (const auto key = round.take(always))
+    while (const auto key = round.next_shot(always))
         keys.push_back(*key);
     return keys;
 }
@@ -34,25 +34,25 @@ std::vector<ShotKey> take_all(ShotRound& round) {
 }  // namespace
 
 TEST_CASE("by name, shots come by path and in time order") {
-    ShotRound round(ShotOrder::name, 1);
+    ShotRotation round(ShotOrder::name, 1);
     set(round, {photo("b"), film("a", 2), photo("c")});
     // the first shots of new files come before the later ones
     CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"c", 0}, {"a", 1}});
-    round.begin_again(never);
+    round.restart_finished(never);
     CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"b", 0}, {"c", 0}});
 }
 
 TEST_CASE("by newest, the file changed last comes first") {
-    ShotRound round(ShotOrder::newest, 1);
+    ShotRotation round(ShotOrder::newest, 1);
     set(round, {photo("a", 5), photo("b", 9), photo("c", 7)});
     CHECK(take_all(round) == std::vector<ShotKey>{{"b", 0}, {"c", 0}, {"a", 0}});
 }
 
 TEST_CASE("shuffled, every shot comes once and those of one film in time order") {
-    ShotRound round(ShotOrder::shuffle, 3);
+    ShotRotation round(ShotOrder::shuffle, 3);
     set(round, {film("a", 20), film("b", 20), photo("c")});
     take_all(round);
-    round.begin_again(never);
+    round.restart_finished(never);
     const std::vector<ShotKey> keys = take_all(round);
     CHECK(keys.size() == 41);
     int next_a = 0;
@@ -68,7 +68,7 @@ TEST_CASE("shuffled, every shot comes once and those of one film in time order")
 
 TEST_CASE("the same seed gives the same order and another seed another") {
     const auto order = [](std::uint64_t seed) {
-        ShotRound round(ShotOrder::shuffle, seed);
+        ShotRotation round(ShotOrder::shuffle, seed);
         set(round, {film("a", 20), film("b", 20)});
         return take_all(round);
     };
@@ -77,54 +77,54 @@ TEST_CASE("the same seed gives the same order and another seed another") {
 }
 
 TEST_CASE("a new file is next and a file that is gone has no turn") {
-    ShotRound round(ShotOrder::name, 1);
+    ShotRotation round(ShotOrder::name, 1);
     set(round, {photo("a"), photo("b"), photo("c")});
     set(round, {photo("a"), photo("c"), photo("d")});
     CHECK(take_all(round) == std::vector<ShotKey>{{"d", 0}, {"a", 0}, {"c", 0}});
 }
 
 TEST_CASE("only files of which all was shown begin again, those on the wall last") {
-    ShotRound round(ShotOrder::name, 1);
+    ShotRotation round(ShotOrder::name, 1);
     set(round, {photo("a"), photo("b"), film("f", 2)});
     for (int i = 0; i < 3; ++i)
-        round.take(always);  // a, b, f 0
-    round.begin_again([](const ShotKey& key) { return key.path == "a"; });
+        round.next_shot(always);  // a, b, f 0
+    round.restart_finished([](const ShotKey& key) { return key.path == "a"; });
     CHECK(take_all(round) == std::vector<ShotKey>{{"f", 1}, {"b", 0}, {"a", 0}});
 }
 
 TEST_CASE("what comes three times as often has three turns in a round, evenly spread") {
-    ShotRound round(ShotOrder::name, 1);
+    ShotRotation round(ShotOrder::name, 1);
     const std::vector<MediaRecord> records{photo("a"), photo("b"), photo("c"), photo("d")};
     std::vector<const MediaRecord*> files;
     for (const MediaRecord& record : records)
         files.push_back(&record);
     round.set_files(files, {{"a", {.repeat = 3}}});
     CHECK(take_all(round).size() == 6);
-    round.begin_all_again(never);
+    round.restart_all(never);
     CHECK(take_all(round) ==
           std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"a", 0}, {"c", 0}, {"a", 0}, {"d", 0}});
-    round.begin_again(never);
+    round.restart_finished(never);
     CHECK(take_all(round).size() == 6);
 }
 
 TEST_CASE("a film that comes twice in a round comes as a whole each time") {
-    ShotRound round(ShotOrder::shuffle, 5);
+    ShotRotation round(ShotOrder::shuffle, 5);
     const MediaRecord twice = film("a", 4);
     const std::vector<const MediaRecord*> files{&twice};
     round.set_files(files, {{"a", {.repeat = 2}}});
     take_all(round);
-    round.begin_all_again(never);
+    round.restart_all(never);
     CHECK(
         take_all(round) ==
         std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}, {"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}});
 }
 
 TEST_CASE("turns that are left are not given anew") {
-    ShotRound round(ShotOrder::name, 1);
+    ShotRotation round(ShotOrder::name, 1);
     const MediaRecord often = photo("a");
     const std::vector<const MediaRecord*> files{&often};
     round.set_files(files, {{"a", {.repeat = 3}}});
     for (int i = 0; i < 5; ++i)
-        round.begin_all_again(never);
+        round.restart_all(never);
     CHECK(take_all(round).size() == 3);
 }

@@ -16,17 +16,17 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Shows at once whatever the assemblage wants, and counts how often each shot came.
+/// Shows at once whatever the slots hold, and counts how often each shot came.
 struct Player {
-    Assemblage assemblage;  // that does not look ahead, so that turns come at their time
+    WallSlots slots;  // that does not look ahead, so that turns come at their time
     std::chrono::nanoseconds now = 0s;
     std::map<SourceId, ShotKey> seen{};
     std::map<ShotKey, int> times{};
     std::vector<ShotKey> order{};
 
     void look() {
-        for (const WallShot& shot : assemblage.wall()) {
-            assemblage.shown(shot.source, now);
+        for (const WallShot& shot : slots.shots()) {
+            slots.shot_appeared(shot.source, now);
             if (!seen.emplace(shot.source, shot.key).second) continue;
             ++times[shot.key];
             order.push_back(shot.key);
@@ -35,23 +35,23 @@ struct Player {
 
     void run(std::chrono::nanoseconds duration) {
         for (const auto end = now + duration; now < end; now += 100ms) {
-            assemblage.advance(now);
+            slots.advance(now);
             look();
         }
     }
 
     std::multiset<std::string> paths() const {
         std::multiset<std::string> paths;
-        for (const WallShot& shot : assemblage.wall())
+        for (const WallShot& shot : slots.shots())
             paths.insert(shot.key.path);
         return paths;
     }
 };
 
-Player make_player(AssemblageSettings settings, const std::vector<MediaRecord>& records) {
+Player make_player(SlotSettings settings, const std::vector<MediaRecord>& records) {
     settings.lead = 0s;
-    Player player{.assemblage = Assemblage(settings)};
-    player.assemblage.set_catalogue(records);
+    Player player{.slots = WallSlots(settings)};
+    player.slots.set_catalogue(records);
     player.look();
     return player;
 }
@@ -61,7 +61,7 @@ Player make_player(AssemblageSettings settings, const std::vector<MediaRecord>& 
 TEST_CASE("every photo is shown once before any is shown again") {
     for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name, ShotOrder::newest}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-            Player wall = make_player({.slots = 4, .order = order, .seed = seed}, photos(13));
+            Player wall = make_player({.count = 4, .order = order, .seed = seed}, photos(13));
             for (int i = 0; i < 200; ++i) {
                 wall.run(5s);
                 int least = 1000;
@@ -79,7 +79,7 @@ TEST_CASE("every photo is shown once before any is shown again") {
 
 TEST_CASE("the same seed shows the same and another seed another") {
     const auto shown = [](std::uint64_t seed) {
-        Player wall = make_player({.slots = 3, .seed = seed}, photos(20));
+        Player wall = make_player({.count = 3, .seed = seed}, photos(20));
         wall.run(300s);
         return wall.order;
     };
@@ -88,7 +88,7 @@ TEST_CASE("the same seed shows the same and another seed another") {
 }
 
 TEST_CASE("a shot stays for its time, then one slot at a time changes") {
-    Player wall = make_player({.slots = 3, .dwell = 20s, .spacing = 3s}, photos(10));
+    Player wall = make_player({.count = 3, .dwell = 20s, .spacing = 3s}, photos(10));
     wall.run(19900ms);
     CHECK(wall.order.size() == 3);
     wall.run(1s);
@@ -100,21 +100,21 @@ TEST_CASE("a shot stays for its time, then one slot at a time changes") {
 }
 
 TEST_CASE("time counts only once a shot is shown") {
-    Assemblage assemblage({.slots = 1, .dwell = 20s, .lead = 0s});
-    assemblage.set_catalogue(photos(2));
-    const SourceId first = assemblage.wall()[0].source;
-    assemblage.advance(100s);
-    CHECK(assemblage.wall()[0].source == first);
-    assemblage.shown(first, 100s);
-    assemblage.advance(119s);
-    CHECK(assemblage.wall()[0].source == first);
-    assemblage.advance(120s);
-    CHECK(assemblage.wall()[0].source != first);
+    WallSlots slots({.count = 1, .dwell = 20s, .lead = 0s});
+    slots.set_catalogue(photos(2));
+    const SourceId first = slots.shots()[0].source;
+    slots.advance(100s);
+    CHECK(slots.shots()[0].source == first);
+    slots.shot_appeared(first, 100s);
+    slots.advance(119s);
+    CHECK(slots.shots()[0].source == first);
+    slots.advance(120s);
+    CHECK(slots.shots()[0].source != first);
 }
 
 TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
     const auto first_stay = [](std::chrono::nanoseconds shot) {
-        Player wall = make_player({.slots = 1, .dwell = 20s, .longest = 60s}, {film("f", 2, shot)});
+        Player wall = make_player({.count = 1, .dwell = 20s, .max_dwell = 60s}, {film("f", 2, shot)});
         while (wall.order.size() < 2)
             wall.run(100ms);
         return std::chrono::round<std::chrono::seconds>(wall.now - 100ms);
@@ -126,14 +126,14 @@ TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
 }
 
 TEST_CASE("fewer items than slots are fewer on the wall, and they stay") {
-    Player wall = make_player({.slots = 6}, photos(2));
+    Player wall = make_player({.count = 6}, photos(2));
     wall.run(300s);
     CHECK(wall.order.size() == 2);
-    CHECK(make_player({.slots = 6}, {}).assemblage.wall().empty());
+    CHECK(make_player({.count = 6}, {}).slots.shots().empty());
 }
 
 TEST_CASE("a single film fills the slots with its shots side by side, each once before any again") {
-    Player wall = make_player({.slots = 4}, {film("f", 11)});
+    Player wall = make_player({.count = 4}, {film("f", 11)});
     CHECK(wall.order == std::vector<ShotKey>{{"f", 0}, {"f", 1}, {"f", 2}, {"f", 3}});
     for (int i = 0; i < 100; ++i) {
         wall.run(3s);
@@ -148,57 +148,57 @@ TEST_CASE("a single film fills the slots with its shots side by side, each once 
 }
 
 TEST_CASE("the next shot is chosen before the last has had its time, and says when it is due") {
-    Assemblage assemblage({.slots = 2, .dwell = 20s, .lead = 4s});
-    assemblage.set_catalogue(photos(4));
-    CHECK_FALSE(assemblage.due());
-    const std::vector<WallShot> first = assemblage.wall();
+    WallSlots slots({.count = 2, .dwell = 20s, .lead = 4s});
+    slots.set_catalogue(photos(4));
+    CHECK_FALSE(slots.due());
+    const std::vector<WallShot> first = slots.shots();
     for (const WallShot& shot : first)
-        assemblage.shown(shot.source, 10s);
-    assemblage.advance(25900ms);
-    CHECK(assemblage.wall() == first);
-    assemblage.advance(26s);
-    CHECK(assemblage.wall() != first);
-    CHECK(assemblage.due() == 30s);
-    const std::vector<WallShot> second = assemblage.wall();
-    assemblage.advance(28900ms);
-    CHECK(assemblage.wall() == second);
-    assemblage.set_catalogue(photos(1));
-    CHECK_FALSE(assemblage.due());  // what is gone leaves at once
+        slots.shot_appeared(shot.source, 10s);
+    slots.advance(25900ms);
+    CHECK(slots.shots() == first);
+    slots.advance(26s);
+    CHECK(slots.shots() != first);
+    CHECK(slots.due() == 30s);
+    const std::vector<WallShot> second = slots.shots();
+    slots.advance(28900ms);
+    CHECK(slots.shots() == second);
+    slots.set_catalogue(photos(1));
+    CHECK_FALSE(slots.due());  // what is gone leaves at once
 }
 
 TEST_CASE("a film that others keep waiting leaves at the end of a loop, where that is soon") {
     const auto second_due = [](std::chrono::nanoseconds loop) {
         std::vector<MediaRecord> records{film("a", 1, loop), film("b", 1, loop), film("c", 1, loop),
                                          film("d", 1, loop)};
-        Assemblage assemblage({.slots = 2, .dwell = 20s, .spacing = 3s, .lead = 4s});
-        assemblage.set_catalogue(records);
-        for (const WallShot& shot : assemblage.wall())
-            assemblage.shown(shot.source, 0s);
-        assemblage.advance(16s);
-        CHECK(assemblage.due() == 20s);
-        assemblage.advance(19s);
-        return assemblage.due();
+        WallSlots slots({.count = 2, .dwell = 20s, .spacing = 3s, .lead = 4s});
+        slots.set_catalogue(records);
+        for (const WallShot& shot : slots.shots())
+            slots.shot_appeared(shot.source, 0s);
+        slots.advance(16s);
+        CHECK(slots.due() == 20s);
+        slots.advance(19s);
+        return slots.due();
     };
     CHECK(second_due(4s) == 24s);
     CHECK(second_due(10s) == 23s);  // 30 s would hold up the others
 }
 
 TEST_CASE("a shot that the store gets is the same shot, with its clip") {
-    Assemblage assemblage({.slots = 1});
-    assemblage.set_catalogue(std::vector{film("a", 1)});
-    const SourceId source = assemblage.wall()[0].source;
+    WallSlots slots({.count = 1});
+    slots.set_catalogue(std::vector{film("a", 1)});
+    const SourceId source = slots.shots()[0].source;
     MediaRecord grown = film("a", 1);
     grown.shots[0].stored = {.file = "clip", .width = 320, .height = 180};
-    assemblage.set_catalogue(std::vector{grown});
-    CHECK(assemblage.wall()[0].source == source);
-    CHECK(assemblage.wall()[0].shot.stored == grown.shots[0].stored);
+    slots.set_catalogue(std::vector{grown});
+    CHECK(slots.shots()[0].source == source);
+    CHECK(slots.shots()[0].shot.stored == grown.shots[0].stored);
 }
 
 TEST_CASE("every shot of every file is shown once before any is shown again, where files take turns") {
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));
     records.push_back(film("g", 50));
-    Player wall = make_player({.slots = 4}, records);
+    Player wall = make_player({.count = 4}, records);
     while (wall.order.size() < 88 && wall.now < 3600s)
         wall.run(1s);
     CHECK(wall.times.size() == 88);
@@ -272,15 +272,15 @@ TEST_CASE(
         const Files files = random_files(engine);
         const int slots = 1 + static_cast<int>(engine() % 6);
         Player wall = make_player(
-            {.slots = slots, .order = static_cast<ShotOrder>(engine() % 3), .seed = engine(), .dwell = 5s},
+            {.count = slots, .order = static_cast<ShotOrder>(engine() % 3), .seed = engine(), .dwell = 5s},
             files.records);
-        REQUIRE(static_cast<int>(wall.assemblage.wall().size()) == std::min(slots, files.shots));
+        REQUIRE(static_cast<int>(wall.slots.shots().size()) == std::min(slots, files.shots));
         Rounds rounds(files.records);
         for (int i = 0; i < 60; ++i, wall.now += 1s) {
-            wall.assemblage.advance(wall.now);
+            wall.slots.advance(wall.now);
             wall.look();
             std::set<ShotKey> stand;
-            for (const WallShot& shot : wall.assemblage.wall())
+            for (const WallShot& shot : wall.slots.shots())
                 REQUIRE(stand.insert(shot.key).second);
             rounds.change(stand);
         }
@@ -291,8 +291,8 @@ TEST_CASE("over thousands of random changes new files come before all that was t
     std::mt19937_64 engine(12);
     for (int k = 0; k < 1000; ++k) {
         Files files = random_files(engine);
-        Player wall = make_player(
-            {.slots = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s}, files.records);
+        Player wall = make_player({.count = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s},
+                             files.records);
         wall.run(std::chrono::seconds(engine() % 60));
         const std::size_t shown = wall.order.size();
         std::set<std::string> added;
@@ -300,7 +300,7 @@ TEST_CASE("over thousands of random changes new files come before all that was t
             files.records.push_back(photo("new" + std::to_string(i)));
             added.insert(files.records.back().path);
         }
-        wall.assemblage.set_catalogue(files.records);
+        wall.slots.set_catalogue(files.records);
         wall.look();
         wall.run(30s);
         CHECK(wall.order.size() > shown);
@@ -310,7 +310,7 @@ TEST_CASE("over thousands of random changes new files come before all that was t
 }
 
 TEST_CASE("in sequence, a film alone shows each shot once through, evenly staggered and in time order") {
-    Player wall = make_player({.slots = 4, .film = FilmShow::sequence}, {film("f", 40, 16s)});
+    Player wall = make_player({.count = 4, .film = FilmShow::sequence}, {film("f", 40, 16s)});
     std::vector<std::chrono::nanoseconds> changes;
     for (std::size_t count = wall.order.size(); wall.now < 120s;) {
         wall.run(100ms);
@@ -331,7 +331,7 @@ TEST_CASE("in sequence, a film stands on the wall once while other files are the
     std::vector<MediaRecord> records = photos(8);
     records.push_back(film("f", 30));
     records.push_back(film("g", 50));
-    Player wall = make_player({.slots = 4, .film = FilmShow::sequence}, records);
+    Player wall = make_player({.count = 4, .film = FilmShow::sequence}, records);
     for (int i = 0; i < 400; ++i) {
         wall.run(3s);
         const auto paths = wall.paths();
@@ -346,7 +346,7 @@ TEST_CASE("in sequence, a film stands on the wall once while other files are the
 TEST_CASE("the shots of a film take the places that no other file wants and never a photo's only one") {
     std::vector<MediaRecord> records = photos(2);
     records.push_back(film("f", 9));
-    Player wall = make_player({.slots = 5}, records);
+    Player wall = make_player({.count = 5}, records);
     for (int i = 0; i < 100; ++i) {
         wall.run(3s);
         const auto paths = wall.paths();
@@ -358,14 +358,14 @@ TEST_CASE("the shots of a film take the places that no other file wants and neve
 }
 
 TEST_CASE("a new file takes a free slot at once and is next where there is none") {
-    Player wall = make_player({.slots = 3}, photos(2));
+    Player wall = make_player({.count = 3}, photos(2));
     std::vector<MediaRecord> records = photos(3);
-    wall.assemblage.set_catalogue(records);
+    wall.slots.set_catalogue(records);
     CHECK(wall.paths().count("p102") == 1);
     wall.look();
     records.push_back(photo("a"));
     records.push_back(photo("z"));
-    wall.assemblage.set_catalogue(records);
+    wall.slots.set_catalogue(records);
     CHECK(wall.paths().size() == 3);
     wall.run(30s);
     const std::set<std::string> next{wall.order[3].path, wall.order[4].path};
@@ -373,35 +373,35 @@ TEST_CASE("a new file takes a free slot at once and is next where there is none"
 }
 
 TEST_CASE("a deleted file leaves at once and another takes its place") {
-    Player wall = make_player({.slots = 3, .order = ShotOrder::name}, photos(5));
+    Player wall = make_player({.count = 3, .order = ShotOrder::name}, photos(5));
     std::vector<MediaRecord> records = photos(5);
     records.erase(records.begin() + 1);
-    wall.assemblage.set_catalogue(records);
+    wall.slots.set_catalogue(records);
     CHECK(wall.paths() == std::multiset<std::string>{"p100", "p102", "p103"});
-    CHECK(wall.assemblage.wall()[1].key.path == "p103");
+    CHECK(wall.slots.shots()[1].key.path == "p103");
     wall.run(300s);
     CHECK(wall.times[{"p101", 0}] == 1);
-    wall.assemblage.set_catalogue({});
-    CHECK(wall.assemblage.wall().empty());
+    wall.slots.set_catalogue({});
+    CHECK(wall.slots.shots().empty());
 }
 
 TEST_CASE("a file that is not ready any more leaves as a deleted one does") {
-    Player wall = make_player({.slots = 2}, photos(2));
+    Player wall = make_player({.count = 2}, photos(2));
     std::vector<MediaRecord> records = photos(2);
     records[0].state = MediaState::waiting;
-    wall.assemblage.set_catalogue(records);
+    wall.slots.set_catalogue(records);
     CHECK(wall.paths() == std::multiset<std::string>{"p101"});
 }
 
 TEST_CASE("a replaced file is loaded anew in its slot and the others stay") {
-    Player wall = make_player({.slots = 2, .order = ShotOrder::name}, photos(2));
-    const auto before = wall.assemblage.wall();
+    Player wall = make_player({.count = 2, .order = ShotOrder::name}, photos(2));
+    const auto before = wall.slots.shots();
     std::vector<MediaRecord> records = photos(2);
-    wall.assemblage.set_catalogue(records);
-    CHECK(wall.assemblage.wall() == before);
+    wall.slots.set_catalogue(records);
+    CHECK(wall.slots.shots() == before);
     records[0].mtime_ns = 77;
-    wall.assemblage.set_catalogue(records);
-    const auto after = wall.assemblage.wall();
+    wall.slots.set_catalogue(records);
+    const auto after = wall.slots.shots();
     CHECK(after[0].key == before[0].key);
     CHECK(after[0].source != before[0].source);
     CHECK(after[1] == before[1]);
@@ -413,48 +413,48 @@ TEST_CASE("a film to which shots are added plays on, and its new shots come to t
     records[0].is_complete = false;
     std::vector<MediaRecord> first = records;
     first[0].shots.pop_back();
-    Player wall = make_player({.slots = 2, .order = ShotOrder::name}, first);
-    const auto before = wall.assemblage.wall();
+    Player wall = make_player({.count = 2, .order = ShotOrder::name}, first);
+    const auto before = wall.slots.shots();
     REQUIRE(before.size() == 1);
-    wall.assemblage.set_catalogue(records);
-    const auto after = wall.assemblage.wall();
+    wall.slots.set_catalogue(records);
+    const auto after = wall.slots.shots();
     REQUIRE(after.size() == 2);
     CHECK(after[0] == before[0]);
     records[0].is_complete = true;
-    wall.assemblage.set_catalogue(records);
-    CHECK(wall.assemblage.wall() == after);
+    wall.slots.set_catalogue(records);
+    CHECK(wall.slots.shots() == after);
 }
 
 TEST_CASE("a file that failed gives way and is tried again later or when it changes") {
-    Player wall = make_player({.slots = 1, .order = ShotOrder::name, .amends = 60s}, photos(1));
-    const SourceId first = wall.assemblage.wall()[0].source;
-    wall.assemblage.failed(first, 0s);
-    CHECK(wall.assemblage.wall().empty());
+    Player wall = make_player({.count = 1, .order = ShotOrder::name, .retry_after = 60s}, photos(1));
+    const SourceId first = wall.slots.shots()[0].source;
+    wall.slots.source_failed(first, 0s);
+    CHECK(wall.slots.shots().empty());
     wall.run(59s);
-    CHECK(wall.assemblage.wall().empty());
+    CHECK(wall.slots.shots().empty());
     wall.run(2s);
-    CHECK(wall.assemblage.wall().size() == 1);
-    wall.assemblage.failed(wall.assemblage.wall()[0].source, wall.now);
-    wall.assemblage.set_catalogue(photos(1));
-    CHECK(wall.assemblage.wall().empty());
+    CHECK(wall.slots.shots().size() == 1);
+    wall.slots.source_failed(wall.slots.shots()[0].source, wall.now);
+    wall.slots.set_catalogue(photos(1));
+    CHECK(wall.slots.shots().empty());
     std::vector<MediaRecord> changed = photos(1);
     changed[0].bytes = 5;
-    wall.assemblage.set_catalogue(changed);
-    CHECK(wall.assemblage.wall().size() == 1);
+    wall.slots.set_catalogue(changed);
+    CHECK(wall.slots.shots().size() == 1);
 }
 
 TEST_CASE("no source is ever named twice") {
-    Player wall = make_player({.slots = 2}, photos(3));
+    Player wall = make_player({.count = 2}, photos(3));
     wall.run(300s);
     CHECK(wall.seen.size() == wall.order.size());
     CHECK(wall.seen.rbegin()->first == wall.seen.size());
 }
 
 TEST_CASE("a shot stays for as long as its name says, a film too") {
-    AssemblageSettings settings{.slots = 1, .order = ShotOrder::name, .dwell = 20s, .lead = 0s};
-    Player wall{.assemblage = Assemblage(settings)};
-    wall.assemblage.set_catalogue(std::vector{photo("5s a"), film("b", 1, 10s), photo("c")},
-                                  {{"5s a", {.dwell = 5s}}, {"b", {.dwell = 7s}}});
+    SlotSettings settings{.slots = 1, .order = ShotOrder::name, .dwell = 20s, .lead = 0s};
+    Player wall{.slots = WallSlots(settings)};
+    wall.slots.set_catalogue(std::vector{photo("5s a"), film("b", 1, 10s), photo("c")},
+                             {{"5s a", {.dwell = 5s}}, {"b", {.dwell = 7s}}});
     wall.look();
     wall.run(4900ms);
     CHECK(wall.order.size() == 1);
@@ -468,9 +468,9 @@ TEST_CASE("a shot stays for as long as its name says, a film too") {
 
 TEST_CASE("what comes three times as often is on the wall three times as often") {
     for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name}) {
-        AssemblageSettings settings{.slots = 2, .order = order, .lead = 0s};
-        Player wall{.assemblage = Assemblage(settings)};
-        wall.assemblage.set_catalogue(photos(10), {{"p103", {.repeat = 3}}});
+        SlotSettings settings{.slots = 2, .order = order, .lead = 0s};
+        Player wall{.slots = WallSlots(settings)};
+        wall.slots.set_catalogue(photos(10), {{"p103", {.repeat = 3}}});
         wall.look();
         wall.run(12h);
         int others = 0;

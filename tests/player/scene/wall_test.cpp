@@ -73,7 +73,7 @@ struct House {
 };
 
 House house(const std::vector<MediaRecord>& records, int slots = 3) {
-    House house{.wall = Wall({1280, 720}, {.assemblage = {.slots = slots, .order = ShotOrder::name}})};
+    House house{.wall = Wall({1280, 720}, {.slots = {.count = slots, .order = ShotOrder::name}})};
     house.wall.set_catalogue(records);
     return house;
 }
@@ -367,7 +367,7 @@ TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn m
     const Vec2 from{360, 90};  // the middle of the third region
     for (int x = 360; x <= 1000; x += 10) {
         const Vec2 at{static_cast<double>(x), 90.0 + (x - 360) / 4.0};
-        house.wall.take({.kind = Gesture::Kind::drag, .at = at, .from = from});
+        house.wall.handle_gesture({.kind = Gesture::Kind::drag, .at = at, .from = from});
         const WallStep step = house.step();
         CHECK(step.frame.items.size() >= 3);
     }
@@ -377,7 +377,7 @@ TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn m
     CHECK(length(seat_of(placed.shot.item, placed.placement).centre - Vec2{1000, 250}) < 10);
     CHECK(house.planned.size() == 1);
     CHECK(house.playing.size() == 3);
-    house.wall.take({.kind = Gesture::Kind::drop, .at = {1000, 250}, .from = from});
+    house.wall.handle_gesture({.kind = Gesture::Kind::drop, .at = {1000, 250}, .from = from});
     house.run(5s);
     CHECK(house.planned.size() > 1);
 }
@@ -401,11 +401,11 @@ TEST_CASE("a shot that is tapped is large for a while, and then all is as it was
     house.run(2s);
     const auto before = areas(house);
     for (const bool is_tapped_again : {false, true}) {
-        house.wall.take({.kind = Gesture::Kind::tap, .at = on_second, .from = on_second});
+        house.wall.handle_gesture({.kind = Gesture::Kind::tap, .at = on_second, .from = on_second});
         house.run(3s);
         CHECK(areas(house).at("b") > 2 * before.at("b"));
         if (is_tapped_again)
-            house.wall.take({.kind = Gesture::Kind::tap, .at = on_second, .from = on_second});
+            house.wall.handle_gesture({.kind = Gesture::Kind::tap, .at = on_second, .from = on_second});
         house.run(is_tapped_again ? 1s : 25s);
         CHECK((areas(house) == before) == is_tapped_again);
         if (is_tapped_again) continue;
@@ -418,10 +418,10 @@ TEST_CASE("a shot that is held is large until it is let go, however long") {
     House house = ::house({photo("a"), photo("b"), photo("c")});
     house.run(2s);
     const auto before = areas(house);
-    house.wall.take({.kind = Gesture::Kind::hold, .at = on_second, .from = on_second});
+    house.wall.handle_gesture({.kind = Gesture::Kind::hold, .at = on_second, .from = on_second});
     house.run(100s);
     CHECK(areas(house).at("b") > 2 * before.at("b"));
-    house.wall.take({.kind = Gesture::Kind::release, .at = on_second, .from = on_second});
+    house.wall.handle_gesture({.kind = Gesture::Kind::release, .at = on_second, .from = on_second});
     house.run(1s);
     CHECK(areas(house) == before);
 }
@@ -429,11 +429,12 @@ TEST_CASE("a shot that is held is large until it is let go, however long") {
 TEST_CASE("a shot that is flicked out of the canvas leaves, and the next one comes to its place") {
     House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
     house.run(2s);
-    house.wall.take({.kind = Gesture::Kind::flick, .at = on_second, .from = on_second, .velocity = {300, 0}});
+    house.wall.handle_gesture(
+        {.kind = Gesture::Kind::flick, .at = on_second, .from = on_second, .velocity = {300, 0}});
     house.run(1s);
     REQUIRE(shown_paths(house) == std::vector<std::string>{"a", "b", "c"});  // it stayed in the canvas
 
-    house.wall.take(
+    house.wall.handle_gesture(
         {.kind = Gesture::Kind::flick, .at = on_second, .from = on_second, .velocity = {0, -900}});
     house.run(200ms);
     house.run(3s);
@@ -446,7 +447,7 @@ TEST_CASE("a shot that is flicked out of the canvas leaves, and the next one com
 TEST_CASE("of a wall that has no more a shot that is flicked out stays away for a minute") {
     House house = ::house({photo("a"), photo("b"), photo("c")});
     house.run(2s);
-    house.wall.take(
+    house.wall.handle_gesture(
         {.kind = Gesture::Kind::flick, .at = on_second, .from = on_second, .velocity = {0, -900}});
     house.run(3s);
     CHECK(shown_paths(house) == std::vector<std::string>{"a", "c"});
@@ -460,11 +461,11 @@ TEST_CASE("a finger need not wait for a change that is being prepared, which com
     const auto before = areas(house);
     house.run(16500ms);  // the next shot is waiting for its turn
     REQUIRE(house.playing.size() == 4);
-    house.wall.take({.kind = Gesture::Kind::hold, .at = on_second, .from = on_second});
+    house.wall.handle_gesture({.kind = Gesture::Kind::hold, .at = on_second, .from = on_second});
     house.run(500ms);
     CHECK(areas(house).at("b") > 2 * before.at("b"));
     CHECK(house.playing.size() == 4);
-    house.wall.take({.kind = Gesture::Kind::release, .at = on_second, .from = on_second});
+    house.wall.handle_gesture({.kind = Gesture::Kind::release, .at = on_second, .from = on_second});
     house.run(4s);
     CHECK(areas(house).contains("d"));
 }

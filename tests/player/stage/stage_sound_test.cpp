@@ -113,9 +113,9 @@ TEST_CASE("nothing is heard of a wall that is paused, or that no screen shows") 
     for (; theatre.stage->audible().empty() && next < 60; ++next)
         theatre.show(std::chrono::seconds(next));
     REQUIRE_FALSE(theatre.stage->audible().empty());
-    theatre.stage->set_wishes({.is_paused = true});
+    theatre.stage->set_controls({.is_paused = true});
     CHECK(theatre.stage->audible().empty());
-    theatre.stage->set_wishes({});
+    theatre.stage->set_controls({});
     CHECK_FALSE(theatre.stage->audible().empty());
     theatre.stage->set_screens({}, std::chrono::seconds(next));
     CHECK(theatre.stage->audible().empty());

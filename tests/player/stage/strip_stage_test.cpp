@@ -251,7 +251,7 @@ TEST_CASE("while one zooms, a point of a tile is where its two places say") {
     zoomed.picture();
     zoomed.pinch(0.5);
     const Picture between = zoomed.picture();
-    const TapestryStrip& strip = zoomed.strip->strip();
+    const TapestryShow& strip = zoomed.strip->strip();
     const TapestryPlace place(strip.tapestry(), strip.box());
     // Red is the column of both strips; half of it from each at growth 1/2 is as 1 to 2.
     const auto time = strip.tapestry().time_at(0, 100);

@@ -23,14 +23,14 @@ constexpr auto frame_time = 16'666'667ns;
 
 /// The player around a strip: tiles come at once, films when they are asked for.
 struct House {
-    TapestryStrip strip{drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .patience = {}}};
+    TapestryShow strip{drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .patience = {}}};
     std::chrono::nanoseconds now = 0s;
     std::set<SourceId> tiles{};
     std::vector<ShotRequest> playing{};
     bool readies = true;
 
-    StripStep step() {
-        StripStep step = strip.step(now);
+    TapestryStep step() {
+        TapestryStep step = strip.step(now);
         for (const TileId& tile : step.missing) {
             tiles.insert(strip.source_of(tile));
             strip.tile_ready(tile);
@@ -47,8 +47,8 @@ struct House {
         return step;
     }
 
-    StripStep run(std::chrono::nanoseconds duration) {
-        StripStep last = step();
+    TapestryStep run(std::chrono::nanoseconds duration) {
+        TapestryStep last = step();
         for (const auto end = now + duration; now < end;)
             last = step();
         return last;
@@ -82,16 +82,17 @@ TEST_CASE("a strip is covered by its tiles in every frame, whatever one does") {
         }
     };
     for (int k = 0; k < 3; ++k) {
-        house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+        house.strip.handle_gesture({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
         check(800ms);
     }
-    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    house.strip.handle_gesture(
+        {.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
     check(2s);
     for (int k = 0; k < 20; ++k) {
-        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.93});
+        house.strip.handle_gesture({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.93});
         check(40ms);
     }
-    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    house.strip.handle_gesture({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
     check(30s);
 }
 
@@ -120,13 +121,14 @@ TEST_CASE("what a frame says is covered is covered, by the strip and by the film
     check(200ms);
     CHECK(covered > 0);
     CHECK(playing == 0);
-    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
-    house.strip.take({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
+    house.strip.handle_gesture({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.strip.handle_gesture({.kind = Kind::wheel, .at = on_strip, .from = on_strip, .factor = 1.25});
     check(2s);
-    house.strip.take({.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
+    house.strip.handle_gesture(
+        {.kind = Kind::flick, .at = on_strip, .from = on_strip, .velocity = {-3000, 0}});
     check(2s);
     for (int k = 0; k < 20; ++k) {
-        house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+        house.strip.handle_gesture({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
         check(40ms);
     }
     CHECK(playing > 100);
@@ -136,11 +138,11 @@ TEST_CASE("a notch of the wheel is one level in 0.6 seconds, about the pointer")
     House house;
     house.step();
     for (int k = 0; k < 2; ++k) {
-        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.strip.handle_gesture({.kind = Kind::key, .key = Key::nearer});
         house.run(1s);
     }
     REQUIRE(house.strip.view().level == 2);
-    house.strip.take({.kind = Kind::wheel, .at = {320, 280}, .from = {320, 280}, .factor = 1.25});
+    house.strip.handle_gesture({.kind = Kind::wheel, .at = {320, 280}, .from = {320, 280}, .factor = 1.25});
     const auto held = house.time_at(320);
     house.step();
     const auto began = house.now - frame_time;
@@ -155,10 +157,10 @@ TEST_CASE("a notch of the wheel is one level in 0.6 seconds, about the pointer")
 TEST_CASE("a strip that is let go between two levels comes to rest at the nearest") {
     House house;
     house.step();
-    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 1.7});
+    house.strip.handle_gesture({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 1.7});
     CHECK(house.strip.view().level > 0.5);
     CHECK(house.strip.view().level < 1);
-    house.strip.take({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
+    house.strip.handle_gesture({.kind = Kind::pinch_end, .at = on_strip, .from = on_strip});
     house.run(1s);
     CHECK(house.strip.view().level == 1);
 }
@@ -167,13 +169,14 @@ TEST_CASE("a strip goes with the finger, and on after a flick, ever slower") {
     House house;
     house.step();
     for (int k = 0; k < 3; ++k) {
-        house.strip.take({.kind = Kind::key, .key = Key::nearer});
+        house.strip.handle_gesture({.kind = Kind::key, .key = Key::nearer});
         house.run(1s);
     }
     const auto held = house.time_at(400);
-    house.strip.take({.kind = Kind::drag, .at = {350, 280}, .from = {400, 280}, .moved = {-50, 0}});
+    house.strip.handle_gesture({.kind = Kind::drag, .at = {350, 280}, .from = {400, 280}, .moved = {-50, 0}});
     CHECK(house.x(held) == doctest::Approx(350).epsilon(1e-3));
-    house.strip.take({.kind = Kind::flick, .at = {350, 280}, .from = {400, 280}, .velocity = {-600, 0}});
+    house.strip.handle_gesture(
+        {.kind = Kind::flick, .at = {350, 280}, .from = {400, 280}, .velocity = {-600, 0}});
     double last = house.x(held);
     double way = 0;
     for (int k = 0; k < 10; ++k) {
@@ -195,8 +198,8 @@ TEST_CASE("a tap plays the film from there above the strip and in place, and a l
     House house;
     house.run(1s);
     const auto time = house.time_at(300);
-    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
-    const StripStep step = house.run(500ms);
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    const TapestryStep step = house.run(500ms);
     REQUIRE(house.playing.size() == 2);
     for (const ShotRequest& request : house.playing) {
         CHECK(request.path == "film.mp4");
@@ -223,12 +226,12 @@ TEST_CASE(
     "what plays stays until what was tapped next is ready; a film that fails leaves the strip as it was") {
     House house;
     house.run(1s);
-    house.strip.take({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {300, 280}, .from = {300, 280}});
     house.run(500ms);
     const SourceId first = house.playing[0].source;
     house.readies = false;
-    house.strip.take({.kind = Kind::tap, .at = {400, 280}, .from = {400, 280}});
-    StripStep step = house.run(500ms);
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {400, 280}, .from = {400, 280}});
+    TapestryStep step = house.run(500ms);
     CHECK(std::ranges::count(step.frame.items, first, &DrawItem::source) == 1);
     for (const ShotRequest& request : std::vector(house.playing))
         house.strip.source_failed(request.source);
@@ -238,12 +241,12 @@ TEST_CASE(
 }
 
 TEST_CASE("a steady pan never comes to a tile that is not there, though each takes a while") {
-    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .shots = {}});
+    TapestryShow strip(drawn_tapestry(), {160, 90}, {640, 360}, {.first_source = 1000, .shots = {}});
     std::deque<std::pair<TileId, std::chrono::nanoseconds>> coming;
     std::chrono::nanoseconds now = 0s;
     std::size_t missed = 0;
     const auto step = [&] {
-        const StripStep done = strip.step(now);
+        const TapestryStep done = strip.step(now);
         for (const TileId& tile : done.missing)
             if (coming.empty()) coming.emplace_back(tile, now + 80ms);  // one after the other
         if (!coming.empty() && coming.front().second <= now) {
@@ -257,7 +260,7 @@ TEST_CASE("a steady pan never comes to a tile that is not there, though each tak
         now += frame_time;
     };
     for (int k = 0; k < 3; ++k) {
-        strip.take({.kind = Kind::key, .key = Key::nearer});
+        strip.handle_gesture({.kind = Kind::key, .key = Key::nearer});
         for (int frame = 0; frame < 60; ++frame)
             step();
     }
@@ -267,7 +270,7 @@ TEST_CASE("a steady pan never comes to a tile that is not there, though each tak
     missed = 0;
     const auto begin = strip.view().centre;
     for (int frame = 0; frame < 240; ++frame) {
-        strip.take({.kind = Kind::drag, .at = {300, 280}, .from = {400, 280}, .moved = {-4, 0}});
+        strip.handle_gesture({.kind = Kind::drag, .at = {300, 280}, .from = {400, 280}, .moved = {-4, 0}});
         step();
     }
     CHECK(strip.view().centre > begin + 10s);
@@ -283,8 +286,8 @@ TEST_CASE("what plays is read from the store, shot after shot, where the store h
     House house;
     house.strip.set_shots({shot(0s, 20s, "a/0.mp4"), shot(21s, 25s, "a/1.mp4"), shot(25s, 60s, "")});
     house.run(1s);
-    house.strip.take({.kind = Kind::tap, .at = {house.x(18s), 280}, .from = {house.x(18s), 280}});
-    StripStep step = house.run(200ms);
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {house.x(18s), 280}, .from = {house.x(18s), 280}});
+    TapestryStep step = house.run(200ms);
     REQUIRE(house.playing.size() == 2);
     const ShotRequest above = house.playing[0];
     CHECK(above.shot.stored->file == "a/0.mp4");
@@ -302,7 +305,7 @@ TEST_CASE("what plays is read from the store, shot after shot, where the store h
     CHECK(next.shot.end == 25s);
     CHECK(next.shot.stored->file == "a/1.mp4");
     CHECK(next.shot.stored->begin == 100ms);
-    const auto shows = [&](const StripStep& of, SourceId source) {
+    const auto shows = [&](const TapestryStep& of, SourceId source) {
         return std::ranges::count(of.frame.items, source, &DrawItem::source) == 1;
     };
     step = house.step();
@@ -314,14 +317,14 @@ TEST_CASE("what plays is read from the store, shot after shot, where the store h
 }
 
 TEST_CASE("a strip begins where it was asked for, as far as the film's ends allow") {
-    TapestryStrip strip(drawn_tapestry(), {160, 90}, {200, 360},
-                        {.patience = {}, .shots = {}, .first_seen = 20s});
+    TapestryShow strip(drawn_tapestry(), {160, 90}, {200, 360},
+                       {.patience = {}, .shots = {}, .first_seen = 20s});
     CHECK(strip.step(0s).requests.empty());
     CHECK(strip.view().level == 0);
     CHECK(std::chrono::abs(strip.view().centre - 20s) < 1ms);
-    TapestryStrip last(drawn_tapestry(), {160, 90}, {200, 360},
-                       {.patience = {}, .shots = {}, .plays_at_once = true, .first_seen = 55s});
-    const StripStep step = last.step(0s);
+    TapestryShow last(drawn_tapestry(), {160, 90}, {200, 360},
+                      {.patience = {}, .shots = {}, .plays_at_once = true, .first_seen = 55s});
+    const TapestryStep step = last.step(0s);
     REQUIRE(step.requests.size() == 1);
     CHECK(step.requests[0].shot.begin == 55s);
     CHECK(TapestryPlace(last.tapestry(), last.box()).canvas_x(last.view(), 60s) == doctest::Approx(200));
@@ -332,12 +335,12 @@ TEST_CASE("what plays stands at its end until the next shot is ready") {
     house.strip.set_shots({Shot{.begin = 0s, .end = 3s, .stored = StoredShot{.file = "a/0.mp4"}},
                            Shot{.begin = 3s, .end = 60s, .stored = StoredShot{.file = "a/1.mp4"}}});
     house.run(1s);
-    house.strip.take({.kind = Kind::key, .key = Key::select});
+    house.strip.handle_gesture({.kind = Kind::key, .key = Key::select});
     house.run(100ms);
-    house.strip.take({.kind = Kind::tap, .at = {house.x(1s), 280}, .from = {house.x(1s), 280}});
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {house.x(1s), 280}, .from = {house.x(1s), 280}});
     house.run(200ms);
     house.readies = false;
-    const StripStep step = house.run(4s);
+    const TapestryStep step = house.run(4s);
     const auto plays = std::ranges::find_if(step.frame.items, [&](const DrawItem& item) {
         return item.cell && bounding_box(item.cell->parts[0]).max.y < house.strip.box().min.y;
     });
@@ -349,19 +352,20 @@ TEST_CASE(
     "fingers that come together at the coarsest level leave the strip, and a tap beside the preview does") {
     House house;
     house.run(1s);
-    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
+    house.strip.handle_gesture({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.9});
     CHECK_FALSE(house.strip.is_over());
-    house.strip.take({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.8});
+    house.strip.handle_gesture({.kind = Kind::pinch, .at = on_strip, .from = on_strip, .factor = 0.8});
     CHECK(house.strip.is_over());
 
     House other;
     other.run(1s);
-    other.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    other.strip.handle_gesture({.kind = Kind::tap, .at = on_strip, .from = on_strip});
     other.run(500ms);
-    other.strip.take({.kind = Kind::tap, .at = {320, 100}, .from = {320, 100}});  // puts the preview away
+    other.strip.handle_gesture(
+        {.kind = Kind::tap, .at = {320, 100}, .from = {320, 100}});  // puts the preview away
     CHECK_FALSE(other.strip.is_over());
     other.run(500ms);
-    other.strip.take({.kind = Kind::tap, .at = {10, 100}, .from = {10, 100}});
+    other.strip.handle_gesture({.kind = Kind::tap, .at = {10, 100}, .from = {10, 100}});
     CHECK(other.strip.is_over());
 }
 
@@ -378,7 +382,7 @@ TEST_CASE("by itself it goes through the film, nearer and farther, and plays wha
     CHECK(places.size() > 5);
     CHECK_FALSE(house.playing.empty());
     CHECK_FALSE(house.strip.is_over());
-    house.strip.take({.kind = Kind::tap, .at = {320, 20}, .from = {320, 20}});
+    house.strip.handle_gesture({.kind = Kind::tap, .at = {320, 20}, .from = {320, 20}});
     house.run(1s);
     const TapestryView view = house.strip.view();
     house.run(3s);
@@ -386,23 +390,23 @@ TEST_CASE("by itself it goes through the film, nearer and farther, and plays wha
 }
 
 TEST_CASE("a strip is over when nobody has touched it for long, or at the key for it") {
-    TapestryStrip strip(drawn_tapestry(), {160, 90}, {640, 360}, {.patience = 30s});
+    TapestryShow strip(drawn_tapestry(), {160, 90}, {640, 360}, {.patience = 30s});
     strip.step(0s);
-    strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    strip.handle_gesture({.kind = Kind::tap, .at = on_strip, .from = on_strip});
     strip.step(20s);
     strip.step(49s);
     CHECK_FALSE(strip.is_over());
     strip.step(50s);
     CHECK(strip.is_over());
-    TapestryStrip other(drawn_tapestry(), {160, 90}, {640, 360}, {});
-    other.take({.kind = Kind::key, .key = Key::back});
+    TapestryShow other(drawn_tapestry(), {160, 90}, {640, 360}, {});
+    other.handle_gesture({.kind = Kind::key, .key = Key::back});
     CHECK(other.is_over());
 }
 
 TEST_CASE("a strip that is closed gives back all that it asked for") {
     House house;
     house.run(1s);
-    house.strip.take({.kind = Kind::tap, .at = on_strip, .from = on_strip});
+    house.strip.handle_gesture({.kind = Kind::tap, .at = on_strip, .from = on_strip});
     house.run(1s);
     REQUIRE(house.playing.size() == 2);
     const std::vector<SourceId> sources = house.strip.close();

@@ -13,25 +13,25 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Shows at once whatever the assemblage wants.
+/// Shows at once whatever the slots hold.
 struct Shown {
     explicit Shown(int files, int slots = 3)
-        : assemblage({.slots = slots, .order = ShotOrder::name, .dwell = 20s, .lead = 0s}) {
-        assemblage.set_catalogue(photos(files));
+        : slots({.count = slots, .order = ShotOrder::name, .dwell = 20s, .lead = 0s}) {
+        slots.set_catalogue(photos(files));
         run(100ms);
     }
 
     void run(std::chrono::nanoseconds duration) {
         for (const auto end = now + duration; now < end; now += 100ms) {
-            assemblage.advance(now);
-            for (const WallShot& shot : assemblage.wall())
-                assemblage.shown(shot.source, now);
+            slots.advance(now);
+            for (const WallShot& shot : slots.shots())
+                slots.shot_appeared(shot.source, now);
         }
     }
 
     std::set<std::string> paths() const {
         std::set<std::string> paths;
-        for (const WallShot& shot : assemblage.wall())
+        for (const WallShot& shot : slots.shots())
             paths.insert(shot.key.path);
         return paths;
     }
@@ -43,7 +43,7 @@ struct Shown {
             std::ranges::count_if(before, [&](const std::string& path) { return !after.contains(path); }));
     }
 
-    Assemblage assemblage;
+    WallSlots slots;
     std::chrono::nanoseconds now = 0s;
 };
 
@@ -56,18 +56,18 @@ std::string path_of(int photo) {
 TEST_CASE("a paused wall keeps what it shows, and goes on when it is not paused any more") {
     Shown wall(10);
     const auto before = wall.paths();
-    wall.assemblage.set_wishes({.is_paused = true});
+    wall.slots.set_controls({.is_paused = true});
     wall.run(300s);
     CHECK(wall.paths() == before);
-    wall.assemblage.set_wishes({});
+    wall.slots.set_controls({});
     wall.run(60s);
     CHECK(wall.gone(before) > 0);
 }
 
 TEST_CASE("what is deleted leaves a paused wall") {
     Shown wall(3);
-    wall.assemblage.set_wishes({.is_paused = true});
-    wall.assemblage.set_catalogue(photos(2));
+    wall.slots.set_controls({.is_paused = true});
+    wall.slots.set_catalogue(photos(2));
     wall.run(1s);
     CHECK(wall.paths().size() == 2);
 }
@@ -76,7 +76,7 @@ TEST_CASE("a turn that is asked for is taken at once, once, also while the wall 
     for (const bool is_paused : {false, true}) {
         Shown wall(10);
         const auto before = wall.paths();
-        wall.assemblage.set_wishes({.is_paused = is_paused, .turns = 1});
+        wall.slots.set_controls({.is_paused = is_paused, .turns = 1});
         wall.run(2s);
         CHECK(wall.gone(before) == 1);
     }
@@ -84,22 +84,22 @@ TEST_CASE("a turn that is asked for is taken at once, once, also while the wall 
 
 TEST_CASE("a turn that is asked for where all there is is on the wall changes nothing and is over") {
     Shown wall(3);
-    wall.assemblage.set_wishes({.turns = 1});
+    wall.slots.set_controls({.turns = 1});
     wall.run(2s);
     const auto before = wall.paths();
     CHECK(before.size() == 3);
-    wall.assemblage.set_catalogue(photos(10));
+    wall.slots.set_catalogue(photos(10));
     wall.run(1s);
     CHECK(wall.paths() == before);
 }
 
 TEST_CASE("a pinned slot keeps its shot while the others change") {
     Shown wall(10);
-    const std::string kept = wall.assemblage.wall()[1].key.path;
-    wall.assemblage.set_wishes({.slots = {1}});
+    const std::string kept = wall.slots.shots()[1].key.path;
+    wall.slots.set_controls({.slots = {1}});
     for (int i = 0; i < 20; ++i) {
         wall.run(20s);
-        REQUIRE(wall.assemblage.wall()[1].key.path == kept);
+        REQUIRE(wall.slots.shots()[1].key.path == kept);
     }
 }
 
@@ -107,10 +107,10 @@ TEST_CASE("a file that is pinned comes onto the wall and stays, whether it was s
     for (const int photo : {0, 9}) {
         Shown wall(10);
         wall.run(65s);  // the first three have had their turn
-        wall.assemblage.set_wishes({.is_paused = true, .files = {path_of(photo)}});
+        wall.slots.set_controls({.is_paused = true, .files = {path_of(photo)}});
         wall.run(5s);
         REQUIRE(wall.paths().contains(path_of(photo)));
-        wall.assemblage.set_wishes({.files = {path_of(photo)}});
+        wall.slots.set_controls({.files = {path_of(photo)}});
         for (int i = 0; i < 20; ++i) {
             wall.run(20s);
             REQUIRE(wall.paths().contains(path_of(photo)));
@@ -121,7 +121,7 @@ TEST_CASE("a file that is pinned comes onto the wall and stays, whether it was s
 TEST_CASE("a wall whose every slot is pinned stands, whatever else is asked for") {
     Shown wall(10);
     const auto before = wall.paths();
-    wall.assemblage.set_wishes({.turns = 5, .files = {path_of(9)}, .slots = {0, 1, 2}});
+    wall.slots.set_controls({.turns = 5, .files = {path_of(9)}, .slots = {0, 1, 2}});
     wall.run(100s);
     CHECK(wall.paths() == before);
 }
