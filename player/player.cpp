@@ -45,7 +45,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       console_(opener_->traits().has_terminal ? std::make_unique<Console>() : nullptr),
       crash_note_(settings.state.directory),
       sources_(media_places(settings), source_options(settings, !is_paced_by_pictures_)),
-      programme_(settings.state.directory),
+      hours_(settings.state.directory),
       follower_(loop_, Catalogue(std::filesystem::path(settings.state.directory) / "catalogue"),
                 [this](const CatalogueChange& change) { follow(change); }),
       clock_(settings.output.frame_rate),
@@ -182,19 +182,19 @@ void Player::give_catalogue() {
     std::vector<MediaRecord> records =
         options_.rehearsal ? options_.rehearsal->present(follower_.records()) : follower_.records();
     crash_note_.hold_back(records);
-    programme_.set_records(operation_ ? operation_->wanted(records) : std::move(records));
+    hours_.set_files(operation_ ? operation_->wanted(records) : std::move(records));
     next_look_ = 0ns;
-    follow_programme(0ns);
+    follow_hours(0ns);
 }
 
 /// Periods and hours begin and end on the second.
-void Player::follow_programme(std::chrono::nanoseconds time) {
+void Player::follow_hours(std::chrono::nanoseconds time) {
     if (time < next_look_) return;
     next_look_ = time + 1s;
-    if (!programme_.look(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt)) return;
-    const std::vector<MediaRecord> records = programme_.open();
+    if (!hours_.look(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt)) return;
+    const RecordList records = hours_.open();
     for (const auto& stage : stages_)
-        stage->set_catalogue(records, programme_.hints());
+        stage->set_catalogue(records, hours_.hints());
 }
 
 std::chrono::nanoseconds Player::now() const {
@@ -215,7 +215,7 @@ void Player::tick() {
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
     if (!is_time_to_draw(time)) return tick_.arm(busy_pause);
     if (options_.rehearsal) rehearse(time);
-    follow_programme(time);
+    follow_hours(time);
     visitors_.hand_out(display_->screens(), start_,
                        [this](const Screen& screen, InputEvent event) { take(screen, event); });
     hand_out(sources_.update());

@@ -4,7 +4,7 @@
 #include "base/system/event_loop.hpp"
 #include "player/content/catalogue_follower.hpp"
 #include "player/content/crash_note.hpp"
-#include "player/content/programme_follower.hpp"
+#include "player/content/hours_follower.hpp"
 #include "player/display/console.hpp"
 #include "player/display/display.hpp"
 #include "player/frame_clock.hpp"
@@ -63,7 +63,7 @@ class Player {
     std::chrono::nanoseconds now() const;
     void follow(const CatalogueChange& change);
     void give_catalogue();
-    void follow_programme(std::chrono::nanoseconds time);
+    void follow_hours(std::chrono::nanoseconds time);
     void rehearse(std::chrono::nanoseconds time);
     void take(const Screen& screen, InputEvent event);
     void tick();
@@ -105,8 +105,8 @@ class Player {
     std::vector<std::unique_ptr<Stage>> stages_;
     std::optional<Operation> operation_;
     std::optional<WallPicture> wall_picture_;  // none: not wanted
-    ProgrammeFollower programme_;
-    std::chrono::nanoseconds next_look_{0};  // at the programme
+    HoursFollower hours_;
+    std::chrono::nanoseconds next_look_{0};  // at the opening hours
     CatalogueFollower follower_;
     FrameClock clock_;
     EventLoop::Clock::time_point start_;

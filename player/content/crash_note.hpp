@@ -23,9 +23,7 @@ class CrashNote {
     /// Counts the crash of an earlier run, if it was one.
     explicit CrashNote(std::filesystem::path state);
 
-    bool is_quarantined(const MediaRecord& record) const {
-        return vitrine::is_quarantined(blame_, record);
-    }
+    bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
 
     /// Takes out what is not to be shown: what is quarantined, of which it tells once each, and of those that
     /// may have caused the last crash all but one at a time, so that a further one shows whose it is.

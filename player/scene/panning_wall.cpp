@@ -50,13 +50,13 @@ void PanningWall::set_canvas(Vec2 canvas) {
     view_ = base_ = 0;
 }
 
-void PanningWall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     files_.clear();
-    for (const MediaRecord& record : records)
-        if (can_be_shown(record)) files_.emplace(record.path, record);
+    for (const RecordList::Record& record : records)
+        if (can_be_shown(*record)) files_.emplace(record->path, record);
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
-        known.push_back(&record);
+        known.push_back(record.get());
     rotation_.set_files(known, hints);
 }
 
@@ -97,7 +97,7 @@ std::vector<WallShot> PanningWall::next_shots(std::size_t count) {
     while (newcomers_.size() < count) {
         const auto key = next_key();
         if (!key) break;
-        const MediaRecord& record = files_.at(key->path);
+        const MediaRecord& record = *files_.at(key->path);
         const Shot& shot = record.shots.at(static_cast<std::size_t>(key->shot));
         newcomers_.push_back(
             {.source = ++last_source_,

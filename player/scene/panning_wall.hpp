@@ -29,7 +29,7 @@ class PanningWall final : public Show {
 
     void set_canvas(Vec2 canvas) override;
     using Show::set_catalogue;
-    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) override;
+    void set_catalogue(const RecordList& records, const ShowHints& hints) override;
     void set_layout(const Layout& layout) override;
     void source_ready(SourceId source) override;
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
@@ -65,7 +65,7 @@ class PanningWall final : public Show {
 
     PanSettings settings_;
     Vec2 canvas_;
-    std::map<std::string, MediaRecord> files_;
+    std::map<std::string, RecordList::Record> files_;
     ShotRotation rotation_;
     Ribbon ribbon_;
     std::vector<Shown> shots_;    // one an item of the ribbon

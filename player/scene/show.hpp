@@ -3,9 +3,9 @@
 #include "player/input/gesture.hpp"
 #include "player/layout/plan/plan_request.hpp"
 #include "player/scene/frame.hpp"
-#include "player/scene/programme.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/shot_rotation.hpp"
+#include "player/scene/show_files.hpp"
 #include "player/scene/show_controls.hpp"
 
 #include <chrono>
@@ -52,10 +52,10 @@ class Show {
     virtual void set_canvas(Vec2 canvas) = 0;
 
     /// @param hints  how some of them are shown
-    virtual void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) = 0;
+    virtual void set_catalogue(const RecordList& records, const ShowHints& hints) = 0;
 
     /// Nothing is said of any of them.
-    void set_catalogue(std::span<const MediaRecord> records) { set_catalogue(records, {}); }
+    void set_catalogue(const RecordList& records) { set_catalogue(records, {}); }
 
     /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored. It may
     /// be final, or another follows.

@@ -59,7 +59,7 @@ void Wall::set_canvas(Vec2 canvas) {
     canvas_ = canvas;
 }
 
-void Wall::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     const std::vector<WallShot> before = slots_.shots();
     slots_.set_catalogue(records, hints);
     if (!std::ranges::equal(slots_.shots(), before, {}, &WallShot::source, &WallShot::source))

@@ -44,7 +44,7 @@ class Wall final : public Show {
     void set_canvas(Vec2 canvas) override;
 
     using Show::set_catalogue;
-    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) override;
+    void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
     /// What a finger drags follows it; what it taps grows, and goes back by itself; what it holds is large
     /// until it is let go; what it flicks out of the canvas leaves, and the next shot comes. Nothing else

@@ -24,40 +24,39 @@ WallSlots::WallSlots(const SlotSettings& settings)
       slots_(static_cast<std::size_t>(std::max(1, settings.count))),
       last_source_(settings.last_source) {}
 
-void WallSlots::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
+void WallSlots::set_catalogue(const RecordList& records, const ShowHints& hints) {
     hints_ = hints;
-    std::map<std::string, MediaRecord> files;
-    for (const MediaRecord& record : records) {
-        if (can_be_shown(record)) files.emplace(record.path, record);
-    }
+    std::map<std::string, RecordList::Record> files;
+    for (const RecordList::Record& record : records)
+        if (can_be_shown(*record)) files.emplace(record->path, record);
     std::erase_if(avoided_, [&](const auto& avoided) {
         const auto before = files_.find(avoided.first);
         const auto after = files.find(avoided.first);
         return before == files_.end() || after == files.end() ||
-               !is_grown_from(after->second, before->second);
+               !is_grown_from(*after->second, *before->second);
     });
     files_.swap(files);  // `files` is what was known before, from here on
     std::vector<const MediaRecord*> known;
     for (const auto& [path, record] : files_)
-        known.push_back(&record);
+        known.push_back(record.get());
     rotation_.set_files(known, hints_);
     follow_changes(files);
     fill();
 }
 
-void WallSlots::follow_changes(const std::map<std::string, MediaRecord>& before) {
+void WallSlots::follow_changes(const std::map<std::string, RecordList::Record>& before) {
     for (Slot& slot : slots_) {
         if (!slot.shot) continue;
         const ShotKey key = slot.shot->key;
         const auto found = files_.find(key.path);
-        if (found == files_.end() || key.shot >= static_cast<int>(found->second.shots.size())) {
+        if (found == files_.end() || key.shot >= static_cast<int>(found->second->shots.size())) {
             slot = {};
-        } else if (!is_grown_from(found->second, before.at(key.path))) {
+        } else if (!is_grown_from(*found->second, *before.at(key.path))) {
             put(slot, key);
             due_.reset();
         } else {
             slot.shot->shot =
-                found->second.shots[static_cast<std::size_t>(key.shot)];  // the store may have it now
+                found->second->shots[static_cast<std::size_t>(key.shot)];  // the store may have it now
         }
     }
 }
@@ -239,7 +238,7 @@ std::optional<ShotKey> WallSlots::next_for(const Slot& slot) {
 }
 
 void WallSlots::put(Slot& slot, const ShotKey& key) {
-    const MediaRecord& record = files_.at(key.path);
+    const MediaRecord& record = *files_.at(key.path);
     const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
     slot.shown.reset();
     slot.ahead = {};

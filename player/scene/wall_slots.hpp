@@ -3,8 +3,8 @@
 #include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
-#include "player/scene/programme.hpp"
 #include "player/scene/shot_rotation.hpp"
+#include "player/scene/show_files.hpp"
 #include "player/scene/show_controls.hpp"
 
 #include <chrono>
@@ -60,7 +60,7 @@ class WallSlots {
     /// Everything there is. What is gone or no longer ready leaves at once, a file that changed is loaded
     /// anew in its slots, free slots are filled.
     /// @param hints  of some of them: how long they stay, how often they come
-    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints = {});
+    void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
     /// A turn that is asked for is taken whatever else is wished; a file that is pinned and not on the wall
     /// takes the next one.
@@ -102,7 +102,7 @@ class WallSlots {
     bool is_pinned(const Slot& slot) const;
     const std::string* pinned_and_missing() const;
     std::optional<ShotKey> take_pinned(const std::string& path);
-    void follow_changes(const std::map<std::string, MediaRecord>& before);
+    void follow_changes(const std::map<std::string, RecordList::Record>& before);
     void fill();
     void spread(const std::vector<Slot*>& filled);
     std::chrono::nanoseconds leaves(const Turn& turn, std::chrono::nanoseconds earliest) const;
@@ -114,7 +114,7 @@ class WallSlots {
     long count_on_wall(const std::string& path) const;
 
     SlotSettings settings_;
-    std::map<std::string, MediaRecord> files_;  // what can be shown
+    std::map<std::string, RecordList::Record> files_;  // what can be shown
     ShowHints hints_;
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
     ShotRotation rotation_;

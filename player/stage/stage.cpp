@@ -48,12 +48,9 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       sources_(sources),
       show_(make_show(settings, canvas_, options_.number << number_bits)) {}
 
-void Stage::set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints) {
-    records_.clear();
+void Stage::set_catalogue(const RecordList& records, const ShowHints& hints) {
+    records_ = records.in_folder(options_.folder);
     hints_ = hints;
-    for (const MediaRecord& record : records)
-        if (options_.folder.empty() || record.path.starts_with(options_.folder + "/"))
-            records_.push_back(record);
     show_folder(opened_);
     if (strip_) strip_->set_catalogue(records_);
 }

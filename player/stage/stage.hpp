@@ -49,8 +49,8 @@ class Stage {
 
     const std::string& folder() const { return options_.folder; }
 
-    /// All that may be shown; the stage takes what is in its folder.
-    void set_catalogue(std::span<const MediaRecord> records, const ShowHints& hints = {});
+    /// @param records  all that may be shown, ordered by path; the stage takes what is in its folder
+    void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
     /// Has the wall laid out for a screen of this size, px, which is still being opened.
     void expect_screen(int width, int height);
@@ -130,7 +130,7 @@ class Stage {
     std::unique_ptr<Show> show_;
     Gestures gestures_;
     ShowHints hints_;
-    std::vector<MediaRecord> records_;       // of its folder
+    RecordList records_;                     // of its folder
     std::map<SourceId, AudibleShot> films_;  // those that were asked for
     bool is_paused_ = false;
     std::string opened_;  // the folder that a visitor looks into; empty: none

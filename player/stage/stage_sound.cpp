@@ -13,12 +13,12 @@ void Stage::set_controls(const ShowControls& controls) {
 
 void Stage::note_film(const ShotRequest& request) {
     if (request.kind != MediaKind::film) return;
-    const auto record = std::ranges::find(records_, request.path, &MediaRecord::path);
+    const RecordList::Record record = records_.find(request.path);
     films_[request.source] = {.source = request.source,
                               .path = request.path,
                               .begin = request.shot.begin,
                               .end = request.shot.end,
-                              .stored = record == records_.end() ? std::nullopt : record->sound};
+                              .stored = record ? record->sound : std::nullopt};
 }
 
 std::vector<AudibleShot> Stage::audible() const {

@@ -29,11 +29,9 @@ std::string top_folder(const std::optional<ShotKey>& shot) {
 
 /// A visitor looks into one of the folders that stand together; empty: at all of them.
 void Stage::show_folder(const std::string& folder) {
-    std::vector<MediaRecord> within;
-    for (const MediaRecord& record : records_)
-        if (folder.empty() || record.path.starts_with(folder + "/")) within.push_back(record);
-    opened_ = within.empty() ? "" : folder;
-    show_->set_catalogue(within.empty() ? records_ : within, hints_);
+    const RecordList within = records_.in_folder(folder);
+    opened_ = within.is_empty() ? "" : folder;
+    show_->set_catalogue(within.is_empty() ? records_ : within, hints_);
 }
 
 void Stage::take_gestures(std::chrono::nanoseconds now) {
@@ -58,10 +56,10 @@ bool Stage::opens_strip(const Gesture& gesture) {
     if (gesture.kind != Gesture::Kind::double_tap && pinched_ < parted) return false;
     const auto shot = show_->shot_at(gesture.at);
     if (!shot) return false;
-    const auto film = std::ranges::find(records_, shot->path, &MediaRecord::path);
+    const RecordList::Record film = records_.find(shot->path);
     const auto directory = tapestry_folder(settings_.state.directory, shot->path);
     std::error_code error;
-    if (film == records_.end() || !std::filesystem::exists(directory / "index.json", error)) return false;
+    if (!film || !std::filesystem::exists(directory / "index.json", error)) return false;
     try {
         if (!is_woven_from(read_tapestry(directory), *film)) {
             log::info("no strip of '{}': it has changed since it was woven", shot->path);
@@ -81,11 +79,9 @@ bool Stage::opens_strip(const Gesture& gesture) {
 void Stage::show_strip(const std::filesystem::path& directory,
                        std::optional<std::chrono::nanoseconds> patience) {
     const Tapestry tapestry = read_tapestry(directory);
-    const auto film = std::ranges::find_if(records_, [&](const MediaRecord& record) {
-        return record.path == tapestry.path && is_woven_from(tapestry, record);
-    });
-    show_strip(directory,
-               {.patience = patience, .film = film == records_.end() ? std::nullopt : std::optional(*film)});
+    const RecordList::Record film = records_.find(tapestry.path);
+    const bool is_same = film && is_woven_from(tapestry, *film);
+    show_strip(directory, {.patience = patience, .film = is_same ? std::optional(*film) : std::nullopt});
 }
 
 void Stage::show_strip(const std::filesystem::path& directory, StripStageOptions options) {

@@ -56,10 +56,10 @@ StripStage::StripStage(std::filesystem::path directory, Vec2 canvas, StripStageO
       options_(std::move(options)),
       strip_(strip_of(directory_, canvas, options_)) {}
 
-void StripStage::set_catalogue(std::span<const MediaRecord> records) {
+void StripStage::set_catalogue(const RecordList& records) {
     if (!options_.film) return;
-    const auto film = std::ranges::find(records, options_.film->path, &MediaRecord::path);
-    if (film == records.end() || !is_woven_from(strip_.tapestry(), *film)) return strip_.end();
+    const RecordList::Record film = records.find(options_.film->path);
+    if (!film || !is_woven_from(strip_.tapestry(), *film)) return strip_.end();
     strip_.set_shots(film->shots);
 }
 

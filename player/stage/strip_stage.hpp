@@ -43,7 +43,7 @@ class StripStage {
     void source_failed(SourceId source) { strip_.source_failed(source); }
 
     /// What is known of the files is another: where it is another film by now, the strip is over.
-    void set_catalogue(std::span<const MediaRecord> records);
+    void set_catalogue(const RecordList& records);
 
     bool is_over() const { return strip_.is_over(); }
 

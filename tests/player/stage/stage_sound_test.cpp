@@ -41,12 +41,10 @@ struct Theatre {
     Theatre() {
         write_sounding_film(folder.path / "a.mp4");
         write_sounding_film(folder.path / "sound b.mp4");
-        Programme programme;
-        programme.set_records({record_of("a.mp4"), record_of("sound b.mp4")});
-        programme.advance({});
         stage.emplace(settings, StageOptions{.number = 0, .folder = {}, .await_sources = [this] { await(); }},
                       sources);
-        stage->set_catalogue(programme.open(), programme.hints());
+        stage->set_catalogue(std::vector{record_of("a.mp4"), record_of("sound b.mp4")},
+                             {{"sound b.mp4", {.sound = true}}});
     }
 
     void await() {
