@@ -21,10 +21,15 @@ void write_all(int fd, std::string_view content, const std::string& name) {
     }
 }
 
-void write_and_sync(const std::string& name, std::string_view content) {
-    const UniqueFd fd(::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+UniqueFd write_new(const std::string& name, std::string_view content) {
+    UniqueFd fd(::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
     if (!fd.is_open()) throw_errno("create '{}'", name);
     write_all(fd.get(), content, name);
+    return fd;
+}
+
+void write_and_sync(const std::string& name, std::string_view content) {
+    const UniqueFd fd = write_new(name, content);
     if (::fsync(fd.get()) < 0) throw_errno("fsync '{}'", name);
 }
 
@@ -47,6 +52,17 @@ void replace_file(const std::filesystem::path& path, std::string_view content) {
     try {
         write_and_sync(sibling, content);
         rename_and_sync(sibling, path);
+    } catch (const std::system_error&) {
+        ::unlink(sibling.c_str());
+        throw;
+    }
+}
+
+void replace_file_unsynced(const std::filesystem::path& path, std::string_view content) {
+    const std::string sibling = unfinished(path).string();
+    try {
+        write_new(sibling, content);
+        if (::rename(sibling.c_str(), path.c_str()) < 0) throw_errno("rename '{}'", sibling);
     } catch (const std::system_error&) {
         ::unlink(sibling.c_str());
         throw;

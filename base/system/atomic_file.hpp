@@ -17,6 +17,10 @@ inline std::filesystem::path unfinished(const std::filesystem::path& path) {
 /// @throws std::system_error; the old content then stays
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
+/// Replaces a file as a whole, but for the fsyncs: readers see the old content or the new; after a power cut
+/// the file may be empty. For files that are written anew soon. @throws std::system_error
+void replace_file_unsynced(const std::filesystem::path& path, std::string_view content);
+
 /// Gives a file that was written under another name in the same directory its final name: fsyncs it, renames
 /// it, and fsyncs the directory. @throws std::system_error; the written file is then removed
 void publish_file(const std::filesystem::path& written, const std::filesystem::path& path);

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine {
+
+// The player's answer to "why is this file not on the wall?". The player writes it to STATE/visible.json; the
+// analyzer reads it for its status page: docs/catalogue.md.
+
+/// The first filter that keeps a file off the wall, in the order of the filters; at the end: none does.
+enum class Visibility {
+    not_analysed,    // its record has no shot that could be shown yet
+    unsupported,     // the analyzer has found nothing that can be shown
+    not_rehearsed,   // the rehearsal says that it is not there
+    held_back,       // it brought the player down, or may have
+    dismissed,       // vitrinectl took it off the wall
+    no_clock,        // it has a period or hours, and the clock is not plausible yet
+    out_of_hours,    // it has a period or hours, and it is another time
+    other_folder,    // no connected screen shows its folder
+    closed_folder,   // a visitor looks into another folder
+    waits_for_turn,  // it may be shown; others are shown now
+    on_wall          // it is shown now
+};
+
+struct FileVisibility {
+    std::string path;  // relative to the media folder, any bytes
+    Visibility visibility = Visibility::waits_for_turn;
+    std::string detail;  // what the filter knows of this file, such as its hours; may be empty
+
+    friend bool operator==(const FileVisibility&, const FileVisibility&) = default;
+};
+
+/// True: the filters let the file onto the wall.
+bool may_be_shown(Visibility visibility);
+
+/// The word in STATE/visible.json and in the player's log: "out_of_hours".
+const char* name_of(Visibility visibility);
+
+/// For a count of files in a line of the log: "out of hours", "held back after a crash".
+const char* in_short(Visibility visibility);
+
+/// For people: "It is out of its hours: it is shown from 20:00 to 21:00."
+std::string sentence(const FileVisibility& file);
+
+/// The text of STATE/visible.json.
+std::string visible_json(std::span<const FileVisibility> files);
+
+constexpr const char* visible_file =
+    "visible.json";  // below the state directory; written by the player alone
+
+/// The player writes the file, or sets its time, at least this often.
+constexpr std::chrono::seconds visible_heartbeat{10};
+
+/// A file that is older was left by a player that does not run any more.
+constexpr std::chrono::seconds max_visible_age{30};
+
+/// The files that the player knows, by path.
+using VisibleByPath = std::map<std::string, FileVisibility>;
+
+/// Reads STATE/visible.json again whenever it has changed.
+class VisibleReader {
+  public:
+    explicit VisibleReader(const std::filesystem::path& state) : file_(state / visible_file) {}
+
+    /// To be called now and then.
+    /// @return whether is_player_running() or files() is different from the last call
+    bool look(std::filesystem::file_time_type now);
+
+    bool is_player_running() const { return is_running_; }
+
+    /// Empty while the player does not run, or where its file cannot be read.
+    const VisibleByPath& files() const { return files_; }
+
+  private:
+    std::filesystem::path file_;
+    std::optional<std::filesystem::file_time_type> written_;  // when the file that was read was written
+    std::string text_;
+    bool is_running_ = false;
+    VisibleByPath files_;
+};
+
+/// @throws std::runtime_error where the text is not of that form
+VisibleByPath visible_from_json(std::string_view text);
+
+}  // namespace vitrine
