@@ -1,11 +1,17 @@
 #include "player/player_service.hpp"
 
+#include "base/settings/settings.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
+#include "player/content/visible_files.hpp"
 #include "player/control/media_name.hpp"
-#include "player/control/metrics_file.hpp"
+#include "player/display/screen.hpp"
+#include "player/display_session.hpp"
+#include "player/frame_clock.hpp"
+#include "player/playback/source_pool.hpp"
+#include "player/stage/stages.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,9 +27,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto metrics_interval = 15s;
-constexpr std::size_t most_status_bytes = 64U << 20;  // of the analyzer's
-constexpr const char* thermal_zones = "/sys/class/thermal";
+constexpr auto report_interval = 5s;
+constexpr std::size_t max_status_bytes = 64U << 20;  // of the analyzer's status.json
 
 const char* tier_of(const SourceState& source) {
     if (!source.is_film) return "photo";
@@ -49,89 +54,71 @@ template <typename T> void put(std::set<T>& set, const T& value, bool is_in) {
 
 }  // namespace
 
-Operation::Operation(EventLoop& loop, OperatedParts parts) : loop_(loop), parts_(std::move(parts)) {}
+PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActions actions)
+    : loop_(loop),
+      view_(view),
+      actions_(std::move(actions)),
+      report_(loop.timer([this] { report_status(); })) {
+    report_.arm(0s);
+}
 
-void Operation::export_to_bus() {
+void PlayerService::export_to_bus() {
     bus_.emplace(loop_, controls(), polkit_authority());
 }
 
-void Operation::tell_wishes() const {
-    for (const auto& stage : parts_.stages)
-        stage->set_controls(controls_);
-}
-
-void Operation::look(std::chrono::nanoseconds now) {
+void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
     std::vector<Sight::Screen> screens;
-    std::size_t items = 0;
-    if (parts_.display)
-        for (const Screen* screen : parts_.display->screens())
-            screens.push_back({.name = screen->name(), .flips = screen->flips()});
-    for (const auto& stage : parts_.stages)
-        items += stage->count();
-    health_.see({.screens = screens, .is_away = parts_.display && parts_.display->is_away(), .items = items},
-                now);
+    for (const Screen* screen : view_.display.screens())
+        screens.push_back({.name = screen->name(), .flips = screen->flips()});
+    health_.see({.screens = screens, .is_away = view_.display.is_away(), .items = view_.stages.count()}, now);
     if (health_.is_alive(now)) service::feed_watchdog();
 }
 
-void Operation::tell(std::chrono::nanoseconds now) {
-    const std::uint64_t flips =
-        parts_.display && !parts_.display->screens().empty() ? parts_.display->screens().front()->flips() : 0;
-    const double seconds = std::chrono::duration<double>(now - std::exchange(told_, now)).count();
+/// Tells systemd, and the node exporter, what is shown and how well.
+void PlayerService::report_status() {
+    report_.arm(report_interval);
+    const std::span<Screen* const> screens = view_.display.screens();
+    const std::uint64_t flips = screens.empty() ? 0 : screens.front()->flips();
+    const double seconds = std::chrono::duration<double>(now_ - std::exchange(reported_, now_)).count();
     const std::uint64_t before = std::exchange(flips_, flips);
     rate_ = seconds > 0 && flips >= before ? static_cast<double>(flips - before) / seconds : 0;
     service::status(one_line(report()));
-    if (now < next_metrics_) return;
-    next_metrics_ = now + metrics_interval;
-    write_metrics_file();
+    metrics_.write_if_due(view_.settings.metrics.file, now_, [this] {
+        std::vector<std::pair<std::string, std::size_t>> states;
+        for (const auto& [state, count] : view_.files.counts())
+            states.emplace_back(name_of(state), count);
+        return to_metrics(report(), temperature(), states);
+    });
 }
 
-void Operation::write_metrics_file() {
-    const std::string& file = parts_.settings.metrics.file;
-    if (file.empty()) return;
-    std::vector<std::pair<std::string, std::size_t>> states;
-    for (const auto& [state, count] : parts_.follower.counts())
-        states.emplace_back(name_of(state), count);
-    try {
-        write_metrics(file, to_metrics(report(), hottest(thermal_zones), states));
-        complaint_.clear();
-    } catch (const std::system_error& error) {  // the wall needs no metrics
-        if (complaint_ != error.what()) log::warning("metrics: {}", error.what());
-        complaint_ = error.what();
-    }
-}
-
-PlayerReport Operation::report() const {
+PlayerReport PlayerService::report() const {
     PlayerReport report{.state = health_.state(),
-                        .display = parts_.display             ? parts_.display->description()
-                                   : parts_.complaint.empty() ? "no graphics card for now"
-                                                              : parts_.complaint,
-                        .files = parts_.follower.records().size(),
-                        .queue = parts_.sources.queue(),
-                        .pictures = parts_.clock.pictures(),
-                        .late = parts_.clock.late(),
-                        .film_late = parts_.sources.late(),
+                        .display = view_.display.description(),
+                        .files = view_.files.count_ready(),
+                        .queue = view_.sources.queue(),
+                        .pictures = view_.clock.pictures(),
+                        .late = view_.clock.late(),
+                        .film_late = view_.sources.late(),
                         .rate = rate_,
                         .since_flip =
                             std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
                         .is_paused = controls_.is_paused,
                         .pinned = {controls_.files.begin(), controls_.files.end()},
-                        .dismissed = dismissals_.paths()};
-    if (parts_.display)
-        for (const Screen* screen : parts_.display->screens())
-            report.screens.push_back({.name = screen->name(),
-                                      .width = screen->width(),
-                                      .height = screen->height(),
-                                      .refresh = screen->refresh(),
-                                      .flips = screen->flips()});
-    for (const auto& stage : parts_.stages)
-        for (const SlotShot& shot : stage->standing())
-            report.cells.push_back({.slot = shot.slot,
-                                    .path = shot.key.path,
-                                    .shot = shot.key.shot,
-                                    .is_pinned = controls_.slots.contains(shot.slot) ||
-                                                 controls_.files.contains(shot.key.path)});
-    for (const SourceState& source : parts_.sources.states())
+                        .dismissed = view_.files.dismissed()};
+    for (const Screen* screen : view_.display.screens())
+        report.screens.push_back({.name = screen->name(),
+                                  .width = screen->width(),
+                                  .height = screen->height(),
+                                  .refresh = screen->refresh(),
+                                  .flips = screen->flips()});
+    for (const SlotShot& shot : view_.stages.standing())
+        report.cells.push_back(
+            {.slot = shot.slot,
+             .path = shot.key.path,
+             .shot = shot.key.shot,
+             .is_pinned = controls_.slots.contains(shot.slot) || controls_.files.contains(shot.key.path)});
+    for (const SourceState& source : view_.sources.states())
         report.sources.push_back({.path = source.path,
                                   .tier = tier_of(source),
                                   .is_stored = source.is_stored,
@@ -139,16 +126,18 @@ PlayerReport Operation::report() const {
     return report;
 }
 
-std::string Operation::analyzer_status() const {
+/// Empty: there is no analyzer, or it has left no word.
+std::string PlayerService::analyzer_status() const {
     try {
-        return read_file(std::filesystem::path(parts_.settings.state.directory) / "status.json",
-                         most_status_bytes);
+        return read_file(std::filesystem::path(view_.settings.state.directory) / "status.json",
+                         max_status_bytes);
     } catch (const std::system_error&) {
-        return {};  // an analyzer that leaves no word, or none
+        return {};
     }
 }
 
-FileReport Operation::described(const MediaRecord& record) const {
+FileReport PlayerService::describe(const MediaRecord& record) const {
+    const std::vector<std::string> dismissed = view_.files.dismissed();
     FileReport report{.path = record.path,
                       .state = std::string(name_of(record.state)),
                       .reason = record.reason,
@@ -156,98 +145,101 @@ FileReport Operation::described(const MediaRecord& record) const {
                       .width = record.width,
                       .height = record.height,
                       .shots = record.shots.size(),
+                      .visibility = view_.files.judge(record),
                       .is_pinned = controls_.files.contains(record.path),
-                      .is_dismissed = dismissals_.contains(record.path)};
-    for (const auto& stage : parts_.stages)
-        for (const SlotShot& shot : stage->standing())
-            if (shot.key.path == record.path) report.slots.push_back(shot.slot);
+                      .is_dismissed = std::ranges::find(dismissed, record.path) != dismissed.end()};
+    for (const SlotShot& shot : view_.stages.standing())
+        if (shot.key.path == record.path) report.slots.push_back(shot.slot);
     return report;
 }
 
-FileReport Operation::file_report(const std::string& given, const std::string& folder) const {
-    const std::string root = std::filesystem::absolute(parts_.settings.media.root).string();
+FileReport PlayerService::report_file(const std::string& given, const std::string& folder) const {
+    const std::string root = std::filesystem::absolute(view_.settings.media.root).string();
     const std::vector<std::string> names = media_names(given, folder, root);
-    const Catalogue catalogue(std::filesystem::path(parts_.settings.state.directory) / "catalogue");
     for (const std::string& name : names)
-        if (const std::optional<MediaRecord> record = catalogue.find(name)) return described(*record);
+        if (const auto record = view_.files.find(name)) return describe(*record);
     for (const std::string& name : names)
         if (::access(fmt::format("{}/{}", root, name).c_str(), F_OK) == 0)
             return {.path = name, .state = "new"};
     return {.path = given, .state = "unknown"};
 }
 
-/// The one of a file that can be shown.
-MediaRecord Operation::shown_record(const std::string& given, const std::string& folder) const {
-    const FileReport file = file_report(given, folder);
-    const auto& records = parts_.follower.records();
-    const auto found = std::ranges::find(records, file.path, &MediaRecord::path);
-    if (found != records.end()) return *found;
+/// The record of a file that can be shown. Lent until the event loop runs again.
+const MediaRecord& PlayerService::require_shown(const std::string& given, const std::string& folder) const {
+    const FileReport file = report_file(given, folder);
+    const RecordList::Record record = view_.files.find(file.path);
+    if (record && is_ready(*record)) return *record;
     if (file.state == "unknown")
         throw std::runtime_error(fmt::format("there is no '{}' in the media folder", given));
     throw std::runtime_error(
         fmt::format("'{}' is not shown: {}", file.path, file.reason.empty() ? file.state : file.reason));
 }
 
-std::vector<Controls::Shot> Operation::screenshots() const {
+std::vector<Controls::Shot> PlayerService::screenshots() const {
     std::vector<Controls::Shot> shots;
-    if (!parts_.display) return shots;
-    for (Screen* screen : parts_.display->screens())
+    for (Screen* screen : view_.display.screens())
         if (std::optional<Picture> picture = screen->shown())
             shots.push_back({.output = screen->name(), .picture = std::move(*picture)});
     return shots;
 }
 
-void Operation::require_turns() const {
-    if (parts_.settings.layout.mode == WallMode::pan)
+void PlayerService::require_turns() const {
+    if (view_.settings.layout.mode == WallMode::pan)
         throw std::runtime_error("a wall that passes by (layout.mode = \"pan\") has no turns and no slots");
 }
 
-void Operation::pin(const std::string& path, bool is_on) {
-    put(controls_.files, path, is_on);
-    tell_wishes();
-    log::info("{}: '{}'", is_on ? "pinned" : "not pinned any more", path);
+void PlayerService::pause(bool is_on) {
+    if (controls_.is_paused != is_on) log::info("the wall is {}", is_on ? "paused" : "not paused any more");
+    controls_.is_paused = is_on;
+    actions_.set_controls(controls_);
 }
 
-Controls Operation::controls() {
+void PlayerService::pin_slot(int slot, bool is_on) {
+    require_turns();
+    if (slot >= view_.settings.layout.slots)
+        throw std::runtime_error(fmt::format("there is no slot {}", slot));
+    put(controls_.slots, slot, is_on);
+    actions_.set_controls(controls_);
+}
+
+std::string PlayerService::pin(const std::string& file, const std::string& folder, bool is_on) {
+    require_turns();
+    std::string path = is_on ? require_shown(file, folder).path : report_file(file, folder).path;
+    put(controls_.files, path, is_on);
+    actions_.set_controls(controls_);
+    log::info("{}: '{}'", is_on ? "pinned" : "not pinned any more", path);
+    return path;
+}
+
+std::string PlayerService::remove(const std::string& file, const std::string& folder) {
+    const MediaRecord record = require_shown(file, folder);
+    put(controls_.files, record.path, false);
+    actions_.set_controls(controls_);
+    log::info("removed from the wall: '{}'", record.path);
+    actions_.dismiss(record);
+    return record.path;
+}
+
+Controls PlayerService::controls() {
     Controls controls;
     controls.status = [this] { return to_json(report(), analyzer_status()); };
     controls.why = [this](const std::string& file, const std::string& folder) {
-        return to_json(file_report(file, folder), analyzer_status());
+        return to_json(report_file(file, folder), analyzer_status());
     };
     controls.screenshot = [this] { return screenshots(); };
-    controls.reload = [this] { parts_.reload(); };
+    controls.reload = [this] { actions_.reload(); };
     controls.next = [this] {
         require_turns();
         ++controls_.turns;
-        tell_wishes();
+        actions_.set_controls(controls_);
     };
-    controls.pause = [this](bool is_on) {
-        if (controls_.is_paused != is_on)
-            log::info("the wall is {}", is_on ? "paused" : "not paused any more");
-        controls_.is_paused = is_on;
-        tell_wishes();
-    };
-    controls.pin_slot = [this](int slot, bool is_on) {
-        require_turns();
-        if (slot >= parts_.settings.layout.slots)
-            throw std::runtime_error(fmt::format("there is no slot {}", slot));
-        put(controls_.slots, slot, is_on);
-        tell_wishes();
-    };
+    controls.pause = [this](bool is_on) { pause(is_on); };
+    controls.pin_slot = [this](int slot, bool is_on) { pin_slot(slot, is_on); };
     controls.pin = [this](const std::string& file, const std::string& folder, bool is_on) {
-        require_turns();
-        std::string path = is_on ? shown_record(file, folder).path : file_report(file, folder).path;
-        pin(path, is_on);
-        return path;
+        return pin(file, folder, is_on);
     };
     controls.remove = [this](const std::string& file, const std::string& folder) {
-        const MediaRecord record = shown_record(file, folder);
-        put(controls_.files, record.path, false);
-        tell_wishes();
-        dismissals_.add(record);
-        log::info("removed from the wall: '{}'", record.path);
-        parts_.give_catalogue();
-        return record.path;
+        return remove(file, folder);
     };
     return controls;
 }

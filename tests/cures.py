@@ -80,7 +80,7 @@ CURES = [
     Cure("a file that brings the player down", "base/state/blame.cpp",
          "constexpr int opening_points = 2;", "constexpr int opening_points = 0;", "content_test.crash_note_test"),
     Cure("blame of others", "player/content/crash_note.cpp",
-         "    if (suspects_.empty()) return;\n    const auto is_suspect", "    return;\n    const auto is_suspect", "content_test.crash_note_test"),
+         "    if (suspects_.empty()) return false;\n    const ContentName", "    return false;\n    const ContentName", "content_test.crash_note_test"),
 ]
 
 

@@ -13,32 +13,42 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto settle_time = 150ms;  // many records written together are one change
+constexpr auto settle_time = 150ms;  // records that are written together are one change
 constexpr auto retry_time = 1s;
 
-const MediaRecord* find(const std::vector<MediaRecord>& records, const std::string& path) {
-    const auto found = std::lower_bound(
-        records.begin(), records.end(), path,
-        [](const MediaRecord& record, const std::string& wanted) { return record.path < wanted; });
-    return found != records.end() && found->path == path ? &*found : nullptr;
+/// The record of a file where that is ready.
+RecordList::Record find_ready(const RecordList& records, const std::string& path) {
+    RecordList::Record found = records.find(path);
+    return found && is_ready(*found) ? found : nullptr;
+}
+
+bool is_same(const RecordList::Record& a, const RecordList::Record& b) {
+    return a == b || (a && b && *a == *b);
 }
 
 }  // namespace
 
-CatalogueChange change_between(const std::vector<MediaRecord>& before,
-                               const std::vector<MediaRecord>& after) {
+bool is_ready(const MediaRecord& record) {
+    return record.state == MediaState::ready && !record.shots.empty();
+}
+
+CatalogueChange change_between(const RecordList& before, const RecordList& after) {
     CatalogueChange change;
-    for (const MediaRecord& record : after) {
-        const MediaRecord* old = find(before, record.path);
-        if (old == nullptr)
-            change.added.push_back(record.path);
-        else if (*old != record && is_grown_from(record, *old))
-            change.grown.push_back(record.path);
-        else if (*old != record)
-            change.replaced.push_back(record.path);
+    for (const RecordList::Record& record : after) {
+        if (!is_ready(*record)) {
+            change.has_others = change.has_others || !is_same(before.find(record->path), record);
+            continue;
+        }
+        const RecordList::Record old = find_ready(before, record->path);
+        if (!old)
+            change.added.push_back(record->path);
+        else if (!is_same(old, record))
+            (is_grown_from(*record, *old) ? change.grown : change.replaced).push_back(record->path);
     }
-    for (const MediaRecord& record : before)
-        if (find(after, record.path) == nullptr) change.gone.push_back(record.path);
+    for (const RecordList::Record& record : before) {
+        if (is_ready(*record) && !find_ready(after, record->path)) change.gone.push_back(record->path);
+        change.has_others = change.has_others || (!is_ready(*record) && !after.find(record->path));
+    }
     return change;
 }
 
@@ -72,14 +82,16 @@ void CatalogueFollower::reload() {
         });
     complaints_ = std::move(complaints);
     counts_.clear();
-    for (const MediaRecord& record : records)
+    RecordList list;
+    for (MediaRecord& record : records) {
         ++counts_[record.state];
-    std::erase_if(records, [](const MediaRecord& record) {
-        return record.state != MediaState::ready || record.shots.empty();
-    });
-    const CatalogueChange change = change_between(records_, records);
-    records_ = std::move(records);
-    if (!change.is_empty()) call_(change);
+        RecordList::Record known = records_.find(record.path);
+        const bool is_known = known && *known == record;
+        list.add(is_known ? std::move(known) : std::make_shared<const MediaRecord>(std::move(record)));
+    }
+    const CatalogueChange change = change_between(records_, list);
+    records_ = std::move(list);
+    if (!change.is_empty()) call_(change, records_);
 }
 
 }  // namespace vitrine::player

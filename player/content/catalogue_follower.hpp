@@ -3,6 +3,7 @@
 #include "base/state/catalogue.hpp"
 #include "base/system/directory_watch.hpp"
 #include "base/system/event_loop.hpp"
+#include "player/scene/show_files.hpp"
 
 #include <functional>
 #include <map>
@@ -11,30 +12,36 @@
 
 namespace vitrine::player {
 
-/// What became of the files that can be shown, by path.
+/// Paths of the ready files that a change of the catalogue concerns.
 struct CatalogueChange {
     std::vector<std::string> added;
-    std::vector<std::string> grown;  // the same content with further shots: what plays plays on
+    std::vector<std::string> grown;  // the same content with further shots: a shot that plays goes on
     std::vector<std::string> replaced;
     std::vector<std::string> gone;
+    bool has_others = false;  // files that are not ready, before or now, have changed
 
-    bool is_empty() const { return added.empty() && grown.empty() && replaced.empty() && gone.empty(); }
+    bool is_empty() const {
+        return added.empty() && grown.empty() && replaced.empty() && gone.empty() && !has_others;
+    }
 };
 
-/// The ready records of a catalogue, kept up to date while the event loop runs. A directory that is not there
-/// yet is awaited.
+/// True: the analyzer has found shots in the file.
+bool is_ready(const MediaRecord& record);
+
+/// Keeps the records of a catalogue up to date while the event loop runs. Where the directory does not exist
+/// yet, the follower waits for it. Logs.
 class CatalogueFollower {
   public:
-    using Call = std::function<void(const CatalogueChange&)>;
+    using Call = std::function<void(const CatalogueChange& change, const RecordList& records)>;
 
     /// @param loop  outlives this
-    /// @param call  for every change; the first one comes from here
+    /// @param call  called for every change; the first time from within this constructor
     CatalogueFollower(EventLoop& loop, Catalogue catalogue, Call call);
 
-    /// Ordered by path; those alone that are ready.
-    const std::vector<MediaRecord>& records() const { return records_; }
+    /// All records, ready or not, ordered by path.
+    const RecordList& records() const { return records_; }
 
-    /// How many of all records are in which state.
+    /// The number of records in each state.
     const std::map<MediaState, std::size_t>& counts() const { return counts_; }
 
   private:
@@ -44,16 +51,16 @@ class CatalogueFollower {
 
     Catalogue catalogue_;
     Call call_;
-    std::vector<MediaRecord> records_;
+    RecordList records_;
     std::map<MediaState, std::size_t> counts_;
-    std::map<std::string, std::string> complaints_;  // file -> reason, so that each is told once
+    std::map<std::string, std::string> complaints_;  // file -> reason: each is logged once
     DirectoryWatch directory_watch_;
     EventLoop::Source events_;
-    EventLoop::Source settled_;  // a moment after the last change
-    EventLoop::Source retry_;    // until the directory is there
+    EventLoop::Source settled_;  // fires a moment after the last change
+    EventLoop::Source retry_;    // armed until the directory exists
 };
 
-/// What changed from one list of records to another, both ordered by path.
-CatalogueChange change_between(const std::vector<MediaRecord>& before, const std::vector<MediaRecord>& after);
+/// Compares two lists of records that are ordered by path.
+CatalogueChange change_between(const RecordList& before, const RecordList& after);
 
 }  // namespace vitrine::player

@@ -18,18 +18,13 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto usual_opening = 10s;     // in which a crash is put down to what was opened
-constexpr auto longest_opening = 60s;   // likewise, of what has played in several crashes
+constexpr auto usual_opening = 10s;     // after an opening; a crash within it is put down to the file
+constexpr auto max_opening = 60s;       // the same for a file that has played in several crashes
 constexpr auto forgiving_time = 10min;  // without a crash
 
 std::string content_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-const MediaRecord* record_of(const std::string& path, const std::vector<MediaRecord>& records) {
-    const auto found = std::ranges::lower_bound(records, path, {}, &MediaRecord::path);
-    return found != records.end() && found->path == path ? &*found : nullptr;
 }
 
 std::string this_boot() {
@@ -66,46 +61,37 @@ void CrashNote::count_crash() {
                  left.opening.size(), left.playing.size());
     try {
         replace_file(state_ / blamed_file, to_text(blame_));
-        end();
+        end_run();
     } catch (const std::system_error& error) {
         is_active_ = false;
         log::warning("crashes are not counted: {}", error.what());
     }
 }
 
-void CrashNote::hold_back(std::vector<MediaRecord>& records) {
-    std::erase_if(records, [this](const MediaRecord& record) {
-        if (!is_quarantined(record)) return false;
-        if (told_.insert(record.path).second)
-            log::warning("quarantined: '{}': {}", record.path, brought_the_player_down);
-        return true;
-    });
+bool CrashNote::is_on_hold(const MediaRecord& record) const {
+    if (suspects_.empty()) return false;
+    const ContentName name = content_name(record);
+    return suspects_.contains(name) && name != on_trial_;
+}
+
+void CrashNote::set_files(const RecordList& files) {
+    for (const RecordList::Record& file : files)
+        if (is_quarantined(*file) && logged_.insert(file->path).second)
+            log::warning("quarantined: '{}': {}", file->path, brought_the_player_down);
     if (suspects_.empty()) return;
-    const auto is_suspect = [&](const MediaRecord& record) {
-        return suspects_.contains(content_name(record));
+    const auto is_suspect = [&](const RecordList::Record& record) {
+        return suspects_.contains(content_name(*record));
     };
-    const auto is_on_trial = [&](const MediaRecord& record) { return content_name(record) == on_trial_; };
-    if (std::ranges::none_of(records, is_on_trial)) {
-        const auto next = std::ranges::find_if(records, is_suspect);
-        on_trial_ = next == records.end() ? std::nullopt : std::optional(content_name(*next));
-        trial_begin_.reset();
-    }
-    std::erase_if(records,
-                  [&](const MediaRecord& record) { return is_suspect(record) && !is_on_trial(record); });
+    const auto is_on_trial = [&](const RecordList::Record& record) {
+        return content_name(*record) == on_trial_;
+    };
+    if (std::ranges::any_of(files, is_on_trial)) return;
+    const auto next = std::ranges::find_if(files, is_suspect);
+    on_trial_ = next == files.end() ? std::nullopt : std::optional(content_name(**next));
+    trial_begin_.reset();
 }
 
-void CrashNote::open(const std::string& path, const std::vector<MediaRecord>& records, Time now) {
-    if (const MediaRecord* record = record_of(path, records)) open(*record, now);
-}
-
-bool CrashNote::keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now) {
-    std::set<ContentName> names;
-    for (const std::string& path : open)
-        if (const MediaRecord* record = record_of(path, records)) names.insert(content_name(*record));
-    return keep(names, now);
-}
-
-void CrashNote::open(const MediaRecord& record, Time now) {
+void CrashNote::note_opening(const MediaRecord& record, Time now) {
     if (start_ == Time{}) start_ = now;
     opened_[content_name(record)] = now;
     if (content_name(record) == on_trial_ && !trial_begin_) trial_begin_ = now;
@@ -114,10 +100,10 @@ void CrashNote::open(const MediaRecord& record, Time now) {
 
 std::chrono::seconds CrashNote::opening_time(const ContentName& name) const {
     const auto found = blame_.find(name);
-    return found != blame_.end() && found->second == quarantine_points - 1 ? longest_opening : usual_opening;
+    return found != blame_.end() && found->second == quarantine_points - 1 ? max_opening : usual_opening;
 }
 
-bool CrashNote::keep(const std::set<ContentName>& open, Time now) {
+bool CrashNote::note_open(const std::set<ContentName>& open, Time now) {
     if (start_ == Time{}) start_ = now;
     std::erase_if(opened_, [&](const auto& entry) { return !open.contains(entry.first); });
     PlayingNote note{.boot = note_.boot, .process = note_.process, .opening = {}, .playing = {}};
@@ -132,7 +118,7 @@ bool CrashNote::keep(const std::set<ContentName>& open, Time now) {
     return is_acquitted;
 }
 
-/// Whether there was one, and it has lasted long enough or all is forgiven.
+/// True: there was a trial, and it has lasted long enough or all is forgiven.
 bool CrashNote::end_trial(Time now) {
     if (suspects_.empty()) return false;
     if (now - start_ > forgiving_time) {
@@ -157,7 +143,7 @@ void CrashNote::forgive() {
     }
 }
 
-/// Readers are there only after this process has ended, so that a rename alone makes it whole.
+/// Somebody reads the note only after this process has ended: a rename alone makes it whole.
 void CrashNote::write() {
     if (!is_active_) return;
     const fs::path file = state_ / playing_file;
@@ -174,7 +160,7 @@ void CrashNote::write() {
                  state_.string());
 }
 
-void CrashNote::end() {
+void CrashNote::end_run() {
     std::error_code ignored;
     if (is_active_) fs::remove(state_ / playing_file, ignored);
 }

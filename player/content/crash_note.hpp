@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/state/blame.hpp"
+#include "player/scene/show_files.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -12,10 +13,10 @@
 
 namespace vitrine::player {
 
-/// Finds out which file brings the player down: what is open is noted on the disk before it is opened, and a
-/// note that is there at the start is evidence. Nothing is fsynced, for a crash of this process does not
-/// touch what the kernel has, and one of the machine does not count. A state directory that cannot be written
-/// is told once and costs this protection only. Logs.
+/// Finds out which file brings the player down. It notes each file on the disk before the file is opened; a
+/// note that exists at the start is evidence of a crash. Nothing is fsynced: a crash of this process does not
+/// touch what the kernel has, and a crash of the machine does not count. Where the state directory cannot be
+/// written this is logged once, and only this protection is lost. Logs.
 class CrashNote {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -23,27 +24,27 @@ class CrashNote {
     /// Counts the crash of an earlier run, if it was one.
     explicit CrashNote(std::filesystem::path state);
 
+    /// True: the file has brought the player down too often.
     bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
 
-    /// Takes out what is not to be shown: what is quarantined, of which it tells once each, and of those that
-    /// may have caused the last crash all but one at a time, so that a further one shows whose it is.
-    void hold_back(std::vector<MediaRecord>& records);
+    /// True: the file is one of several that may have caused the last crash. They are shown again one at a
+    /// time, so that a further crash shows which one it was.
+    bool is_on_hold(const MediaRecord& record) const;
+
+    /// To be called when there are other files: logs those that are quarantined, once each, and chooses which
+    /// suspect is shown next, where none is being tried.
+    void set_files(const RecordList& files);
 
     /// To be called before the file is opened.
-    void open(const MediaRecord& record, Time now);
+    void note_opening(const MediaRecord& record, Time now);
 
-    /// @param records  of the catalogue, ordered by path; a file without one is not noted
-    void open(const std::string& path, const std::vector<MediaRecord>& records, Time now);
-    bool keep(const std::set<std::string>& open, const std::vector<MediaRecord>& records, Time now);
+    /// Notes the files that are still open; to be called now and then. A run of ten minutes forgives all
+    /// files that are not quarantined.
+    /// @return  true: a suspect was cleared, so that another file may be shown
+    bool note_open(const std::set<ContentName>& open, Time now);
 
-    /// What is still open, to be called now and then. A run of ten minutes forgives all that is not
-    /// quarantined.
-    ///
-    /// @return  whether something that was held back need not be any longer
-    bool keep(const std::set<ContentName>& open, Time now);
-
-    /// The run ends as it should.
-    void end();
+    /// Takes the note away: the run ends as it should.
+    void end_run();
 
   private:
     void count_crash();
@@ -54,13 +55,13 @@ class CrashNote {
 
     std::filesystem::path state_;
     Blame blame_;
-    PlayingNote note_;                    // as it is on the disk
-    std::map<ContentName, Time> opened_;  // what is open
-    Time start_{};                        // of the first call
-    std::set<ContentName> suspects_;      // that are held back, and the one on trial
+    PlayingNote note_;                    // the note on the disk
+    std::map<ContentName, Time> opened_;  // open files and when they were opened
+    Time start_{};                        // the first call
+    std::set<ContentName> suspects_;      // files that are on hold, and the one on trial
     std::optional<ContentName> on_trial_;
-    std::optional<Time> trial_begin_;  // when it was first opened
-    std::set<std::string> told_;       // quarantined files, by path
+    std::optional<Time> trial_begin_;  // when the file on trial was first opened
+    std::set<std::string> logged_;     // paths of quarantined files
     bool is_active_ = true;            // no other player has this state directory, and it can be written
 };
 

@@ -15,44 +15,40 @@ HoursFollower::HoursFollower(const fs::path& state)
 bool HoursFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {
     read_folders();
     const auto now = rehearsed ? rehearsed : calendar_.now();
+    has_time_ = now.has_value();
     const bool is_other = hours_.advance(now);
-    if (hours_.has_hours()) tell(now.has_value());
+    if (hours_.has_hours()) log_clock();
     return is_other;
 }
 
-RecordList HoursFollower::open() const {
-    RecordList open;
-    for (const RecordList::Record& file : files_)
-        if (hours_.is_open(file->path)) open.add(file);
-    return open;
+std::string HoursFollower::hours_of(const std::string& path) const {
+    const auto found = hours_.hints().find(path);
+    if (found == hours_.hints().end()) return {};
+    return in_words(Hints{.period = found->second.period, .hours = found->second.hours});
 }
 
-/// The analyzer replaces it as a whole. What cannot be read leaves in force what was.
+/// The analyzer replaces the file as a whole. Where the file cannot be read, the folders' hints stay.
 void HoursFollower::read_folders() {
     std::error_code missing;
     const auto time = fs::last_write_time(file_, missing);
     if (missing) return;
     const auto size = fs::file_size(file_, missing);
-    if (missing || read_ == std::pair(time, size)) return;
-    read_ = {time, size};
+    if (missing || read_ == Version(time, size)) return;
+    read_ = Version(time, size);
     try {
         hours_.set_folders(folder_hints_from_json(read_file(file_)));
-    } catch (const std::runtime_error& error) {  // one file that somebody has damaged
+    } catch (const std::runtime_error& error) {  // somebody has damaged the file
         log::warning("'{}' unreadable, ignoring: {}", file_.string(), error.what());
     }
 }
 
-void HoursFollower::tell(bool has_time) {
-    if (told_time_ != has_time) {
-        if (!has_time)
-            log::warning("the clock cannot be right yet: what has a period or hours is not shown");
-        else if (told_time_)
-            log::info("the clock can be right: what has a period or hours is shown at its time");
-        told_time_ = has_time;
-    }
-    if (told_closed_ == hours_.count_closed()) return;
-    told_closed_ = hours_.count_closed();
-    log::info("hours: {} of {} files may be shown now", files_.size() - told_closed_, files_.size());
+void HoursFollower::log_clock() {
+    if (logged_time_ == has_time_) return;
+    if (!has_time_)
+        log::warning("the clock is not plausible yet: files with a period or hours are not shown");
+    else if (logged_time_)
+        log::info("the clock is plausible: files with a period or hours are shown at their time");
+    logged_time_ = has_time_;
 }
 
 }  // namespace vitrine::player

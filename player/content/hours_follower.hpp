@@ -4,47 +4,50 @@
 #include "player/content/opening_hours.hpp"
 
 #include <chrono>
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
-#include <vector>
 
 namespace vitrine::player {
 
-/// Follows what the analyzer says of the folders (STATE/hints.json) and the clock: which files may be shown
-/// now. Logs.
+/// Follows the clock and STATE/hints.json, by which the analyzer tells what folders say: which files may be
+/// shown now. Logs.
 class HoursFollower {
   public:
+    /// @param state  the state directory
     explicit HoursFollower(const std::filesystem::path& state);
 
-    void set_files(RecordList files) {
-        files_ = std::move(files);
-        hours_.set_files(files_);
-    }
+    void set_files(const RecordList& files) { hours_.set_files(files); }
 
-    /// To be called about once a second, and after new records.
-    /// @param rehearsed  the local time to be taken for the present one
-    /// @return whether other files may be shown than at the last call, or in another way
+    /// To be called about once a second, and after set_files().
+    /// @param rehearsed  a local time that replaces the present one
+    /// @return  true: other files may be shown than at the last call, or in another way
     bool look(std::optional<std::chrono::local_seconds> rehearsed);
 
-    /// The files that may be shown now.
-    RecordList open() const;
+    bool is_open(const std::string& path) const { return hours_.is_open(path); }
+
+    /// False: the clock is not plausible yet.
+    bool has_time() const { return has_time_; }
+
+    /// "from 20:00 to 21:00"; empty: the file has neither a period nor hours.
+    std::string hours_of(const std::string& path) const;
 
     const ShowHints& hints() const { return hours_.hints(); }
 
   private:
     void read_folders();
-    void tell(bool has_time);
+    void log_clock();
+
+    using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;  // written when, bytes
 
     std::filesystem::path file_;
-    std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>
-        read_;  // the file as it was read
-    RecordList files_;
+    std::optional<Version> read_;  // the version of the file that was read
     OpeningHours hours_;
     Calendar calendar_;
-    std::optional<bool> told_time_;       // whether the time was known, as last told
-    std::size_t told_closed_ = SIZE_MAX;  // files that may not be shown, as last told
+    bool has_time_ = false;
+    std::optional<bool> logged_time_;  // has_time_ in the last log line
 };
 
 }  // namespace vitrine::player

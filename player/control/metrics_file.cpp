@@ -1,34 +1,49 @@
 #include "player/control/metrics_file.hpp"
 
-#include "base/system/error.hpp"
+#include "base/system/atomic_file.hpp"
+#include "base/system/log.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace vitrine::player {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 
-void write_metrics(const fs::path& file, const std::string& text) {
-    fs::path written = file;
-    written += ".new";  // a node exporter reads *.prom only
-    std::ofstream out(written, std::ios::trunc);
-    out << text;
-    out.close();
-    if (!out) throw_errno("write '{}'", written.string());
-    fs::rename(written, file);
+namespace {
+
+constexpr auto interval = 15s;
+constexpr const char* thermal_zones = "/sys/class/thermal";
+
+}  // namespace
+
+void MetricsFile::write_if_due(const std::string& file, std::chrono::nanoseconds now,
+                               const std::function<std::string()>& text) {
+    if (file.empty() || now < next_) return;
+    next_ = now + interval;
+    try {
+        replace_file_unsynced(file, text());
+        complaint_.clear();
+    } catch (const std::system_error& error) {  // the wall needs no metrics
+        if (complaint_ != error.what()) log::warning("metrics: {}", error.what());
+        complaint_ = error.what();
+    }
 }
 
-std::optional<double> hottest(const fs::path& zones) {
+std::optional<double> temperature() {
     constexpr double millidegrees = 1000;
-    std::optional<double> most;
+    std::optional<double> highest;
     std::error_code none;
-    for (const fs::directory_entry& zone : fs::directory_iterator(zones, none)) {
+    for (const fs::directory_entry& zone : fs::directory_iterator(thermal_zones, none)) {
         double degrees = 0;
         std::ifstream in(zone.path() / "temp");
-        if (in >> degrees) most = std::max(most.value_or(degrees / millidegrees), degrees / millidegrees);
+        if (in >> degrees)
+            highest = std::max(highest.value_or(degrees / millidegrees), degrees / millidegrees);
     }
-    return most;
+    return highest;
 }
 
 }  // namespace vitrine::player

@@ -1,18 +1,27 @@
 #pragma once
 
-#include <filesystem>
+#include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
 namespace vitrine::player {
 
-/// Puts a text in the place of a file, so that a reader sees the old one or the new. Not fsynced: after a
-/// power cut it is written anew anyway.
-/// @throws std::system_error
-void write_metrics(const std::filesystem::path& file, const std::string& text);
+/// A text for a node exporter, replaced by rename every 15 seconds. Not fsynced: after a power cut it is
+/// written anew anyway. Logs.
+class MetricsFile {
+  public:
+    /// @param file  empty: nothing is written
+    /// @param text  called where the file is due
+    void write_if_due(const std::string& file, std::chrono::nanoseconds now,
+                      const std::function<std::string()>& text);
 
-/// Of the hottest thermal zone, degrees Celsius; nothing where there is none.
-/// @param zones  /sys/class/thermal
-std::optional<double> hottest(const std::filesystem::path& zones);
+  private:
+    std::chrono::nanoseconds next_{0};
+    std::string complaint_;  // as last logged
+};
+
+/// Degrees Celsius of the hottest thermal zone; none: the machine has no zone.
+std::optional<double> temperature();
 
 }  // namespace vitrine::player

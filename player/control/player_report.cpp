@@ -61,18 +61,16 @@ Json entry(const std::string& analyzer, const std::string& path) {
     return {};
 }
 
-std::string sentence(const FileReport& report) {
+std::string answer(const FileReport& report) {
     if (report.state == "unknown") return "There is no such file in the media folder.";
     if (report.state == "new") return "It is in the media folder and has not been looked at yet.";
-    if (report.is_dismissed)
-        return "It was removed from the wall by vitrinectl, until the player starts anew or the file "
-               "changes.";
-    if (!report.slots.empty())
-        return report.is_pinned ? "It is on the wall, where it is pinned." : "It is on the wall.";
-    if (report.state == "ready")
-        return report.is_pinned ? "It is ready and comes onto the wall next."
-                                : "It is ready and waits for its turn.";
-    return "It is not shown: " + (report.reason.empty() ? report.state : report.reason) + ".";
+    FileVisibility file = report.visibility;
+    if (!report.slots.empty()) file.visibility = Visibility::on_wall;  // it came there this very moment
+    if (file.visibility == Visibility::on_wall && report.is_pinned)
+        return "It is on the wall, where it is pinned.";
+    if (file.visibility == Visibility::waits_for_turn && report.is_pinned)
+        return "It is ready and comes onto the wall next.";
+    return sentence(file);
 }
 
 class Metrics {
@@ -160,10 +158,12 @@ std::string to_json(const PlayerReport& report, const std::string& analyzer) {
 }
 
 std::string to_json(const FileReport& report, const std::string& analyzer) {
-    Json json{{"file", report.path},        {"state", report.state},         {"says", sentence(report)},
+    Json json{{"file", report.path},        {"state", report.state},         {"says", answer(report)},
               {"reason", report.reason},    {"kind", report.kind},           {"width", report.width},
               {"height", report.height},    {"shots", report.shots},         {"slots", report.slots},
               {"pinned", report.is_pinned}, {"removed", report.is_dismissed}};
+    if (report.state != "new" && report.state != "unknown")
+        json["wall"] = name_of(report.visibility.visibility);
     if (Json said = entry(analyzer, report.path); !said.empty()) json["analyzer"] = std::move(said);
     return dumped(json);
 }

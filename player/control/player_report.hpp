@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/state/visibility.hpp"
 #include "player/control/health.hpp"
 
 #include <chrono>
@@ -52,16 +53,17 @@ struct PlayerReport {
     std::vector<std::string> dismissed;  // files
 };
 
-/// What is known of one file of the media folder.
+/// The facts about one file of the media folder.
 struct FileReport {
-    std::string path;   // from the media folder on; of a file that is not known as it was asked for
-    std::string state;  // as of its record; "new": not looked at yet, "unknown": not in the media folder
+    std::string path;   // from the media folder on; where there is no such file the name that was given
+    std::string state;  // of its record; "new": not looked at yet, "unknown": not in the media folder
     std::string reason;
     std::string kind;
     int width = 0;  // px
     int height = 0;
     std::size_t shots = 0;
-    std::vector<int> slots;  // that it stands in now
+    FileVisibility visibility;  // of a file with a record
+    std::vector<int> slots;     // its places on the wall
     bool is_pinned = false;
     bool is_dismissed = false;
 };

@@ -49,6 +49,9 @@ class Stage {
 
     const std::string& folder() const { return options_.folder; }
 
+    /// The folder that a visitor looks into; empty: all folders.
+    const std::string& opened_folder() const { return opened_; }
+
     /// @param records  all that may be shown, ordered by path; the stage takes what is in its folder
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 

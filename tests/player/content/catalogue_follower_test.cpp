@@ -45,8 +45,9 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
     const Catalogue catalogue(directory.path / "catalogue");
     EventLoop loop;
     std::vector<CatalogueChange> changes;
-    CatalogueFollower follower(loop, catalogue,
-                               [&](const CatalogueChange& change) { changes.push_back(change); });
+    CatalogueFollower follower(loop, catalogue, [&](const CatalogueChange& change, const RecordList&) {
+        changes.push_back(change);
+    });
     const auto wait_for_change = [&] {
         changes.clear();
         for (int i = 0; i < 200 && changes.empty(); ++i)
@@ -54,7 +55,7 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
         REQUIRE(changes.size() == 1);
         return changes[0];
     };
-    CHECK(follower.records().empty());
+    CHECK(follower.records().is_empty());
 
     catalogue.store(record("red"));
     catalogue.store(record("broken", 1, MediaState::failed));
@@ -65,5 +66,10 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
 
     catalogue.remove("red");
     CHECK(wait_for_change().gone == std::vector<std::string>{"red"});
-    CHECK(follower.records().empty());
+    REQUIRE(follower.records().size() == 1);
+
+    catalogue.store(record("broken", 1, MediaState::waiting));
+    const CatalogueChange other = wait_for_change();
+    CHECK(other.has_others);
+    CHECK(other.added.empty());
 }

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <iterator>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -23,19 +25,29 @@ void run(const std::filesystem::path& state, bool crashes, std::chrono::seconds 
     const pid_t player = ::fork();
     if (player == 0) {
         CrashNote note(state);
-        note.open(good, noon);
-        note.keep(std::set<ContentName>{content_name(good)}, noon + 1min);
+        note.note_opening(good, noon);
+        note.note_open(std::set<ContentName>{content_name(good)}, noon + 1min);
         if (!note.is_quarantined(evil)) {
-            note.open(evil, noon + 1min);
-            note.keep(std::set<ContentName>{content_name(good), content_name(evil)},
-                      noon + 1min + after_opening);
+            note.note_opening(evil, noon + 1min);
+            note.note_open(std::set<ContentName>{content_name(good), content_name(evil)},
+                           noon + 1min + after_opening);
         }
         if (crashes) ::kill(::getpid(), SIGKILL);
-        note.end();
+        note.end_run();
         ::_exit(0);
     }
     int status = 0;
     ::waitpid(player, &status, 0);
+}
+
+/// The files that the note lets the player show.
+std::vector<MediaRecord> left(CrashNote& note, const std::vector<MediaRecord>& all) {
+    std::vector<MediaRecord> free;
+    std::ranges::copy_if(all, std::back_inserter(free),
+                         [&](const MediaRecord& record) { return !note.is_quarantined(record); });
+    note.set_files(free);
+    std::erase_if(free, [&](const MediaRecord& record) { return note.is_on_hold(record); });
+    return free;
 }
 
 /// A player that opens all that is not held back, until everything has been open for a while; it is killed
@@ -47,17 +59,16 @@ bool show(const std::filesystem::path& state, const std::vector<MediaRecord>& al
         CrashNote note(state);
         std::set<ContentName> open;
         for (auto now = noon; now < noon + 5min; now += 5s) {
-            std::vector<MediaRecord> shown = all;
-            note.hold_back(shown);
+            const std::vector<MediaRecord> shown = left(note, all);
             for (const MediaRecord& record : shown) {
                 if (!open.insert(content_name(record)).second) continue;
-                note.open(record, now);
+                note.note_opening(record, now);
                 if (record.path == poison) ::kill(::getpid(), SIGKILL);
             }
             if (is_killed) ::kill(::getpid(), SIGKILL);
-            note.keep(open, now);
+            note.note_open(open, now);
         }
-        note.end();
+        note.end_run();
         ::_exit(0);
     }
     int status = 0;
@@ -68,7 +79,7 @@ bool show(const std::filesystem::path& state, const std::vector<MediaRecord>& al
 std::vector<std::string> quarantined(const std::filesystem::path& state,
                                      const std::vector<MediaRecord>& all) {
     std::vector<std::string> found;
-    const CrashNote note(state);
+    CrashNote note(state);
     for (const MediaRecord& record : all)
         if (note.is_quarantined(record)) found.push_back(record.path);
     return found;
@@ -105,12 +116,11 @@ TEST_CASE("after a crash all files are shown again, one after the other") {
     std::set<ContentName> open;
     std::vector<std::size_t> counts;
     for (auto now = noon; now < noon + 1min; now += 10s) {
-        std::vector<MediaRecord> shown = four;
-        note.hold_back(shown);
+        const std::vector<MediaRecord> shown = left(note, four);
         for (const MediaRecord& record : shown)
-            if (open.insert(content_name(record)).second) note.open(record, now);
+            if (open.insert(content_name(record)).second) note.note_opening(record, now);
         counts.push_back(open.size());
-        note.keep(open, now + 10s);
+        note.note_open(open, now + 10s);
     }
     CHECK(counts == std::vector<std::size_t>{1, 2, 3, 4, 4, 4});
 }
@@ -120,7 +130,7 @@ TEST_CASE("a film that brings the player down twice when it is opened is quarant
     run(state.path, true);
     CHECK_FALSE(CrashNote(state.path).is_quarantined(evil));
     run(state.path, true);
-    const CrashNote note(state.path);
+    CrashNote note(state.path);
     CHECK(note.is_quarantined(evil));
     CHECK_FALSE(note.is_quarantined(good));
 }
@@ -137,14 +147,14 @@ TEST_CASE("what ended with the machine is nobody's fault") {
     const TemporaryDirectory state;
     state.write(playing_file,
                 to_text({.boot = "another", .process = 1, .opening = {content_name(evil)}, .playing = {}}));
-    const CrashNote note(state.path);
+    CrashNote note(state.path);
     CHECK(read_blame(state.path).empty());
 }
 
 TEST_CASE("a crash long after the last opening is everybody's, for once") {
     const TemporaryDirectory state;
     run(state.path, true, 60s);
-    const CrashNote note(state.path);
+    CrashNote note(state.path);
     CHECK(read_blame(state.path) == Blame{{content_name(evil), 1}, {content_name(good), 1}});
 }
 
@@ -153,15 +163,15 @@ TEST_CASE("ten minutes without a crash forgive what is not quarantined") {
     run(state.path, true);
     CrashNote note(state.path);
     REQUIRE(read_blame(state.path).size() == 1);
-    note.keep(std::set<ContentName>{}, noon);
-    note.keep(std::set<ContentName>{}, noon + 11min);
+    note.note_open(std::set<ContentName>{}, noon);
+    note.note_open(std::set<ContentName>{}, noon + 11min);
     CHECK(read_blame(state.path).empty());
 }
 
 TEST_CASE("a state directory that is not there costs the protection and nothing else") {
     CrashNote note("/proc/nothing/here");
-    note.open(evil, noon);
-    note.keep(std::set<ContentName>{content_name(evil)}, noon + 1min);
-    note.end();
+    note.note_opening(evil, noon);
+    note.note_open(std::set<ContentName>{content_name(evil)}, noon + 1min);
+    note.end_run();
     CHECK_FALSE(note.is_quarantined(evil));
 }

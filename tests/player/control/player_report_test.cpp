@@ -87,10 +87,15 @@ TEST_CASE("the answer for programs has it all, also with names that are no UTF-8
 }
 
 TEST_CASE("of a file is told why it is not shown, with the analyzer's word for it") {
-    const FileReport report{.path = "a.jpg", .state = "waiting", .reason = "it is still being copied"};
+    const FileReport report{.path = "a.jpg",
+                            .state = "waiting",
+                            .visibility = {.path = "a.jpg",
+                                           .visibility = Visibility::not_analysed,
+                                           .detail = "it is still being copied"}};
     const std::string said = R"({"files": [{"path": "b"}, {"path": "a.jpg", "since": 5}]})";
     const auto json = nlohmann::json::parse(to_json(report, said));
-    CHECK(json.at("says") == "It is not shown: it is still being copied.");
+    CHECK(json.at("says") == "It has not been analysed yet: it is still being copied.");
+    CHECK(json.at("wall") == "not_analysed");
     CHECK(json.at("analyzer").at("since") == 5);
     CHECK_FALSE(nlohmann::json::parse(to_json(report, "no JSON")).contains("analyzer"));
 }

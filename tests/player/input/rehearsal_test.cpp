@@ -1,4 +1,4 @@
-#include "player/rehearsal.hpp"
+#include "player/input/rehearsal.hpp"
 
 #include "player/input/gestures.hpp"
 
@@ -40,7 +40,7 @@ TEST_CASE("the finger of a rehearsal goes evenly from one place to the other, re
     const auto contacts = [&](std::chrono::nanoseconds now) {
         rehearsal.advance(now);
         std::vector<Contact> since;
-        for (const InputEvent& event : rehearsal.touches())
+        for (const InputEvent& event : rehearsal.next_touches())
             since.push_back(std::get<Contact>(event));
         return since;
     };
@@ -58,7 +58,7 @@ TEST_CASE("what a rehearsal names is meant") {
         Rehearsal rehearsal(script);
         Gestures gestures;
         rehearsal.advance(20s);
-        for (const InputEvent& event : rehearsal.touches())
+        for (const InputEvent& event : rehearsal.next_touches())
             gestures.take(event);
         return gestures.meant(20s);
     };

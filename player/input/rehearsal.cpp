@@ -1,4 +1,4 @@
-#include "player/rehearsal.hpp"
+#include "player/input/rehearsal.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 #include <iomanip>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -18,12 +17,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double most_seconds = 1e6;
-constexpr auto sampling = 10ms;          // between two places of a finger that moves
-constexpr auto tap_time = 80ms;          // that a finger which taps is down
-constexpr auto flick_time = 120ms;       // that one which flicks moves
-constexpr auto rest_time = 200ms;        // that one which drags rests before it is lifted: it does not flick
-constexpr double closest_fingers = 120;  // px, of a pinch
+constexpr double max_seconds = 1e6;
+constexpr auto sampling = 10ms;     // between two places of a moving finger
+constexpr auto tap_time = 80ms;     // a tapping finger is down
+constexpr auto flick_time = 120ms;  // a flicking finger moves
+constexpr auto rest_time = 200ms;   // a dragging finger rests before it is lifted, so that it does not flick
+constexpr double min_finger_gap = 120;  // px, in a pinch
 constexpr std::array<std::pair<const char*, Key>, 6> keys{{{"left", Key::left},
                                                            {"right", Key::right},
                                                            {"nearer", Key::nearer},
@@ -32,7 +31,7 @@ constexpr std::array<std::pair<const char*, Key>, 6> keys{{{"left", Key::left},
                                                            {"back", Key::back}}};
 
 std::chrono::nanoseconds seconds(double number) {
-    if (!(number >= 0 && number <= most_seconds))
+    if (!(number >= 0 && number <= max_seconds))
         throw std::runtime_error("a time must be from 0 to 1000000 seconds");
     return std::chrono::nanoseconds(std::llround(number * 1e9));
 }
@@ -134,7 +133,7 @@ void Rehearsal::read_pinch(std::istream& words, std::chrono::nanoseconds time) {
     const double factor = number(words, complaint);
     if (!(factor >= 0.01 && factor <= 100)) throw std::runtime_error("a pinch is by 0.01 to 100");
     const std::chrono::nanoseconds duration = seconds(number(words, complaint));
-    const Vec2 first{closest_fingers / 2 * std::max(1.0, 1 / factor), 0};
+    const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
     const Vec2 last = first * factor;
     stroke(0, at - first, at - last, time, duration, rest_time);
     stroke(1, at + first, at + last, time, duration, rest_time);
@@ -181,21 +180,16 @@ bool Rehearsal::advance(std::chrono::nanoseconds now) {
     return passed_ != before;
 }
 
-std::vector<MediaRecord> Rehearsal::present(std::span<const MediaRecord> records) const {
-    std::vector<MediaRecord> present;
-    const auto is_present = [&](const MediaRecord& record) {
-        bool is_there = true;
-        bool is_first = true;
-        for (std::size_t i = 0; i < files_.size(); ++i) {
-            if (files_[i].path != record.path) continue;
-            if (is_first) is_there = !files_[i].is_added;
-            is_first = false;
-            if (i < passed_) is_there = files_[i].is_added;
-        }
-        return is_there;
-    };
-    std::copy_if(records.begin(), records.end(), std::back_inserter(present), is_present);
-    return present;
+bool Rehearsal::is_present(const std::string& path) const {
+    bool is_there = true;
+    bool is_first = true;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (files_[i].path != path) continue;
+        if (is_first) is_there = !files_[i].is_added;
+        is_first = false;
+        if (i < passed_) is_there = files_[i].is_added;
+    }
+    return is_there;
 }
 
 std::optional<std::chrono::local_seconds> Rehearsal::local_time() const {
@@ -206,7 +200,7 @@ std::optional<std::chrono::local_seconds> Rehearsal::local_time() const {
     return shows;
 }
 
-std::vector<InputEvent> Rehearsal::touches() {
+std::vector<InputEvent> Rehearsal::next_touches() {
     std::vector<InputEvent> touches;
     for (; touched_ < touches_.size() && time_of(touches_[touched_]) <= now_; ++touched_)
         touches.push_back(touches_[touched_]);

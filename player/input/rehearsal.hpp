@@ -1,19 +1,17 @@
 #pragma once
 
-#include "base/state/record.hpp"
 #include "player/input/contact.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <istream>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace vitrine::player {
 
-/// A script of what happens to a wall, so that it can be seen and tested without waiting for it: files come
+/// A script of events for a wall, so that they can be seen and tested without waiting for them: files come
 /// and go, a visitor touches. One event a line, times in seconds since the start, lengths in canvas px:
 ///
 ///     4 add FILE             it was not there before
@@ -31,17 +29,17 @@ class Rehearsal {
     /// @throws std::runtime_error naming line and fault
     explicit Rehearsal(const std::string& script);
 
-    /// Goes on to a time. True: other files are there than before.
+    /// Goes on to a time. @return  true: other files are there than before
     bool advance(std::chrono::nanoseconds now);
 
-    /// Those of the records that are there now.
-    std::vector<MediaRecord> present(std::span<const MediaRecord> records) const;
+    /// True: the file, named from the media folder on, is there now.
+    bool is_present(const std::string& path) const;
 
-    /// What the clock on the wall shows now; none: the real time.
+    /// The local time that the script sets; none: the real time.
     std::optional<std::chrono::local_seconds> local_time() const;
 
-    /// What the visitor has done since the last call, canvas px.
-    std::vector<InputEvent> touches();
+    /// The input of the visitor since the last call, canvas px.
+    std::vector<InputEvent> next_touches();
 
   private:
     struct FileEvent {

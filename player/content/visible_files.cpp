@@ -1,0 +1,195 @@
+#include "player/content/visible_files.hpp"
+
+#include "base/system/journal.hpp"
+#include "player/input/rehearsal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* one_after_the_other =
+    "several files may have caused it, and they are shown again one after the other";
+
+bool is_same_content(const MediaRecord& a, const MediaRecord& b) {
+    return a.path == b.path && a.bytes == b.bytes && a.mtime_ns == b.mtime_ns;
+}
+
+bool is_in(const std::string& path, const std::string& folder) {
+    return folder.empty() || path.starts_with(folder + "/");
+}
+
+void log_change(const CatalogueChange& change) {
+    for (const std::string& path : change.added)
+        log::write_with(log::Level::info, fmt::format("new: '{}'", path), {{"VITRINE_FILE", path}});
+    for (const std::string& path : change.grown)
+        log::debug("further shots: '{}'", path);
+    for (const std::string& path : change.replaced)
+        log::info("replaced: '{}'", path);
+    for (const std::string& path : change.gone)
+        log::write_with(log::Level::info, fmt::format("gone: '{}'", path), {{"VITRINE_FILE", path}});
+}
+
+}  // namespace
+
+VisibleFiles::VisibleFiles(EventLoop& loop, fs::path state, const Rehearsal* rehearsal,
+                           std::function<void()> on_change)
+    : rehearsal_(rehearsal),
+      on_change_(std::move(on_change)),
+      crash_note_(state),
+      hours_(state),
+      note_(rehearsal == nullptr ? state / visible_file : fs::path()),
+      follower_(loop, Catalogue(state / "catalogue"),
+                [this](const CatalogueChange& change, const RecordList& records) {
+                    follow_catalogue(change, records);
+                }) {}
+
+FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
+    const std::string& path = file.path;
+    const auto because = [&](Visibility visibility, std::string detail = {}) {
+        return FileVisibility{.path = path, .visibility = visibility, .detail = std::move(detail)};
+    };
+    const bool is_open = hours_.is_open(path);
+    if (file.state == MediaState::waiting) return because(Visibility::not_analysed, file.reason);
+    if (!is_ready(file)) return because(Visibility::unsupported, file.reason);
+    if (rehearsal_ != nullptr && !rehearsal_->is_present(path)) return because(Visibility::not_rehearsed);
+    if (crash_note_.is_quarantined(file)) return because(Visibility::held_back, brought_the_player_down);
+    if (crash_note_.is_on_hold(file)) return because(Visibility::held_back, one_after_the_other);
+    if (is_dismissed(file)) return because(Visibility::dismissed);
+    if (!is_open && !hours_.has_time()) return because(Visibility::no_clock, hours_.hours_of(path));
+    if (!is_open) return because(Visibility::out_of_hours, hours_.hours_of(path));
+    return because(Visibility::waits_for_turn);
+}
+
+FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
+    FileVisibility judged = judge_file(file);
+    if (!may_be_shown(judged.visibility)) return judged;
+    judged.visibility = content_.files.contains(file.path) ? Visibility::on_wall : judge_folder(file.path);
+    return judged;
+}
+
+/// The last filter: a screen must show the folder of the file.
+Visibility VisibleFiles::judge_folder(const std::string& path) const {
+    const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
+    const auto is_open = [&](const ShownFolder& shown) {
+        return is_shown(shown) && is_in(path, shown.opened);
+    };
+    if (content_.folders.empty() || std::ranges::any_of(content_.folders, is_open))
+        return Visibility::waits_for_turn;
+    return std::ranges::any_of(content_.folders, is_shown) ? Visibility::closed_folder
+                                                           : Visibility::other_folder;
+}
+
+/// A file that has changed since it was dismissed is not dismissed any more.
+bool VisibleFiles::is_dismissed(const MediaRecord& file) const {
+    const auto found = dismissed_.find(file.path);
+    return found != dismissed_.end() && is_same_content(*found->second, file);
+}
+
+void VisibleFiles::follow_catalogue(const CatalogueChange& change, const RecordList& records) {
+    log_change(change);
+    records_ = records;
+    apply_filters();
+}
+
+void VisibleFiles::apply_filters() {
+    RecordList ready;
+    for (const RecordList::Record& record : records_)
+        if (is_ready(*record)) ready.add(record);
+    ready_ = ready.size();
+    std::erase_if(dismissed_, [&](const auto& dismissed) {
+        const RecordList::Record now = records_.find(dismissed.first);
+        return !now || !is_same_content(*now, *dismissed.second);
+    });
+    crash_note_.set_files(ready);
+    hours_.set_files(ready);
+    (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
+    select_visible();
+}
+
+/// A file that no screen shows now stays in the list: its screen may come at any time.
+void VisibleFiles::select_visible() {
+    visible_ = {};
+    for (const RecordList::Record& record : records_)
+        if (may_be_shown(judge_file(*record).visibility)) visible_.add(record);
+    log_reasons();
+    note_.set_changed();
+    on_change_();
+}
+
+void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
+                        const std::function<WallContent()>& content) {
+    if (time < next_look_) return;
+    next_look_ = time + 1s;
+    if (hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt)) select_visible();
+    set_content(content());
+    note_open(now);
+    note_.write_if_due(now, [this] {
+        std::vector<FileVisibility> files;
+        for (const RecordList::Record& record : records_)
+            files.push_back(judge(*record));
+        return files;
+    });
+}
+
+void VisibleFiles::set_content(WallContent content) {
+    if (content == content_) return;
+    const bool has_other_folders = content.folders != content_.folders;
+    content_ = std::move(content);
+    if (has_other_folders) log_reasons();
+    note_.set_changed();
+}
+
+/// Logs how many ready files the filters keep off the wall, where that has changed.
+void VisibleFiles::log_reasons() {
+    std::map<Visibility, std::size_t> counts;
+    for (const RecordList::Record& record : records_)
+        if (is_ready(*record)) ++counts[judge(*record).visibility];
+    std::string reasons;
+    std::size_t kept_off = 0;
+    for (const auto& [visibility, count] : counts) {
+        if (may_be_shown(visibility)) continue;
+        reasons += fmt::format(", {} {}", count, in_short(visibility));
+        kept_off += count;
+    }
+    if (reasons == logged_) return;
+    log::info("files: {} of {} may be shown now{}", ready_ - kept_off, ready_, reasons);
+    logged_ = std::move(reasons);
+}
+
+void VisibleFiles::dismiss(const MediaRecord& file) {
+    dismissed_[file.path] = std::make_shared<const MediaRecord>(file);
+    apply_filters();
+}
+
+std::vector<std::string> VisibleFiles::dismissed() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, record] : dismissed_)
+        paths.push_back(path);
+    return paths;
+}
+
+void VisibleFiles::note_opening(const std::string& path, Time now) {
+    if (const RecordList::Record record = records_.find(path)) crash_note_.note_opening(*record, now);
+}
+
+void VisibleFiles::note_open(Time now) {
+    std::set<ContentName> names;
+    for (const std::string& path : content_.open)
+        if (const RecordList::Record record = records_.find(path)) names.insert(content_name(*record));
+    if (crash_note_.note_open(names, now)) apply_filters();
+}
+
+void VisibleFiles::end_run() {
+    crash_note_.end_run();
+    note_.remove();
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "base/state/visibility.hpp"
+#include "player/content/catalogue_follower.hpp"
+#include "player/content/crash_note.hpp"
+#include "player/content/hours_follower.hpp"
+#include "player/content/visible_note.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+class Rehearsal;
+
+/// The folder that one screen or more show.
+struct ShownFolder {
+    std::string folder;  // of the output, below the media folder; empty: all files
+    std::string opened;  // a visitor looks into this folder only; empty: into all
+
+    friend bool operator==(const ShownFolder&, const ShownFolder&) = default;
+};
+
+/// The content of all screens at one moment.
+struct WallContent {
+    std::vector<ShownFolder> folders;  // empty: there is no screen
+    std::set<std::string> files;       // paths of the files that are shown
+    std::set<std::string> open;        // paths of the files that are read or played
+
+    friend bool operator==(const WallContent&, const WallContent&) = default;
+};
+
+/// The one list that says which files may be on the wall, and why the others may not. It follows the
+/// catalogue, the hours, the crashes of the player and the files that vitrinectl took off; judge_file() has a
+/// line for each filter. It keeps STATE/visible.json up to date. Logs.
+class VisibleFiles {
+  public:
+    using Time = CrashNote::Time;
+
+    /// @param state      the state directory
+    /// @param rehearsal  outlives this; none: there is no rehearsal
+    /// @param on_change  called when other files may be shown; the first time from within this constructor
+    VisibleFiles(EventLoop& loop, std::filesystem::path state, const Rehearsal* rehearsal,
+                 std::function<void()> on_change);
+
+    /// The files that may be shown, ordered by path.
+    const RecordList& records() const { return visible_; }
+
+    /// How they are shown.
+    const ShowHints& hints() const { return hours_.hints(); }
+
+    /// The number of files in each state of the analyzer.
+    const std::map<MediaState, std::size_t>& counts() const { return follower_.counts(); }
+
+    /// The number of files that are ready, whether a filter keeps them off the wall or not.
+    std::size_t count_ready() const { return ready_; }
+
+    /// The record of a file, whether it may be shown or not; none: the analyzer has written none.
+    RecordList::Record find(const std::string& path) const { return follower_.records().find(path); }
+
+    /// The first filter that keeps the file off the wall.
+    FileVisibility judge(const MediaRecord& file) const;
+
+    /// Applies all filters anew: another rehearsal, another clock.
+    void apply_filters();
+
+    /// To be called at every tick; looks once a second, as hours begin and end on the second.
+    /// @param time     since the player's start
+    /// @param content  gives what the screens show now
+    void look(std::chrono::nanoseconds time, Time now, const std::function<WallContent()>& content);
+
+    /// Takes a ready file off the wall until it changes.
+    void dismiss(const MediaRecord& file);
+
+    /// Paths of the files that were dismissed.
+    std::vector<std::string> dismissed() const;
+
+    /// To be called before the player opens a file of the media folder.
+    void note_opening(const std::string& path, Time now);
+
+    /// The run ends as it should.
+    void end_run();
+
+  private:
+    void follow_catalogue(const CatalogueChange& change, const RecordList& records);
+    void select_visible();
+    void log_reasons();
+    void set_content(WallContent content);
+    void note_open(Time now);
+    bool is_dismissed(const MediaRecord& file) const;
+    FileVisibility judge_file(const MediaRecord& file) const;
+    Visibility judge_folder(const std::string& path) const;
+
+    const Rehearsal* rehearsal_;
+    std::function<void()> on_change_;
+    CrashNote crash_note_;
+    HoursFollower hours_;
+    std::map<std::string, RecordList::Record> dismissed_;
+    WallContent content_;
+    std::chrono::nanoseconds next_look_{0};
+    RecordList records_;  // the whole catalogue
+    RecordList visible_;
+    std::size_t ready_ = 0;
+    std::string logged_;  // the last line of log_reasons()
+    VisibleNote note_;
+    CatalogueFollower follower_;  // last: it calls back from its constructor
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,116 @@
+#include "player/stage/stages.hpp"
+
+#include "base/settings/output_words.hpp"
+#include "base/system/log.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <variant>
+
+namespace vitrine::player {
+
+Stages::Stages(const Settings& settings, SourcePool& sources, bool awaits_sources)
+    : settings_(settings), sources_(sources), awaits_sources_(awaits_sources) {
+    make_anew();
+}
+
+void Stages::make_anew() {
+    const auto folders = output_folders_named(settings_.output.folders).value();
+    std::map<std::string, std::size_t> number_of_folder{{"", 0}};
+    for (const auto& [output, folder] : folders)
+        number_of_[output] = number_of_folder.emplace(folder, number_of_folder.size()).first->second;
+    stages_.resize(number_of_folder.size());
+    for (const auto& [folder, i] : number_of_folder) {
+        StageOptions options{.number = i, .folder = folder, .await_sources = {}};
+        if (awaits_sources_)
+            options.await_sources = [this] { handle_sources(sources_.wait_until_ready(source_patience)); };
+        stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
+        stages_[i]->set_controls(controls_);
+    }
+}
+
+void Stages::set_catalogue(const RecordList& records, const ShowHints& hints) {
+    for (const auto& stage : stages_)
+        stage->set_catalogue(records, hints);
+}
+
+void Stages::set_controls(const ShowControls& controls) {
+    controls_ = controls;
+    for (const auto& stage : stages_)
+        stage->set_controls(controls_);
+}
+
+Stage& Stages::stage_of(const Screen& screen) {
+    const auto found = number_of_.find(screen.name());
+    return *stages_[found == number_of_.end() ? 0 : found->second];
+}
+
+void Stages::set_screens(std::span<Screen* const> screens, std::chrono::nanoseconds now) {
+    std::map<const Stage*, std::vector<Screen*>> given;
+    for (Screen* screen : screens)
+        given[&stage_of(*screen)].push_back(screen);
+    for (const auto& stage : stages_)
+        stage->set_screens(std::move(given[stage.get()]), now);
+}
+
+void Stages::handle_input(const Screen& screen, InputEvent event) {
+    Stage& stage = stage_of(screen);
+    const auto place = [&](auto& one) {
+        if constexpr (requires { one.at; }) one.at = stage.canvas_point(screen, one.at);
+    };
+    std::visit(place, event);
+    stage.take(event);
+}
+
+void Stages::handle_sources(const std::vector<SourceEvent>& events) {
+    for (const SourceEvent& event : events)
+        for (const auto& stage : stages_)
+            if (stage->owns(event.source)) stage->tell(event);
+}
+
+void Stages::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
+    for (const auto& stage : stages_)
+        if (!stage->screens().empty()) stage->show(now, renderer, waits_for_wall);
+    log_counts();
+}
+
+void Stages::forget_uploads() {
+    for (const auto& stage : stages_)
+        stage->forget_uploads();
+}
+
+std::vector<AudibleShot> Stages::audible() const {
+    std::vector<AudibleShot> shots;
+    for (const auto& stage : stages_)
+        for (AudibleShot& shot : stage->audible())
+            shots.push_back(std::move(shot));
+    return shots;
+}
+
+std::size_t Stages::count() const {
+    std::size_t count = 0;
+    for (const auto& stage : stages_)
+        count += stage->count();
+    return count;
+}
+
+std::vector<SlotShot> Stages::standing() const {
+    std::vector<SlotShot> shots;
+    for (const auto& stage : stages_)
+        for (SlotShot& shot : stage->standing())
+            shots.push_back(std::move(shot));
+    return shots;
+}
+
+void Stages::log_counts() {
+    for (const auto& stage : stages_) {
+        const auto [logged, is_new] = logged_.try_emplace(stage->folder(), 0);
+        if (logged->second == stage->count()) continue;
+        logged->second = stage->count();
+        log::info("wall of {} {}{}", logged->second, logged->second == 1 ? "item" : "items",
+                  stage->folder().empty() ? "" : fmt::format(" of '{}'", stage->folder()));
+    }
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,261 @@
+#include "player/content/visible_files.hpp"
+
+#include "base/system/atomic_file.hpp"
+#include "player/input/rehearsal.hpp"
+#include "tests/player/scene/scene_media.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <optional>
+#include <thread>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr VisibleFiles::Time noon{12h};
+const Rehearsal at_seven("0 clock 2026-12-24 07:00:00");
+const Rehearsal at_eight_pm("0 clock 2026-12-24 20:00:00");
+
+/// A state directory that the analyzer has filled, and the player's list of it.
+struct House {
+    explicit House(const std::vector<MediaRecord>& records) {
+        for (const MediaRecord& record : records)
+            catalogue.store(record);
+    }
+
+    void open(const Rehearsal* rehearsal = nullptr) {
+        files.emplace(loop, state.path, rehearsal, [this] { ++changes; });
+    }
+
+    /// Lets the player look a second later than the last time.
+    void look(const WallContent& content = {}) {
+        time += 1s;
+        files->look(time, noon + time, [&] { return content; });
+    }
+
+    FileVisibility why(const std::string& path) { return files->judge(*files->find(path)); }
+
+    bool may_show(const std::string& path) { return find_file(path) != nullptr; }
+
+    RecordList::Record find_file(const std::string& path) const { return files->records().find(path); }
+
+    std::string written() const {
+        for (int tries = 0; tries < 200 && !fs::exists(state.path / visible_file); ++tries)
+            std::this_thread::sleep_for(10ms);
+        return read_file(state.path / visible_file);
+    }
+
+    TemporaryDirectory state;
+    Catalogue catalogue{state.path / "catalogue"};
+    EventLoop loop;
+    std::optional<VisibleFiles> files;
+    std::chrono::nanoseconds time{0};
+    int changes = 0;
+};
+
+/// The process of a player that is not there any more.
+int dead_process() {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    return child;
+}
+
+/// Leaves the note of a player that crashed while it opened these files.
+void crash(const fs::path& state, const std::vector<MediaRecord>& opening) {
+    PlayingNote note{.boot = {}, .process = dead_process(), .opening = {}, .playing = {}};
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> note.boot;
+    for (const MediaRecord& record : opening)
+        note.opening.insert(content_name(record));
+    replace_file(state / playing_file, to_text(note));
+}
+
+}  // namespace
+
+TEST_CASE("a ready file may be shown: it waits for its turn, then it is on the wall") {
+    House house({photo("a.jpg"), photo("b.jpg")});
+    house.open();
+    house.look({.folders = {{}}, .files = {"a.jpg"}, .open = {}});
+
+    CHECK(house.files->records().size() == 2);
+    CHECK(house.why("a.jpg").visibility == Visibility::on_wall);
+    CHECK(house.why("b.jpg").visibility == Visibility::waits_for_turn);
+    CHECK(house.files->count_ready() == 2);
+}
+
+TEST_CASE("a file that has not been analysed, or cannot be shown, is kept off with the analyzer's reason") {
+    MediaRecord copied = photo("copied.jpg");
+    copied.state = MediaState::waiting;
+    copied.reason = "the copy is not complete";
+    MediaRecord text = photo("text.jpg");
+    text.state = MediaState::unsupported;
+    text.reason = "it is a text";
+    House house({copied, text});
+    house.open();
+
+    CHECK(house.files->records().is_empty());
+    CHECK(house.why("copied.jpg") == FileVisibility{.path = "copied.jpg",
+                                                    .visibility = Visibility::not_analysed,
+                                                    .detail = "the copy is not complete"});
+    CHECK(house.why("text.jpg").visibility == Visibility::unsupported);
+    CHECK(house.why("text.jpg").detail == "it is a text");
+}
+
+TEST_CASE("a file that the rehearsal has not added yet is kept off") {
+    House house({photo("a.jpg"), photo("later.jpg")});
+    Rehearsal rehearsal("5 add later.jpg");
+    house.open(&rehearsal);
+    CHECK(house.why("later.jpg").visibility == Visibility::not_rehearsed);
+    CHECK_FALSE(house.may_show("later.jpg"));
+
+    CHECK(rehearsal.advance(5s));
+    house.files->apply_filters();
+    CHECK(house.may_show("later.jpg"));
+}
+
+TEST_CASE("a file of the evening is out of its hours at seven in the morning, and is told its hours") {
+    House house({photo("20-21 Evening/late.png"), photo("a.jpg")});
+    house.open(&at_seven);
+    CHECK_FALSE(house.may_show("20-21 Evening/late.png"));
+    CHECK(sentence(house.why("20-21 Evening/late.png")) ==
+          "It is out of its hours: it is shown from 20:00 to 21:00.");
+
+    house.open(&at_eight_pm);
+    CHECK(house.may_show("20-21 Evening/late.png"));
+}
+
+TEST_CASE("a file with hours is kept off while the clock is not plausible") {
+    House house({photo("20-21 Evening/late.png"), photo("a.jpg")});
+    const auto next_year = fs::file_time_type::clock::now() + std::chrono::years(1);
+    for (const fs::directory_entry& record : fs::directory_iterator(house.state.path / "catalogue"))
+        fs::last_write_time(record.path(), next_year);  // written before: the clock is behind
+    if (fs::exists("/run/systemd/timesync/synchronized")) return;  // this machine's clock is always believed
+    house.open();
+
+    CHECK(house.why("20-21 Evening/late.png").visibility == Visibility::no_clock);
+    CHECK_FALSE(house.may_show("20-21 Evening/late.png"));
+    CHECK(house.may_show("a.jpg"));
+}
+
+TEST_CASE("a file that brought the player down is held back, and of two suspects one is shown at a time") {
+    const std::vector<MediaRecord> records{photo("a.jpg"), photo("b.jpg"), photo("evil.jpg")};
+    House house(records);
+    replace_file(house.state.path / blamed_file, to_text(Blame{{content_name(records[2]), quarantine_points}}));
+    crash(house.state.path, {records[0], records[1]});
+    house.open();
+
+    CHECK(house.why("evil.jpg") == FileVisibility{.path = "evil.jpg",
+                                                  .visibility = Visibility::held_back,
+                                                  .detail = brought_the_player_down});
+    CHECK(house.why("b.jpg").visibility == Visibility::held_back);
+    CHECK(house.why("b.jpg").detail != brought_the_player_down);
+    REQUIRE(house.files->records().size() == 1);
+    CHECK(house.may_show("a.jpg"));
+
+    house.files->note_opening("a.jpg", noon);
+    for (int i = 0; i < 12; ++i)
+        house.look({.folders = {{}}, .files = {}, .open = {"a.jpg"}});
+    CHECK(house.may_show("b.jpg"));  // a.jpg has been open for long enough
+}
+
+TEST_CASE("a file that was dismissed is kept off until it changes; one that grows stays dismissed") {
+    House house({film("a.mp4", 2), photo("b.jpg")});
+    house.open();
+    house.files->dismiss(*house.files->find("a.mp4"));
+    CHECK(house.why("a.mp4").visibility == Visibility::dismissed);
+    CHECK_FALSE(house.may_show("a.mp4"));
+    CHECK(house.files->dismissed() == std::vector<std::string>{"a.mp4"});
+    CHECK(house.changes == 2);
+
+    const auto change_film = [&](const MediaRecord& record) {
+        house.catalogue.store(record);
+        for (int i = 0; i < 200 && *house.files->find("a.mp4") != record; ++i)
+            house.loop.run_once(50ms);
+    };
+    change_film(film("a.mp4", 3));
+    CHECK(house.why("a.mp4").visibility == Visibility::dismissed);
+    MediaRecord other = film("a.mp4", 3);
+    other.mtime_ns = 77;
+    change_film(other);
+    CHECK(house.may_show("a.mp4"));
+    CHECK(house.files->dismissed().empty());
+}
+
+TEST_CASE("a file waits only for a screen that shows its folder") {
+    House house({photo("lobby/a.jpg"), photo("bar/b.jpg"), photo("bar/cellar/c.jpg")});
+    house.open();
+    house.look({.folders = {{.folder = "bar", .opened = {}}}, .files = {}, .open = {}});
+    CHECK(house.why("lobby/a.jpg").visibility == Visibility::other_folder);
+    CHECK(house.why("bar/cellar/c.jpg").visibility == Visibility::waits_for_turn);
+    CHECK(house.may_show("lobby/a.jpg"));  // its screen may come at any time
+
+    house.look({.folders = {{.folder = {}, .opened = "bar"}}, .files = {}, .open = {}});
+    CHECK(house.why("lobby/a.jpg").visibility == Visibility::closed_folder);
+
+    house.look();  // no screen at all is no reason
+    CHECK(house.why("lobby/a.jpg").visibility == Visibility::waits_for_turn);
+}
+
+TEST_CASE("the reason of each file is in the state directory, for as long as the player runs") {
+    MediaRecord text = photo("text.jpg");
+    text.state = MediaState::unsupported;
+    House house({photo("a.jpg"), text});
+    house.open();
+    house.look();
+    VisibleByPath written = visible_from_json(house.written());
+    CHECK(written.at("a.jpg").visibility == Visibility::waits_for_turn);
+    CHECK(written.at("text.jpg").visibility == Visibility::unsupported);
+
+    for (int tries = 0; tries < 200 && written.at("a.jpg").visibility != Visibility::on_wall; ++tries) {
+        std::this_thread::sleep_for(10ms);
+        house.look({.folders = {{}}, .files = {"a.jpg"}, .open = {}});
+        written = visible_from_json(house.written());
+    }
+    CHECK(written.at("a.jpg").visibility == Visibility::on_wall);
+
+    house.files->end_run();
+    CHECK_FALSE(fs::exists(house.state.path / visible_file));
+}
+
+TEST_CASE("the note is written at most once a second, and its time tells that the player runs") {
+    const TemporaryDirectory state;
+    const fs::path file = state.path / visible_file;
+    const auto old = fs::file_time_type::clock::now() - 1h;
+    int asked = 0;
+    VisibleNote note(file);
+    const auto look = [&](std::chrono::milliseconds time) {
+        note.write_if_due(noon + time, [&] {
+            ++asked;
+            return std::vector<FileVisibility>{{.path = "a.jpg"}};
+        });
+    };
+    look(0s);
+    note.set_changed();
+    look(999ms);
+    CHECK(asked == 1);
+    for (int tries = 0; tries < 200 && !fs::exists(file); ++tries)
+        std::this_thread::sleep_for(10ms);
+    std::this_thread::sleep_for(50ms);  // its thread ends
+    fs::last_write_time(file, old);
+    look(1s);  // asked again, and the same
+    CHECK(asked == 2);
+    CHECK(fs::last_write_time(file) == old);
+    look(9s);
+    CHECK(fs::last_write_time(file) == old);
+    look(11s);  // the heartbeat
+    CHECK(fs::last_write_time(file) > old);
+    CHECK(asked == 2);
+
+    fs::remove(file);  // somebody deletes it
+    look(22s);
+    look(23s);
+    CHECK(asked == 3);
+}
