@@ -63,7 +63,7 @@ PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActi
 }
 
 void PlayerService::export_to_bus() {
-    bus_.emplace(loop_, controls(), polkit_authority());
+    bus_.emplace(loop_, handlers(), polkit_authority());
 }
 
 void PlayerService::look(std::chrono::nanoseconds now) {
@@ -175,8 +175,8 @@ const MediaRecord& PlayerService::require_shown(const std::string& given, const 
         fmt::format("'{}' is not shown: {}", file.path, file.reason.empty() ? file.state : file.reason));
 }
 
-std::vector<Controls::Shot> PlayerService::screenshots() const {
-    std::vector<Controls::Shot> shots;
+std::vector<OutputPicture> PlayerService::screenshots() const {
+    std::vector<OutputPicture> shots;
     for (Screen* screen : view_.display.screens())
         if (std::optional<Picture> picture = screen->shown())
             shots.push_back({.output = screen->name(), .picture = std::move(*picture)});
@@ -188,60 +188,69 @@ void PlayerService::require_turns() const {
         throw std::runtime_error("a wall that passes by (layout.mode = \"pan\") has no turns and no slots");
 }
 
-void PlayerService::pause(bool is_on) {
-    if (controls_.is_paused != is_on) log::info("the wall is {}", is_on ? "paused" : "not paused any more");
-    controls_.is_paused = is_on;
-    actions_.set_controls(controls_);
-}
-
-void PlayerService::pin_slot(int slot, bool is_on) {
+CommandAnswer PlayerService::next() {
     require_turns();
-    if (slot >= view_.settings.layout.slots)
-        throw std::runtime_error(fmt::format("there is no slot {}", slot));
-    put(controls_.slots, slot, is_on);
+    ++controls_.turns;
     actions_.set_controls(controls_);
+    return {};
 }
 
-std::string PlayerService::pin(const std::string& file, const std::string& folder, bool is_on) {
+CommandAnswer PlayerService::pause(const CommandCall& call) {
+    if (controls_.is_paused != call.is_on)
+        log::info("the wall is {}", call.is_on ? "paused" : "not paused any more");
+    controls_.is_paused = call.is_on;
+    actions_.set_controls(controls_);
+    return {};
+}
+
+CommandAnswer PlayerService::pin_slot(const CommandCall& call) {
     require_turns();
-    std::string path = is_on ? require_shown(file, folder).path : report_file(file, folder).path;
-    put(controls_.files, path, is_on);
+    if (call.slot >= view_.settings.layout.slots)
+        throw std::runtime_error(fmt::format("there is no slot {}", call.slot));
+    put(controls_.slots, call.slot, call.is_on);
     actions_.set_controls(controls_);
-    log::info("{}: '{}'", is_on ? "pinned" : "not pinned any more", path);
-    return path;
+    return {};
 }
 
-std::string PlayerService::remove(const std::string& file, const std::string& folder) {
-    const MediaRecord record = require_shown(file, folder);
+CommandAnswer PlayerService::pin(const CommandCall& call) {
+    require_turns();
+    const std::string path =
+        call.is_on ? require_shown(call.file, call.folder).path : report_file(call.file, call.folder).path;
+    put(controls_.files, path, call.is_on);
+    actions_.set_controls(controls_);
+    log::info("{}: '{}'", call.is_on ? "pinned" : "not pinned any more", path);
+    return {.text = path, .pictures = {}};
+}
+
+CommandAnswer PlayerService::remove(const CommandCall& call) {
+    const MediaRecord record = require_shown(call.file, call.folder);
     put(controls_.files, record.path, false);
     actions_.set_controls(controls_);
     log::info("removed from the wall: '{}'", record.path);
     actions_.dismiss(record);
-    return record.path;
+    return {.text = record.path, .pictures = {}};
 }
 
-Controls PlayerService::controls() {
-    Controls controls;
-    controls.status = [this] { return to_json(report(), analyzer_status()); };
-    controls.why = [this](const std::string& file, const std::string& folder) {
-        return to_json(report_file(file, folder), analyzer_status());
+/// One for each method of commands().
+CommandHandlers PlayerService::handlers() {
+    using Call = CommandCall;
+    const auto text = [](std::string said) { return CommandAnswer{.text = std::move(said), .pictures = {}}; };
+    const auto why = [this, text](const Call& call) {
+        return text(to_json(report_file(call.file, call.folder), analyzer_status()));
     };
-    controls.screenshot = [this] { return screenshots(); };
-    controls.reload = [this] { actions_.reload(); };
-    controls.next = [this] {
-        require_turns();
-        ++controls_.turns;
-        actions_.set_controls(controls_);
+    const auto reload = [this](const Call&) {
+        actions_.reload();
+        return CommandAnswer{};
     };
-    controls.pause = [this](bool is_on) { pause(is_on); };
-    controls.pin_slot = [this](int slot, bool is_on) { pin_slot(slot, is_on); };
-    controls.pin = [this](const std::string& file, const std::string& folder, bool is_on) {
-        return pin(file, folder, is_on);
-    };
-    controls.remove = [this](const std::string& file, const std::string& folder) {
-        return remove(file, folder);
-    };
-    return controls;
+    return {{"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_status())); }},
+            {"Why", why},
+            {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = screenshots()}; }},
+            {"Next", [this](const Call&) { return next(); }},
+            {"Pause", [this](const Call& call) { return pause(call); }},
+            {"Pin", [this](const Call& call) { return pin(call); }},
+            {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
+            {"Remove", [this](const Call& call) { return remove(call); }},
+            {"Reload", reload}};
 }
 
 }  // namespace vitrine::player

@@ -2,6 +2,7 @@
 
 #include "base/system/event_loop.hpp"
 #include "player/control/bus_object.hpp"
+#include "player/control/commands.hpp"
 #include "player/control/health.hpp"
 #include "player/control/metrics_file.hpp"
 #include "player/control/player_report.hpp"
@@ -62,18 +63,19 @@ class PlayerService {
 
   private:
     void report_status();
-    Controls controls();
+    CommandHandlers handlers();
     PlayerReport report() const;
     FileReport report_file(const std::string& given, const std::string& folder) const;
     FileReport describe(const MediaRecord& record) const;
     const MediaRecord& require_shown(const std::string& given, const std::string& folder) const;
     std::string analyzer_status() const;
-    std::vector<Controls::Shot> screenshots() const;
+    std::vector<OutputPicture> screenshots() const;
     void require_turns() const;
-    void pause(bool is_on);
-    void pin_slot(int slot, bool is_on);
-    std::string pin(const std::string& file, const std::string& folder, bool is_on);
-    std::string remove(const std::string& file, const std::string& folder);
+    CommandAnswer next();
+    CommandAnswer pause(const CommandCall& call);
+    CommandAnswer pin_slot(const CommandCall& call);
+    CommandAnswer pin(const CommandCall& call);
+    CommandAnswer remove(const CommandCall& call);
 
     EventLoop& loop_;  // outlives this
     PlayerView view_;

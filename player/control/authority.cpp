@@ -1,6 +1,6 @@
 #include "player/control/authority.hpp"
 
-#include "player/control/bus_handles.hpp"
+#include "player/control/bus_messages.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

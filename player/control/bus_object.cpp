@@ -1,19 +1,18 @@
 #include "player/control/bus_object.hpp"
 
 #include "base/system/log.hpp"
-#include "base/system/unique_fd.hpp"
-#include "player/control/bus_handles.hpp"
+#include "player/control/bus_messages.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
-#include <span>
+#include <functional>
+#include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -24,27 +23,6 @@ using namespace std::chrono_literals;
 constexpr auto retry_pause = 10s;
 constexpr const char* failed = "org.vitrine.Error.Failed";
 
-std::string read_bytes(sd_bus_message& call) {
-    const void* bytes = nullptr;
-    std::size_t size = 0;
-    bus_checked(sd_bus_message_read_array(&call, 'y', &bytes, &size), "read a name");
-    return {static_cast<const char*>(bytes), size};
-}
-
-bool read_flag(sd_bus_message& call) {
-    int flag = 0;
-    bus_checked(sd_bus_message_read(&call, "b", &flag), "read a flag");
-    return flag != 0;
-}
-
-void append_bytes(sd_bus_message& reply, const std::string& bytes) {
-    bus_checked(sd_bus_message_append_array(&reply, 'y', bytes.data(), bytes.size()), "answer a name");
-}
-
-void append_text(sd_bus_message& reply, const std::string& text) {
-    bus_checked(sd_bus_message_append(&reply, "s", text.c_str()), "answer");
-}
-
 void reply_error(sd_bus_message& call, const char* error, const std::string& why) {
     if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) >= 0) return;
     std::string plain = why;  // the bus takes only UTF-8, which names need not be
@@ -54,7 +32,7 @@ void reply_error(sd_bus_message& call, const char* error, const std::string& why
         log::debug("nobody waits for: {}", why);
 }
 
-/// Answers a call with what `fill` appends, or with what it throws.
+/// Answers a call with what `fill` appends, or with the error that it throws.
 void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fill) {
     try {
         sd_bus_message* made = nullptr;
@@ -65,17 +43,6 @@ void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fil
     } catch (const std::exception& error) {  // goes to who asked
         reply_error(call, failed, error.what());
     }
-}
-
-UniqueFd file_of(const Picture& picture) {
-    UniqueFd file(::memfd_create("picture", MFD_CLOEXEC));
-    if (!file.is_open()) throw_errno("make a file for a picture");
-    for (std::span<const std::byte> left = picture.pixels; !left.empty();) {
-        const ssize_t n = ::write(file.get(), left.data(), left.size());
-        if (n < 0) throw_errno("write a picture");
-        left = left.subspan(static_cast<std::size_t>(n));
-    }
-    return file;
 }
 
 int on_call(sd_bus_message* call, void* self, sd_bus_error*) {
@@ -91,21 +58,25 @@ int on_call(sd_bus_message* call, void* self, sd_bus_error*) {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC diagnostic ignored "-Wold-style-cast"
-constexpr std::uint64_t open_to_all = SD_BUS_VTABLE_UNPRIVILEGED;
-const std::array<sd_bus_vtable, 11> methods{{
-    SD_BUS_VTABLE_START(0),
-    SD_BUS_METHOD("Status", "", "s", on_call, open_to_all),
-    SD_BUS_METHOD("Why", "ayay", "s", on_call, open_to_all),
-    SD_BUS_METHOD("Screenshot", "", "a(suuh)", on_call, open_to_all),
-    SD_BUS_METHOD("Next", "", "", on_call, open_to_all),
-    SD_BUS_METHOD("Pause", "b", "", on_call, open_to_all),
-    SD_BUS_METHOD("Pin", "ayayb", "ay", on_call, open_to_all),
-    SD_BUS_METHOD("PinSlot", "ub", "", on_call, open_to_all),
-    SD_BUS_METHOD("Remove", "ayay", "ay", on_call, open_to_all),
-    SD_BUS_METHOD("Reload", "", "", on_call, open_to_all),
-    SD_BUS_VTABLE_END,
-}};
+
+std::vector<sd_bus_vtable> vtable_of_commands() {
+    std::vector<sd_bus_vtable> vtable{SD_BUS_VTABLE_START(0)};
+    std::set<std::string_view> methods;
+    for (const Command& command : commands())
+        if (methods.insert(command.method).second)
+            vtable.push_back(SD_BUS_METHOD(command.method, command.arguments, command.result, on_call,
+                                           SD_BUS_VTABLE_UNPRIVILEGED));
+    vtable.push_back(SD_BUS_VTABLE_END);
+    return vtable;
+}
+
 #pragma GCC diagnostic pop
+
+/// Lives as long as the process: sd-bus keeps a pointer to it.
+const std::vector<sd_bus_vtable>& vtable() {
+    static const std::vector<sd_bus_vtable> made = vtable_of_commands();
+    return made;
+}
 
 }  // namespace
 
@@ -117,9 +88,9 @@ void BusObject::Unref::operator()(sd_bus_slot* slot) const {
     sd_bus_slot_unref(slot);
 }
 
-BusObject::BusObject(EventLoop& loop, Controls controls, std::unique_ptr<Authority> authority)
+BusObject::BusObject(EventLoop& loop, CommandHandlers handlers, std::unique_ptr<Authority> authority)
     : loop_(loop),
-      controls_(std::move(controls)),
+      handlers_(std::move(handlers)),
       authority_(std::move(authority)),
       retry_(loop.timer([this] { connect(); })) {
     connect();
@@ -146,7 +117,7 @@ void BusObject::open() {
     bus_checked(sd_bus_attach_event(bus, loop_.get(), SD_EVENT_PRIORITY_IMPORTANT),
                 "wait for the system bus");
     sd_bus_slot* slot = nullptr;
-    bus_checked(sd_bus_add_object_vtable(bus, &slot, path, name, methods.data(), this),
+    bus_checked(sd_bus_add_object_vtable(bus, &slot, bus_path, bus_name, vtable().data(), this),
                 "be on the system bus");
     object_.reset(slot);
     const auto on_gone = [](sd_bus_message*, void* self, sd_bus_error*) {
@@ -168,7 +139,7 @@ void BusObject::open() {
             object.complaint_.clear();
         return 0;
     };
-    bus_checked(sd_bus_request_name_async(bus, &slot, name, 0, on_named, this),
+    bus_checked(sd_bus_request_name_async(bus, &slot, bus_name, 0, on_named, this),
                 "have a name on the system bus");
     named_.reset(slot);
 }
@@ -188,59 +159,21 @@ void BusObject::complain(const std::string& reason) {
 }
 
 void BusObject::answer(sd_bus_message& call) {
-    const std::string_view asked = sd_bus_message_get_member(&call);
-    if (asked == "Status") {
-        reply(call, [&](sd_bus_message& made) { append_text(made, controls_.status()); });
-    } else if (asked == "Why") {
-        const std::string file = read_bytes(call);
-        const std::string folder = read_bytes(call);
-        reply(call, [&](sd_bus_message& made) { append_text(made, controls_.why(file, folder)); });
-    } else if (asked == "Screenshot") {
-        reply(call, [&](sd_bus_message& made) { reply_pictures(made); });
-    } else {
-        change(call, change_asked_by(call));
-    }
-}
-
-/// What is to be done once it is allowed.
-std::function<void(sd_bus_message&)> BusObject::change_asked_by(sd_bus_message& call) {
-    const std::string_view asked = sd_bus_message_get_member(&call);
-    if (asked == "Next") return [this](sd_bus_message&) { controls_.next(); };
-    if (asked == "Reload") return [this](sd_bus_message&) { controls_.reload(); };
-    if (asked == "Pause") return [this, is_on = read_flag(call)](sd_bus_message&) { controls_.pause(is_on); };
-    if (asked == "PinSlot") {
-        std::uint32_t slot = 0;
-        bus_checked(sd_bus_message_read(&call, "u", &slot), "read a number");
-        const bool is_on = read_flag(call);
-        return [this, slot, is_on](sd_bus_message&) { controls_.pin_slot(static_cast<int>(slot), is_on); };
-    }
-    const std::string file = read_bytes(call);
-    const std::string folder = read_bytes(call);
-    if (asked == "Remove")
-        return [=, this](sd_bus_message& made) { append_bytes(made, controls_.remove(file, folder)); };
-    const bool is_on = read_flag(call);
-    return [=, this](sd_bus_message& made) { append_bytes(made, controls_.pin(file, folder, is_on)); };
-}
-
-void BusObject::change(sd_bus_message& call, const std::function<void(sd_bus_message&)>& deed) {
-    // Shared: the answer is a std::function, which is copied.
+    const std::string_view method = sd_bus_message_get_member(&call);
+    const auto command = std::ranges::find(commands(), method, &Command::method);
+    if (command == commands().end()) throw std::runtime_error("there is no such method");
+    const CommandHandler& handler = handlers_.at(command->method);
+    const auto answer_call = [result = command->result, &handler,
+                              asked = read_call(call, command->arguments)](sd_bus_message& made) {
+        append_answer(made, result, handler(asked));
+    };
+    if (command->is_for_all) return reply(call, answer_call);
+    // Shared: the authority's answer is a std::function, which is copied.
     const std::shared_ptr<sd_bus_message> kept(sd_bus_message_ref(&call), &sd_bus_message_unref);
-    authority_->ask(call, [kept, deed](const std::string& refusal) {
+    authority_->ask(call, [kept, answer_call](const std::string& refusal) {
         if (!refusal.empty()) return reply_error(*kept, SD_BUS_ERROR_ACCESS_DENIED, refusal);
-        reply(*kept, deed);
+        reply(*kept, answer_call);
     });
-}
-
-void BusObject::reply_pictures(sd_bus_message& reply) {
-    bus_checked(sd_bus_message_open_container(&reply, 'a', "(suuh)"), "answer pictures");
-    for (const Controls::Shot& shot : controls_.screenshot()) {
-        const UniqueFd file = file_of(shot.picture);
-        bus_checked(sd_bus_message_append(&reply, "(suuh)", shot.output.c_str(),
-                                          static_cast<std::uint32_t>(shot.picture.width),
-                                          static_cast<std::uint32_t>(shot.picture.height), file.get()),
-                    "answer a picture");
-    }
-    bus_checked(sd_bus_message_close_container(&reply), "answer pictures");
 }
 
 }  // namespace vitrine::player

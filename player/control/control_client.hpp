@@ -1,11 +1,10 @@
 #pragma once
 
-#include "player/display/picture.hpp"
+#include "player/control/commands.hpp"
 
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 struct sd_bus;
 
@@ -24,29 +23,16 @@ class ControlError : public std::runtime_error {
     Kind kind_;
 };
 
-/// The player, asked over the system bus. Every call waits for its answer. @throws ControlError
+/// Calls the player over the system bus and waits for each answer.
 class ControlClient {
   public:
-    struct Shot {
-        std::string output;
-        Picture picture;
-    };
-
+    /// @throws ControlError
     ControlClient();
 
-    std::string status();                      // JSON
-    std::string why(const std::string& file);  // JSON
-    std::vector<Shot> screenshot();
-    void next();
-    void pause(bool is_on);
-    std::string pin(const std::string& file, bool is_on);  // what the file is called in the media folder
-    void pin_slot(unsigned slot, bool is_on);
-    std::string remove(const std::string& file);
-    void reload();
+    /// @throws ControlError
+    CommandAnswer call(const Command& command, const CommandCall& call);
 
   private:
-    class Call;
-
     struct Unref {
         void operator()(sd_bus* bus) const;
     };

@@ -1,24 +1,21 @@
-# Completion of vitrinectl for bash.
+# Completion of vitrinectl for bash. The commands come from the program itself.
 _vitrinectl() {
-    local word=${COMP_WORDS[COMP_CWORD]} command='' i
+    local word=${COMP_WORDS[COMP_CWORD]} command='' operands i
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in -*) ;; *) command=${COMP_WORDS[i]}; break ;; esac
     done
-    case $command in
-    '') mapfile -t COMPREPLY < <(compgen -W 'status why next pause resume pin remove screenshot reload --json --help' -- "$word") ;;
-    pin)
-        if ((COMP_CWORD > i + 1)); then
-            mapfile -t COMPREPLY < <(compgen -W off -- "$word")
-        else
-            compopt -o filenames
-            mapfile -t COMPREPLY < <(compgen -f -- "$word")
-        fi
-        ;;
-    why | remove | screenshot)
+    if [[ -z $command ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$(vitrinectl --commands | cut -d ' ' -f 1) --json --help" -- "$word")
+        return
+    fi
+    operands=$(vitrinectl --commands | grep "^$command ")
+    if [[ $operands == *' off' ]] && ((COMP_CWORD > i + 1)); then
+        mapfile -t COMPREPLY < <(compgen -W off -- "$word")
+    elif [[ $operands == *FILE* || $operands == *.png* ]]; then
         compopt -o filenames
         mapfile -t COMPREPLY < <(compgen -f -- "$word")
-        ;;
-    status) mapfile -t COMPREPLY < <(compgen -W --json -- "$word") ;;
-    esac
+    else
+        mapfile -t COMPREPLY < <(compgen -W --json -- "$word")
+    fi
 }
 complete -F _vitrinectl vitrinectl

@@ -1,3 +1,4 @@
+#include "player/control/commands.hpp"
 #include "player/control/control_client.hpp"
 #include "player/display/picture.hpp"
 
@@ -8,12 +9,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-// vitrinectl: asks the running player, and has it change what it shows.
+// vitrinectl: asks the running player, and has it change what it shows. The commands stand in commands.cpp.
 
 namespace vitrine::player {
 
@@ -25,15 +27,6 @@ constexpr int exit_failed = 1;
 constexpr int exit_unknown_file = 2;
 constexpr int exit_not_allowed = 3;
 constexpr int exit_not_running = 4;
-
-constexpr const char* footer =
-    "FILE is a path on this machine, from the media folder on, or as the share shows it elsewhere.\n"
-    "Anyone may ask; next, pause, resume, pin, remove and reload are for members of the group "
-    "vitrine-admin.\n"
-    "\n"
-    "Exit status: 0 done; 1 it failed; 2 there is no such file in the media folder; 3 not allowed; 4 the "
-    "player\n"
-    "is not running; above 100 a wrong command line.";
 
 /// Control characters of names from outside would change the terminal.
 std::string printable(const std::string& text) {
@@ -92,115 +85,162 @@ void print_status(const Json& status) {
     print_cells(status);
 }
 
-int status(bool is_json) {
-    const std::string said = ControlClient().status();
-    if (is_json)
-        print_json(said);
-    else
-        print_status(Json::parse(said));
-    return 0;
-}
-
-int why(const std::string& file, bool is_json) {
-    const std::string said = ControlClient().why(file);
-    const Json report = Json::parse(said);
+int print_why(const Json& report) {
     const std::string state = report.value("state", "");
-    if (is_json) {
-        print_json(said);
-    } else {
-        print(fmt::format("{}: {}", report.value("file", file), state));
-        print("  " + report.value("says", ""));
-        if (state == "ready")
-            print(fmt::format("  {}, {}x{} px, shots: {}", report.value("kind", ""), report.value("width", 0),
-                              report.value("height", 0), report.value("shots", 0)));
-        if (state == "ready" && !report.value("reason", "").empty()) print("  " + report.value("reason", ""));
-        if (report.contains("analyzer")) print("  analyzer: " + report.at("analyzer").dump());
-    }
+    print(fmt::format("{}: {}", report.value("file", ""), state));
+    print("  " + report.value("says", ""));
+    if (state == "ready")
+        print(fmt::format("  {}, {}x{} px, shots: {}", report.value("kind", ""), report.value("width", 0),
+                          report.value("height", 0), report.value("shots", 0)));
+    if (state == "ready" && !report.value("reason", "").empty()) print("  " + report.value("reason", ""));
+    if (report.contains("analyzer")) print("  analyzer: " + report.at("analyzer").dump());
     return state == "unknown" ? exit_unknown_file : 0;
 }
 
-/// The first output's picture into the file, the others' beside it under their names.
-int screenshot(const std::filesystem::path& path, bool is_json) {
-    const auto shots = ControlClient().screenshot();
-    if (shots.empty()) throw ControlError(ControlError::Kind::failed, "no display shows anything");
-    Json written = Json::array();
-    for (std::size_t i = 0; i < shots.size(); ++i) {
+/// Saves the first output's picture in the file, the others' beside it under their names.
+Json save_pictures(const std::vector<OutputPicture>& pictures, const std::filesystem::path& path) {
+    if (pictures.empty()) throw ControlError(ControlError::Kind::failed, "no display shows anything");
+    Json saved = Json::array();
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
         std::filesystem::path file = path;
         if (i > 0)
-            file.replace_filename(path.stem().string() + "-" + shots[i].output + path.extension().string());
-        save_png(shots[i].picture, file);
-        written.push_back({{"output", shots[i].output}, {"file", file.string()}});
-        if (!is_json) print(fmt::format("{}: {}", shots[i].output, file.string()));
+            file.replace_filename(path.stem().string() + "-" + pictures[i].output +
+                                  path.extension().string());
+        save_png(pictures[i].picture, file);
+        saved.push_back({{"output", pictures[i].output}, {"file", file.string()}});
     }
-    if (is_json) print_json(written.dump(-1, ' ', false, Json::error_handler_t::replace));
-    return 0;
+    return saved;
 }
 
 bool is_number(const std::string& text) {
     return !text.empty() && text.size() < 4 && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-int pin(const std::string& what, bool is_on) {
-    if (is_number(what)) {
-        ControlClient().pin_slot(static_cast<unsigned>(std::stoul(what)), is_on);
+/// The words of one command line.
+struct Words {
+    std::string command;
+    std::string operand;
+    std::string off;  // "off", or empty
+    bool is_json = false;
+};
+
+/// The line of the table that the words call: of several of one name the one that takes such an operand.
+const Command& command_of(const Words& words) {
+    const Command* found = nullptr;
+    for (const Command& command : commands())
+        if (words.command == command.name && (found == nullptr || is_number(words.operand))) found = &command;
+    return *found;
+}
+
+CommandCall call_of(const Command& command, const Words& words) {
+    CommandCall call{.folder = std::filesystem::current_path().string(), .is_on = command.is_on};
+    if (command.operand == Operand::slot)
+        call.slot = std::stoi(words.operand);
+    else
+        call.file = words.operand;
+    if (!words.off.empty()) call.is_on = false;
+    return call;
+}
+
+/// Prints the answer. A command without words of its own here has its JSON or its path printed.
+int print_answer(const Command& command, const Words& words, const CommandAnswer& answer) {
+    const std::string_view name = command.name;
+    const bool is_json = std::string_view(command.result) == "s";
+    if (command.operand == Operand::picture) {
+        const Json saved = save_pictures(answer.pictures, words.operand);
+        if (words.is_json) print_json(saved.dump(-1, ' ', false, Json::error_handler_t::replace));
+        for (const Json& one : words.is_json ? Json::array() : saved)
+            print(one.value("output", "") + ": " + one.value("file", ""));
         return 0;
     }
-    print(fmt::format("{}: {}", is_on ? "pinned" : "not pinned any more", ControlClient().pin(what, is_on)));
+    if (is_json && words.is_json) print_json(answer.text);
+    if (name == "status" && !words.is_json) print_status(Json::parse(answer.text));
+    if (name == "why" && !words.is_json) return print_why(Json::parse(answer.text));
+    if (name == "why")
+        return Json::parse(answer.text).value("state", "") == "unknown" ? exit_unknown_file : 0;
+    const char* done = words.off.empty() ? command.done : command.undone;
+    if (!is_json && !answer.text.empty()) print(fmt::format("{}: {}", done, answer.text));
     return 0;
 }
 
-int remove_file(const std::string& file) {
-    print(fmt::format("off the wall until the player starts anew or it changes: {}",
-                      ControlClient().remove(file)));
-    return 0;
+const char* in_help(Operand operand) {
+    switch (operand) {
+    case Operand::file:
+        return "FILE";
+    case Operand::slot:
+        return "SLOT";
+    case Operand::picture:
+        return "OUT.png";
+    case Operand::none:
+        break;
+    }
+    return "";
 }
 
-int done(const std::function<void(ControlClient&)>& deed) {
-    ControlClient client;
-    deed(client);
-    return 0;
+/// The operands that a command's name may have, "FILE|SLOT".
+std::string operands_of(const std::string& name) {
+    std::string operands;
+    for (const Command& command : commands())
+        if (name == command.name && command.operand != Operand::none)
+            operands += (operands.empty() ? "" : "|") + std::string(in_help(command.operand));
+    return operands;
+}
+
+/// For the completion of the shell: a line a command, with its operands.
+void print_commands() {
+    std::string last;
+    for (const Command& command : commands()) {
+        if (std::exchange(last, command.name) == command.name) continue;
+        print(fmt::format("{} {}{}", command.name, operands_of(command.name),
+                          takes_off(command) ? " off" : ""));
+    }
+}
+
+std::string footer() {
+    std::string restricted;
+    for (const Command& command : commands())
+        if (!command.is_for_all && *command.help != '\0')
+            restricted += (restricted.empty() ? "" : ", ") + std::string(command.name);
+    return fmt::format(
+        "FILE is a path on this machine, from the media folder on, or as the share shows it elsewhere.\n"
+        "Anyone may ask; for members of the group vitrine-admin are {}.\n"
+        "\n"
+        "Exit status: 0 done; 1 it failed; 2 there is no such file in the media folder; 3 not allowed; 4 the "
+        "player\n"
+        "is not running; above 100 a wrong command line.",
+        restricted);
+}
+
+void add_commands(CLI::App& app, Words& words) {
+    std::string last;
+    for (const Command& command : commands()) {
+        if (std::exchange(last, command.name) == command.name) continue;
+        CLI::App* made = app.add_subcommand(command.name, command.help);
+        made->fallthrough();
+        made->callback([&words, name = command.name] { words.command = name; });
+        if (command.operand != Operand::none)
+            made->add_option(operands_of(command.name), words.operand)->required();
+        if (takes_off(command))
+            made->add_option("off", words.off, "Ends that")->check(CLI::IsMember({"off"}));
+    }
 }
 
 int run(int argc, char** argv) {
     CLI::App app("Asks the running player of Vitrine, and changes what it shows.", "vitrinectl");
-    app.require_subcommand(1)->fallthrough()->footer(footer);
-    bool is_json = false;
-    app.add_flag("--json", is_json, "Answers for programs: status, why, screenshot");
-    std::string name;
-    std::string off;
-    std::map<const CLI::App*, std::function<int()>> deeds;
-    const auto command = [&](const char* word, const char* help, const std::function<int()>& deed) {
-        CLI::App* made = app.add_subcommand(word, help);
-        made->fallthrough();
-        deeds[made] = deed;
-        return made;
-    };
-    command("status", "What is shown, where and how well", [&] { return status(is_json); });
-    command("why", "Why a file is on the wall, or is not", [&] { return why(name, is_json); })
-        ->add_option("FILE", name)
-        ->required();
-    command("next", "One shot gives way to the next, at once",
-            [] { return done([](ControlClient& c) { c.next(); }); });
-    command("pause", "The wall keeps what it shows; films play on",
-            [] { return done([](ControlClient& c) { c.pause(true); }); });
-    command("resume", "It goes on", [] { return done([](ControlClient& c) { c.pause(false); }); });
-    CLI::App* pinned =
-        command("pin", "A file comes onto the wall and stays; a slot (see status) keeps its shot",
-                [&] { return pin(name, off.empty()); });
-    pinned->add_option("FILE|SLOT", name)->required();
-    pinned->add_option("off", off, "Ends that")->check(CLI::IsMember({"off"}));
-    command("remove",
-            "A file leaves the wall until the player starts anew or the file changes; nothing is deleted",
-            [&] { return remove_file(name); })
-        ->add_option("FILE", name)
-        ->required();
-    command("screenshot", "What the displays show, as PNG", [&] { return screenshot(name, is_json); })
-        ->add_option("OUT.png", name)
-        ->required();
-    command("reload", "The player reads its settings again",
-            [] { return done([](ControlClient& c) { c.reload(); }); });
+    app.require_subcommand(0, 1)->fallthrough()->footer(footer());
+    Words words;
+    bool wants_commands = false;
+    app.add_flag("--json", words.is_json, "Answers for programs: status, why, screenshot");
+    app.add_flag("--commands", wants_commands, "Lists the commands and their arguments, for shells");
+    add_commands(app, words);
     CLI11_PARSE(app, argc, argv);
-    return deeds.at(app.get_subcommands().front())();
+    if (wants_commands) {
+        print_commands();
+        return 0;
+    }
+    if (words.command.empty()) return app.exit(CLI::RequiredError("A command"));
+    const Command& command = command_of(words);
+    return print_answer(command, words, ControlClient().call(command, call_of(command, words)));
 }
 
 }  // namespace

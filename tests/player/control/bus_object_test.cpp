@@ -8,13 +8,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 using namespace vitrine;
@@ -65,6 +68,15 @@ class PrivateBus {
     pid_t daemon_ = -1;
 };
 
+/// The line of the table with this D-Bus method.
+const Command& method(std::string_view name) {
+    return *std::ranges::find(commands(), name, &Command::method);
+}
+
+std::string text(ControlClient& client, std::string_view name, const CommandCall& call = {}) {
+    return client.call(method(name), call).text;
+}
+
 /// Says what it is told to say, as soon as the loop runs again.
 class FakeAuthority final : public Authority {
   public:
@@ -87,34 +99,45 @@ struct Asked {
     std::vector<std::string> changes{};
     std::optional<BusObject> object{};
 
-    Controls controls() {
-        const auto note = [this](const std::string& change) { changes.push_back(change); };
-        Controls made;
-        made.status = [] { return R"({"state": "showing"})"; };
-        made.why = [](const std::string& file, const std::string&) {
-            return file == "a\xff\n.jpg" ? "why not" : "of what?";
+    CommandHandlers handlers() {
+        const auto note = [this](const std::string& change) {
+            changes.push_back(change);
+            return CommandAnswer{};
         };
-        made.screenshot = [] {
-            return std::vector<Controls::Shot>{
-                {.output = "HDMI-A-1",
-                 .picture = {.width = 2, .height = 1, .pixels = std::vector<std::byte>(8, std::byte{7})}},
-                {.output = "HDMI-A-2", .picture = {.width = 0, .height = 0, .pixels = {}}}};
+        const auto pictures = [](const CommandCall&) {
+            return CommandAnswer{
+                .text = {},
+                .pictures = {
+                    {.output = "HDMI-A-1",
+                     .picture = {.width = 2, .height = 1, .pixels = std::vector<std::byte>(8, std::byte{7})}},
+                    {.output = "HDMI-A-2", .picture = {.width = 0, .height = 0, .pixels = {}}}}};
         };
-        made.next = [=] { note("next"); };
-        made.pause = [=](bool is_on) { note(is_on ? "pause" : "resume"); };
-        made.pin = [=](const std::string& file, const std::string&, bool is_on) {
-            note((is_on ? "pin " : "unpin ") + file);
-            return "called " + file;
+        const auto why = [](const CommandCall& call) {
+            return CommandAnswer{.text = call.file == "a\xff\n.jpg" ? "why not" : "of what?", .pictures = {}};
         };
-        made.pin_slot = [=](int slot, bool) { note("pin slot " + std::to_string(slot)); };
-        made.remove = [](const std::string& file, const std::string&) -> std::string {
-            throw std::runtime_error("there is no '" + file + "'");
+        const auto pin = [=](const CommandCall& call) {
+            note((call.is_on ? "pin " : "unpin ") + call.file);
+            return CommandAnswer{.text = "called " + call.file, .pictures = {}};
         };
-        made.reload = [=] { note("reload"); };
-        return made;
+        const auto remove = [](const CommandCall& call) -> CommandAnswer {
+            throw std::runtime_error("there is no '" + call.file + "'");
+        };
+        return {{"Status",
+                 [](const CommandCall&) {
+                     return CommandAnswer{.text = R"({"state": "showing"})", .pictures = {}};
+                 }},
+                {"Why", why},
+                {"Screenshot", pictures},
+                {"Next", [=](const CommandCall&) { return note("next"); }},
+                {"Pause", [=](const CommandCall& call) { return note(call.is_on ? "pause" : "resume"); }},
+                {"Pin", pin},
+                {"PinSlot",
+                 [=](const CommandCall& call) { return note("pin slot " + std::to_string(call.slot)); }},
+                {"Remove", remove},
+                {"Reload", [=](const CommandCall&) { return note("reload"); }}};
     }
 
-    void start() { object.emplace(loop, controls(), std::make_unique<FakeAuthority>(loop, refusal)); }
+    void start() { object.emplace(loop, handlers(), std::make_unique<FakeAuthority>(loop, refusal)); }
 
     /// What a client of its own thread does meanwhile; its error comes out here.
     void serve(const std::function<void(ControlClient&)>& ask) {
@@ -131,7 +154,7 @@ struct Asked {
     void settle() {
         for (int tries = 0; tries < 1000; ++tries) {
             try {
-                return serve([](ControlClient& client) { client.status(); });
+                return serve([](ControlClient& client) { text(client, "Status"); });
             } catch (const ControlError&) {
                 loop.run_once(10ms);
             }
@@ -142,6 +165,16 @@ struct Asked {
 
 }  // namespace
 
+TEST_CASE("each command has a help, and each method of it one signature") {
+    std::map<std::string_view, std::string_view> signatures;
+    for (const Command& command : commands()) {
+        CAPTURE(command.name);
+        CHECK(signatures.try_emplace(command.method, command.arguments).first->second == command.arguments);
+        CHECK((*command.help != '\0' || command.operand == Operand::slot));
+        CHECK((std::string_view(command.result) != "ay" || *command.done != '\0'));
+    }
+}
+
 TEST_CASE("anyone may ask: what is shown, why, and what it looks like") {
     PrivateBus bus;
     bus.start();
@@ -150,9 +183,9 @@ TEST_CASE("anyone may ask: what is shown, why, and what it looks like") {
     asked.start();
     asked.settle();
     asked.serve([](ControlClient& client) {
-        CHECK(client.status() == R"({"state": "showing"})");
-        CHECK(client.why("a\xff\n.jpg") == "why not");
-        const auto shots = client.screenshot();
+        CHECK(text(client, "Status") == R"({"state": "showing"})");
+        CHECK(text(client, "Why", {.file = "a\xff\n.jpg"}) == "why not");
+        const auto shots = client.call(method("Screenshot"), {}).pictures;
         REQUIRE(shots.size() == 2);
         CHECK(shots[0].output == "HDMI-A-1");
         CHECK(shots[0].picture.width == 2);
@@ -168,19 +201,21 @@ TEST_CASE("what is allowed is done, with its words") {
     asked.start();
     asked.settle();
     asked.serve([](ControlClient& client) {
-        client.next();
-        client.pause(true);
-        client.pause(false);
-        client.pin_slot(3, true);
-        CHECK(client.pin("a.jpg", false) == "called a.jpg");
-        client.reload();
+        text(client, "Next");
+        text(client, "Pause", {.is_on = true});
+        text(client, "Pause", {.is_on = false});
+        text(client, "PinSlot", {.slot = 3});
+        CHECK(text(client, "Pin", {.file = "a.jpg", .is_on = false}) == "called a.jpg");
+        text(client, "Reload");
     });
     CHECK(asked.changes ==
           std::vector<std::string>{"next", "pause", "resume", "pin slot 3", "unpin a.jpg", "reload"});
-    CHECK_THROWS_WITH_AS(asked.serve([](ControlClient& client) { client.remove("b.jpg"); }),
-                         "there is no 'b.jpg'", ControlError);
-    CHECK_THROWS_WITH_AS(asked.serve([](ControlClient& client) { client.remove("\xff.jpg"); }),
-                         "there is no '?.jpg'", ControlError);
+    CHECK_THROWS_WITH_AS(
+        asked.serve([](ControlClient& client) { text(client, "Remove", {.file = "b.jpg"}); }),
+        "there is no 'b.jpg'", ControlError);
+    CHECK_THROWS_WITH_AS(
+        asked.serve([](ControlClient& client) { text(client, "Remove", {.file = "\xff.jpg"}); }),
+        "there is no '?.jpg'", ControlError);
 }
 
 TEST_CASE("what is refused is not done, and who asked is told why") {
@@ -190,12 +225,10 @@ TEST_CASE("what is refused is not done, and who asked is told why") {
     asked.refusal = "only the night watch may";
     asked.start();
     asked.settle();
-    for (const auto& change : std::vector<std::function<void(ControlClient&)>>{
-             [](ControlClient& c) { c.next(); }, [](ControlClient& c) { c.pause(true); },
-             [](ControlClient& c) { c.pin("a", true); }, [](ControlClient& c) { c.pin_slot(1, true); },
-             [](ControlClient& c) { c.remove("a"); }, [](ControlClient& c) { c.reload(); }}) {
+    for (const Command& command : commands()) {
+        if (command.is_for_all) continue;
         try {
-            asked.serve(change);
+            asked.serve([&](ControlClient& client) { client.call(command, {.file = "a"}); });
             FAIL("it was done");
         } catch (const ControlError& error) {
             CHECK(error.kind() == ControlError::Kind::not_allowed);
@@ -209,9 +242,9 @@ TEST_CASE("without polkit root and the player's own user may") {
     PrivateBus bus;
     bus.start();
     Asked asked;
-    asked.object.emplace(asked.loop, asked.controls(), polkit_authority());
+    asked.object.emplace(asked.loop, asked.handlers(), polkit_authority());
     asked.settle();
-    asked.serve([](ControlClient& client) { client.next(); });
+    asked.serve([](ControlClient& client) { text(client, "Next"); });
     CHECK(asked.changes == std::vector<std::string>{"next"});
 }
 
@@ -232,7 +265,8 @@ TEST_CASE("a bus without the player says that the player is not running") {
     PrivateBus bus;
     bus.start();
     try {
-        ControlClient().status();
+        ControlClient client;
+        text(client, "Status");
         FAIL("there is a player");
     } catch (const ControlError& error) {
         CHECK(error.kind() == ControlError::Kind::not_running);

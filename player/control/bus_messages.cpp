@@ -1,0 +1,143 @@
+#include "player/control/bus_messages.hpp"
+
+#include "base/system/unique_fd.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <span>
+#include <stdexcept>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::uint32_t max_side = 32768;  // px, of a picture
+constexpr const char* picture_list = "a(suuh)";
+
+/// Calls `use` with each part of a signature: "ay", "u", "b".
+template <typename Use> void for_each_part(std::string_view signature, const Use& use) {
+    while (!signature.empty()) {
+        const std::string_view part = signature.substr(0, signature.front() == 'a' ? 2 : 1);
+        use(part);
+        signature.remove_prefix(part.size());
+    }
+}
+
+void append_bytes(sd_bus_message& message, const std::string& bytes) {
+    bus_checked(sd_bus_message_append_array(&message, 'y', bytes.data(), bytes.size()), "write a name");
+}
+
+std::string read_bytes(sd_bus_message& message) {
+    const void* bytes = nullptr;
+    std::size_t size = 0;
+    bus_checked(sd_bus_message_read_array(&message, 'y', &bytes, &size), "read a name");
+    return {static_cast<const char*>(bytes), size};
+}
+
+UniqueFd file_of(const Picture& picture) {
+    UniqueFd file(::memfd_create("picture", MFD_CLOEXEC));
+    if (!file.is_open()) throw_errno("make a file for a picture");
+    for (std::span<const std::byte> left = picture.pixels; !left.empty();) {
+        const ssize_t n = ::write(file.get(), left.data(), left.size());
+        if (n < 0) throw_errno("write a picture");
+        left = left.subspan(static_cast<std::size_t>(n));
+    }
+    return file;
+}
+
+Picture picture_of(int file, std::uint32_t width, std::uint32_t height) {
+    if (width > max_side || height > max_side)
+        throw std::runtime_error("the player gave a picture that makes no sense");
+    Picture picture{.width = static_cast<int>(width), .height = static_cast<int>(height), .pixels = {}};
+    picture.pixels.resize(std::size_t{width} * height * 4);
+    for (std::size_t done = 0; done < picture.pixels.size();) {
+        const std::span<std::byte> left = std::span(picture.pixels).subspan(done);
+        const ssize_t n = ::pread(file, left.data(), left.size(), static_cast<off_t>(done));
+        if (n <= 0) throw std::runtime_error("the player gave a part of a picture");
+        done += static_cast<std::size_t>(n);
+    }
+    return picture;
+}
+
+void append_pictures(sd_bus_message& message, std::span<const OutputPicture> pictures) {
+    bus_checked(sd_bus_message_open_container(&message, 'a', "(suuh)"), "answer pictures");
+    for (const OutputPicture& one : pictures) {
+        const UniqueFd file = file_of(one.picture);
+        bus_checked(sd_bus_message_append(&message, "(suuh)", one.output.c_str(),
+                                          static_cast<std::uint32_t>(one.picture.width),
+                                          static_cast<std::uint32_t>(one.picture.height), file.get()),
+                    "answer a picture");
+    }
+    bus_checked(sd_bus_message_close_container(&message), "answer pictures");
+}
+
+std::vector<OutputPicture> read_pictures(sd_bus_message& message) {
+    std::vector<OutputPicture> pictures;
+    bus_checked(sd_bus_message_enter_container(&message, 'a', "(suuh)"), "read pictures");
+    const char* output = nullptr;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    int file = -1;
+    while (bus_checked(sd_bus_message_read(&message, "(suuh)", &output, &width, &height, &file),
+                       "read a picture") > 0)
+        pictures.push_back({.output = output, .picture = picture_of(file, width, height)});
+    return pictures;
+}
+
+}  // namespace
+
+void append_call(sd_bus_message& message, std::string_view arguments, const CommandCall& call) {
+    bool has_file = false;
+    for_each_part(arguments, [&](std::string_view part) {
+        if (part == "ay") {
+            append_bytes(message, has_file ? call.folder : call.file);
+            has_file = true;
+        } else if (part == "u") {
+            const auto slot = static_cast<std::uint32_t>(call.slot);
+            bus_checked(sd_bus_message_append(&message, "u", slot), "write a number");
+        } else {
+            bus_checked(sd_bus_message_append(&message, "b", call.is_on ? 1 : 0), "write a flag");
+        }
+    });
+}
+
+CommandCall read_call(sd_bus_message& message, std::string_view arguments) {
+    CommandCall call;
+    bool has_file = false;
+    for_each_part(arguments, [&](std::string_view part) {
+        if (part == "ay") {
+            (has_file ? call.folder : call.file) = read_bytes(message);
+            has_file = true;
+        } else if (part == "u") {
+            std::uint32_t slot = 0;
+            bus_checked(sd_bus_message_read(&message, "u", &slot), "read a number");
+            call.slot = static_cast<int>(slot);
+        } else {
+            int flag = 0;
+            bus_checked(sd_bus_message_read(&message, "b", &flag), "read a flag");
+            call.is_on = flag != 0;
+        }
+    });
+    return call;
+}
+
+void append_answer(sd_bus_message& message, std::string_view result, const CommandAnswer& answer) {
+    if (result == "s") bus_checked(sd_bus_message_append(&message, "s", answer.text.c_str()), "answer");
+    if (result == "ay") append_bytes(message, answer.text);
+    if (result == picture_list) append_pictures(message, answer.pictures);
+}
+
+CommandAnswer read_answer(sd_bus_message& message, std::string_view result) {
+    CommandAnswer answer;
+    if (result == "ay") answer.text = read_bytes(message);
+    if (result == picture_list) answer.pictures = read_pictures(message);
+    if (result == "s") {
+        const char* text = nullptr;
+        bus_checked(sd_bus_message_read(&message, "s", &text), "read an answer");
+        answer.text = text;
+    }
+    return answer;
+}
+
+}  // namespace vitrine::player

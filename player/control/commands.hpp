@@ -1,0 +1,64 @@
+#pragma once
+
+#include "player/display/picture.hpp"
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine::player {
+
+/// The argument that a command takes on the command line of vitrinectl.
+enum class Operand { none, file, slot, picture };
+
+/// A command of vitrinectl and the D-Bus method that it calls: a line of commands(). A signature is made of
+/// `ay ay` (a file and the folder in which it was named), `u` (a slot) and `b` (on or off).
+struct Command {
+    const char* name;
+    const char* help;
+    Operand operand = Operand::none;
+    const char* method;       // several commands may have the same
+    const char* arguments;    // D-Bus signature
+    const char* result;       // "s": JSON; "ay": the path of a file; "a(suuh)": pictures; "": nothing
+    bool is_for_all = false;  // anyone may call it; else polkit decides
+    bool is_on = true;        // the flag `b`
+    const char* done = "";    // vitrinectl prints it before the path of the file
+    const char* undone = "";  // the same where the flag is off
+};
+
+/// All commands, in the order of the help.
+std::span<const Command> commands();
+
+/// True: on the command line `off` may follow the operand.
+bool takes_off(const Command& command);
+
+/// The arguments of a call.
+struct CommandCall {
+    std::string file;    // as somebody typed it, any bytes
+    std::string folder;  // absolute, the folder in which it was typed
+    int slot = 0;
+    bool is_on = true;
+};
+
+/// The picture of one output.
+struct OutputPicture {
+    std::string output;
+    Picture picture;
+};
+
+/// The answer to a call; which member counts follows from Command::result.
+struct CommandAnswer {
+    std::string text;  // JSON, or a path with any bytes
+    std::vector<OutputPicture> pictures;
+};
+
+/// Does what a call asks for. @throws std::runtime_error with words for who called
+using CommandHandler = std::function<CommandAnswer(const CommandCall&)>;
+
+/// By D-Bus method.
+using CommandHandlers = std::map<std::string, CommandHandler, std::less<>>;
+
+}  // namespace vitrine::player
