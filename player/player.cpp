@@ -34,6 +34,23 @@ constexpr auto invisible_pause = 200ms;    // between two looks at screens that 
 constexpr auto busy_pause = 2ms;           // between two looks at a screen whose flip is under way
 constexpr auto old_picture_patience = 4s;  // then it gives way to a wall that is not whole
 
+/// True: all screens can take a picture; or one can, and the others have been waited for.
+bool can_draw(std::span<Screen* const> screens, bool is_late) {
+    const auto ready = std::ranges::count_if(screens, &Screen::is_ready);
+    return ready == std::ssize(screens) || (ready > 0 && is_late);
+}
+
+WallContent content_of(const Stages& stages, const SourcePool& sources) {
+    WallContent content{.folders = {}, .files = {}, .open = sources.open_files()};
+    for (const auto& stage : stages.all()) {
+        if (stage->screens().empty()) continue;
+        content.folders.push_back({.folder = stage->folder(), .opened = stage->opened_folder()});
+        for (const SlotShot& shot : stage->standing())
+            content.files.insert(shot.key.path);
+    }
+    return content;
+}
+
 }  // namespace
 
 Player::Player(const Settings& settings, const PlayOptions& options)
@@ -54,7 +71,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
         wall_picture_ = std::make_unique<WallPicture>(state / "wall.jpg");
     visitors_ =
         std::make_unique<Visitors>(loop_, display_->traits().has_terminal ? settings.input.devices : "none");
-    make_service();
+    service_ = std::make_unique<PlayerService>(loop_, view(), actions());
     begin_stages();
     // While the display is opened, which takes a tenth of a second, the first wall is laid out for the size
     // that most displays have.
@@ -73,7 +90,13 @@ std::vector<EventLoop::Source> Player::watch_signals() {
     };
     watch(SIGINT, [this] { loop_.quit(); });
     watch(SIGTERM, [this] { loop_.quit(); });
-    watch(SIGHUP, [this] { reload_or_log(); });
+    watch(SIGHUP, [this] {
+        try {
+            reload();
+        } catch (const SettingsError& error) {
+            log::error("settings: {}; the old ones stay", error.what());
+        }
+    });
     watch(Console::leave_signal, [this] {
         visitors_->leave();
         display_->leave_terminal();
@@ -97,25 +120,26 @@ void Player::make_display() {
 void Player::make_sources() {
     sources_ = std::make_unique<SourcePool>(media_places(settings_),
                                             source_options(settings_, !is_paced_by_pictures()));
-    if (settings_.output.decoders == DecoderChoice::automatic) sources_->set_decoders(hardware_decoders(is_usable_here));
+    if (settings_.output.decoders == DecoderChoice::automatic)
+        sources_->set_decoders(hardware_decoders(is_usable_here));
     log::info("films are decoded {}", in_words(sources_->decoders()));
     sources_->before_opening(
         [this](const std::string& path) { files_->note_opening(path, EventLoop::Clock::now()); });
 }
 
-void Player::make_service() {
-    const PlayerView view{.settings = settings_,
-                          .display = *display_,
-                          .files = *files_,
-                          .stages = *stages_,
-                          .sources = *sources_,
-                          .clock = clock_};
-    service_ = std::make_unique<PlayerService>(
-        loop_, view,
-        PlayerActions{
-            .set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
+PlayerView Player::view() const {
+    return {.settings = settings_,
+            .display = *display_,
+            .files = *files_,
+            .stages = *stages_,
+            .sources = *sources_,
+            .clock = clock_};
+}
+
+PlayerActions Player::actions() {
+    return {.set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
             .dismiss = [this](const MediaRecord& file) { files_->dismiss(file); },
-            .reload = [this] { reload(); }});
+            .reload = [this] { reload(); }};
 }
 
 void Player::begin_stages() {
@@ -158,7 +182,8 @@ void Player::tick() {
         return tick_.arm(invisible_pause);
     }
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
-    if (!is_time_to_draw(time)) return tick_.arm(busy_pause);
+    const bool is_late = time > clock_.due() + 500'000'000ns / settings_.output.frame_rate;
+    if (!can_draw(display_->screens(), is_late)) return tick_.arm(busy_pause);
     handle_input(time);
     look_at_files(time);
     stages_->handle_sources(sources_->update());
@@ -170,14 +195,6 @@ void Player::tick() {
     else
         clock_.shown(time);
     tick_.arm(std::max(0ns, clock_.due() - now()));
-}
-
-/// True: all screens can take a picture; or one can, and the others have been waited for.
-bool Player::is_time_to_draw(std::chrono::nanoseconds time) const {
-    const auto patience = 500'000'000ns / settings_.output.frame_rate;
-    const std::span<Screen* const> screens = display_->screens();
-    const auto ready = std::ranges::count_if(screens, &Screen::is_ready);
-    return ready == std::ssize(screens) || (ready > 0 && time > clock_.due() + patience);
 }
 
 /// The rehearsal's events come before those of a visitor.
@@ -193,18 +210,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {
-    files_->look(time, EventLoop::Clock::now(), [this] { return wall_content(); });
-}
-
-WallContent Player::wall_content() const {
-    WallContent content{.folders = {}, .files = {}, .open = sources_->open_files()};
-    for (const auto& stage : stages_->all()) {
-        if (stage->screens().empty()) continue;
-        content.folders.push_back({.folder = stage->folder(), .opened = stage->opened_folder()});
-        for (const SlotShot& shot : stage->standing())
-            content.files.insert(shot.key.path);
-    }
-    return content;
+    files_->look(time, EventLoop::Clock::now(), [this] { return content_of(*stages_, *sources_); });
 }
 
 /// Plays the sound of the walls as they are at this time; where no wall is shown, none.
@@ -237,14 +243,6 @@ void Player::reload() {
         display_->forget_source(source);
     stages_->make_anew();
     begin_stages();
-}
-
-void Player::reload_or_log() {
-    try {
-        reload();
-    } catch (const SettingsError& error) {
-        log::error("settings: {}; the old ones stay", error.what());
-    }
 }
 
 void Player::finish() {

@@ -22,7 +22,8 @@ class VisibleFiles;
 class Visitors;
 class WallPicture;
 class WallSound;
-struct WallContent;
+struct PlayerActions;
+struct PlayerView;
 
 /// The part of a run that only the command line says.
 struct PlayOptions {
@@ -55,20 +56,18 @@ class Player {
     std::vector<EventLoop::Source> watch_signals();
     void make_display();
     void make_sources();
-    void make_service();
+    PlayerView view() const;
+    PlayerActions actions();
     void begin_stages();
     bool is_paced_by_pictures() const;
     std::chrono::nanoseconds now() const;
     void give_files();
     void tick();
     void handle_input(std::chrono::nanoseconds time);
-    bool is_time_to_draw(std::chrono::nanoseconds time) const;
     void look_at_files(std::chrono::nanoseconds time);
-    WallContent wall_content() const;
     void play_sound(std::chrono::nanoseconds time);
     void take_wall_picture(std::chrono::nanoseconds time);
     void reload();
-    void reload_or_log();
     void finish();
 
     Settings settings_;

@@ -62,7 +62,7 @@ FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
     if (rehearsal_ != nullptr && !rehearsal_->is_present(path)) return because(Visibility::not_rehearsed);
     if (crash_note_.is_quarantined(file)) return because(Visibility::held_back, brought_the_player_down);
     if (crash_note_.is_on_hold(file)) return because(Visibility::held_back, one_after_the_other);
-    if (is_dismissed(file)) return because(Visibility::dismissed);
+    if (dismissed_.contains(path)) return because(Visibility::dismissed);
     if (!is_open && !hours_.has_time()) return because(Visibility::no_clock, hours_.hours_of(path));
     if (!is_open) return because(Visibility::out_of_hours, hours_.hours_of(path));
     return because(Visibility::waits_for_turn);
@@ -87,12 +87,6 @@ Visibility VisibleFiles::judge_folder(const std::string& path) const {
                                                            : Visibility::other_folder;
 }
 
-/// A file that has changed since it was dismissed is not dismissed any more.
-bool VisibleFiles::is_dismissed(const MediaRecord& file) const {
-    const auto found = dismissed_.find(file.path);
-    return found != dismissed_.end() && is_same_content(*found->second, file);
-}
-
 void VisibleFiles::follow_catalogue(const CatalogueChange& change, const RecordList& records) {
     log_change(change);
     records_ = records;
@@ -104,6 +98,7 @@ void VisibleFiles::apply_filters() {
     for (const RecordList::Record& record : records_)
         if (is_ready(*record)) ready.add(record);
     ready_ = ready.size();
+    // A file that has changed since it was dismissed, or is gone, is not dismissed any more.
     std::erase_if(dismissed_, [&](const auto& dismissed) {
         const RecordList::Record now = records_.find(dismissed.first);
         return !now || !is_same_content(*now, *dismissed.second);
@@ -130,7 +125,10 @@ void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
     next_look_ = time + 1s;
     if (hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt)) select_visible();
     set_content(content());
-    note_open(now);
+    std::set<ContentName> open;
+    for (const std::string& path : content_.open)
+        if (const RecordList::Record record = records_.find(path)) open.insert(content_name(*record));
+    if (crash_note_.note_open(open, now)) apply_filters();
     note_.write_if_due(now, [this] {
         std::vector<FileVisibility> files;
         for (const RecordList::Record& record : records_)
@@ -178,13 +176,6 @@ std::vector<std::string> VisibleFiles::dismissed() const {
 
 void VisibleFiles::note_opening(const std::string& path, Time now) {
     if (const RecordList::Record record = records_.find(path)) crash_note_.note_opening(*record, now);
-}
-
-void VisibleFiles::note_open(Time now) {
-    std::set<ContentName> names;
-    for (const std::string& path : content_.open)
-        if (const RecordList::Record record = records_.find(path)) names.insert(content_name(*record));
-    if (crash_note_.note_open(names, now)) apply_filters();
 }
 
 void VisibleFiles::end_run() {

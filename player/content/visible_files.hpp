@@ -92,8 +92,6 @@ class VisibleFiles {
     void select_visible();
     void log_reasons();
     void set_content(WallContent content);
-    void note_open(Time now);
-    bool is_dismissed(const MediaRecord& file) const;
     FileVisibility judge_file(const MediaRecord& file) const;
     Visibility judge_folder(const std::string& path) const;
 

@@ -111,18 +111,20 @@ void Rehearsal::read_file(std::istream& words, std::chrono::nanoseconds time, bo
 void Rehearsal::read_stroke(std::istream& words, std::chrono::nanoseconds time, const std::string& what) {
     if (what == "tap") {
         const Vec2 at = place(words, "a tap is somewhere, 'X Y'");
-        return stroke(0, at, at, time, tap_time, 0ns);
+        return add_stroke({.from = at, .to = at, .time = time, .duration = tap_time});
     }
     if (what == "hold") {
         constexpr auto complaint = "a hold is somewhere for how many seconds, 'X Y SECONDS'";
         const Vec2 at = place(words, complaint);
-        return stroke(0, at, at, time, seconds(number(words, complaint)), 0ns);
+        const auto duration = seconds(number(words, complaint));
+        return add_stroke({.from = at, .to = at, .time = time, .duration = duration});
     }
     constexpr auto complaint = "a drag is from where to where in how many seconds, 'X Y X Y SECONDS'";
     const Vec2 from = place(words, complaint);
     const Vec2 to = place(words, complaint);
-    if (what == "flick") return stroke(0, from, to, time, flick_time, 0ns);
-    stroke(0, from, to, time, seconds(number(words, complaint)), rest_time);
+    if (what == "flick") return add_stroke({.from = from, .to = to, .time = time, .duration = flick_time});
+    const auto duration = seconds(number(words, complaint));
+    add_stroke({.from = from, .to = to, .time = time, .duration = duration, .rest = rest_time});
 }
 
 /// The fingers lie beside each other.
@@ -135,8 +137,12 @@ void Rehearsal::read_pinch(std::istream& words, std::chrono::nanoseconds time) {
     const std::chrono::nanoseconds duration = seconds(number(words, complaint));
     const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
     const Vec2 last = first * factor;
-    stroke(0, at - first, at - last, time, duration, rest_time);
-    stroke(1, at + first, at + last, time, duration, rest_time);
+    Stroke stroke{.from = at - first, .to = at - last, .time = time, .duration = duration, .rest = rest_time};
+    add_stroke(stroke);
+    stroke.finger = 1;
+    stroke.from = at + first;
+    stroke.to = at + last;
+    add_stroke(stroke);
 }
 
 void Rehearsal::read_wheel(std::istream& words, std::chrono::nanoseconds time) {
@@ -153,22 +159,24 @@ void Rehearsal::read_key(std::istream& words, std::chrono::nanoseconds time) {
     throw std::runtime_error("a key is one of left, right, nearer, farther, select, back");
 }
 
-void Rehearsal::stroke(int finger, Vec2 from, Vec2 to, std::chrono::nanoseconds time,
-                       std::chrono::nanoseconds duration, std::chrono::nanoseconds rest) {
-    Contact contact{.kind = Contact::Kind::down, .finger = finger, .at = from, .time = time};
+void Rehearsal::add_stroke(const Stroke& stroke) {
+    Contact contact{
+        .kind = Contact::Kind::down, .finger = stroke.finger, .at = stroke.from, .time = stroke.time};
     touches_.emplace_back(contact);
     contact.kind = Contact::Kind::move;
-    for (std::chrono::nanoseconds passed = sampling; from != to && passed <= duration; passed += sampling) {
-        const double share = std::chrono::duration<double>(passed) / std::chrono::duration<double>(duration);
-        contact.at = from + (to - from) * share;
-        contact.time = time + passed;
+    const bool moves = stroke.from != stroke.to;
+    for (std::chrono::nanoseconds passed = sampling; moves && passed <= stroke.duration; passed += sampling) {
+        const double share =
+            std::chrono::duration<double>(passed) / std::chrono::duration<double>(stroke.duration);
+        contact.at = stroke.from + (stroke.to - stroke.from) * share;
+        contact.time = stroke.time + passed;
         touches_.emplace_back(contact);
     }
-    contact.at = to;
-    contact.time = time + duration;
-    if (from != to) touches_.emplace_back(contact);
+    contact.at = stroke.to;
+    contact.time = stroke.time + stroke.duration;
+    if (moves) touches_.emplace_back(contact);
     contact.kind = Contact::Kind::up;
-    contact.time += rest;
+    contact.time += stroke.rest;
     touches_.emplace_back(contact);
 }
 

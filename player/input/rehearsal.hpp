@@ -48,6 +48,16 @@ class Rehearsal {
         bool is_added = false;  // else removed
     };
 
+    /// A finger that comes down, moves and is lifted.
+    struct Stroke {
+        int finger = 0;
+        Vec2 from;
+        Vec2 to;
+        std::chrono::nanoseconds time{0};  // of the first contact
+        std::chrono::nanoseconds duration{0};
+        std::chrono::nanoseconds rest{0};  // before the finger is lifted
+    };
+
     struct Clock {
         std::chrono::nanoseconds time{0};
         std::chrono::local_seconds shows{};
@@ -59,8 +69,7 @@ class Rehearsal {
     void read_pinch(std::istream& words, std::chrono::nanoseconds time);
     void read_wheel(std::istream& words, std::chrono::nanoseconds time);
     void read_key(std::istream& words, std::chrono::nanoseconds time);
-    void stroke(int finger, Vec2 from, Vec2 to, std::chrono::nanoseconds time,
-                std::chrono::nanoseconds duration, std::chrono::nanoseconds rest);
+    void add_stroke(const Stroke& stroke);
 
     std::vector<FileEvent> files_;     // in order of time
     std::vector<InputEvent> touches_;  // likewise
