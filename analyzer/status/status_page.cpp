@@ -34,9 +34,11 @@ li.busy { border-top-color: #3572b0; } li.wait { border-top-color: #d08700; } li
 </style></head><body>
 )";
 
-const char* look_of(FileState::State state) {
+const char* look_of(const StatusEntry& entry) {
     using State = FileState::State;
-    if (state == State::ready) return "ready";
+    const State state = entry.file.state;
+    const bool is_kept_off = entry.on_wall && !may_be_shown(entry.on_wall->visibility);
+    if (state == State::ready) return is_kept_off ? "wait" : "ready";
     if (state == State::copying || state == State::analysing) return "busy";
     return state == State::waiting ? "wait" : "bad";
 }
@@ -51,8 +53,8 @@ std::string card(const StatusEntry& entry, bool has_thumbnail, const ClockText& 
     return fmt::format(R"(<li class="{}"><div class="shot">{}</div><span class="folder">{}</span><b>{}</b>)"
                        R"(<span class="why">{}</span></li>)"
                        "\n",
-                       look_of(entry.file.state), picture, html_text(folder),
-                       html_text(path.substr(folder.size())), html_text(in_words(entry, clock)));
+                       look_of(entry), picture, html_text(folder), html_text(path.substr(folder.size())),
+                       html_text(in_words(entry, clock)));
 }
 
 }  // namespace
@@ -80,6 +82,7 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
                         const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock) {
     std::string html(head);
     html += fmt::format("<h1>{}</h1>\n", html_text(summary(counts_of(report))));
+    if (!report.is_player_running) html += fmt::format("<p class=\"remark\">{}</p>\n", player_is_off);
     if (!report.is_online) html += "<p class=\"remark\">The media folder is not there.</p>\n";
     for (const std::string& remark : report.remarks)
         html += fmt::format("<p class=\"remark\">{}</p>\n", html_text(remark));

@@ -2,10 +2,12 @@
 
 #include "analyzer/status/file_state.hpp"
 #include "base/hints/hints.hpp"
+#include "base/state/visibility.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,7 +19,8 @@ namespace vitrine::analyzer {
 struct StatusEntry {
     FileState file;
     Hints hints;
-    std::string id;  // record_id() of its path: names its thumbnail
+    std::string id;                         // record_id() of its path: names its thumbnail
+    std::optional<FileVisibility> on_wall;  // none: the player does not run, or does not know the file yet
 };
 
 /// All that is told to those who drop files.
@@ -25,6 +28,7 @@ struct StatusReport {
     std::vector<StatusEntry> files;    // ordered by path
     std::vector<std::string> remarks;  // what is wrong with folders and files of hints
     bool is_online = true;             // the media folder is there
+    bool is_player_running = true;
 };
 
 /// How a moment is written for people.
@@ -33,12 +37,15 @@ using ClockText = std::function<std::string(std::chrono::system_clock::time_poin
 /// Files on the page at most; status.txt has all.
 constexpr std::size_t most_on_page = 1000;
 
+constexpr const char* player_is_off = "The player is not running.";
+
 StateCounts counts_of(const StatusReport& report);
 
-/// "ready, from 08:00 to 18:00", "waiting since 2026-11-21 14:05: half of the picture is missing".
+/// "ready, from 08:00 to 18:00. It is on the wall.", "waiting since 2026-11-21 14:05: half of the picture is
+/// missing".
 std::string in_words(const StatusEntry& entry, const ClockText& clock);
 
-/// A line for the whole, a line a remark, an empty one, then a line a file.
+/// A line for the whole, one where the player is off, a line a remark, an empty one, then a line a file.
 std::string status_text(const StatusReport& report, const ClockText& clock);
 
 /// The files on the page: first those that are not ready, at most half of it, then the ready ones, those that

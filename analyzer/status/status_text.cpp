@@ -18,7 +18,8 @@ std::string in_words(const StatusEntry& entry, const ClockText& clock) {
     case State::ready: {
         const std::string how = in_words(entry.hints);
         const std::string ready = how.empty() ? "ready" : "ready, " + how;
-        return reason.empty() ? ready : ready + "; " + reason;
+        const std::string wall = entry.on_wall ? ". " + plain_text(sentence(*entry.on_wall)) : "";
+        return (reason.empty() ? ready : ready + "; " + reason) + wall;
     }
     case State::copying:
         return "copying: it still changes";
@@ -68,6 +69,7 @@ std::string summary(const StateCounts& counts) {
 
 std::string status_text(const StatusReport& report, const ClockText& clock) {
     std::string text = summary(counts_of(report)) + "\n";
+    if (!report.is_player_running) text += fmt::format("{}\n", player_is_off);
     for (const std::string& remark : report.remarks)
         text += plain_text(remark) + "\n";
     text += "\n";

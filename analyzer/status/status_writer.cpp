@@ -19,7 +19,7 @@ namespace {
 constexpr auto first_rest = 500ms;   // many changes together are one
 constexpr auto least_rest = 2s;      // between two writings
 constexpr auto rest_a_file = 1ms;    // more
-constexpr auto wall_interval = 15s;  // between two looks at the player's picture
+constexpr auto wall_interval = 15s;  // between two looks at the files of the player
 constexpr auto surplus_age = 10min;  // of a thumbnail that no file on the page has
 constexpr std::size_t largest_picture = 4U << 20;
 
@@ -48,11 +48,13 @@ std::optional<std::string> picture(const fs::path& file) {
 
 StatusWriter::StatusWriter(EventLoop& loop, fs::path root, const std::string& folder, fs::path state, Ask ask)
     : state_(std::move(state)),
+      player_(state_),
       ask_(std::move(ask)),
       rest_(least_rest),
       due_(loop.timer([this] { write(); })),
       wall_(loop.timer([this] {
           copy_wall();
+          look_at_player();
           wall_.arm(wall_interval);
       })) {
     if (folder.empty()) return;
@@ -71,7 +73,8 @@ void StatusWriter::touch() {
 void StatusWriter::write() {
     is_due_ = false;
     due_.disarm();
-    const StatusReport report = ask_();
+    StatusReport report = ask_();
+    add_player(report);
     rest_ = least_rest + rest_a_file * static_cast<std::int64_t>(report.files.size());
     try {
         std::string json = status_json(report);
@@ -154,6 +157,19 @@ void StatusWriter::copy_wall() {
         has_wall_ = true;
     } catch (const std::system_error& error) {
         complain(error);
+    }
+}
+
+void StatusWriter::look_at_player() {
+    if (player_.look(fs::file_time_type::clock::now())) touch();
+}
+
+void StatusWriter::add_player(StatusReport& report) {
+    (void)player_.look(fs::file_time_type::clock::now());
+    report.is_player_running = player_.is_player_running();
+    for (StatusEntry& entry : report.files) {
+        const auto found = player_.files().find(entry.file.path);
+        if (found != player_.files().end()) entry.on_wall = found->second;
     }
 }
 

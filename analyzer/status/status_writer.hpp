@@ -17,7 +17,8 @@ namespace vitrine::analyzer {
 
 /// Writes what is told to those who drop files: STATE/status.json and the status folder of the media folder,
 /// a moment after something has changed and then no more often than its size allows. Thumbnails are those
-/// that the analysing children left in STATE/thumbnails, the wall is the player's STATE/wall.jpg. Where the
+/// that the analysing children left in STATE/thumbnails, the wall is the player's STATE/wall.jpg,
+/// why a file is not on it stands in its STATE/visible.json. Where the
 /// media folder cannot be written, the folder is missing; the log says so once. Runs in the loop.
 class StatusWriter {
   public:
@@ -42,10 +43,13 @@ class StatusWriter {
     void copy_thumbnails(const std::vector<StatusEntry>& files);
     void remove_surplus(const std::set<std::string>& wanted) const;
     void copy_wall();
+    void look_at_player();
+    void add_player(StatusReport& report);
     void complain(const std::exception& error);
 
     std::filesystem::path state_;
     std::optional<StatusFolder> folder_;
+    VisibleReader player_;
     Ask ask_;
     EventLoop::Clock::duration rest_;  // between two writings
     std::optional<EventLoop::Clock::time_point> written_;

@@ -36,11 +36,29 @@ TEST_CASE("what is said goes to the share and the state directory, with thumbnai
     share.state.write("thumbnails/" + std::string(id) + ".jpg", "thumbnail");
     share.state.write("wall.jpg", "wall");
     share.writer.write();
-    CHECK(read_file(share.file("status.txt")) == "1 file: 1 ready\n\na.jpg: ready\n");
+    CHECK(read_file(share.file("status.txt")) ==
+          "1 file: 1 ready\nThe player is not running.\n\na.jpg: ready\n");
     CHECK(read_file(share.file("index.html")).find(id) != std::string::npos);
     CHECK(read_file(share.file("thumbnails/" + std::string(id) + ".jpg")) == "thumbnail");
     CHECK(read_file(share.file("wall.jpg")) == "wall");
     CHECK(read_file(share.state.path / "status.json").find("a.jpg") != std::string::npos);
+}
+
+TEST_CASE("the page tells why the player keeps a file off the wall, and when the player does not run") {
+    Share share;
+    const std::vector<FileVisibility> files{
+        {.path = "a.jpg", .visibility = Visibility::out_of_hours, .detail = "from 20:00 to 21:00"}};
+    const fs::path note = share.state.write(visible_file, visible_json(files));
+    share.writer.write();
+    const std::string sentence = "a.jpg: ready. It is out of its hours: it is shown from 20:00 to 21:00.\n";
+    CHECK(read_file(share.file("status.txt")) == "1 file: 1 ready\n\n" + sentence);
+    CHECK(read_file(share.file("index.html")).find("<li class=\"wait\">") != std::string::npos);
+
+    fs::last_write_time(note, fs::file_time_type::clock::now() - 31s);  // left by a player that has ended
+    share.writer.write();
+    CHECK(read_file(share.file("status.txt")) ==
+          "1 file: 1 ready\nThe player is not running.\n\na.jpg: ready\n");
+    CHECK(read_file(share.file("index.html")).find("The player is not running.") != std::string::npos);
 }
 
 TEST_CASE("a file that is removed leaves with its thumbnail, one that is replaced has another") {
