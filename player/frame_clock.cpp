@@ -11,7 +11,7 @@ std::int64_t FrameClock::index_after(std::chrono::nanoseconds now) const {
     return index;
 }
 
-void FrameClock::shown(std::chrono::nanoseconds now) {
+void FrameClock::advance(std::chrono::nanoseconds now) {
     const std::int64_t next = std::max(index_ + 1, index_after(now));
     late_ += next - (index_ + 1);
     index_ = next;

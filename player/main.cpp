@@ -82,8 +82,8 @@ void add_play_options(CommandLine& line) {
             line.play.duration = duration_of(text);
         },
         "How long to play, like 20s (default: until stopped)");
-    line.app.add_option("--film", line.play.film, "Off screen: writes what is shown as an MP4");
-    line.app.add_option("--snapshot", line.play.snapshot, "Off screen: writes the last picture as a PNG");
+    line.app.add_option("--film", line.play.film, "Off screen: writes the frames that are shown as an MP4");
+    line.app.add_option("--snapshot", line.play.snapshot, "Off screen: writes the last frame as a PNG");
     line.app
         .add_option("--tapestry", line.play.tapestry,
                     "Shows the tapestry in this directory in place of the wall")
@@ -91,12 +91,12 @@ void add_play_options(CommandLine& line) {
     line.app
         .add_option_function<std::string>(
             "--rehearse", [&line](const std::string& path) { line.play.rehearsal = read_rehearsal(path); },
-            "A script of files that come and go and of what visitors do (docs/technician.md)")
+            "Plays a script of files that come and go and of the gestures of a visitor (docs/technician.md)")
         ->check(CLI::ExistingFile);
     line.app
         .add_option_function<std::string>(
             "--pace", [&line](const std::string& pace) { line.play.is_realtime = pace == "realtime"; },
-            "Off screen: 'exact' waits for every picture, 'realtime' shows what is there in time (default: "
+            "Off screen: 'exact' waits for every picture, 'realtime' shows those that come in time (default: "
             "exact)")
         ->check(CLI::IsMember({"exact", "realtime"}));
 }

@@ -51,7 +51,7 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
     return wall;
 }
 
-/// How a packing came about, each layout for a moment.
+/// Writes a film that shows each layout on the way for a moment.
 void write_film(const std::filesystem::path& path, const FirstWall& wall, std::vector<Layout> layouts,
                 const CellStyle& style) {
     constexpr auto moment = std::chrono::milliseconds(80);

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-/// What `vitrine-player plan` is asked.
+/// The options of `vitrine-player plan`.
 struct PlanOptions {
     std::filesystem::path catalogue;  // the directory of records
     int width = 0;                    // canvas px
@@ -15,11 +15,11 @@ struct PlanOptions {
     int wall_width = 0;  // px of a wall that pans; 0: none is planned
     std::optional<std::filesystem::path> svg;
     std::optional<std::filesystem::path> json;  // neither: JSON to the standard output
-    std::optional<std::filesystem::path> film;  // of the packing
+    std::optional<std::filesystem::path> film;  // shows how the packing came about
 };
 
 /// Lays out the first wall that the player would show of a catalogue, without a display. An empty catalogue
-/// is an empty plan. @throws std::runtime_error naming the file that cannot be read or written
+/// gives an empty plan. @throws std::runtime_error naming the file that cannot be read or written
 void write_plan(const Settings& settings, const PlanOptions& options);
 
 }  // namespace vitrine::player

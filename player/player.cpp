@@ -191,9 +191,9 @@ void Player::tick() {
     play_sound(time);
     take_wall_picture(time);
     if (is_paced_by_pictures())
-        clock_.shown_exactly();
+        clock_.advance_exactly();
     else
-        clock_.shown(time);
+        clock_.advance(time);
     tick_.arm(std::max(0ns, clock_.due() - now()));
 }
 

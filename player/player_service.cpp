@@ -68,11 +68,12 @@ void PlayerService::export_to_bus() {
 
 void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
-    std::vector<Sight::Screen> screens;
+    std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});
-    health_.see({.screens = screens, .is_away = view_.display.is_away(), .items = view_.stages.count()}, now);
-    if (health_.is_alive(now)) service::feed_watchdog();
+    health_.set_screens(
+        {.screens = screens, .is_away = view_.display.is_away(), .items = view_.stages.count()}, now);
+    if (health_.feed_watchdog_now(now)) service::feed_watchdog();
 }
 
 /// Tells systemd, and the node exporter, what is shown and how well.

@@ -7,15 +7,15 @@
 
 namespace vitrine::player {
 
-/// What a running player makes of other settings than it began with.
+/// The changes of settings that a running player can follow, and those that it cannot.
 struct SettingsChange {
-    Settings settings;               // to go on with
-    std::vector<std::string> now;    // keys that hold from now on
-    std::vector<std::string> later;  // keys that hold once the player starts anew
-    bool are_walls_new = false;      // the walls are to be made anew
+    Settings settings;               // from now on
+    std::vector<std::string> now;    // keys whose new values hold from now on
+    std::vector<std::string> later;  // keys whose new values hold after a restart
+    bool are_walls_new = false;      // the walls must be made anew
 };
 
-/// Keys that are only the analyzer's are passed over.
+/// Passes over the keys of the analyzer.
 SettingsChange settings_change(const Settings& before, const Settings& after);
 
 }  // namespace vitrine::player

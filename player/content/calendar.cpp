@@ -26,8 +26,8 @@ system_clock::time_point changed_at(const fs::path& file) {
 }  // namespace
 
 void EarliestTime::record_written(system_clock::time_point time) {
-    constexpr auto longest_life = std::chrono::years(10);
-    if (time < built_ + longest_life) time_ = std::max(time_, time);
+    constexpr auto max_life = std::chrono::years(10);
+    if (time < built_ + max_life) time_ = std::max(time_, time);
 }
 
 Calendar::Calendar(const fs::path& catalogue) : earliest_(built) {

@@ -6,9 +6,9 @@
 
 namespace vitrine::player {
 
-/// From when on a clock can be right: not earlier than this program was built, nor than a record was written.
-/// A record more than ten years younger than the program proves nothing: it was written while the clock was
-/// wrong. That a clock is ahead cannot be known.
+/// The earliest time that a clock may show and be plausible: no earlier than this program was built, nor than
+/// a record was written. A record more than ten years younger than the program proves nothing: it was written
+/// while the clock was wrong. A clock that is ahead cannot be found out.
 class EarliestTime {
   public:
     explicit EarliestTime(std::chrono::system_clock::time_point built) : built_(built), time_(built) {}
@@ -22,14 +22,14 @@ class EarliestTime {
     std::chrono::system_clock::time_point time_;
 };
 
-/// The local time, once the clock can be believed.
+/// The local time, once the clock is plausible.
 class Calendar {
   public:
-    /// @param catalogue  the records' directory as it is at the start: what is written later may have been
-    ///                   written by a clock that is wrong
+    /// @param catalogue  the directory of the records, read once: a record that is written later may have the
+    ///                   time of a wrong clock
     explicit Calendar(const std::filesystem::path& catalogue);
 
-    /// None: the clock cannot be right yet. One that systemd-timesyncd has set is.
+    /// None: the clock is not plausible yet. A clock that systemd-timesyncd has set is.
     std::optional<std::chrono::local_seconds> now() const;
 
   private:

@@ -11,7 +11,7 @@ namespace vitrine::player {
 /// Decides who may change what is on the wall.
 class Authority {
   public:
-    /// @param refusal  in plain words; empty: allowed
+    /// @param refusal  why not, in plain words; empty: allowed
     using Answer = std::function<void(const std::string& refusal)>;
 
     Authority() = default;
@@ -22,7 +22,7 @@ class Authority {
     virtual ~Authority() = default;
 
     /// Answers at once or later, from the event loop, and not at all once this is gone.
-    /// @param call  lent; whose sender asks
+    /// @param call  lent; its sender is the one who asks
     virtual void ask(sd_bus_message& call, Answer answer) = 0;
 };
 

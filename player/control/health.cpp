@@ -20,23 +20,23 @@ const char* name_of(ShowState state) {
     return "no flip";
 }
 
-void Health::see(const Sight& sight, Duration now) {
+void Health::set_screens(const ScreenState& now_seen, Duration now) {
     std::map<std::string, Screen> seen;
-    for (const Sight::Screen& screen : sight.screens) {
+    for (const ScreenState::Screen& screen : now_seen.screens) {
         const auto known = screens_.find(screen.name);
         Screen next = known == screens_.end() ? Screen{.flips = screen.flips, .last = now} : known->second;
         if (next.flips != screen.flips) next = {.flips = screen.flips, .last = now, .has_flipped = true};
         seen.emplace(screen.name, next);
     }
     screens_ = std::move(seen);
-    if (sight.is_away)
+    if (now_seen.is_away)
         state_ = ShowState::off;
     else if (screens_.empty())
         state_ = ShowState::no_panel;
     else if (since_flip(now) > patience)
         state_ = ShowState::no_flip;
     else
-        state_ = sight.items > 0 ? ShowState::showing : ShowState::no_content;
+        state_ = now_seen.items > 0 ? ShowState::showing : ShowState::no_content;
 }
 
 Health::Duration Health::since_flip(Duration now) const {
@@ -46,15 +46,15 @@ Health::Duration Health::since_flip(Duration now) const {
     return longest;
 }
 
-bool Health::is_alive(Duration now) {
-    if (now - told_ < period) return false;
+bool Health::feed_watchdog_now(Duration now) {
+    if (now - fed_ < period) return false;
     const bool is_dark = state_ == ShowState::off || state_ == ShowState::no_panel;
     const bool has_flipped =
         std::ranges::all_of(screens_, [](const auto& entry) { return entry.second.has_flipped; });
     if (!is_dark && !has_flipped) return false;
     for (auto& [name, screen] : screens_)
         screen.has_flipped = false;
-    told_ = now;
+    fed_ = now;
     return true;
 }
 

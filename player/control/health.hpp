@@ -8,10 +8,10 @@
 
 namespace vitrine::player {
 
-/// What there is to say of a screen from across the room.
+/// The state of the screens, as somebody sees it from across the room.
 enum class ShowState {
     showing,     // pictures reach every display
-    no_content,  // they do, but there is no file to show: the idle picture
+    no_content,  // pictures reach them, but there is no file to show: the idle picture
     no_panel,    // there is no display, or no graphics card
     off,         // on purpose: another terminal or another program has the display
     no_flip,     // a display is there and takes no picture
@@ -20,8 +20,8 @@ enum class ShowState {
 /// "showing", "no content", "no panel", "off", "no flip".
 const char* name_of(ShowState state);
 
-/// What is seen of the screens at one moment.
-struct Sight {
+/// The screens at one moment.
+struct ScreenState {
     struct Screen {
         std::string name;
         std::uint64_t flips = 0;  // pictures that have reached it so far
@@ -32,37 +32,37 @@ struct Sight {
     std::size_t items = 0;            // on the wall
 };
 
-/// Whether pictures reach the displays, and so whether systemd may be told that all is well: for each display
-/// that is there a picture must have reached it since systemd was told last, or there must be none on
-/// purpose. A main loop that stands still tells nothing at all. Knows no clock: time is passed in.
+/// Tells whether pictures reach the displays, and so whether systemd's watchdog may be fed: since it was fed
+/// last a picture must have reached each display, or there must be no display on purpose. A main loop that
+/// stands still feeds nothing. Knows no clock: the time is passed in.
 class Health {
   public:
     using Duration = std::chrono::nanoseconds;
 
-    static constexpr Duration patience = std::chrono::seconds(5);  // with a display between two pictures
-    static constexpr Duration period = std::chrono::seconds(1);    // between two words to systemd, at least
+    static constexpr Duration patience = std::chrono::seconds(5);  // between two pictures of a display
+    static constexpr Duration period = std::chrono::seconds(1);    // at least, from one feeding to the next
 
     /// To be called at every tick.
-    void see(const Sight& sight, Duration now);
+    void set_screens(const ScreenState& screens, Duration now);
 
     ShowState state() const { return state_; }
 
-    /// Since when a display has waited for a picture, at most; zero where there is none.
+    /// The longest time that a display has waited for a picture; zero where there is no display.
     Duration since_flip(Duration now) const;
 
-    /// Whether systemd is to be told now; to be asked after each see(). True begins the next period.
-    bool is_alive(Duration now);
+    /// To be called after each set_screens(). @return  true: feed the watchdog now; the next period begins
+    bool feed_watchdog_now(Duration now);
 
   private:
     struct Screen {
         std::uint64_t flips = 0;
-        Duration last{0};          // when they last changed
-        bool has_flipped = false;  // since systemd was told
+        Duration last{0};          // when `flips` last changed
+        bool has_flipped = false;  // since the watchdog was fed
     };
 
     std::map<std::string, Screen> screens_;
     ShowState state_ = ShowState::no_panel;
-    Duration told_ = -period;
+    Duration fed_ = -period;
 };
 
 }  // namespace vitrine::player

@@ -5,10 +5,10 @@
 
 namespace vitrine::player {
 
-/// What a file of the media folder may be called there, likeliest first, by how somebody called it: by its
-/// path on this machine or from a folder of it, from the media folder on, or as the share shows it elsewhere
-/// ("\\box\media\a.jpg", "smb://box/media/a.jpg", "Z:\a.jpg", "/Volumes/media/a.jpg"). Any bytes; nothing is
-/// asked of the file system.
+/// The names that a file may have in the media folder, likeliest first, from the name that somebody typed: a
+/// path on this machine, absolute or from a folder, a path from the media folder on, or the name that the
+/// share has elsewhere ("\\box\media\a.jpg", "smb://box/media/a.jpg", "Z:\a.jpg", "/Volumes/media/a.jpg").
+/// Any bytes; the file system is not asked.
 /// @param given   as it was typed
 /// @param folder  absolute, where it was typed
 /// @param root    absolute, the media folder

@@ -18,7 +18,7 @@ std::string dumped(const Json& json) {
 
 /// A label's value. Source: the Prometheus text format, which has three escapes and wants UTF-8.
 std::string label(const std::string& text) {
-    const std::string json = dumped(text);  // what is no UTF-8 is replaced
+    const std::string json = dumped(text);  // bytes that are not UTF-8 are replaced
     const Json clean = Json::parse(json);
     std::string made;
     for (const char c : clean.get<std::string>()) {
@@ -31,8 +31,8 @@ std::string label(const std::string& text) {
     return made;
 }
 
-/// What the analyzer says of everything: of its lists, which may have an entry for each file, how many are in
-/// which state.
+/// The analyzer's status without its lists, which may have an entry for each file: in their place the number
+/// of entries in each state.
 Json summary(const std::string& analyzer) {
     const Json said = Json::parse(analyzer, nullptr, false);
     Json kept = Json::object();
@@ -48,7 +48,7 @@ Json summary(const std::string& analyzer) {
     return kept;
 }
 
-/// What it says of one file: the entry that names it as "path", "file" or "name".
+/// The analyzer's entry for one file: the one that has its name as "path", "file" or "name".
 Json entry(const std::string& analyzer, const std::string& path) {
     const Json said = Json::parse(analyzer, nullptr, false);
     if (!said.is_object()) return {};

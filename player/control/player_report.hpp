@@ -29,24 +29,24 @@ struct CellReport {
 
 struct SourceReport {
     std::string path;
-    std::string tier;  // "photo"; of films "all", "reference", "key", "still": which pictures are decoded
+    std::string tier;  // "photo"; of films the pictures that are decoded: "all", "reference", "key", "still"
     bool is_stored = false;  // played from the store, not from the media folder
     std::uint64_t late = 0;  // pictures so far
 };
 
-/// All that the player can say of itself at one moment.
+/// The facts about the player at one moment.
 struct PlayerReport {
     ShowState state = ShowState::no_panel;
     std::string display;  // card, modes and renderer in words, or why there is none
     std::vector<ScreenReport> screens;
     std::vector<CellReport> cells;
     std::vector<SourceReport> sources;
-    std::size_t files = 0;                    // that can be shown
+    std::size_t files = 0;                    // ready ones
     std::size_t queue = 0;                    // sources that have no picture yet
     std::int64_t pictures = 0;                // shown since the start
     std::int64_t late = 0;                    // left out, as they came too late
     std::uint64_t film_late = 0;              // pictures of films that came too late
-    double rate = 0;                          // pictures a second that have reached each display, of late
+    double rate = 0;                          // pictures a second that reach each display
     std::chrono::milliseconds since_flip{0};  // of the display that waits longest
     bool is_paused = false;
     std::vector<std::string> pinned;     // files
@@ -79,9 +79,9 @@ std::string to_json(const PlayerReport& report, const std::string& analyzer);
 /// @param analyzer  JSON, or empty
 std::string to_json(const FileReport& report, const std::string& analyzer);
 
-/// As a node exporter reads it from a text file (the Prometheus text format).
-/// @param degrees  of the hottest part of the machine, Celsius
-/// @param states   files by what the analyzer says of them
+/// The text that a node exporter reads from a file (the Prometheus text format).
+/// @param degrees  temperature of the hottest part of the machine, Celsius
+/// @param states   the number of files in each state of the analyzer
 std::string to_metrics(const PlayerReport& report, std::optional<double> degrees,
                        const std::vector<std::pair<std::string, std::size_t>>& states);
 

@@ -13,7 +13,7 @@ namespace {
 /// Screens that flip or do not, looked at every 100 ms.
 struct Watched {
     Health health;
-    std::vector<Sight::Screen> screens{};
+    std::vector<ScreenState::Screen> screens{};
     std::vector<bool> flips{};  // of each screen
     bool is_away = false;
     std::size_t items = 4;
@@ -30,8 +30,8 @@ struct Watched {
         for (const auto end = now + duration; now < end; now += 100ms) {
             for (std::size_t i = 0; i < screens.size(); ++i)
                 screens[i].flips += flips[i] ? 1 : 0;
-            health.see({.screens = screens, .is_away = is_away, .items = items}, now);
-            fed += health.is_alive(now) ? 1 : 0;
+            health.set_screens({.screens = screens, .is_away = is_away, .items = items}, now);
+            fed += health.feed_watchdog_now(now) ? 1 : 0;
         }
         return fed;
     }
