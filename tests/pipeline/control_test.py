@@ -163,6 +163,31 @@ frame_rate = 5
             wait_for("a wall of three", lambda: len(self.wall()) == 3)
         self.assertIsNone(player.poll())
 
+    def test_a_file_out_of_its_hours_is_told_its_hours(self):
+        hour = (time.localtime().tm_hour + 3) % 24
+        late = f"{hour:02}-{(hour + 1) % 24 or 24:02} Later/late.png"
+        (self.media / late).parent.mkdir()
+        for name in ("trips/red.png", late):
+            png(self.media / name, 64, 48, lambda x, y: COLOURS["red"])
+        self.set(slots=2)
+        subprocess.run([ANALYZER, "watch", "--once", "--config", self.settings, "--analyzer.quiet_milliseconds", "100"],
+                       timeout=PATIENCE, capture_output=True)
+        self.start_bus()
+        player = self.start_player()
+        wait_for("one on the wall", lambda: self.wall() == ["trips/red.png"])
+        said = json.loads(self.ctl("why", "--json", late).stdout)
+        self.assertEqual((said["state"], said["wall"]), ("ready", "out_of_hours"))
+        self.assertIn(f"It is out of its hours: it is shown from {hour:02}:00 to", said["says"])
+        self.assertIn("files: 1 of 2 may be shown now, 1 out of hours", self.log.read_text())
+
+        note = self.state / "visible.json"
+        states = wait_for("the note", lambda: note.exists() and {
+            file["path"]: file["state"] for file in json.loads(note.read_text())["files"]})
+        self.assertEqual(states[late], "out_of_hours")
+        player.terminate()
+        player.wait(PATIENCE)
+        self.assertFalse(note.exists())
+
     def test_without_a_bus_the_player_plays_and_says_so_once(self):
         self.set(slots=2)
         player = self.start_player()
