@@ -1,0 +1,54 @@
+#include "player/stage/stages.hpp"
+
+#include "player/display/offscreen_display.hpp"
+#include "tests/player/scene/scene_media.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+Settings lobby_on_the_second() {
+    Settings settings;
+    settings.output.folders = "offscreen-2=lobby";
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("the screen of an output with a folder goes to the stage of that folder, all others to the first") {
+    const Settings settings = lobby_on_the_second();
+    OffscreenDisplay display({.screens = {{160, 120}, {160, 120}, {160, 120}}}, {}, 30);
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    Stages stages(settings, sources, false);
+    REQUIRE(stages.all().size() == 2);
+    const auto screens = display.screens();
+
+    stages.set_screens(screens, 0s);
+    REQUIRE(stages.first().screens().size() == 2);
+    CHECK(stages.first().screens()[1]->name() == "offscreen-3");
+    CHECK(stages.first().folder().empty());
+    REQUIRE(stages.all()[1]->screens().size() == 1);
+    CHECK(stages.all()[1]->screens()[0]->name() == "offscreen-2");
+    CHECK(stages.all()[1]->folder() == "lobby");
+
+    stages.set_screens({}, 1s);
+    CHECK(stages.first().screens().empty());
+    CHECK(stages.all()[1]->screens().empty());
+}
+
+TEST_CASE("stages that are made anew have no files yet") {
+    const Settings settings = lobby_on_the_second();
+    OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    Stages stages(settings, sources, false);
+    stages.set_catalogue(photos(3), {});
+    stages.make_anew();
+
+    CHECK(stages.all().size() == 2);
+    CHECK(stages.standing().empty());
+    CHECK(stages.audible().empty());
+}
