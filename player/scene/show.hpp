@@ -5,8 +5,8 @@
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/shot_rotation.hpp"
-#include "player/scene/show_files.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/scene/show_files.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_rotation.hpp"
-#include "player/scene/show_files.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/scene/show_files.hpp"
 
 #include <chrono>
 #include <cstdint>

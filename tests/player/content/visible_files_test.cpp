@@ -136,7 +136,7 @@ TEST_CASE("a file with hours is kept off while the clock is not plausible") {
     House house({photo("20-21 Evening/late.png"), photo("a.jpg")});
     const auto next_year = fs::file_time_type::clock::now() + std::chrono::years(1);
     for (const fs::directory_entry& record : fs::directory_iterator(house.state.path / "catalogue"))
-        fs::last_write_time(record.path(), next_year);  // written before: the clock is behind
+        fs::last_write_time(record.path(), next_year);             // written before: the clock is behind
     if (fs::exists("/run/systemd/timesync/synchronized")) return;  // this machine's clock is always believed
     house.open();
 
@@ -148,7 +148,8 @@ TEST_CASE("a file with hours is kept off while the clock is not plausible") {
 TEST_CASE("a file that brought the player down is held back, and of two suspects one is shown at a time") {
     const std::vector<MediaRecord> records{photo("a.jpg"), photo("b.jpg"), photo("evil.jpg")};
     House house(records);
-    replace_file(house.state.path / blamed_file, to_text(Blame{{content_name(records[2]), quarantine_points}}));
+    replace_file(house.state.path / blamed_file,
+                 to_text(Blame{{content_name(records[2]), quarantine_points}}));
     crash(house.state.path, {records[0], records[1]});
     house.open();
 

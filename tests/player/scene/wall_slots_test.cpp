@@ -291,8 +291,8 @@ TEST_CASE("over thousands of random changes new files come before all that was t
     std::mt19937_64 engine(12);
     for (int k = 0; k < 1000; ++k) {
         Files files = random_files(engine);
-        Player wall = make_player({.count = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s},
-                             files.records);
+        Player wall = make_player(
+            {.count = 1 + static_cast<int>(engine() % 4), .seed = engine(), .dwell = 5s}, files.records);
         wall.run(std::chrono::seconds(engine() % 60));
         const std::size_t shown = wall.order.size();
         std::set<std::string> added;
@@ -451,7 +451,7 @@ TEST_CASE("no source is ever named twice") {
 }
 
 TEST_CASE("a shot stays for as long as its name says, a film too") {
-    SlotSettings settings{.slots = 1, .order = ShotOrder::name, .dwell = 20s, .lead = 0s};
+    SlotSettings settings{.count = 1, .order = ShotOrder::name, .dwell = 20s, .lead = 0s};
     Player wall{.slots = WallSlots(settings)};
     wall.slots.set_catalogue(std::vector{photo("5s a"), film("b", 1, 10s), photo("c")},
                              {{"5s a", {.dwell = 5s}}, {"b", {.dwell = 7s}}});
@@ -468,7 +468,7 @@ TEST_CASE("a shot stays for as long as its name says, a film too") {
 
 TEST_CASE("what comes three times as often is on the wall three times as often") {
     for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name}) {
-        SlotSettings settings{.slots = 2, .order = order, .lead = 0s};
+        SlotSettings settings{.count = 2, .order = order, .lead = 0s};
         Player wall{.slots = WallSlots(settings)};
         wall.slots.set_catalogue(photos(10), {{"p103", {.repeat = 3}}});
         wall.look();
