@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -19,6 +20,9 @@ gstreamer1.0-plugins-base gstreamer1.0-plugins-good gstreamer1.0-plugins-bad gst
 DRIVERS_LEFT_OUT = "net media infiniband scsi staging iio hwmon isdn mtd nvme md ata firewire platform bluetooth crypto".split()
 HOST_PROGRAMS = ("qemu-system-x86_64 qemu-img mmdebstrap mke2fs zstd dbus-daemon gdbus ffmpeg setpriv "
                  "apt-get apt-config dpkg-query readelf ldd").split()
+
+
+MAX_AGE = 30  # days, then the guest is made anew: it has the packages of the day it was made
 
 
 class NotHere(Exception):
@@ -104,11 +108,31 @@ def ensure(programs):
         raise NotHere(f"no image of Debian's mirror: {error}") from error
 
 
+def age_in_days(image):
+    return (time.time() - (image / "base.raw").stat().st_mtime) / 86400
+
+
 def made_for(packages):
-    """The directory of the image with these packages, made where it is not kept."""
-    kept = cache_directory() / key(recipe(packages), (HERE / "guest.sh").read_text())
-    if (kept / "base.raw").exists():
-        return kept
+    """The directory of the image with these packages. It is made where none is kept, and where the newest one is old."""
+    name = key(recipe(packages), (HERE / "guest.sh").read_text())
+    images = sorted((one for one in cache_directory().glob(f"{name}*") if (one / "base.raw").exists()), key=age_in_days)
+    if images and age_in_days(images[0]) <= MAX_AGE:
+        return images[0]
+    try:
+        made = make(packages, cache_directory() / f"{name}-{time.strftime('%Y%m%d')}")
+    except (OSError, subprocess.CalledProcessError):
+        if not images:
+            raise
+        print(f"{images[0]} is {age_in_days(images[0]):.0f} days old, but no newer one can be made", flush=True)
+        return images[0]
+    for image in images:
+        if age_in_days(image) > 2 * MAX_AGE:  # no machine of another checkout runs from it any more
+            shutil.rmtree(image, ignore_errors=True)
+    return made
+
+
+def make(packages, kept):
+    """Makes an image as the directory `kept`; that."""
     kept.parent.mkdir(parents=True, exist_ok=True)
     made = Path(tempfile.mkdtemp(dir=kept.parent, prefix="making-"))
     made.chmod(0o777)
