@@ -62,6 +62,24 @@ function(vitrine_module name)
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
   target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
+  if(VITRINE_UNITY)
+    read_together(${name} ${arg_SOURCES})
+  endif()
+endfunction()
+
+# Compiles a target's sources in batches, each as one source: the headers and what is made of templates come once a
+# batch. No two sources of a batch declare the same file-local name.
+function(read_together name)
+  execute_process(COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/batches.py 1500 ${ARGN}
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE batches COMMAND_ERROR_IS_FATAL ANY)
+  foreach(batch IN LISTS batches)
+    string(REPLACE "," ";" sources "${batch}")
+    list(GET sources 0 first)
+    set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${first})
+  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A local name may stand in another source's way without harm; types of unnamed namespaces are not in a main file.
+  target_compile_options(${name} PRIVATE -Wno-shadow -Wno-subobject-linkage)
 endfunction()
 
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, media, pipeline,

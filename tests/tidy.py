@@ -28,6 +28,10 @@ from functools import cache
 from pathlib import Path
 
 TREE = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TREE / "cmake"))
+sys.dont_write_bytecode = True
+from batches import batches
+
 PROGRAMS = ("base", "analyzer", "player")
 BATCH = 2500  # lines
 # The analyzer's paths take longer than all other checks together; a batch includes sources by intention.
@@ -35,7 +39,6 @@ CHECKS = "-clang-analyzer-*,-bugprone-suspicious-include"
 HEADERS = rf"^{re.escape(str(TREE))}/({'|'.join(PROGRAMS)})/.*\.[ch]pp$"
 KEPT_DAYS = 60
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
-LOCAL_SCOPE = re.compile(r"^namespace \{\n(.*?)^\}", re.S | re.M)
 
 
 @cache
@@ -52,23 +55,6 @@ def includes_of(path):
         if header.is_file():
             found |= {header} | includes_of(header)
     return frozenset(found)
-
-
-def local_names(path):
-    """The names in a source's unnamed namespaces, read from the layout of its text; the batch's compilation tells of a miss."""
-    names = set()
-    for body in LOCAL_SCOPE.findall(text_of(path)):
-        for line in body.splitlines():
-            if not line or line[0] in " }/#)" or line.startswith(("using namespace", "namespace ", "template")):
-                continue
-            head = line.split("=")[0]
-            found = re.match(r"(?:struct|class|enum class|enum|using)\s+(\w+)", head) or re.search(r"(\w+)\(", head) \
-                or re.search(r"(\w+)(?:\[.*\])*\s*[{;]?\s*$", head)
-            if found:
-                names.add(found[1])
-    if re.search(r"^int main\(", text_of(path), re.M):
-        names.add("main")
-    return names
 
 
 def compile_flags(build):
@@ -138,20 +124,12 @@ class Passed:
         (self.folder / key).touch()
 
 
-def batches(sources):
-    """[sources]: of one program each, together at most BATCH lines, and no two with the same local name."""
+def batches_of(sources):
+    """Batches of sources of one program each, the largest first."""
     made = []
-    for source in sorted(sources):
-        program, names, lines = source.relative_to(TREE).parts[0], local_names(source), text_of(source).count("\n")
-        fitting = next((one for one in made if one["program"] == program and one["lines"] + lines <= BATCH
-                        and not one["names"] & names), None)
-        if fitting is None:
-            fitting = {"program": program, "names": set(), "lines": 0, "sources": []}
-            made.append(fitting)
-        fitting["names"] |= names
-        fitting["lines"] += lines
-        fitting["sources"].append(source)
-    return [one["sources"] for one in sorted(made, key=lambda one: -one["lines"])]
+    for program in PROGRAMS:
+        made += batches([source for source in sorted(sources) if source.relative_to(TREE).parts[0] == program], BATCH)
+    return sorted(made, key=len, reverse=True)
 
 
 def tidy(file, flags):
@@ -192,7 +170,7 @@ def main():
     due = [source for source in wanted if options.all or not passed.knows(key_of[source])]
     found = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        jobs = [workers.submit(look_at, batch, flags, folder) for batch in batches(due)]
+        jobs = [workers.submit(look_at, batch, flags, folder) for batch in batches_of(due)]
         for job in concurrent.futures.as_completed(jobs):
             for sources, said in job.result():
                 if said:

@@ -35,7 +35,7 @@ class Tidy(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory(prefix="vitrine-tidy-")
         self.addCleanup(self.folder.cleanup)
         self.tree = Path(self.folder.name).resolve() / "tree"
-        for file in ("tests/tidy.py", ".clang-tidy", "packaging/dependencies"):
+        for file in ("tests/tidy.py", "cmake/batches.py", ".clang-tidy", "packaging/dependencies"):
             (self.tree / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(HERE.parent / file, self.tree / file)
         self.write("base/twice.hpp", HEADER)
