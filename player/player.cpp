@@ -113,7 +113,7 @@ void Player::make_display() {
     display_ = std::make_unique<DisplaySession>(
         loop_, make_display_opener({.output = settings_.output, .recording = recording}),
         settings_.state.directory,
-        RendererCalls{.began = [this](PictureForm form) { sources_->set_form(form); },
+        RendererCalls{.began = [this](PictureForm form) { sources_->film_options().form = form; },
                       .ends = [this] { stages_->forget_uploads(); }});
 }
 
@@ -121,9 +121,9 @@ void Player::make_sources() {
     sources_ = std::make_unique<SourcePool>(media_places(settings_),
                                             source_options(settings_, !is_paced_by_pictures()));
     if (settings_.output.decoders == DecoderChoice::automatic)
-        sources_->set_decoders(hardware_decoders(is_usable_here));
-    log::info("films are decoded {}", in_words(sources_->decoders()));
-    sources_->before_opening(
+        sources_->film_options().decoders = hardware_decoders(is_usable_here);
+    log::info("films are decoded {}", in_words(sources_->film_options().decoders));
+    sources_->set_before_opening(
         [this](const std::string& path) { files_->note_opening(path, EventLoop::Clock::now()); });
 }
 

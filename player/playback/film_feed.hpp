@@ -52,8 +52,9 @@ class FilmFeed {
     /// Pictures decoded from now on have another size.
     virtual void resize(int width, int height) = 0;
 
-    /// Goes on at `at`, in loops since the begin of the first, with another share of the pictures.
-    virtual void go_on(Detail detail, std::chrono::nanoseconds at) = 0;
+    /// Plays on from another place, with another share of the pictures.
+    /// @param at  the place in loops, since the begin of the first one
+    virtual void play_from(Detail detail, std::chrono::nanoseconds at) = 0;
 
     /// Processor time that the pictures so far have cost.
     virtual std::chrono::nanoseconds spent() const = 0;

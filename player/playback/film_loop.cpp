@@ -83,7 +83,7 @@ void FilmLoop::resize(int width, int height) {
     size_ = Size{width, height};
 }
 
-void FilmLoop::go_on(Detail detail, std::chrono::nanoseconds at) {
+void FilmLoop::play_from(Detail detail, std::chrono::nanoseconds at) {
     const std::lock_guard lock(mutex_);
     wanted_ = Jump{detail, at};
     if (!is_stopped_) post(jump_name);

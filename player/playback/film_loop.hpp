@@ -34,7 +34,7 @@ class FilmLoop final : public FilmFeed {
     ~FilmLoop() override;
 
     void resize(int width, int height) override;
-    void go_on(Detail detail, std::chrono::nanoseconds at) override;
+    void play_from(Detail detail, std::chrono::nanoseconds at) override;
     void stop() override;
 
     std::chrono::nanoseconds spent() const override { return spent_.load(); }

@@ -1,6 +1,7 @@
 #include "player/playback/governor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -8,10 +9,10 @@ namespace {
 
 constexpr double overload = 0.05;  // share of the pictures due that come late
 constexpr double calm = 0.005;
-constexpr int settling_time = 2;    // periods that a change takes until it shows
-constexpr int probation = 6;        // periods without lateness after a step up, which was right then
-constexpr int most_patience = 512;  // periods
-constexpr double least_salience = 1e-3;
+constexpr int settling_time = 2;   // periods that a change takes until it shows
+constexpr int probation = 6;       // periods without lateness after a step up, which was right then
+constexpr int max_patience = 512;  // periods
+constexpr double min_salience = 1e-3;
 
 Detail below(Detail detail) {
     return static_cast<Detail>(static_cast<int>(detail) + 1);
@@ -33,10 +34,25 @@ double lateness(std::span<const FilmLoad> films) {
 
 /// Cost for what is seen.
 double burden(const FilmLoad& film) {
-    return film.cost / std::max(film.salience, least_salience);
+    return film.cost / std::max(film.salience, min_salience);
 }
 
 }  // namespace
+
+void FilmMeter::note_shown(double share, std::chrono::nanoseconds time) {
+    if (shown_ != time) salience_ = 0;
+    salience_ += share;
+    shown_ = time;
+}
+
+FilmLoad FilmMeter::measure(SourceId source, const ShotCounts& counts, std::chrono::nanoseconds passed) {
+    const ShotCounts before = std::exchange(counts_, counts);
+    return {.source = source,
+            .cost = std::chrono::duration<double>(counts.spent - before.spent) / passed,
+            .salience = salience_,
+            .due = static_cast<int>(counts.due - before.due),
+            .late = static_cast<int>(counts.late - before.late)};
+}
 
 Detail Governor::detail(SourceId source) const {
     const auto found = details_.find(source);
@@ -66,14 +82,14 @@ void Governor::forget_all_but(std::span<const FilmLoad> films) {
     std::erase_if(details_, [&](const auto& entry) { return is_gone(entry.first); });
     std::erase_if(steps_, is_gone);
     if (tried_ && is_gone(*tried_)) tried_.reset();
-    if (steps_.empty() && calm_ >= most_patience) patience_ = least_patience;  // another load than then
+    if (steps_.empty() && calm_ >= max_patience) patience_ = min_patience;  // another load than then
 }
 
 std::optional<Governor::Change> Governor::step_down(std::span<const FilmLoad> films) {
     SourceId source = 0;
     if (tried_) {  // too early: back, and longer until the next try
         source = *tried_;
-        patience_ = std::min(2 * patience_, most_patience);
+        patience_ = std::min(2 * patience_, max_patience);
         tried_.reset();
     } else {
         const FilmLoad* most = nullptr;

@@ -32,9 +32,10 @@ Sample read(const std::string& file, int width, int height, Colour background) {
 }  // namespace
 
 PhotoLoad::PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue)
-    : queue_(queue), thread_([this, file = std::move(file), width, height, background] {
-          run(file, width, height, background);
-      }) {}
+    : width_(width),
+      height_(height),
+      queue_(queue),
+      thread_([this, file = std::move(file), background] { run(file, width_, height_, background); }) {}
 
 PhotoLoad::~PhotoLoad() {
     thread_.join();

@@ -27,14 +27,20 @@ class PhotoLoad {
     /// Waits for its thread: not for long after has_ended().
     ~PhotoLoad();
 
+    int width() const { return width_; }
+
+    int height() const { return height_; }
+
     bool has_ended() const { return has_ended_; }
 
-    /// Why there is no picture, in plain words.
+    /// The reason why there is no picture, in plain words.
     std::optional<std::string> failure() const;
 
   private:
     void run(const std::string& file, int width, int height, Colour background);
 
+    int width_;  // px that were asked for
+    int height_;
     SampleQueue& queue_;  // outlives this
     std::atomic<bool> has_ended_ = false;
     mutable std::mutex mutex_;

@@ -10,20 +10,14 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t most_pictures = 12;  // decoded ahead; they bridge 400 ms of a film of 30 a second
-constexpr std::size_t least_pictures = 4;
-constexpr std::size_t most_bytes = 24U << 20;  // of pictures decoded ahead
-constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);
-constexpr std::chrono::nanoseconds most_behind = std::chrono::milliseconds(250);  // before time gives way
-constexpr std::chrono::nanoseconds hopeless = std::chrono::seconds(1);            // behind: it is sent ahead
-constexpr std::chrono::nanoseconds jump_time =
-    std::chrono::milliseconds(300);  // until a film plays elsewhere
-constexpr std::chrono::nanoseconds between_jumps = std::chrono::seconds(3);
+constexpr std::size_t max_pictures = 12;  // decoded ahead; they bridge 400 ms of a film of 30 a second
+constexpr std::size_t min_pictures = 4;
+constexpr std::size_t max_bytes = 24U << 20;  // of pictures decoded ahead
 
 std::size_t capacity(const ShotRequest& request) {
     const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(std::max(1, request.width)) *
                               static_cast<std::size_t>(std::max(1, request.height));
-    return std::clamp(most_bytes / bytes, least_pictures, most_pictures);
+    return std::clamp(max_bytes / bytes, min_pictures, max_pictures);
 }
 
 }  // namespace
@@ -34,8 +28,7 @@ ShotSource::ShotSource(std::string file, const ShotRequest& request, const Sourc
       request_(request),
       options_(options),
       queue_(capacity(request)),
-      judged_(at - std::chrono::nanoseconds(1)),
-      jumped_(at) {
+      clock_(options.keeps_time, at) {
     if (request.kind == MediaKind::photo) {
         read_photo();
         return;
@@ -55,19 +48,19 @@ std::optional<std::string> ShotSource::failure() const {
     return current_ ? std::nullopt : photo_->failure();  // a photo once read stays good
 }
 
-std::optional<Sample> ShotSource::frame_at(std::chrono::nanoseconds local) {
+std::optional<Sample> ShotSource::picture_at(std::chrono::nanoseconds local) {
     has_news_ = false;
-    if (detail_ != Detail::still) take_due(local - behind_);
+    if (detail_ != Detail::still) take_due_pictures(clock_.target(local));
     if (!current_) return std::nullopt;
-    if (film_ && detail_ != Detail::still && local != judged_) judge_lateness(local);
+    if (film_ && detail_ != Detail::still) judge_lateness(local);
     return current_->sample;
 }
 
 bool ShotSource::wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
-    if (is_outdated()) read_anew();
+    if (is_outdated()) read_photo();
     while (true) {
-        take_due(local - behind_);
+        take_due_pictures(clock_.target(local));
         if (current_ && (photo_ ? !is_photo_coming_ : !queue_.is_empty()))
             return true;  // the rest is not due
         const auto left = deadline - std::chrono::steady_clock::now();
@@ -88,23 +81,22 @@ void ShotSource::resize(int width, int height) {
     if (film_) film_->resize(width, height);
 }
 
-void ShotSource::read_anew() {
-    assert(is_outdated());
-    read_photo();
+void ShotSource::read_photo() {
+    assert(!film_ && (!photo_ || photo_->has_ended()));
+    is_photo_coming_ = true;
+    photo_ = std::make_unique<PhotoLoad>(file_, request_.width, request_.height, options_.background, queue_);
 }
 
-void ShotSource::read_photo() {
-    read_width_ = request_.width;
-    read_height_ = request_.height;
-    is_photo_coming_ = true;
-    photo_ = std::make_unique<PhotoLoad>(file_, read_width_, read_height_, options_.background, queue_);
+ShotCounts ShotSource::counts() const {
+    ShotCounts counts = clock_.counts();
+    if (film_) counts.spent = film_->spent();
+    return counts;
 }
 
 void ShotSource::set_detail(Detail detail) {
     if (!film_ || detail == detail_) return;
     detail_ = detail;
-    jumped_ = judged_;
-    film_->go_on(detail, judged_ + jump_time);
+    film_->play_from(detail, clock_.jump());
 }
 
 void ShotSource::stop() {
@@ -116,16 +108,18 @@ bool ShotSource::has_ended() const {
     return film_ ? film_->has_ended() : photo_->has_ended();
 }
 
-/// When a picture is due, since the shot began to be shown.
+/// The place of a picture in loops of the shot.
 std::chrono::nanoseconds ShotSource::position(const LoopedSample& sample) const {
     if (!film_) return std::chrono::nanoseconds(0);
     const auto loops = static_cast<std::chrono::nanoseconds::rep>(sample.loop);
     return request_.shot.duration() * loops + sample.sample.stream_time - request_.shot.begin;
 }
 
-void ShotSource::take_due(std::chrono::nanoseconds target) {
-    while (auto sample = queue_.take_if(
-               [&](const LoopedSample& next) { return !current_ || position(next) <= target + rounding; })) {
+void ShotSource::take_due_pictures(std::chrono::nanoseconds target) {
+    const auto is_due = [&](const LoopedSample& next) {
+        return !current_ || position(next) <= target + ShotClock::rounding;
+    };
+    while (auto sample = queue_.take_if(is_due)) {
         current_ = std::move(sample);
         is_photo_coming_ = false;
         has_news_ = true;
@@ -133,18 +127,10 @@ void ShotSource::take_due(std::chrono::nanoseconds target) {
 }
 
 void ShotSource::judge_lateness(std::chrono::nanoseconds local) {
-    judged_ = local;
-    ++due_;
-    if (!queue_.is_empty() || queue_.is_closed()) return;
-    const std::chrono::nanoseconds missing = local - behind_ - position(*current_) - current_->duration;
-    if (missing <= rounding) return;
-    ++late_;
-    if (!options_.keeps_time) {
-        if (missing > most_behind) behind_ += missing;
-    } else if (missing > hopeless && local - jumped_ > between_jumps) {
-        jumped_ = local;
-        film_->go_on(detail_, local + jump_time);
-    }
+    const bool has_next = !queue_.is_empty() || queue_.is_closed();
+    const auto missing = clock_.target(local) - position(*current_) - current_->duration;
+    if (clock_.judge(local, has_next ? std::chrono::nanoseconds(0) : missing))
+        film_->play_from(detail_, clock_.jump());
 }
 
 }  // namespace vitrine::player

@@ -50,11 +50,11 @@ TEST_CASE("at each time the shot shows the newest picture due, loop after loop")
         for (const auto within : {0ms, 20ms, 38ms}) {
             const auto local = i * 40ms + within;
             REQUIRE(source.wait_for(local, patience));
-            REQUIRE(number(source.frame_at(local).value()) == 40 + i % 24);
+            REQUIRE(number(source.picture_at(local).value()) == 40 + i % 24);
         }
         CHECK(length(source.slide() - Vec2{25 * 0.04 * (i % 24), -50 * 0.04 * (i % 24)}) < 1e-6);
     }
-    CHECK(source.late() == 0);
+    CHECK(source.counts().late == 0);
     CHECK_FALSE(source.failure());
 }
 
@@ -65,9 +65,9 @@ TEST_CASE("at a lower rate than the film's pictures are left out, none comes lat
     for (int i = 0; i < 40; ++i) {
         const auto local = i * 100ms;
         REQUIRE(source.wait_for(local, patience));
-        REQUIRE(number(source.frame_at(local).value()) == 40 + (i * 100 % 960) / 40);
+        REQUIRE(number(source.picture_at(local).value()) == 40 + (i * 100 % 960) / 40);
     }
-    CHECK(source.late() == 0);
+    CHECK(source.counts().late == 0);
 }
 
 TEST_CASE("a shot whose decoding cannot keep up is late and then goes on from where it is") {
@@ -75,13 +75,13 @@ TEST_CASE("a shot whose decoding cannot keep up is late and then goes on from wh
     write_film(folder.path / "film", {.rate = 25, .chain = mp4});
     ShotSource source(folder.path / "film", part());
     source.wait_until_ready(patience);
-    source.frame_at(0s);
-    source.frame_at(1h);
-    CHECK(source.late() == 1);
+    source.picture_at(0s);
+    source.picture_at(1h);
+    CHECK(source.counts().late == 1);
     REQUIRE(source.wait_for(1h, patience));
-    const int shown = number(source.frame_at(1h).value());
+    const int shown = number(source.picture_at(1h).value());
     REQUIRE(source.wait_for(1h + 80ms, patience));
-    CHECK(number(source.frame_at(1h + 80ms).value()) == shown + 2);
+    CHECK(number(source.picture_at(1h + 80ms).value()) == shown + 2);
 }
 
 TEST_CASE("nothing is there before the first picture, and asking does not wait") {
@@ -89,10 +89,10 @@ TEST_CASE("nothing is there before the first picture, and asking does not wait")
     write_film(folder.path / "film", {.rate = 25, .chain = mp4});
     ShotSource source(folder.path / "film", part());
     const bool was_ready = source.is_ready();
-    CHECK(source.frame_at(0s).has_value() >= was_ready);
+    CHECK(source.picture_at(0s).has_value() >= was_ready);
     source.wait_until_ready(patience);
     CHECK(source.is_ready());
-    CHECK(source.frame_at(0s).has_value());
+    CHECK(source.picture_at(0s).has_value());
 }
 
 TEST_CASE("a photo is one picture at the size asked for that stays") {
@@ -102,7 +102,7 @@ TEST_CASE("a photo is one picture at the size asked for that stays") {
         folder.path / "photo.bmp",
         {.source = 1, .shot = {.region = {.polygon = {}, .drift = {9, 9}}}, .width = 20, .height = 10});
     REQUIRE(source.wait_for(0s, patience));
-    const Sample sample = source.frame_at(0s).value();
+    const Sample sample = source.picture_at(0s).value();
     CHECK(sample.width == 20);
     CHECK(sample.height == 10);
     CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 4 + 2]) > 240);  // red
@@ -110,9 +110,9 @@ TEST_CASE("a photo is one picture at the size asked for that stays") {
     CHECK(std::to_integer<int>(sample.pixels[5 * sample.stride + 4 * 15 + 0]) > 240);  // blue
     std::filesystem::remove(folder.path / "photo.bmp");
     CHECK(source.wait_for(1h, patience));
-    CHECK(source.frame_at(1h)->pixels.data() == sample.pixels.data());
+    CHECK(source.picture_at(1h)->pixels.data() == sample.pixels.data());
     CHECK(source.slide() == Vec2{});
-    CHECK(source.late() == 0);
+    CHECK(source.counts().late == 0);
     CHECK_FALSE(source.failure());
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("the background shows half through a half-transparent photo") {
     ShotSource source(folder.path / "photo.png", {.source = 1, .width = 20, .height = 10},
                       {.background = {.red = 0, .green = 200, .blue = 100}});
     REQUIRE(source.wait_for(0s, patience));
-    const Sample sample = source.frame_at(0s).value();
+    const Sample sample = source.picture_at(0s).value();
     const std::size_t middle = 5 * sample.stride + std::size_t{4} * 10;
     for (const auto& [channel, value] : {std::pair{2, 100}, {1, 150}, {0, 50}, {3, 255}})
         CHECK(std::abs(std::to_integer<int>(sample.pixels[middle + static_cast<std::size_t>(channel)]) -
@@ -139,15 +139,15 @@ TEST_CASE("a photo asked for in another size is read again and the old one shown
     CHECK_FALSE(source.is_outdated());
     source.resize(30, 15);
     CHECK(source.is_outdated());
-    CHECK(source.frame_at(1s)->width == 20);
+    CHECK(source.picture_at(1s)->width == 20);
     source.read_anew();
     source.resize(40, 20);  // while it is read
     while (!source.has_ended()) {
-        CHECK(source.frame_at(1s).has_value());
+        CHECK(source.picture_at(1s).has_value());
     }
-    CHECK(source.frame_at(1s)->width == 30);
+    CHECK(source.picture_at(1s)->width == 30);
     REQUIRE(source.wait_for(1s, patience));
-    CHECK(source.frame_at(1s)->width == 40);
+    CHECK(source.picture_at(1s)->width == 40);
     CHECK_FALSE(source.is_outdated());
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("a photo that has gone when it is to be read again stays as it is") {
     CHECK_FALSE(source.wait_for(1s, patience));
     while (!source.has_ended())
         std::this_thread::yield();
-    CHECK(source.frame_at(2s)->width == 20);
+    CHECK(source.picture_at(2s)->width == 20);
     CHECK_FALSE(source.is_outdated());  // it is not tried for ever
     CHECK_FALSE(source.failure());
 }

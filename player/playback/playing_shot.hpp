@@ -1,0 +1,121 @@
+#pragma once
+
+#include "player/playback/clip_handover.hpp"
+#include "player/playback/governor.hpp"
+#include "player/playback/media_places.hpp"
+#include "player/playback/shot_source.hpp"
+#include "player/playback/watchdog.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// News of a source: it is ready, or it has failed. Each is told once.
+struct SourceEvent {
+    SourceId source = 0;
+    std::optional<std::string> failure;  // in plain words; none: the source is ready
+    std::string unstored;  // the file of the media folder that it is read from; empty: the store
+};
+
+/// A source as it stands now, for reports.
+struct SourceState {
+    std::string path;
+    bool is_film = false;
+    Detail detail = Detail::all;  // of a film
+    bool is_stored = false;       // played from the store
+    bool is_ready = false;
+    std::uint64_t late = 0;  // pictures that were due and not there
+};
+
+/// The state that all shots of a pool share.
+struct PoolState {
+    MediaPlaces places;
+    SourceOptions options;                                        // of sources to come
+    std::function<void(const std::string& path)> before_opening;  // path: below the media folder
+    std::vector<std::unique_ptr<ShotSource>> ending;              // destroyed once their threads have ended
+    std::uint64_t late = 0;  // pictures, of sources that were replaced or retired
+};
+
+/// One shot as long as it is asked for. Keeps it playing whatever becomes of its sources: a stored copy that
+/// is damaged, a hardware decoder that fails, a film that stands still; and hands it over to its clip.
+class PlayingShot {
+  public:
+    /// Begins to read.
+    /// @param pool  outlives this
+    PlayingShot(ShotRequest request, PoolState& pool);
+
+    const ShotRequest& request() const { return request_; }
+
+    ShotSource& source() { return *source_; }
+
+    const ShotSource& source() const { return *source_; }
+
+    SourceState state() const;
+
+    /// True until it was told that it is ready, or has failed.
+    bool is_preparing() const { return !is_told_ready_ && !is_told_failed_; }
+
+    /// True if it gets ready for so long that others need not wait for it.
+    bool is_stuck() const;
+
+    /// Another size, or a clip that the store has got since.
+    void change_request(const ShotRequest& request);
+
+    /// Appends the news since the last call. Starts the shot from elsewhere where its source has failed.
+    void collect_events(std::vector<SourceEvent>& events);
+
+    /// Goes to the item's time, and moves the item's slide to the very picture. Where sources keep time, a
+    /// film without a picture for two seconds is built anew (watchdog.hpp).
+    void advance(DrawItem& item, const Frame& frame);
+
+    /// The picture as of the last advance().
+    const std::optional<Sample>& sample() const { return sample_; }
+
+    /// Waits until advance() to this time will be exact. False: not within `patience`.
+    bool wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience);
+
+    bool is_clip_wanted() const;
+
+    bool has_clip() const { return handover_.has_clip(); }
+
+    /// Opens the clip for the end of a loop. @pre is_clip_wanted()
+    void open_clip();
+
+    /// The cost of a film that was shown since that time; nothing of others, and of one that stands still.
+    std::optional<FilmLoad> measure_load(std::chrono::nanoseconds since, std::chrono::nanoseconds now);
+
+    /// Ends the sources in the background. Nothing else may be called after.
+    void retire();
+
+  private:
+    void start(bool may_be_stored, std::chrono::nanoseconds at);
+    void take_clip();
+    void rebuild();
+    void watch(std::chrono::nanoseconds now);
+
+    PoolState& pool_;  // outlives this
+    ShotRequest request_;
+    std::unique_ptr<ShotSource> source_;
+    bool is_stored_ = false;    // read from the store
+    bool is_software_ = false;  // without a hardware decoder
+    std::chrono::steady_clock::time_point opened_;
+    ClipHandover handover_;
+    std::chrono::nanoseconds local_{0};  // as of the last frame that it was in
+    std::optional<Sample> sample_;
+    Vec2 slide_;  // source px
+    Watchdog watchdog_;
+    FilmMeter meter_;
+    std::optional<std::string> given_up_;  // the reason
+    bool is_told_ready_ = false;
+    bool is_told_failed_ = false;
+};
+
+}  // namespace vitrine::player
