@@ -2,14 +2,12 @@
 
 #include "base/media/sound_chain.hpp"
 #include "player/playback/container_ways.hpp"
-#include "player/playback/sound_fade.hpp"
-#include "player/playback/sound_timeline.hpp"
+#include "player/playback/loop_seeker.hpp"
+#include "player/playback/sound_stream.hpp"
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -20,22 +18,24 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr const char* leave_name = "vitrine-leave";
-constexpr const char* stop_name = "vitrine-stop";
-constexpr const char* silent_name = "vitrine-silent";
+constexpr const char* leave_word = "vitrine-leave";
 constexpr nanoseconds lead = 150ms;            // until it plays where it was sent
 constexpr nanoseconds rounding = 1ms;          // of times in Matroska
 constexpr nanoseconds leave_patience = 600ms;  // for a device to take what is faded out
 constexpr nanoseconds end_patience = 1s;
-constexpr GstClockTime state_patience = 5 * GST_SECOND;
-constexpr int most_barren_loops = 4;
-
-GstPtr<GstElement> named(GstElement* bin, const char* name) {
-    return GstPtr<GstElement>(gst_bin_get_by_name(GST_BIN(bin), name));
-}
+constexpr int max_barren_loops = 4;
 
 nanoseconds monotonic_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+/// The pipeline's time is the monotonic clock, and its running time begins at `origin`.
+void set_clock(GstElement* pipeline, nanoseconds origin) {
+    GstClock* clock = gst_system_clock_obtain();  // the monotonic one
+    gst_pipeline_use_clock(GST_PIPELINE(pipeline), clock);
+    gst_object_unref(clock);
+    gst_element_set_start_time(pipeline, GST_CLOCK_TIME_NONE);  // its base time is ours
+    gst_element_set_base_time(pipeline, static_cast<GstClockTime>(origin.count()));
 }
 
 }  // namespace
@@ -44,62 +44,47 @@ nanoseconds monotonic_now() {
 /// of each loop a seek to the begin.
 class FilmSound::Work {
   public:
-    Work(SoundPart part, SoundSink make_sink) : part_(std::move(part)), make_sink_(std::move(make_sink)) {}
+    Work(SoundPart part, SoundSink make_sink)
+        : part_(std::move(part)),
+          make_sink_(std::move(make_sink)),
+          stream_(part_.begin, part_.duration(), control_),
+          seeker_([this](std::uint32_t seek) { stream_.expect_loop(seek, loop_); }) {}
 
     void run() {
         try {
             play();
         } catch (const std::exception& error) {
-            fail({.text = error.what(), .is_of_film = sink_ != nullptr});
+            control_.set_failure({.text = error.what(), .is_of_film = sink_ != nullptr});
         }
-        std::unique_ptr<SoundChain> ending;
-        {
-            const std::lock_guard lock(mutex_);
-            ending = std::move(chain_);
-        }
-        ending.reset();
-        const std::lock_guard lock(mutex_);
-        has_ended_ = true;
-        changed_.notify_all();
+        control_.detach();
+        chain_.reset();
+        control_.set_ended();
     }
 
     void leave() {
-        fade_.leave();
-        const std::lock_guard lock(mutex_);
+        stream_.fade_out();
         is_leaving_ = true;
-        post(leave_name);
+        control_.post(leave_word);
     }
 
     /// False: it goes on, for something in it does not answer.
     bool stop() {
-        std::unique_lock lock(mutex_);
-        is_stopped_ = true;
-        post(stop_name);
-        return changed_.wait_for(lock, end_patience, [this] { return has_ended_; });
+        control_.stop();
+        return control_.wait_for_end(end_patience);
     }
 
-    bool has_ended() const {
-        const std::lock_guard lock(mutex_);
-        return has_ended_;
-    }
+    bool is_heard() const { return stream_.is_heard(); }
 
-    bool is_heard() const { return is_heard_; }
-
-    std::optional<Failure> failure() const {
-        const std::lock_guard lock(mutex_);
-        return failure_;
-    }
+    const PipelineControl& control() const { return control_; }
 
   private:
-    enum class Rewind { segment, flush };
-
     void play() {
         if (!open() || !preroll()) return;
         land();
         gst_element_set_state(chain_->pipeline(), GST_STATE_PLAYING);  // a failure comes as a message
         while (const GstPtr<GstMessage> message = next_message()) {
-            if (gst_message_has_name(message.get(), silent_name)) return;
-            if (ends_a_loop(message.get()) && !rewind()) return;
+            if (gst_message_has_name(message.get(), SoundStream::silent_word)) return;
+            if (seeker_.ends_a_loop(message.get()) && !rewind()) return;
         }
     }
 
@@ -108,25 +93,12 @@ class FilmSound::Work {
         start_gstreamer();
         sink_ = make_sink_();
         GstPtr<GstElement> tail = sound_tail(sink_.get());
-        const GstPtr<GstElement> fade = named(tail.get(), "fade");
-        const GstPtr<GstPad> pad(gst_element_get_static_pad(fade.get(), "sink"));
-        gst_pad_add_probe(pad.get(),
-                          static_cast<GstPadProbeType>(GST_PAD_PROBE_TYPE_EVENT_DOWNSTREAM |
-                                                       GST_PAD_PROBE_TYPE_EVENT_FLUSH),
-                          &Work::on_event, this, nullptr);
-        gst_pad_add_probe(pad.get(), GST_PAD_PROBE_TYPE_BUFFER, &Work::on_buffer, this, nullptr);
-        auto chain = std::make_unique<SoundChain>(part_.file, std::move(tail), SoundChain::Form::raw);
-        is_named_by_stamp_ = has_true_time_stamps(chain->format());
-        way_ = has_segment_seeks(chain->format()) ? Rewind::segment : Rewind::flush;
-        GstClock* clock = gst_system_clock_obtain();  // the monotonic one
-        gst_pipeline_use_clock(GST_PIPELINE(chain->pipeline()), clock);
-        gst_object_unref(clock);
-        gst_element_set_start_time(chain->pipeline(), GST_CLOCK_TIME_NONE);  // its base time is ours
-        gst_element_set_base_time(chain->pipeline(), static_cast<GstClockTime>(part_.origin.count()));
-        const std::lock_guard lock(mutex_);
-        if (is_stopped_ || is_leaving_) return false;
-        chain_ = std::move(chain);
-        return true;
+        const GstPtr<GstPad> pad(gst_element_get_static_pad(element_named(tail.get(), "fade").get(), "sink"));
+        chain_ = std::make_unique<SoundChain>(part_.file, std::move(tail), SoundChain::Form::raw);
+        stream_.connect(pad.get(), has_true_time_stamps(chain_->format()));
+        seeker_.set_pipeline(chain_->pipeline(), has_segment_seeks(chain_->format()));
+        set_clock(chain_->pipeline(), part_.origin);
+        return control_.attach(chain_->bus()) && !is_leaving_;
     }
 
     /// False: told to stop meanwhile.
@@ -145,67 +117,34 @@ class FilmSound::Work {
         const bool is_known =
             gst_element_query_duration(chain_->pipeline(), GST_FORMAT_TIME, &whole) != FALSE;
         if (!starts_at_zero(chain_->format()) || !is_known || part_.end + rounding < nanoseconds(whole))
-            to_ = part_.end;
+            seeker_.set_end(part_.end);
         const nanoseconds local = std::max(nanoseconds(0), monotonic_now() - part_.origin) + lead;
         loop_ = local / part_.duration();
-        const nanoseconds from = part_.begin + local % part_.duration();
-        if (way_ == Rewind::segment && !seek(GST_SEEK_FLAG_FLUSH | GST_SEEK_FLAG_SEGMENT, from))
-            way_ = Rewind::flush;
-        if (way_ == Rewind::flush && !seek(GST_SEEK_FLAG_FLUSH, from))
+        if (!seeker_.jump(part_.begin + local % part_.duration()))
             throw std::runtime_error("its sound cannot be searched");
     }
 
     /// False: there is nothing to be heard in this part.
     bool rewind() {
-        barren_loops_ = has_sounded_.exchange(false) ? 0 : barren_loops_ + 1;
-        if (barren_loops_ >= most_barren_loops) return false;
+        barren_loops_ = stream_.take_sounded() ? 0 : barren_loops_ + 1;
+        if (barren_loops_ >= max_barren_loops) return false;
         ++loop_;
-        if (way_ == Rewind::segment && is_playing() && seek(GST_SEEK_FLAG_SEGMENT, part_.begin)) return true;
-        way_ = Rewind::flush;
-        land();
+        if (!seeker_.rewind(part_.begin)) land();
         return true;
     }
 
-    /// A demuxer may have come to the end just before it was sent elsewhere.
-    bool ends_a_loop(GstMessage* message) const {
-        const GstMessageType type = GST_MESSAGE_TYPE(message);
-        return type == GST_MESSAGE_EOS ||
-               (type == GST_MESSAGE_SEGMENT_DONE && gst_message_get_seqnum(message) == sought_);
-    }
-
-    bool is_playing() const {
-        GstState state = GST_STATE_NULL;
-        return gst_element_get_state(chain_->pipeline(), &state, nullptr, state_patience) ==
-                   GST_STATE_CHANGE_SUCCESS &&
-               state == GST_STATE_PLAYING;
-    }
-
-    bool seek(int flags, nanoseconds from) {
-        GstEvent* event = gst_event_new_seek(
-            1.0, GST_FORMAT_TIME, static_cast<GstSeekFlags>(flags | GST_SEEK_FLAG_ACCURATE),
-            GST_SEEK_TYPE_SET, from.count(), to_ ? GST_SEEK_TYPE_SET : GST_SEEK_TYPE_NONE,
-            to_.value_or(nanoseconds(-1)).count());
-        sought_ = gst_event_get_seqnum(event);
-        timeline_.expect(sought_, loop_);
-        return gst_element_send_event(chain_->pipeline(), event) != FALSE;  // which takes it
-    }
-
-    /// The next of the pipeline; none: told to stop, or gone for long enough.
-    /// @throws std::runtime_error where it is a failure of the film
+    /// The next message of the pipeline; none: told to stop, faded out for long enough, or failed.
     GstPtr<GstMessage> next_message() {
-        constexpr auto types =
-            static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS | GST_MESSAGE_SEGMENT_DONE |
-                                        GST_MESSAGE_ASYNC_DONE | GST_MESSAGE_APPLICATION);
         while (true) {
-            const GstClockTime patience =
-                is_going_ ? static_cast<GstClockTime>(leave_patience.count()) : GST_CLOCK_TIME_NONE;
-            GstPtr<GstMessage> message(gst_bus_timed_pop_filtered(chain_->bus(), patience, types));
-            if (!message || gst_message_has_name(message.get(), stop_name)) return nullptr;
+            GstPtr<GstMessage> message = control_.next_message(
+                is_going_ ? static_cast<GstClockTime>(leave_patience.count()) : GST_CLOCK_TIME_NONE);
+            if (!message) return nullptr;
             if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) {
-                fail({.text = text_of(message.get()), .is_of_film = !is_of_sink(message.get())});
+                control_.set_failure(
+                    {.text = text_of(message.get()), .is_of_film = !is_of_sink(message.get())});
                 return nullptr;
             }
-            if (!gst_message_has_name(message.get(), leave_name)) return message;
+            if (!gst_message_has_name(message.get(), leave_word)) return message;
             is_going_ = true;
         }
     }
@@ -215,70 +154,18 @@ class FilmSound::Work {
         return GST_MESSAGE_SRC(message) == sink || gst_object_has_as_ancestor(GST_MESSAGE_SRC(message), sink);
     }
 
-    void fail(Failure failure) {
-        const std::lock_guard lock(mutex_);
-        failure_ = std::move(failure);
-    }
-
-    /// To who waits for messages. @pre the lock is held
-    void post(const char* name) {
-        if (!chain_) return;
-        GstStructure* word = gst_structure_new_empty(name);
-        gst_bus_post(chain_->bus(), gst_message_new_application(nullptr, word));  // takes both
-    }
-
-    /// A loop's place in running time is the shot's own time.
-    static GstPadProbeReturn on_event(GstPad*, GstPadProbeInfo* info, gpointer self) {
-        GstEvent* event = gst_pad_probe_info_get_event(info);
-        auto* const work = static_cast<Work*>(self);
-        if (GST_EVENT_TYPE(event) == GST_EVENT_FLUSH_STOP) work->fade_.come();
-        if (GST_EVENT_TYPE(event) != GST_EVENT_SEGMENT) return GST_PAD_PROBE_OK;
-        info->data = work->timeline_.placed(event, work->is_named_by_stamp_).release();
-        gst_event_unref(event);
-        return GST_PAD_PROBE_OK;
-    }
-
-    static GstPadProbeReturn on_buffer(GstPad* pad, GstPadProbeInfo* info, gpointer self) {
-        auto* const work = static_cast<Work*>(self);
-        const GstPtr<GstCaps> caps(gst_pad_get_current_caps(pad));
-        int rate = 0;
-        int channels = 0;
-        const GstStructure* words = caps ? gst_caps_get_structure(caps.get(), 0) : nullptr;
-        if (!words || !gst_structure_get_int(words, "rate", &rate) ||
-            !gst_structure_get_int(words, "channels", &channels) || rate <= 0 || channels <= 0)
-            return GST_PAD_PROBE_OK;
-        info->data = gst_buffer_make_writable(gst_pad_probe_info_get_buffer(info));
-        work->fade_.apply(gst_pad_probe_info_get_buffer(info), rate, channels);
-        work->has_sounded_ = work->is_heard_ = true;
-        if (work->fade_.is_silent() && !std::exchange(work->is_silent_, true)) {
-            const std::lock_guard lock(work->mutex_);
-            work->post(silent_name);
-        }
-        return GST_PAD_PROBE_OK;
-    }
-
     SoundPart part_;
     SoundSink make_sink_;
-    SoundTimeline timeline_{part_.begin, part_.duration()};
+    PipelineControl control_;
+    std::atomic<bool> is_leaving_{false};
+    SoundStream stream_;
+    // The sound's own thread has the rest.
     GstPtr<GstElement> sink_;
-    Rewind way_ = Rewind::segment;
-    bool is_named_by_stamp_ = false;
-    std::optional<nanoseconds> to_;  // stream time; none: to the end of the film
+    std::unique_ptr<SoundChain> chain_;
+    LoopSeeker seeker_;
     std::int64_t loop_ = 0;
-    std::uint32_t sought_ = 0;
     int barren_loops_ = 0;
-    bool is_going_ = false;
-    bool is_silent_ = false;  // of the streaming thread
-    SoundFade fade_;
-    std::atomic<bool> has_sounded_{false};  // in this loop
-    std::atomic<bool> is_heard_{false};
-    mutable std::mutex mutex_;
-    std::condition_variable changed_;
-    std::unique_ptr<SoundChain> chain_;  // guarded by mutex_ against other threads
-    std::optional<Failure> failure_;     // guarded by mutex_
-    bool is_leaving_ = false;            // guarded by mutex_
-    bool is_stopped_ = false;            // guarded by mutex_
-    bool has_ended_ = false;             // guarded by mutex_
+    bool is_going_ = false;  // it fades out
 };
 
 FilmSound::FilmSound(const SoundPart& part, const SoundSink& make_sink)
@@ -296,15 +183,15 @@ void FilmSound::leave() {
 }
 
 bool FilmSound::has_ended() const {
-    return work_->has_ended();
+    return work_->control().has_ended();
 }
 
 bool FilmSound::is_heard() const {
     return work_->is_heard();
 }
 
-std::optional<FilmSound::Failure> FilmSound::failure() const {
-    return work_->failure();
+std::optional<PlaybackFailure> FilmSound::failure() const {
+    return work_->control().failure();
 }
 
 }  // namespace vitrine::player

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/playback/pipeline_control.hpp"
 #include "player/playback/sound_sink.hpp"
 
 #include <algorithm>
@@ -29,12 +30,6 @@ struct SoundPart {
 /// matter. It comes and goes within a fifth of a second.
 class FilmSound {
   public:
-    /// Why it ended by itself.
-    struct Failure {
-        std::string text;
-        bool is_of_film = false;  // else of the device
-    };
-
     FilmSound(const SoundPart& part, const SoundSink& make_sink);
     FilmSound(const FilmSound&) = delete;
     FilmSound& operator=(const FilmSound&) = delete;
@@ -49,10 +44,11 @@ class FilmSound {
 
     bool has_ended() const;
 
-    /// Whether any of it has reached the device.
+    /// True once any of it has reached the device.
     bool is_heard() const;
 
-    std::optional<Failure> failure() const;
+    /// The reason why it ended by itself.
+    std::optional<PlaybackFailure> failure() const;
 
   private:
     class Work;

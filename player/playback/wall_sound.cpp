@@ -66,7 +66,7 @@ void WallSound::look_after() {
     if (now_->sound->is_heard()) complaint_.clear();
     if (!now_->sound->has_ended()) return;
     failed_.insert(now_->shot.source);
-    const std::optional<FilmSound::Failure> failure = now_->sound->failure();
+    const std::optional<PlaybackFailure> failure = now_->sound->failure();
     if (failure && failure->is_of_film)
         tell_once(fmt::format("'{}' is not heard: {}", now_->shot.path, failure->text), true);
     else if (failure && complaint_ != failure->text)

@@ -104,7 +104,7 @@ TEST_CASE("what is heard belongs to the picture's time, loop after loop") {
 
         const std::map<nanoseconds, int> heard = seconds_heard(recorder.take(9s));
 
-        CAPTURE(sound.failure().value_or(FilmSound::Failure{}).text);
+        CAPTURE(sound.failure().value_or(PlaybackFailure{}).text);
         REQUIRE_FALSE(heard.empty());
         CHECK(heard.begin()->first >= 900ms);
         int right = 0;

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "base/media/gst_ptr.hpp"
+#include "player/playback/film_feed.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <thread>
+
+namespace vitrine::player {
+
+/// The place of a part in its film, in the film's own times; known once the pipeline has its first picture.
+struct FilmWindow {
+    std::chrono::nanoseconds period{0};  // of a picture
+    std::chrono::nanoseconds begin{0};   // where the film is searched to
+    std::optional<std::chrono::nanoseconds> end;
+    bool is_named_by_stamp = false;  // pictures are named by time stamps, not by stream time
+};
+
+/// The streaming side of a FilmLoop: turns decoded pictures into samples and puts them into the queue, each
+/// with the number of its loop. GStreamer's streaming thread calls it. The loop's own thread uses
+/// set_window() and land_at() while the streaming thread stands still, and the thread-safe methods at any
+/// time.
+class FilmStream {
+  public:
+    /// @param queue  outlives this
+    FilmStream(const FilmPart& part, SampleQueue& queue, PictureForm form);
+
+    /// Pictures to come get another size. Thread-safe.
+    void resize(int width, int height) { size_ = Size{width, height}; }
+
+    /// Processor time that the pictures so far have cost. Thread-safe.
+    std::chrono::nanoseconds spent() const { return spent_.load(); }
+
+    /// The number of pictures put so far. Thread-safe.
+    std::uint64_t pictures() const { return pictures_; }
+
+    /// Takes the pictures of an appsink, whose pipeline this outlives.
+    void connect(GstElement* sink);
+
+    void set_window(const FilmWindow& window) { window_ = window; }
+
+    const FilmWindow& window() const { return window_; }
+
+    /// The next flush takes the film to this place.
+    /// @param at  in loops, since the begin of the first one
+    void land_at(std::chrono::nanoseconds at) { landing_ = at; }
+
+  private:
+    struct Size {
+        int width = 0;  // px
+        int height = 0;
+    };
+
+    static GstFlowReturn on_sample(GstAppSink* sink, gpointer self);
+    static GstPadProbeReturn on_flush(GstPad* pad, GstPadProbeInfo* info, gpointer self);
+    GstFlowReturn put(GstSample* sample) noexcept;
+    std::optional<std::chrono::nanoseconds> time_in_film(GstSample* sample) const;
+    void note_cost();
+
+    FilmPart part_;
+    SampleQueue& queue_;  // outlives this
+    std::atomic<Size> size_;
+    FilmWindow window_;
+    PictureScaler scaler_;
+    std::optional<std::chrono::nanoseconds> landing_;  // with the next flush
+    std::optional<std::chrono::nanoseconds> last_;     // stream time of the last picture
+    std::uint64_t loop_ = 0;
+    std::thread::id noted_thread_;
+    std::chrono::nanoseconds noted_{0};  // processor time of that thread
+    std::atomic<std::uint64_t> pictures_ = 0;
+    std::atomic<std::chrono::nanoseconds> spent_{std::chrono::nanoseconds(0)};
+};
+
+}  // namespace vitrine::player
