@@ -19,7 +19,8 @@ struct PlaneForm {
 
 using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
 
-constexpr int reduction = 4;  // of shared planes, which cells are filled with when blurred
+constexpr double small_picture = 1.5;  // texels a canvas px, from which single ones are stepped over
+constexpr int reduction = 4;           // of shared planes, which cells are filled with when blurred
 
 constexpr PlaneForm rgba{GL_RGBA8, GL_RGBA, 4};
 constexpr PlaneForm bgra{0, GL_BGRA_EXT, 4};
@@ -128,6 +129,15 @@ void PictureTexture::upload(const Sample& sample) {
     ++uploads_;
 }
 
+void PictureTexture::bind_sampled(Sampling sampling, double texels) {
+    const bool is_filler = sampling == Sampling::filler;
+    if (is_filler || (texels >= small_picture && is_still())) make_smaller_copies();
+    const GLint wrap = is_filler ? GL_MIRRORED_REPEAT : GL_CLAMP_TO_EDGE;
+    if (sampling == Sampling::exact) return bind(GL_NEAREST, GL_NEAREST, wrap);
+    bind(has_smaller_copies_ ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR, wrap);
+}
+
+/// To the texture units 0 and on, with the same filter and wrap for all planes.
 void PictureTexture::bind(GLint smaller, GLint larger, GLint wrap) const {
     for (std::size_t i = plane_count(layout_); i-- > 0;) {
         glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));

@@ -10,6 +10,13 @@
 
 namespace vitrine::player {
 
+/// How texels become pixels.
+enum class Sampling {
+    smooth,  // filtered
+    exact,   // a texel is a pixel
+    filler,  // from smaller copies, mirrored beyond the edges
+};
+
 /// A picture on the graphics card: one texture, or one a plane, which the shaders for planes put together.
 class PictureTexture {
   public:
@@ -26,14 +33,13 @@ class PictureTexture {
     /// The pixels are copied before this returns. @pre fits(sample)
     void upload(const Sample& sample);
 
-    /// To the texture units 0 and on, with the same filter and wrap for all planes.
-    void bind(GLint smaller, GLint larger, GLint wrap) const;
+    /// Binds the planes to the texture units 0 and on. Smaller copies are made of a photo that is shown
+    /// small, once; a film is not worth them, as it would need them for every picture. Filler does need them,
+    /// of both. @pre for filler: the picture is not of shared planes
+    /// @param texels  texels of the picture a canvas px
+    void bind_sampled(Sampling sampling, double texels);
 
-    /// Smaller copies of what was uploaded last; nothing to do where there are some. @pre not of shared
-    /// planes
-    void make_smaller_copies();
-
-    /// What has or can have smaller copies: this, of shared planes a picture a quarter as wide.
+    /// The picture that has or can have smaller copies: this, or for shared planes one a quarter as wide.
     PictureTexture& reduced();
 
     /// Who holds shared planes, which must live until the graphics card has read them.
@@ -47,15 +53,15 @@ class PictureTexture {
 
     const ColourCode& colours() const { return colours_; }
 
-    bool has_smaller_copies() const { return has_smaller_copies_; }
+  private:
+    PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours);
 
     /// False: it was uploaded more than once, or is shared, as films are.
     bool is_still() const { return uploads_ == 1 && !lender_; }
 
-  private:
-    PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours);
-
     void make_room();
+    void bind(GLint smaller, GLint larger, GLint wrap) const;
+    void make_smaller_copies();
     void copy_from(const PictureTexture& larger);
 
     int width_;  // px

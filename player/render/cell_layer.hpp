@@ -1,0 +1,70 @@
+#pragma once
+
+#include "player/render/cell_mesh.hpp"
+#include "player/render/gl_objects.hpp"
+#include "player/render/picture_program.hpp"
+#include "player/render/uploaded_pictures.hpp"
+#include "player/render/view.hpp"
+#include "player/scene/frame.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <unordered_map>
+
+namespace vitrine::player {
+
+/// The meshes of cells on the graphics card, made when a cell is first drawn.
+class CellMeshes {
+  public:
+    struct Mesh {
+        std::shared_ptr<const Cell> cell;  // shared: while it lives no other cell has its address
+        GlBuffer vertices;
+        GlVertexArray array;
+        CellMesh::Layer parts;
+        CellMesh::Layer filler;
+        std::uint64_t last_drawn = 0;
+    };
+
+    const Mesh& of(const std::shared_ptr<const Cell>& cell);
+
+    /// To be called once a frame: meshes that have not been drawn for a while are dropped.
+    void drop_old();
+
+  private:
+    std::uint64_t frames_ = 0;
+    std::unordered_map<const Cell*, Mesh> meshes_;
+};
+
+/// Draws pictures into their cells: outlines, fills and fringes (cell_mesh.hpp). Belongs to a Renderer.
+class CellLayer {
+  public:
+    /// @param pictures  outlives this
+    explicit CellLayer(UploadedPictures& pictures) : pictures_(pictures) {}
+
+    /// Draws a run of items of one opacity, which is one layer of cells that meet in seams. Items without a
+    /// picture are left out.
+    /// @param is_on_pixels  canvas points of whole numbers are corners of pixels, in this frame
+    void draw(std::span<const DrawItem> items, const ToNdc& view, bool is_on_pixels);
+
+    /// To be called once a frame.
+    void drop_old() { meshes_.drop_old(); }
+
+  private:
+    void draw_outlines(const DrawItem& item, const ToNdc& view);
+    void draw_fills(const DrawItem& item, const ToNdc& view);
+    void draw_fringes(const DrawItem& item, const ToNdc& view);
+    void draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
+                    CellMesh::Range range);
+    const PicturePrograms& programs(const DrawItem& item);
+    bool is_exact(const PictureTexture& texture, const DrawItem& item) const;
+
+    UploadedPictures& pictures_;  // outlives this
+    CellMeshes meshes_;
+    std::array<std::optional<PicturePrograms>, 4> programs_;  // by layout, each made when it is first needed
+    bool is_on_pixels_ = true;
+};
+
+}  // namespace vitrine::player

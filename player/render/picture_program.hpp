@@ -1,0 +1,52 @@
+#pragma once
+
+#include "player/playback/sample.hpp"
+#include "player/render/gl_objects.hpp"
+#include "player/render/picture_texture.hpp"
+#include "player/render/view_uniforms.hpp"
+#include "player/scene/frame.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace vitrine::player {
+
+/// A GL program that draws the picture of an item into its cell.
+class PictureProgram {
+  public:
+    explicit PictureProgram(const std::string& fragment_shader);
+
+    /// Takes the program into use for an item, all of whose uniforms are set.
+    /// @param texture   the item's picture, or a reduced copy of it
+    /// @param is_exact  a texel is drawn as a pixel
+    void use(const DrawItem& item, const PictureTexture& texture, const ToNdc& view, bool is_exact) const;
+
+    /// Whether it fills a cell with the blurred picture.
+    bool is_filler() const { return blur_ >= 0; }
+
+  private:
+    void set_texels(const DrawItem& item, const PictureTexture& texture, bool is_exact) const;
+    void set_blur(const PictureTexture& texture) const;
+
+    Program program_;
+    ViewUniforms view_;
+    GLint uv_scale_;
+    GLint uv_offset_;
+    GLint blur_;    // -1: the program draws sharp
+    GLint level_;   // likewise
+    GLint alpha_;   // -1: the program draws opaque
+    GLint to_rgb_;  // -1: the picture is in RGB
+    GLint zero_;    // likewise
+};
+
+/// The programs for one layout of pixels.
+struct PicturePrograms {
+    explicit PicturePrograms(PixelLayout layout);
+
+    PictureProgram opaque;
+    PictureProgram blended;
+    PictureProgram filler;
+};
+
+}  // namespace vitrine::player

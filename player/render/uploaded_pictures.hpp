@@ -1,0 +1,61 @@
+#pragma once
+
+#include "player/playback/sample.hpp"
+#include "player/render/picture_import.hpp"
+#include "player/render/picture_texture.hpp"
+#include "player/scene/frame.hpp"
+
+#include <GLES3/gl3.h>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+
+namespace vitrine::player {
+
+/// The newest picture of each source, on the graphics card. Keeps what a decoder has lent until the card has
+/// read it. Belongs to a Renderer.
+class UploadedPictures {
+  public:
+    /// Whether upload() can leave shared planes where they are.
+    bool reads_shared_planes() const { return import_.is_possible(); }
+
+    /// Takes the source's newest picture. The pixels are copied before this returns; shared planes are copied
+    /// only where they cannot be read in their place.
+    /// @return the reason why they cannot, told once a source
+    /// @throws std::runtime_error when the graphics card has no room
+    std::optional<std::string> upload(SourceId source, const Sample& sample);
+
+    void forget(SourceId source);
+
+    bool has(SourceId source) const { return textures_.contains(source); }
+
+    /// @pre has(source)
+    PictureTexture& at(SourceId source) { return textures_.at(source); }
+
+  private:
+    struct EndSync {
+        void operator()(GLsync sync) const { glDeleteSync(sync); }
+    };
+
+    /// A picture that a decoder has lent and that was replaced, until the graphics card has read it.
+    struct Lent {
+        std::shared_ptr<const void> lender;  // shared: the decoder's buffer pool
+        std::unique_ptr<std::remove_pointer_t<GLsync>, EndSync> read;
+    };
+
+    void copy(SourceId source, const Sample& sample);
+    void replace(SourceId source, PictureTexture texture);
+    void give_back(const PictureTexture& texture);
+
+    PictureImport import_;
+    std::set<SourceId> copied_;  // those whose shared planes could not be read in their place
+    std::deque<Lent> lent_;      // the oldest first
+    std::unordered_map<SourceId, PictureTexture> textures_;
+};
+
+}  // namespace vitrine::player
