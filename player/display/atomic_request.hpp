@@ -25,7 +25,7 @@ struct PropertyValue {
     std::uint32_t property = 0;
     std::uint64_t value = 0;
 
-    friend bool operator==(const PropertyValue&, const PropertyValue&) = default;
+    bool operator==(const PropertyValue&) const = default;
 };
 
 using AtomicRequest = std::vector<PropertyValue>;

@@ -206,7 +206,7 @@ int Card::commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_
 
 // Not drmHandleEvent(), which calls back with a pointer that was given to the card: of a panel that has gone
 // since it would point to nothing.
-std::vector<std::uint64_t> Card::take_flips() const {
+std::vector<std::uint64_t> Card::read_flips() const {
     std::array<std::byte, 1024> events{};
     const ssize_t size = ::read(fd(), events.data(), events.size());
     if (size <= 0) return {};

@@ -62,7 +62,7 @@ class Card {
 
     /// The pictures that the card has told of since the last call, by the number that their flips had.
     /// @pre there is something to read
-    std::vector<std::uint64_t> take_flips() const;
+    std::vector<std::uint64_t> read_flips() const;
 
     /// Whether it may be told what to show, and not another program.
     bool is_ours() const;

@@ -42,12 +42,12 @@ void unref_caps(GstCaps* caps) {
     gst_caps_unref(caps);
 }
 
-using BusHandle = Handle<GstBus, &unref_bus>;
-using CapsHandle = Handle<GstCaps, &unref_caps>;
-using ElementHandle = Handle<GstElement, &unref_element>;
-using ErrorHandle = Handle<GError, &g_error_free>;
-using MessageHandle = Handle<GstMessage, &unref_message>;
-using PipelineHandle = Handle<GstElement, &stop_pipeline>;
+using GstBusHandle = Handle<GstBus, &unref_bus>;
+using GstCapsHandle = Handle<GstCaps, &unref_caps>;
+using GstElementHandle = Handle<GstElement, &unref_element>;
+using GErrorHandle = Handle<GError, &g_error_free>;
+using GstMessageHandle = Handle<GstMessage, &unref_message>;
+using GstPipelineHandle = Handle<GstElement, &stop_pipeline>;
 
 struct Part {
     const char* element;
@@ -66,7 +66,7 @@ constexpr std::array<Part, 7> parts{{{"appsrc", "gstreamer1.0-plugins-base"},
 std::string reason_of(GstMessage& message) {
     GError* error = nullptr;
     gst_message_parse_error(&message, &error, nullptr);
-    const ErrorHandle owned(error);
+    const GErrorHandle owned(error);
     return error->message;
 }
 
@@ -74,7 +74,7 @@ std::string reason_of(GstMessage& message) {
 
 struct FilmWriter::Chain {
     std::string path;
-    PipelineHandle pipeline;
+    GstPipelineHandle pipeline;
     std::array<GstElement*, parts.size()> elements{};  // owned by the pipeline
     GstClockTime frame_time = 0;
     std::optional<std::chrono::nanoseconds> first;
@@ -103,7 +103,7 @@ struct FilmWriter::Chain {
         int denominator = 1;
         gst_util_double_to_fraction(rate, &numerator, &denominator);
         frame_time = gst_util_uint64_scale_int(GST_SECOND, denominator, numerator);
-        const CapsHandle caps(gst_caps_new_simple(
+        const GstCapsHandle caps(gst_caps_new_simple(
             "video/x-raw", "format", G_TYPE_STRING, "RGBA", "width", G_TYPE_INT, width, "height", G_TYPE_INT,
             height, "framerate", GST_TYPE_FRACTION, numerator, denominator, nullptr));
         g_object_set(elements[0], "caps", caps.get(), "format", GST_FORMAT_TIME, "max-bytes", guint64{0},
@@ -118,21 +118,22 @@ struct FilmWriter::Chain {
     }
 
     /// Waits for a message of `type` or an error; nullptr when none comes in time.
-    MessageHandle next(GstMessageType type, GstClockTime patience) const {
-        const BusHandle bus(gst_element_get_bus(pipeline.get()));
+    GstMessageHandle next(GstMessageType type, GstClockTime patience) const {
+        const GstBusHandle bus(gst_element_get_bus(pipeline.get()));
         const auto wanted = static_cast<GstMessageType>(type | GST_MESSAGE_ERROR);
-        return MessageHandle(gst_bus_timed_pop_filtered(bus.get(), patience, wanted));
+        return GstMessageHandle(gst_bus_timed_pop_filtered(bus.get(), patience, wanted));
     }
 
     // A blocking appsrc would wait for ever for room in a chain that has failed; the bus tells which it is.
     void wait_for_room() const {
         while (gst_app_src_get_current_level_buffers(source()) >= pictures_waiting)
-            if (const MessageHandle error = next(GST_MESSAGE_ERROR, room_patience)) fail(reason_of(*error));
+            if (const GstMessageHandle error = next(GST_MESSAGE_ERROR, room_patience))
+                fail(reason_of(*error));
     }
 
     void expect(GstFlowReturn result) const {
         if (result == GST_FLOW_OK) return;
-        const MessageHandle error = next(GST_MESSAGE_ERROR, GST_SECOND);
+        const GstMessageHandle error = next(GST_MESSAGE_ERROR, GST_SECOND);
         fail(error ? reason_of(*error) : gst_flow_get_name(result));
     }
 
@@ -140,7 +141,7 @@ struct FilmWriter::Chain {
     std::optional<std::string> end() const {
         if (!last) return "no picture came";
         gst_app_src_end_of_stream(source());  // what fails here is told on the bus as well
-        const MessageHandle message = next(GST_MESSAGE_EOS, longest_ending);
+        const GstMessageHandle message = next(GST_MESSAGE_EOS, longest_ending);
         if (!message) return "the encoder does not come to an end";
         if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) return reason_of(*message);
         return std::nullopt;

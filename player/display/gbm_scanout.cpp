@@ -73,7 +73,7 @@ void GbmScanout::make_current() {
     egl_.make_current(window_);
 }
 
-ScanoutBuffer GbmScanout::take() {
+ScanoutBuffer GbmScanout::lock_front_buffer() {
     if (!eglSwapBuffers(egl_.display(), window_)) throw_egl("end a frame");
     gbm_bo* const buffer = gbm_surface_lock_front_buffer(surface_.get());
     if (!buffer) throw_errno("lock a buffer of '{}'", card_.path().string());

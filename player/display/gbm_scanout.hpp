@@ -26,7 +26,7 @@ class GbmScanout final : public Scanout {
 
     bool has_free_buffer() const override { return gbm_surface_has_free_buffers(surface_.get()) > 0; }
 
-    ScanoutBuffer take() override;
+    ScanoutBuffer lock_front_buffer() override;
     Picture picture(const ScanoutBuffer& buffer) const override;
 
   private:

@@ -52,8 +52,14 @@ Card with_keeper(Card card, UniqueFd& left) {
     return card;
 }
 
-std::string mode_name(const Output& output) {
-    return fmt::format("{}x{}", output.mode.hdisplay, output.mode.vdisplay);
+// @param are_all  also those that are shown by now
+void let_old_pictures_go(const Card& card, bool are_all) {
+    if (!card.frame_buffers().has_old()) return;
+    card.frame_buffers().let_go(are_all ? std::vector<std::uint32_t>{} : card.shown());
+}
+
+long milliseconds_since(KmsScreen::Time time) {
+    return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::steady_clock::now() - time).count();
 }
 
 // Keeps, from display to display, GL in software and the keeper that the process before has left.
@@ -86,156 +92,93 @@ std::unique_ptr<DisplayOpener> make_kms_opener(std::optional<std::string_view> a
 KmsDisplay::KmsDisplay(const KmsOptions& options, UniqueFd& left)
     : is_any_card_(options.card.empty()),
       card_(with_keeper(open_card(options.card, options.api), left)),
-      modes_(options.modes),
       device_(open_device(card_, options.software)),
       egl_(make_gl(device_.get(), options.software)),
       surface_{.card = card_, .device = device_.get(), .egl = *egl_},
-      watch_(card_.fd()) {
-    look_for_panels(Ask::all);
+      watch_(card_.fd()),
+      panels_(surface_, options.modes, events_) {
+    look_for_panels(KmsPanels::Ask::all);
 }
 
-// Else what holds the keeper would hold a card that is not used any more.
+// Without the picture there is nothing to keep the card open for.
 KmsDisplay::~KmsDisplay() {
     if (!is_kept_) service::forget(keeper_name);
 }
 
 std::span<Screen* const> KmsDisplay::screens() {
     take_outcomes();
-    if (std::exchange(looks_again_, false)) look_for_panels(Ask::none);
+    if (panels_.take_due_look()) look_for_panels(KmsPanels::Ask::none);
     if (is_gone_ || is_left_ || !is_master_) return {};
-    return lent_;
+    return panels_.screens();
 }
 
 void KmsDisplay::dispatch() {
-    const PanelWatch::Events events = watch_.take();
+    const PanelWatch::Events events = watch_.read_events();
     if (events.card) {
-        for (const std::uint64_t flip : card_.take_flips())
-            for (const auto& screen : lit_)
+        for (const std::uint64_t flip : card_.read_flips())
+            for (const auto& screen : panels_.lit())
                 screen->flipped(flip);
     }
     if (events.panels) {
-        refusals_.clear();
-        look_for_panels(Ask::all);
+        panels_.forgive();
+        look_for_panels(KmsPanels::Ask::all);
     }
     if (events.tick) on_tick();
 }
 
 void KmsDisplay::on_tick() {
     ++ticks_;
-    if (ticks_ >= ticks_with_old_pictures) let_old_pictures_go();
+    if (ticks_ >= ticks_with_old_pictures) let_old_pictures_go(card_, true);
     if (is_left_ || is_gone_) return;
     if (!is_master_ && card_.take_over()) set_master(true);
-    for (const auto& screen : lit_)
-        if (screen->give_up_waiting()) tell(fmt::format("no answer from {}", screen->name()), true);
-    if (ticks_ % ticks_before_mercy == 0) refusals_.clear();
-    if (!lit_.empty()) return look_for_panels(ticks_ % ticks_before_asking == 0 ? Ask::unlit : Ask::none);
-    look_for_panels(Ask::all);
-    if (lit_.empty() && is_any_card_ && !is_gone_ && ticks_ % ticks_before_asking == 0 &&
-        is_panel_elsewhere(card_.path()))
-        be_gone("a panel is at another card than");
+    for (const auto& screen : panels_.lit())
+        if (screen->give_up_waiting())
+            events_.push_back({.is_trouble = true, .text = fmt::format("no answer from {}", screen->name())});
+    if (ticks_ % ticks_before_mercy == 0) panels_.forgive();
+    const bool is_time_to_ask = ticks_ % ticks_before_asking == 0;
+    if (!panels_.lit().empty())
+        return look_for_panels(is_time_to_ask ? KmsPanels::Ask::unlit : KmsPanels::Ask::none);
+    look_for_panels(KmsPanels::Ask::all);
+    const bool is_dark = panels_.lit().empty() && is_any_card_ && !is_gone_;
+    if (is_dark && is_time_to_ask && is_panel_elsewhere(card_.path()))
+        lose_card("a panel is at another card than");
 }
 
-void KmsDisplay::look_for_panels(Ask ask) {
-    if (is_gone_) return;
-    const auto is_lit = [&](std::uint32_t connector) {
-        return std::ranges::any_of(
-            lit_, [&](const auto& screen) { return screen->output().connector == connector; });
-    };
-    const auto is_asked = [&](std::uint32_t connector) {
-        return ask == Ask::all || (ask == Ask::unlit && !is_lit(connector));
-    };
-    const std::optional<CardState> state = card_.state(is_asked);
-    if (!state) return be_gone("gone:");
-    for (const CardState::Connector& connector : state->connectors) {
-        if (!connector.is_link_bad) continue;
-        for (const auto& screen : lit_)
-            if (screen->output().connector == connector.id) screen->start_over();
-    }
-    follow(choose_outputs(*state, modes_, card_.is_atomic(), refusals_), *state);
-}
-
-// What is lit and shall be stays as it is: its panel notices nothing of what becomes of others.
-void KmsDisplay::follow(const std::vector<Output>& outputs, const CardState& state) {
-    const auto is_wanted = [&](const std::unique_ptr<KmsScreen>& screen) {
-        return std::ranges::any_of(outputs,
-                                   [&](const Output& output) { return output.is_same(screen->output()); });
-    };
-    lent_.clear();
-    for (const auto& screen : lit_)
-        if (!is_wanted(screen)) tell(fmt::format("panel gone from {}", screen->name()));
-    std::erase_if(lit_, [&](const auto& screen) { return !is_wanted(screen); });
-    for (const Output& output : outputs) {
-        const bool is_lit =
-            std::ranges::any_of(lit_, [&](const auto& screen) { return screen->output().is_same(output); });
-        if (!is_lit) light(output, state, outputs);
-    }
-    for (const Output& output : outputs)
-        for (const auto& screen : lit_)
-            if (screen->output().connector == output.connector) lent_.push_back(screen.get());
-    if (lit_.empty() && !is_told_dark_) tell("no panel");
-    is_told_dark_ = lit_.empty();
-}
-
-void KmsDisplay::light(const Output& output, const CardState& state, const std::vector<Output>& all) {
-    try {
-        lit_.push_back(std::make_unique<KmsScreen>(surface_, output, obstacles(state, output, all)));
-        tell(fmt::format("visible {} on {} at {:.2f} Hz", mode_name(output), output.name,
-                         refresh_rate(output.mode)));
-    } catch (const std::runtime_error& error) {
-        tell(fmt::format("{} stays dark in {}: {}", output.name, mode_name(output), error.what()), true);
-        ++refusals_[output.connector];
-        looks_again_ = true;
-    }
+void KmsDisplay::look_for_panels(KmsPanels::Ask ask) {
+    if (!is_gone_ && !panels_.look(ask)) lose_card("gone:");
 }
 
 void KmsDisplay::take_outcomes() {
-    for (const auto& screen : lit_) {
-        switch (screen->take_outcome()) {
+    for (const auto& screen : panels_.lit()) {
+        const KmsScreen::Presented presented = screen->take_presented();
+        switch (presented.outcome) {
         case Outcome::nothing:
         case Outcome::under_way:
         case Outcome::dropped:
             break;
         case Outcome::shown:
-            tell_shown(*screen);
+            let_old_pictures_go(card_, ticks_ >= ticks_with_old_pictures);
+            events_.push_back({.text = fmt::format("first picture on {} after {} ms", screen->name(),
+                                                   milliseconds_since(screen->awaited_since()))});
             break;
         case Outcome::refused:
-            refuse(*screen);
+            panels_.refuse(*screen, presented.reason);
             break;
         case Outcome::no_master:
             set_master(false);
             break;
         case Outcome::no_card:
-            be_gone("gone:");
+            lose_card("gone:");
             break;
         }
     }
 }
 
-void KmsDisplay::refuse(const KmsScreen& screen) {
-    tell(fmt::format("{} refuses {}: {}", screen.name(), mode_name(screen.output()), screen.reason()), true);
-    ++refusals_[screen.output().connector];
-    looks_again_ = true;
-}
-
-void KmsDisplay::tell_shown(const KmsScreen& screen) {
-    const auto since = std::chrono::steady_clock::now() - screen.awaited_since();
-    let_old_pictures_go();
-    tell(fmt::format("first picture on {} after {} ms", screen.name(),
-                     std::chrono::ceil<std::chrono::milliseconds>(since).count()));
-}
-
-void KmsDisplay::let_old_pictures_go() {
-    if (!has_old_picture()) return;
-    const bool are_all = ticks_ >= ticks_with_old_pictures;
-    card_.frame_buffers().let_go(are_all ? std::vector<std::uint32_t>{} : card_.shown());
-}
-
 void KmsDisplay::set_master(bool is_master) {
     if (is_master == is_master_) return;
     is_master_ = is_master;
-    for (const auto& screen : lit_)
-        screen->start_over();
-    tell(is_master ? "master regained" : "master lost", !is_master);
+    panels_.start_over();
+    events_.push_back({.is_trouble = !is_master, .text = is_master ? "master regained" : "master lost"});
 }
 
 void KmsDisplay::leave() {
@@ -243,35 +186,27 @@ void KmsDisplay::leave() {
     (void)drmDropMaster(card_.fd());
 }
 
-// Where that fails somebody is slow to leave it: the next picture or the next tick asks again.
+// Another program may be slow to leave the card: the next picture or the next tick asks again.
 void KmsDisplay::take_back() {
     is_left_ = false;
     const bool is_ours = card_.is_ours() || card_.take_over();
-    for (const auto& screen : lit_)
-        screen->start_over();
+    panels_.start_over();
     if (!is_ours) set_master(false);
-    look_for_panels(Ask::all);
+    look_for_panels(KmsPanels::Ask::all);
 }
 
-void KmsDisplay::be_gone(std::string why) {
+void KmsDisplay::lose_card(const std::string& why) {
     if (is_gone_) return;
     is_gone_ = true;
-    for (const auto& screen : lit_)
-        tell(fmt::format("panel gone from {}", screen->name()));
-    tell(fmt::format("card {} '{}'", why, card_.path().string()), true);
-}
-
-void KmsDisplay::tell(std::string text, bool is_trouble) {
-    events_.push_back({.is_trouble = is_trouble, .text = std::move(text)});
+    for (const auto& screen : panels_.lit())
+        events_.push_back({.text = fmt::format("panel gone from {}", screen->name())});
+    events_.push_back({.is_trouble = true, .text = fmt::format("card {} '{}'", why, card_.path().string())});
 }
 
 std::string KmsDisplay::description() const {
-    std::string panels;
-    for (const auto& screen : lit_)
-        panels += fmt::format(", {} {} at {:.2f} Hz", screen->name(), mode_name(screen->output()),
-                              refresh_rate(screen->output().mode));
-    return fmt::format("'{}' ({}){}, {}", card_.path().string(), card_.is_atomic() ? "atomic" : "legacy",
-                       panels.empty() ? ", no panel yet" : panels, gl_device());
+    const std::string panels = panels_.description();
+    return fmt::format("'{}' ({}), {}, {}", card_.path().string(), card_.is_atomic() ? "atomic" : "legacy",
+                       panels.empty() ? "no panel yet" : panels, gl_device());
 }
 
 }  // namespace vitrine::player

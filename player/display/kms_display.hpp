@@ -3,6 +3,7 @@
 #include "player/display/card.hpp"
 #include "player/display/display.hpp"
 #include "player/display/egl.hpp"
+#include "player/display/kms_panels.hpp"
 #include "player/display/kms_screen.hpp"
 #include "player/display/panel_watch.hpp"
 
@@ -69,40 +70,25 @@ class KmsDisplay final : public Display {
     std::string description() const override;
 
   private:
-    using Time = OutputState::Time;
-
-    enum class Ask { none, unlit, all };  // panels that are asked afresh
-
     void on_tick();
-    void look_for_panels(Ask ask);
-    void follow(const std::vector<Output>& outputs, const CardState& state);
-    void light(const Output& output, const CardState& state, const std::vector<Output>& all);
+    void look_for_panels(KmsPanels::Ask ask);
     void take_outcomes();
-    void let_old_pictures_go();
-    void refuse(const KmsScreen& screen);
-    void tell_shown(const KmsScreen& screen);
     void set_master(bool is_master);
-    void be_gone(std::string why);
-    void tell(std::string text, bool is_trouble = false);
+    void lose_card(const std::string& why);
 
-    bool is_any_card_;  // none was named
-    Card card_;         // with the keeper
-    ModeWishes modes_;
+    bool is_any_card_;                                // none was named
+    Card card_;                                       // with the keeper
     Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
     std::shared_ptr<Egl> egl_;                        // shared where it draws in software: with SoftwareGl
     KmsSurface surface_;
     PanelWatch watch_;
+    std::vector<DisplayEvent> events_;
+    KmsPanels panels_;
     bool is_master_ = true;
     bool is_left_ = false;
     bool is_gone_ = false;
-    bool is_kept_ = false;  // the picture, over the end of this
-    bool is_told_dark_ = false;
-    bool looks_again_ = false;  // for panels, before the next picture
+    bool is_kept_ = false;  // the picture stays over the end of this
     int ticks_ = 0;
-    Refusals refusals_;
-    std::vector<DisplayEvent> events_;
-    std::vector<std::unique_ptr<KmsScreen>> lit_;
-    std::vector<Screen*> lent_;
 };
 
 /// Makes displays on a graphics card: "kms", "kms:/dev/dri/card1".

@@ -61,23 +61,22 @@ void KmsScreen::begin_frame() {
 void KmsScreen::present(std::chrono::nanoseconds) {
     assert(!state_.is_waiting());
     try {
-        show(scanout_->take());
+        show(scanout_->lock_front_buffer());
     } catch (const std::runtime_error& error) {
-        outcome_ = Outcome::refused;
-        reason_ = error.what();
+        presented_ = {.outcome = Outcome::refused, .reason = error.what()};
     }
-    is_lost_ = outcome_ != Outcome::under_way && outcome_ != Outcome::shown;
+    is_lost_ = presented_.outcome != Outcome::under_way && presented_.outcome != Outcome::shown;
 }
 
 void KmsScreen::show(ScanoutBuffer buffer) {
     const bool comes_with_mode = state_.needs_mode();
     const int error = comes_with_mode ? set_mode(buffer) : flip(buffer);
-    outcome_ = comes_with_mode ? state_.mode_answered(error)
-                               : state_.flip_answered(error, std::chrono::steady_clock::now());
-    reason_ = error == 0 ? "" : std::generic_category().message(error);
-    if (outcome_ == Outcome::under_way) {
+    const Outcome outcome = comes_with_mode ? state_.mode_answered(error)
+                                            : state_.flip_answered(error, std::chrono::steady_clock::now());
+    presented_ = {.outcome = outcome, .reason = error == 0 ? "" : std::generic_category().message(error)};
+    if (outcome == Outcome::under_way) {
         in_flight_ = std::move(buffer);
-    } else if (outcome_ == Outcome::shown) {
+    } else if (outcome == Outcome::shown) {
         in_flight_.reset();
         on_screen_ = std::move(buffer);
         in_the_way_ = {};
@@ -112,8 +111,8 @@ int KmsScreen::flip(const ScanoutBuffer& buffer) {
                        DRM_MODE_ATOMIC_NONBLOCK | DRM_MODE_PAGE_FLIP_EVENT, flip_);
 }
 
-Outcome KmsScreen::take_outcome() {
-    return std::exchange(outcome_, Outcome::nothing);
+KmsScreen::Presented KmsScreen::take_presented() {
+    return std::exchange(presented_, {});
 }
 
 // The event means that the picture before is free again, not that time has passed: some cards send it at

@@ -55,11 +55,14 @@ class KmsScreen final : public Screen {
 
     const Output& output() const { return output_; }
 
-    /// What became of the last picture, told once.
-    Outcome take_outcome();
+    /// The answer of the card to a picture.
+    struct Presented {
+        Outcome outcome = Outcome::nothing;
+        std::string reason;  // in words, where it went wrong
+    };
 
-    /// In words, what went wrong with it.
-    const std::string& reason() const { return reason_; }
+    /// The answer to the last picture, told once.
+    Presented take_presented();
 
     /// When it was last known that the panel has to be lit.
     Time awaited_since() const { return awaited_since_; }
@@ -83,8 +86,7 @@ class KmsScreen final : public Screen {
     Obstacles in_the_way_;
     OutputProperties properties_;
     OutputState state_;
-    Outcome outcome_ = Outcome::nothing;
-    std::string reason_;
+    Presented presented_;
     bool is_lost_ = true;  // the last picture
     Time awaited_since_ = std::chrono::steady_clock::now();
     std::uint64_t flip_ = 0;   // the last one asked for

@@ -94,7 +94,7 @@ bool MemoryScanout::has_free_buffer() const {
     return std::ranges::any_of(buffers_, [](const auto& buffer) { return buffer.use_count() == 1; });
 }
 
-ScanoutBuffer MemoryScanout::take() {
+ScanoutBuffer MemoryScanout::lock_front_buffer() {
     const auto free =
         std::ranges::find_if(buffers_, [](const auto& buffer) { return buffer.use_count() == 1; });
     assert(free != buffers_.end());

@@ -28,7 +28,7 @@ class MemoryScanout final : public Scanout {
 
     void make_current() override;
     bool has_free_buffer() const override;
-    ScanoutBuffer take() override;
+    ScanoutBuffer lock_front_buffer() override;
     Picture picture(const ScanoutBuffer& buffer) const override;
 
   private:

@@ -19,7 +19,7 @@ std::filesystem::path numbered(const std::filesystem::path& path, std::size_t in
 struct OffscreenChoice {
     std::vector<ScreenSize> screens;  // one at least
 
-    friend bool operator==(const OffscreenChoice&, const OffscreenChoice&) = default;
+    bool operator==(const OffscreenChoice&) const = default;
 };
 
 /// The choice of "1280x720+640x360"; nothing where it is not understood, or a side is not 16 to 16384 px.

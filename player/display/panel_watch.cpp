@@ -74,7 +74,7 @@ PanelWatch::PanelWatch(int card)
     }
 }
 
-PanelWatch::Events PanelWatch::take() {
+PanelWatch::Events PanelWatch::read_events() {
     Events events;
     std::array<epoll_event, 4> ready{};
     const int count = ::epoll_wait(all_.get(), ready.data(), static_cast<int>(ready.size()), 0);

@@ -22,7 +22,7 @@ class PanelWatch {
     int fd() const { return all_.get(); }
 
     /// What has happened since the last call; does not wait.
-    Events take();
+    Events read_events();
 
   private:
     void await_rest();

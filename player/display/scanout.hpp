@@ -29,9 +29,9 @@ class Scanout {
     /// Whether a next buffer is there to draw to.
     virtual bool has_free_buffer() const = 0;
 
-    /// Ends the drawing: what was drawn, ready to be shown.
+    /// Ends the drawing and lends the buffer that was drawn to, ready to be shown.
     /// @throws std::runtime_error where the card has no room, no such format, or is gone
-    virtual ScanoutBuffer take() = 0;
+    virtual ScanoutBuffer lock_front_buffer() = 0;
 
     /// What is in a buffer that it lent.
     /// @throws std::runtime_error where it cannot be read

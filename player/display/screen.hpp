@@ -54,7 +54,7 @@ struct ScreenSize {
     int width = 0;  // px
     int height = 0;
 
-    friend bool operator==(const ScreenSize&, const ScreenSize&) = default;
+    bool operator==(const ScreenSize&) const = default;
 };
 
 }  // namespace vitrine::player

@@ -33,6 +33,14 @@ struct FilmPart {
     std::chrono::nanoseconds duration() const { return std::max(end - begin, std::chrono::nanoseconds(1)); }
 };
 
+/// The place of a part in its film, in the film's own times; known once the pipeline has its first picture.
+struct FilmWindow {
+    std::chrono::nanoseconds period{0};  // of a picture
+    std::chrono::nanoseconds begin{0};   // where the film is searched to
+    std::optional<std::chrono::nanoseconds> end;
+    bool is_named_by_stamp = false;  // pictures are named by time stamps, not by stream time
+};
+
 struct FilmOptions {
     PictureForm form = PictureForm::bgra;
     DecoderMap decoders;  // in hardware, by those that they replace

@@ -11,14 +11,6 @@
 
 namespace vitrine::player {
 
-/// The place of a part in its film, in the film's own times; known once the pipeline has its first picture.
-struct FilmWindow {
-    std::chrono::nanoseconds period{0};  // of a picture
-    std::chrono::nanoseconds begin{0};   // where the film is searched to
-    std::optional<std::chrono::nanoseconds> end;
-    bool is_named_by_stamp = false;  // pictures are named by time stamps, not by stream time
-};
-
 /// The streaming side of a FilmLoop: turns decoded pictures into samples and puts them into the queue, each
 /// with the number of its loop. GStreamer's streaming thread calls it. The loop's own thread uses
 /// set_window() and land_at() while the streaming thread stands still, and the thread-safe methods at any

@@ -50,7 +50,7 @@ class PictureScaler {
         int height = 0;
         PixelLayout layout = PixelLayout::bgra;
 
-        friend bool operator==(const Task&, const Task&) = default;
+        bool operator==(const Task&) const = default;
     };
 
     std::optional<Sample> shared(GstSample* frame);

@@ -54,9 +54,7 @@ class PlayingShot {
 
     const ShotRequest& request() const { return request_; }
 
-    ShotSource& source() { return *source_; }
-
-    const ShotSource& source() const { return *source_; }
+    ShotSource& source() const { return *source_; }
 
     SourceState state() const;
 

@@ -36,7 +36,7 @@ struct ColourCode {
     Matrix matrix = Matrix::bt601;
     bool is_full_range = false;  // 0 to 255, else 16 to 235 and 16 to 240
 
-    friend bool operator==(const ColourCode&, const ColourCode&) = default;
+    bool operator==(const ColourCode&) const = default;
 };
 
 /// The planes of a picture in memory that a graphics card can read as well as the processor: Linux' dma-bufs.

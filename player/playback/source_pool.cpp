@@ -11,6 +11,12 @@ constexpr std::chrono::nanoseconds judging_period = std::chrono::seconds(1);
 constexpr long max_preparing = 3;      // sources that are read to their first picture at a time
 constexpr std::size_t max_stuck = 32;  // beside them, stuck or ending; each has a thread
 
+/// The number of shots that others wait for.
+long count_preparing(const std::map<SourceId, PlayingShot>& shots) {
+    return std::ranges::count_if(
+        shots, [](const auto& entry) { return entry.second.is_preparing() && !entry.second.is_stuck(); });
+}
+
 }  // namespace
 
 std::set<std::string> SourcePool::open_files() const {
@@ -134,14 +140,8 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
 bool SourcePool::may_start() const {
     const auto stuck =
         std::ranges::count_if(playing_, [](const auto& entry) { return entry.second.is_stuck(); });
-    return count_preparing() < max_preparing &&
+    return count_preparing(playing_) < max_preparing &&
            static_cast<std::size_t>(stuck) + pool_.ending.size() < max_stuck;
-}
-
-/// Those that others wait for.
-long SourcePool::count_preparing() const {
-    return std::ranges::count_if(
-        playing_, [](const auto& entry) { return entry.second.is_preparing() && !entry.second.is_stuck(); });
 }
 
 void SourcePool::read_one_photo_anew() {
@@ -149,7 +149,7 @@ void SourcePool::read_one_photo_anew() {
         const PlayingShot& shot = entry.second;
         return shot.request().kind == MediaKind::photo && !shot.is_preparing() && !shot.source().has_ended();
     });
-    if (is_reading || !waiting_.empty() || count_preparing() > 0) return;
+    if (is_reading || !waiting_.empty() || count_preparing(playing_) > 0) return;
     const auto next = std::ranges::find_if(playing_, [](const auto& entry) {
         return !entry.second.is_preparing() && entry.second.source().is_outdated();
     });

@@ -14,7 +14,7 @@ constexpr double period =
     3600;  // s, after which the lights stand as at the start: a float keeps its precision
 
 // Everything moves by whole turns in `period` seconds (turns are of 3600 s), so the picture has no seam.
-constexpr const char* vertex_shader = R"(
+constexpr const char* idle_vertex_shader = R"(
 precision highp float;
 layout(location = 0) in vec2 corner;   // [0, 1], y down
 uniform vec2 x_axis, y_axis, origin;   // canvas px to GL
@@ -53,7 +53,7 @@ void main() {
 )";
 
 // Half a step of noise hides the steps of eight bits, which show on slow gradients.
-constexpr const char* fragment_shader = R"(
+constexpr const char* idle_fragment_shader = R"(
 precision mediump float;
 in vec3 colour;
 uniform float opacity;
@@ -91,7 +91,7 @@ std::vector<GLushort> grid_order() {
 }  // namespace
 
 IdlePicture::IdlePicture()
-    : program_(vertex_shader, fragment_shader),
+    : program_(idle_vertex_shader, idle_fragment_shader),
       view_(program_),
       canvas_(program_.uniform("canvas")),
       seconds_(program_.uniform("seconds")),
@@ -112,9 +112,9 @@ IdlePicture::IdlePicture()
 }
 
 void IdlePicture::draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity,
-                       double top, double bottom) const {
-    const int first = std::clamp(static_cast<int>(std::floor(top / canvas.y * rows)), 0, rows);
-    const int last = std::clamp(static_cast<int>(std::ceil(bottom / canvas.y * rows)), first, rows);
+                       const Box& part) const {
+    const int first = std::clamp(static_cast<int>(std::floor(part.min.y / canvas.y * rows)), 0, rows);
+    const int last = std::clamp(static_cast<int>(std::ceil(part.max.y / canvas.y * rows)), first, rows);
     const double seconds = std::chrono::duration<double>(time).count();
     program_.use();
     view_.set(view);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/geometry/box.hpp"
 #include "player/render/gl_objects.hpp"
 #include "player/render/view_uniforms.hpp"
 
@@ -18,9 +19,9 @@ class IdlePicture {
     ///
     /// @param time     moves the lights; equal times give equal pictures
     /// @param opacity  over what is there, in [0, 1]
-    /// @param top      canvas px; nothing is seen above, nor below `bottom`
-    void draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity, double top,
-              double bottom) const;
+    /// @param part     canvas px; nothing is seen above it, nor below
+    void draw(Vec2 canvas, const ToNdc& view, std::chrono::nanoseconds time, double opacity,
+              const Box& part) const;
 
   private:
     Program program_;

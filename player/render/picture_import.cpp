@@ -44,29 +44,27 @@ PictureImport::PictureImport() : display_(eglGetCurrentDisplay()) {
     takes_planes_ = !knows_modifiers_ || (takes(display_, one_channel) && takes(display_, two_channels));
 }
 
-void PictureImport::read(const SharedPlanes& shared, std::size_t plane, int channels, int width,
-                         int height) const {
-    const std::vector<EGLAttrib> attributes =
-        import_attributes(shared, plane, channels, width, height, knows_modifiers_);
+void PictureImport::read(const SharedPlanes& shared, const PlaneShape& plane) const {
+    const std::vector<EGLAttrib> attributes = import_attributes(shared, plane, knows_modifiers_);
     const EGLImage image =
         eglCreateImage(display_, EGL_NO_CONTEXT, EGL_LINUX_DMA_BUF_EXT, nullptr, attributes.data());
     if (image == EGL_NO_IMAGE)
-        throw std::runtime_error(
-            fmt::format("read a decoder's plane of {}x{}: EGL error {:#x}", width, height, eglGetError()));
+        throw std::runtime_error(fmt::format("read a decoder's plane of {}x{}: EGL error {:#x}", plane.width,
+                                             plane.height, eglGetError()));
     into_texture_(GL_TEXTURE_2D, image);
     eglDestroyImage(display_, image);  // the texture holds it
     check_gl("read a decoder's plane");
 }
 
-std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, std::size_t plane, int channels,
-                                         int width, int height, bool names_modifier) {
-    const SharedPlanes::Plane& place = shared.planes.at(plane);
+std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, const PlaneShape& plane,
+                                         bool names_modifier) {
+    const SharedPlanes::Plane& place = shared.planes.at(plane.index);
     std::vector<EGLAttrib> list{EGL_WIDTH,
-                                width,
+                                plane.width,
                                 EGL_HEIGHT,
-                                height,
+                                plane.height,
                                 EGL_LINUX_DRM_FOURCC_EXT,
-                                channels == 1 ? one_channel : two_channels,
+                                plane.channels == 1 ? one_channel : two_channels,
                                 EGL_DMA_BUF_PLANE0_FD_EXT,
                                 place.file,
                                 EGL_DMA_BUF_PLANE0_OFFSET_EXT,

@@ -12,6 +12,14 @@
 
 namespace vitrine::player {
 
+/// One plane of a picture.
+struct PlaneShape {
+    std::size_t index = 0;  // among the picture's planes
+    int channels = 1;       // 1 or 2, of 8 bits
+    int width = 0;          // texels
+    int height = 0;
+};
+
 /// Reads shared planes into textures without copying them (EGL_EXT_image_dma_buf_import), one texture a
 /// plane, so that they are drawn as uploaded ones are. Of the display that is current where it is made.
 class PictureImport {
@@ -22,10 +30,8 @@ class PictureImport {
     bool is_possible() const { return into_texture_ != nullptr && takes_planes_; }
 
     /// Has the texture that is bound to GL_TEXTURE_2D read a plane.
-    /// @param channels       1 or 2, of 8 bits
-    /// @param width, height  texels
     /// @throws std::runtime_error with EGL's reason: the display does not take it
-    void read(const SharedPlanes& shared, std::size_t plane, int channels, int width, int height) const;
+    void read(const SharedPlanes& shared, const PlaneShape& plane) const;
 
   private:
     EGLDisplay display_;
@@ -37,7 +43,7 @@ class PictureImport {
 /// What EGL is told of a plane.
 /// @param names_modifier  whether the display has EGL_EXT_image_dma_buf_import_modifiers
 /// @throws std::runtime_error where a modifier has to be named and cannot be
-std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, std::size_t plane, int channels,
-                                         int width, int height, bool names_modifier);
+std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, const PlaneShape& plane,
+                                         bool names_modifier);
 
 }  // namespace vitrine::player

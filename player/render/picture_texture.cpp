@@ -98,7 +98,10 @@ PictureTexture::PictureTexture(const Sample& sample, const PictureImport& import
     for (std::size_t i = 0; i < plane_count(layout_); ++i) {
         const PlaneForm plane = form(layout_, i);
         glBindTexture(GL_TEXTURE_2D, planes_[i].id());
-        import.read(*sample.shared, i, plane.bytes, share(width_, plane), share(height_, plane));
+        import.read(*sample.shared, {.index = i,
+                                     .channels = plane.bytes,
+                                     .width = share(width_, plane),
+                                     .height = share(height_, plane)});
     }
 }
 

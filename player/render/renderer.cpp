@@ -102,12 +102,12 @@ void Renderer::draw_idle(const Frame& frame, const ToNdc& view) {
     const Box all{{0, 0}, frame.canvas};
     if (opacity < 1) {
         glEnable(GL_BLEND);
-        return idle_.draw(frame.canvas, view, frame.time, opacity, 0, frame.canvas.y);
+        return idle_.draw(frame.canvas, view, frame.time, opacity, all);
     }
     glDisable(GL_BLEND);
     for (const Box& part : uncovered(all, has_holes ? std::span<const Box>() : frame.covered)) {
         set_scissor(part, view);
-        idle_.draw(frame.canvas, view, frame.time, opacity, part.min.y, part.max.y);
+        idle_.draw(frame.canvas, view, frame.time, opacity, part);
     }
     set_scissor(all, view);
 }

@@ -20,7 +20,7 @@ struct View {
     int right = 0;
     int bottom = 0;
 
-    friend bool operator==(const View&, const View&) = default;
+    bool operator==(const View&) const = default;
 };
 
 /// The canvas that fills a screen of width x height px within the margins without a change of shape.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kept_unused = 120;  // frames that a tile's points outlast their last use
 
-constexpr const char* vertex_shader = R"(
+constexpr const char* zoom_vertex_shader = R"(
 precision highp float;
 layout(location = 0) in vec4 places;    // px of both strips
 layout(location = 1) in vec3 texel;     // u, v, growth
@@ -66,7 +66,7 @@ void attribute(GLuint place, GLint count, std::size_t offset) {
 }  // namespace
 
 ZoomLayer::MeshProgram::MeshProgram(const char* fragment_shader)
-    : program(vertex_shader, fragment_shader),
+    : program(zoom_vertex_shader, fragment_shader),
       view(program),
       offset(program.uniform("offset")),
       scale(program.uniform("scale")),

@@ -26,7 +26,7 @@ SharedPlanes planes() {
 }  // namespace
 
 TEST_CASE("EGL is told where a plane lies and how many channels it has") {
-    const auto list = import_attributes(planes(), 1, 2, 960, 540, true);
+    const auto list = import_attributes(planes(), {1, 2, 960, 540}, true);
 
     CHECK(value_of(list, EGL_WIDTH) == 960);
     CHECK(value_of(list, EGL_HEIGHT) == 540);
@@ -36,19 +36,19 @@ TEST_CASE("EGL is told where a plane lies and how many channels it has") {
     CHECK(value_of(list, EGL_DMA_BUF_PLANE0_PITCH_EXT) == 2048);
     CHECK_FALSE(value_of(list, EGL_DMA_BUF_PLANE0_MODIFIER_LO_EXT));
     CHECK(list.back() == EGL_NONE);
-    CHECK(value_of(import_attributes(planes(), 0, 1, 1920, 1080, true), EGL_LINUX_DRM_FOURCC_EXT) ==
+    CHECK(value_of(import_attributes(planes(), {0, 1, 1920, 1080}, true), EGL_LINUX_DRM_FOURCC_EXT) ==
           0x20203852);  // R8
 }
 
 TEST_CASE("a modifier is named in halves, and where it cannot be named only rows are read") {
     SharedPlanes tiled = planes();
     tiled.modifier = 0x0100000000000002;
-    const auto list = import_attributes(tiled, 0, 1, 1920, 1080, true);
+    const auto list = import_attributes(tiled, {0, 1, 1920, 1080}, true);
     CHECK(value_of(list, EGL_DMA_BUF_PLANE0_MODIFIER_LO_EXT) == 2);
     CHECK(value_of(list, EGL_DMA_BUF_PLANE0_MODIFIER_HI_EXT) == 0x01000000);
-    CHECK_THROWS_AS(import_attributes(tiled, 0, 1, 1920, 1080, false), std::runtime_error);
+    CHECK_THROWS_AS(import_attributes(tiled, {0, 1, 1920, 1080}, false), std::runtime_error);
 
     tiled.modifier = 0;
     CHECK_FALSE(
-        value_of(import_attributes(tiled, 0, 1, 1920, 1080, false), EGL_DMA_BUF_PLANE0_MODIFIER_LO_EXT));
+        value_of(import_attributes(tiled, {0, 1, 1920, 1080}, false), EGL_DMA_BUF_PLANE0_MODIFIER_LO_EXT));
 }
