@@ -12,7 +12,7 @@ namespace vitrine::player {
 /// The numbers that a card gives to the properties of one object, by name.
 using PropertyIds = std::map<std::string, std::uint32_t, std::less<>>;
 
-/// The properties on the way of one output. Those that requests name have one number for the whole card.
+/// The properties of the objects that feed one output. A property has one number for the whole card.
 struct OutputProperties {
     PropertyIds connector;
     PropertyIds crtc;
@@ -30,7 +30,7 @@ struct PropertyValue {
 
 using AtomicRequest = std::vector<PropertyValue>;
 
-/// Lights the panel with a frame buffer of the mode's size, and takes away what lies on its way.
+/// Lights the panel with a frame buffer of the mode's size, and removes the obstacles.
 /// @param mode_blob  the card's number for the output's mode
 /// @throws std::runtime_error naming a property that the card lacks
 AtomicRequest modeset_request(const Output& output, const OutputProperties& properties,

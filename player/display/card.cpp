@@ -63,7 +63,7 @@ std::string name_of(const drmModeConnector& connector) {
     return fmt::format("{}-{}", type ? type : "unknown", connector.connector_type_id);
 }
 
-// Tells one blob's content from another's; 0: there is none.
+// A number that differs where the blobs' contents differ; 0: there is no content.
 std::uint64_t content_number(int fd, std::uint64_t blob) {
     const BlobHandle content(blob == 0 ? nullptr
                                        : drmModeGetPropertyBlob(fd, static_cast<std::uint32_t>(blob)));
@@ -117,15 +117,15 @@ bool has_panel(const Card& card) {
 
 // The cards' files, in the order of their numbers.
 std::vector<std::filesystem::path> card_files() {
-    constexpr int most_cards = 64;
+    constexpr int max_cards = 64;
     std::vector<std::filesystem::path> files;
-    for (int i = 0; i < most_cards; ++i)
+    for (int i = 0; i < max_cards; ++i)
         if (std::filesystem::path file = fmt::format("/dev/dri/card{}", i); std::filesystem::exists(file))
             files.push_back(std::move(file));
     return files;
 }
 
-// Cards that only compute have none; those that another program has are none for us.
+// None for a card that only computes, and for one that another program has.
 std::optional<Card> try_card(const std::filesystem::path& file, KmsApi api, std::string& reason) {
     try {
         return Card(file, api);

@@ -16,8 +16,8 @@
 
 namespace vitrine::player {
 
-/// A graphics card, opened for showing. Who opens it first is its master and may set modes; root is not
-/// needed for that, but the right to open the file.
+/// A graphics card (DRM device), opened for showing. The first program that opens it is its master and may
+/// set modes; that needs the right to open the file, not root.
 class Card {
   public:
     /// @throws std::system_error, std::runtime_error naming the file: it cannot be opened, shows nothing, or
@@ -35,39 +35,38 @@ class Card {
     /// The kernel's name of its driver: "i915".
     std::string driver() const;
 
-    /// @param is_asked  whether a connector's panel is to be asked afresh, which takes a while, instead of
-    /// what
-    ///                  the kernel last heard from it
+    /// @param is_asked  true: the connector's panel is asked afresh, which takes a while; false: the kernel's
+    ///                  last knowledge of it is used
     /// @return nothing: the card was pulled out
     std::optional<CardState> state(const std::function<bool(std::uint32_t connector)>& is_asked) const;
 
     OutputProperties properties(const Output& output) const;
 
-    /// The pictures that it is told of.
+    /// The buffers that it can show.
     FrameBuffers& frame_buffers() const { return *frame_buffers_; }
 
-    /// From here on pictures are told to it through this opening. @pre there are none yet
+    /// Adds frame buffers through this opening from here on. @pre there are none yet
     void set_keeper(UniqueFd keeper);
 
-    /// The numbers of those that are on its outputs now.
+    /// The numbers of the frame buffers that its outputs show now.
     std::vector<std::uint32_t> shown() const;
 
     /// @param flags  DRM_MODE_ATOMIC_*, DRM_MODE_PAGE_FLIP_EVENT
     /// @param user   comes back with the event
-    /// @return 0, or the errno why nothing has changed
+    /// @return 0, or the errno if nothing has changed
     int commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_t user) const;
 
-    /// The same in the old way: shows another frame buffer of the same size.
+    /// Shows another frame buffer of the same size, by the legacy call (drmModePageFlip). @return as commit()
     int flip(std::uint32_t crtc, std::uint32_t frame_buffer, std::uint64_t user) const;
 
-    /// The pictures that the card has told of since the last call, by the number that their flips had.
-    /// @pre there is something to read
+    /// Reads the flips that have come about since the last call, by the `user` number of each.
+    /// @pre the card has something to read
     std::vector<std::uint64_t> read_flips() const;
 
-    /// Whether it may be told what to show, and not another program.
+    /// True while this program is the card's master, and not another one.
     bool is_ours() const;
 
-    /// Takes it back after another program has left it. False: that program still has it.
+    /// Becomes its master again after another program has left it. False: that program still has it.
     bool take_over() const;
 
   private:
@@ -78,11 +77,11 @@ class Card {
     bool has_modifiers_ = false;
 };
 
-/// The card at `path`; where that is empty, the first one with a panel, else the first with a connector.
-/// @throws std::runtime_error saying what was found instead
+/// Opens the card at `path`; an empty path: the first card with a panel, else the first with a connector.
+/// @throws std::runtime_error naming the cards that were tried
 Card open_card(const std::filesystem::path& path, KmsApi api);
 
-/// Whether a card other than this one has a panel.
+/// True if a card other than this one has a panel.
 bool is_panel_elsewhere(const std::filesystem::path& path);
 
 }  // namespace vitrine::player

@@ -11,7 +11,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The terminal that a service was given, else the one in front.
+// The terminal that systemd has given the service, else the one in front.
 UniqueFd open_terminal() {
     constexpr std::array<const char*, 3> terminals{"/dev/stdin", "/dev/tty0", "/dev/tty1"};
     for (const char* path : terminals) {
@@ -24,7 +24,7 @@ UniqueFd open_terminal() {
 
 }  // namespace
 
-// Who may switch to graphics but not be asked for the screen keeps the screen: others then see the wall.
+// Without VT_PROCESS the kernel cannot ask for the screen: the other terminals then show the wall as well.
 Console::Console() {
     UniqueFd terminal = open_terminal();
     if (!terminal.is_open() || ::ioctl(terminal.get(), KDSETMODE, KD_GRAPHICS) != 0) return;

@@ -6,9 +6,9 @@
 
 namespace vitrine::player {
 
-/// The terminal that the wall is shown over. Its text is kept from being drawn for as long as this lives, and
-/// when somebody switches to another terminal (Ctrl+Alt+F2) the kernel asks for the screen by a signal. Does
-/// nothing on a machine without terminals, or where none is ours.
+/// The terminal that the wall is shown over. While this lives the terminal draws no text, and when somebody
+/// switches to another terminal (Ctrl+Alt+F2) the kernel asks for the screen by a signal. Does nothing on a
+/// machine without terminals, or where none is ours.
 class Console {
   public:
     static constexpr int leave_signal = SIGUSR1;  // both must be blocked before this is made
@@ -21,17 +21,18 @@ class Console {
     Console& operator=(Console&&) = delete;
     ~Console();
 
-    /// After leave_signal, when the graphics card has been left: lets the other terminal come.
+    /// Lets the other terminal come. Call after leave_signal, once the graphics card has been left.
     void leave();
 
-    /// After enter_signal, before the graphics card is taken back.
+    /// Takes the screen back. Call after enter_signal, before the graphics card is taken back.
     void enter();
 
-    /// The last picture stays when this ends, and with it graphics mode: with its text the kernel would show
-    /// the console, whoever has the card. As after a crash it helps itself when somebody switches.
+    /// Leaves the terminal in graphics mode when this ends, so that the last picture stays: in text mode the
+    /// kernel would show the console, whoever has the card. The kernel restores the text when somebody
+    /// switches to another terminal, as it does after a crash.
     void keep() { terminal_.reset(); }
 
-    /// False between the two.
+    /// False from leave() to enter().
     bool is_in_front() const { return is_in_front_; }
 
   private:

@@ -13,7 +13,7 @@
 
 namespace vitrine::player {
 
-/// Something that became of a display, for the log.
+/// News of a display, for the log.
 struct DisplayEvent {
     bool is_trouble = false;
     std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
@@ -30,26 +30,26 @@ class Display {
     Display& operator=(Display&&) = delete;
     virtual ~Display() = default;
 
-    /// Those to draw on now, always in the same order; none: no panel, or another program has the card.
+    /// The screens to draw on now, always in the same order; none: no panel, or another program has the card.
     /// Lent until the next call.
     virtual std::span<Screen* const> screens() = 0;
 
-    /// To be polled for POLLIN between frames, then dispatch() called; -1: none.
+    /// The descriptor to poll for POLLIN between frames, before dispatch() is called; -1: none.
     virtual int event_fd() const = 0;
     virtual void dispatch() = 0;
 
-    /// Nothing will ever be shown on it again: the card was pulled out. All that GL made is to be ended,
-    /// unless gl() is kept for another display, then this; another may be made.
+    /// True once the card was pulled out: nothing will ever be shown on this display again. The owner
+    /// destroys all that GL made, unless has_lasting_gl(), then the display, and may open another.
     virtual bool is_gone() const = 0;
 
-    /// Whether another program, or another terminal, has the card: nothing is shown on purpose.
+    /// True while another program, or another terminal, has the card: nothing is shown on purpose.
     virtual bool is_away() const { return false; }
 
     /// Leaves the card to other programs until take_back().
     virtual void leave() = 0;
     virtual void take_back() = 0;
 
-    /// Whether it shows a picture of an earlier run, which stays until one is presented.
+    /// True while it shows a picture of an earlier run, which stays until a frame is presented.
     virtual bool has_old_picture() const { return false; }
 
     /// Call when the program ends in order: what is shown stays for the next process. False: it cannot.
@@ -60,17 +60,17 @@ class Display {
     /// @throws std::runtime_error naming the file
     virtual std::vector<std::string> finish_recording() { return {}; }
 
-    /// What has become of it since the last call.
+    /// The events since the last call.
     virtual std::vector<DisplayEvent> take_events() = 0;
 
-    /// What draws. Where it is shared with the displays before and after, what GL has made stays good for
-    /// them.
+    /// The EGL context that draws. It may be shared with the displays before and after; all that GL has made
+    /// then stays good for them.
     virtual const std::shared_ptr<Egl>& gl() const = 0;
 
-    /// Whether gl() outlives this display; else all that GL made must be destroyed before it.
+    /// True if gl() outlives this display; else all that GL made must be destroyed before it.
     virtual bool has_lasting_gl() const { return false; }
 
-    /// For the log: what this is, its modes, its renderer.
+    /// For the log: the device, its modes, its renderer.
     virtual std::string description() const = 0;
 };
 

@@ -30,7 +30,7 @@ class Egl {
 
     EGLConfig config() const { return config_; }
 
-    /// Directs what is drawn to a surface; EGL_NO_SURFACE: nowhere but frame buffer objects.
+    /// Draws to this surface from now on; EGL_NO_SURFACE: to frame buffer objects only.
     void make_current(EGLSurface surface);
 
   private:
@@ -41,19 +41,20 @@ class Egl {
     void create_context(EGLint visual);
 
     EGLDisplay display_ = EGL_NO_DISPLAY;
-    End end_;  // `leave` where the display is the process's one, which another Egl may use
+    End end_;  // `leave`: the EGL display is the process's own, which another Egl may use
     EGLConfig config_ = nullptr;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// What draws for cards that leave that to the processor: it has nothing to do with the card and outlasts it,
-/// as making it and compiling its shaders takes the longest part of the time to the first picture.
+/// GL in software, for cards that leave drawing to the processor. It does not depend on a card and is kept
+/// from one display to the next, as making it and compiling its shaders takes most of the time to the first
+/// picture.
 struct SoftwareGl {
-    std::shared_ptr<Egl> egl;       // shared: with the displays and who draws; none yet
-    std::set<std::string> drivers;  // of the cards seen so far that it draws for
+    std::shared_ptr<Egl> egl;       // shared: with the displays and the renderer; none yet
+    std::set<std::string> drivers;  // the drivers of the cards seen so far that it draws for
 };
 
-/// Throws std::runtime_error: what was tried, and EGL's name for why it failed.
+/// @throws std::runtime_error naming `what` was tried and EGL's error
 [[noreturn]] void throw_egl(const char* what);
 
 }  // namespace vitrine::player

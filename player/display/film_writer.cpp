@@ -17,9 +17,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr guint64 pictures_waiting = 4;                   // for the encoder, each width * height * 4 bytes
-constexpr GstClockTime room_patience = 2 * GST_MSECOND;   // between two looks
-constexpr GstClockTime longest_ending = 60 * GST_SECOND;  // to encode those and write the index
+constexpr guint64 pictures_waiting = 4;                    // for the encoder, each width * height * 4 bytes
+constexpr GstClockTime room_patience = 2 * GST_MSECOND;    // between two looks
+constexpr GstClockTime max_ending_time = 60 * GST_SECOND;  // to encode those and write the index
 
 void unref_element(GstElement* element) {
     gst_object_unref(element);
@@ -140,8 +140,8 @@ struct FilmWriter::Chain {
     /// Ends the film; says why it is not whole, nothing when it is.
     std::optional<std::string> end() const {
         if (!last) return "no picture came";
-        gst_app_src_end_of_stream(source());  // what fails here is told on the bus as well
-        const GstMessageHandle message = next(GST_MESSAGE_EOS, longest_ending);
+        gst_app_src_end_of_stream(source());  // a failure here comes on the bus as well
+        const GstMessageHandle message = next(GST_MESSAGE_EOS, max_ending_time);
         if (!message) return "the encoder does not come to an end";
         if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) return reason_of(*message);
         return std::nullopt;

@@ -13,7 +13,7 @@ namespace vitrine::player {
 /// GStreamer's threads; add() waits where they fall behind by more than a few pictures.
 class FilmWriter {
   public:
-    /// @param rate  pictures a second the film is told to hold, > 0
+    /// @param rate  frames a second that the film is told to hold, > 0
     /// @throws std::runtime_error naming the film: an encoder is missing, or the file cannot be written
     FilmWriter(const std::filesystem::path& path, int width, int height, double rate);
     FilmWriter(const FilmWriter&) = delete;

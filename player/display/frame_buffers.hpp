@@ -9,29 +9,30 @@
 
 namespace vitrine::player {
 
-/// A buffer in a card's memory that is to be shown: what the card has to know of it.
+/// A buffer in a card's memory, described as the card must know it to show it.
 struct BufferForm {
     std::uint32_t width = 0;  // px
     std::uint32_t height = 0;
     std::uint32_t format = 0;                // DRM_FORMAT_*
-    std::array<std::uint32_t, 4> handles{};  // of the card, a plane each; 0: no such plane
+    std::array<std::uint32_t, 4> handles{};  // one a plane; 0: no such plane
     std::array<std::uint32_t, 4> pitches{};  // bytes a row
     std::array<std::uint32_t, 4> offsets{};  // bytes
     std::array<std::uint64_t, 4> modifiers{};
     bool is_modifier_named = false;
 };
 
-/// The card's numbers for buffers that are to be shown.
+/// The card's numbers for buffers that are to be shown (DRM frame buffers).
 ///
-/// A card forgets the pictures of a program that ends, and turns off what shows them. So they are told to it
-/// through an opening of its own, the keeper, which systemd holds over a restart (FileDescriptorStoreMax=):
-/// all else that the program had of the card ends with it, and the picture stays until the next program shows
-/// its first. Where a card does not pass buffers from one opening to another its own is used.
+/// When a program ends, the kernel removes the frame buffers that it added, and turns off the outputs that
+/// show them. So they are added through a second opening of the card, the keeper, which systemd holds over a
+/// restart (FileDescriptorStoreMax=). All else that the program had of the card ends with it, and the picture
+/// stays until the next program shows its first one. A card that cannot pass buffers from one opening to
+/// another gets them through its own opening.
 class FrameBuffers {
   public:
     /// @param card    outlives this
-    /// @param keeper  another opening of it, perhaps of an earlier run with its pictures; none: the card's
-    /// own
+    /// @param keeper  another opening of the card, perhaps with the pictures of an earlier run; none: the
+    ///                card's own
     FrameBuffers(int card, UniqueFd keeper);
     FrameBuffers(const FrameBuffers&) = delete;
     FrameBuffers& operator=(const FrameBuffers&) = delete;
@@ -39,20 +40,20 @@ class FrameBuffers {
     FrameBuffers& operator=(FrameBuffers&&) = delete;
     ~FrameBuffers() = default;
 
-    /// The number of a buffer, which it keeps in being; 0: the card does not take it, errno says why.
+    /// Adds a buffer and returns its number, which keeps the buffer alive; 0: the card refuses it, see errno.
     std::uint32_t add(const BufferForm& form);
 
     void remove(std::uint32_t number);
 
-    /// From here on none is removed: the program ends, and what is shown stays.
-    /// @return whether they outlive the card's opening
+    /// Removes none from here on: the program ends, and the picture stays.
+    /// @return false: the frame buffers end with the card's opening all the same
     bool keep();
 
-    /// Whether pictures of an earlier run are left.
+    /// True while pictures of an earlier run are left.
     bool has_old() const { return !old_.empty(); }
 
-    /// Those of an earlier run that are not shown any more go.
-    /// @param shown  the numbers that are
+    /// Removes the pictures of an earlier run that are not shown any more.
+    /// @param shown  the numbers that are shown
     void let_go(std::span<const std::uint32_t> shown);
 
   private:
@@ -62,17 +63,17 @@ class FrameBuffers {
     UniqueFd keeper_;
     bool is_keeper_refused_ = false;
     bool keeps_ = false;
-    std::vector<std::uint32_t> old_;  // of the keeper
-    std::vector<std::uint32_t> own_;  // of the card itself, where the keeper has refused
+    std::vector<std::uint32_t> old_;  // pictures of an earlier run, in the keeper
+    std::vector<std::uint32_t> own_;  // added through the card's own opening, where the keeper has refused
 };
 
-/// Those of the first that are not among the others.
+/// The numbers that are not among the others.
 std::vector<std::uint32_t> without(std::span<const std::uint32_t> numbers,
                                    std::span<const std::uint32_t> others);
 
-/// The descriptor that an earlier run left, where it is an opening of this card, else a new one; neither may
-/// tell the card what to show. None where it cannot be opened.
-/// @param left  taken where it is used, else closed
+/// A keeper for this card: the descriptor that an earlier run left, if it is an opening of this card, else a
+/// new one. Neither may set modes. None where the card cannot be opened.
+/// @param left  used or closed
 UniqueFd keeper_of(int card, UniqueFd left);
 
 }  // namespace vitrine::player

@@ -11,7 +11,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The card's number for a buffer, which ends with the buffer.
+// The card's number for a buffer; it ends with the buffer.
 struct FrameBuffer {
     FrameBuffer(FrameBuffers& of, std::uint32_t number) : all(of), id(number) {}
 

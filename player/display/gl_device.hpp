@@ -7,20 +7,20 @@
 
 namespace vitrine::player {
 
-/// GL's own name for what draws in the current context.
+/// GL's own name of the renderer of the current context.
 inline std::string gl_device() {
     const GLubyte* name = glGetString(GL_RENDERER);
     return name ? reinterpret_cast<const char*>(name) : "unknown renderer";
 }
 
-/// Whether that is the processor and not a graphics card.
+/// True if that name is of a renderer on the processor, not on a graphics card.
 inline bool is_software(std::string_view device) {
     for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "swrast", "Software"})
         if (device.find(name) != std::string_view::npos) return true;
     return false;
 }
 
-/// Whether a list of words, as EGL and GL name their extensions, has one.
+/// True if a list of words, as EGL and GL list their extensions, has this word.
 inline bool has_word(const char* words, std::string_view word) {
     for (std::string_view rest = words ? words : ""; !rest.empty();) {
         const std::size_t end = rest.find(' ');

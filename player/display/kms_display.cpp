@@ -16,13 +16,13 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int ticks_before_asking = 5;  // of 2 s: panels that are dark while others are lit
+constexpr int ticks_before_asking = 5;  // each 2 s: until panels that are dark while others are lit are asked
 constexpr int ticks_with_old_pictures = 5;
 constexpr int ticks_before_mercy = 15;  // modes that were refused are tried again
 
 using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
 
-// Nothing where the card draws in software.
+// None where GL of the card is in software.
 DeviceHandle open_device(const Card& card, SoftwareGl* software) {
     if (software != nullptr && software->drivers.contains(card.driver())) return nullptr;
     DeviceHandle device(gbm_create_device(card.fd()));
@@ -42,7 +42,7 @@ std::shared_ptr<Egl> make_gl(gbm_device* device, SoftwareGl* software) {
     return software->egl;
 }
 
-// Where systemd holds descriptors over a restart, pictures are told to the card through one of them.
+// Where systemd holds descriptors over a restart, frame buffers are added through one of them.
 Card with_keeper(Card card, UniqueFd& left) {
     if (!service::is_told()) return card;
     const int known = left.get();
@@ -78,7 +78,7 @@ class KmsOpener final : public DisplayOpener {
   private:
     SoftwareGl software_;
     KmsOptions options_;
-    UniqueFd keeper_;  // of the card, by the process before; until a display takes it
+    UniqueFd keeper_;  // left by the process before; until a display takes it
 };
 
 }  // namespace

@@ -25,15 +25,15 @@ struct KmsOptions {
     std::filesystem::path card;  // empty: the first with a panel
     ModeWishes modes;
     KmsApi api = KmsApi::best;
-    SoftwareGl* software = nullptr;  // kept from display to display, outlives them; none: made anew
+    SoftwareGl* software = nullptr;  // kept from one display to the next, outlives them; none: made anew
 };
 
-/// The panels of a graphics card, shown on without a desktop. No panel, panels that come, go or change, and
+/// Shows on the panels of a graphics card, without a desktop. No panel, panels that come, go or change, and
 /// another program that takes the card over, are states and not errors.
 class KmsDisplay final : public Display {
   public:
     /// @throws std::runtime_error, std::system_error: no card to show on, or it cannot be drawn on
-    /// @param left  the keeper that an earlier run left (frame_buffers.hpp): taken once there is a card
+    /// @param left  the keeper that an earlier run left (frame_buffers.hpp); taken once there is a card
     KmsDisplay(const KmsOptions& options, UniqueFd& left);
     KmsDisplay(const KmsDisplay&) = delete;
     KmsDisplay& operator=(const KmsDisplay&) = delete;
@@ -41,7 +41,7 @@ class KmsDisplay final : public Display {
     KmsDisplay& operator=(KmsDisplay&&) = delete;
     ~KmsDisplay() override;
 
-    /// What the keeper is called where it is held meanwhile.
+    /// The name under which systemd holds the keeper.
     static constexpr const char* keeper_name = "card";
 
     std::span<Screen* const> screens() override;

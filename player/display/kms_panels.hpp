@@ -24,7 +24,7 @@ class KmsPanels {
     /// Lights panels that have come and lets those go that are gone. False: the card was pulled out.
     bool look(Ask ask);
 
-    /// Whether look() is due before the next frame, since a mode was refused; asked once.
+    /// True if look() is due before the next frame, as a mode was refused; told once.
     bool take_due_look();
 
     std::span<const std::unique_ptr<KmsScreen>> lit() const { return lit_; }

@@ -16,21 +16,21 @@
 
 namespace vitrine::player {
 
-/// What all screens of a card draw with.
+/// The card and the GL that all screens of a card draw with.
 struct KmsSurface {
     const Card& card;
-    gbm_device* device = nullptr;  // egl is on it; nullptr: egl draws to memory
+    gbm_device* device = nullptr;  // egl draws to its buffers; nullptr: egl draws to memory
     Egl& egl;
-    std::uint64_t flips = 0;  // asked for so far; each has its number
+    std::uint64_t flips = 0;  // requested so far; each has its number
 };
 
-/// One panel of a card. What becomes of its pictures is to be asked for by who owns it.
+/// One panel of a card. Its owner asks it for the card's answer to each frame (take_presented()).
 class KmsScreen final : public Screen {
   public:
     using Time = OutputState::Time;
 
     /// @param surface     outlives this
-    /// @param in_the_way  of the output, goes with the first picture
+    /// @param in_the_way  obstacles of the output, removed with the first frame
     /// @throws std::runtime_error where the card has no room for its pictures
     KmsScreen(KmsSurface& surface, const Output& output, const Obstacles& in_the_way);
 
@@ -64,16 +64,16 @@ class KmsScreen final : public Screen {
     /// The answer to the last picture, told once.
     Presented take_presented();
 
-    /// When it was last known that the panel has to be lit.
+    /// The time at which it was last known that the panel has to be lit.
     Time awaited_since() const { return awaited_since_; }
 
-    /// The card has told of this flip.
+    /// The card has reported this flip.
     void flipped(std::uint64_t flip);
 
-    /// To be called every now and then. True: the card never told of the last picture.
+    /// To be called every now and then. True: the card never reported the last flip.
     bool give_up_waiting();
 
-    /// The next picture comes with the mode again.
+    /// The next frame comes with the mode again.
     void start_over();
 
   private:
@@ -87,10 +87,10 @@ class KmsScreen final : public Screen {
     OutputProperties properties_;
     OutputState state_;
     Presented presented_;
-    bool is_lost_ = true;  // the last picture
+    bool is_lost_ = true;  // the last frame is not to be seen
     Time awaited_since_ = std::chrono::steady_clock::now();
-    std::uint64_t flip_ = 0;   // the last one asked for
-    std::uint64_t flips_ = 0;  // that came about
+    std::uint64_t flip_ = 0;   // the last one requested
+    std::uint64_t flips_ = 0;  // that the card has reported
     std::unique_ptr<Scanout> scanout_;
     std::optional<ScanoutBuffer> on_screen_;
     std::optional<ScanoutBuffer> in_flight_;

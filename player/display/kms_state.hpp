@@ -14,8 +14,8 @@
 
 namespace vitrine::player {
 
-/// What a graphics card says of its parts at one moment: plain data, so that what is made of it can be
-/// tested without a card.
+/// The parts of a graphics card as it reports them at one moment. Plain data, so that the choice of outputs
+/// can be tested without a card.
 struct CardState {
     struct Connector {
         std::uint32_t id = 0;
@@ -24,7 +24,7 @@ struct CardState {
         std::uint32_t crtcs = 0;    // bit i: it can be fed by crtcs[i]
         std::uint32_t crtc_id = 0;  // feeds it now; 0: none
         std::vector<drmModeModeInfo> modes;
-        std::uint64_t panel = 0;   // tells panels from each other (of the EDID); 0: it says nothing of itself
+        std::uint64_t panel = 0;   // a number made from the EDID, to tell panels apart; 0: no EDID
         bool is_link_bad = false;  // its mode has to be set again
     };
 
@@ -37,42 +37,43 @@ struct CardState {
 
     std::vector<Connector> connectors;
     std::vector<std::uint32_t> crtcs;  // ids
-    std::vector<Plane> planes;         // none where the card is driven the old way
+    std::vector<Plane> planes;         // none where the card is driven by legacy KMS calls
 };
 
-/// The way from a picture to a panel.
+/// A connector that is to be lit, and what feeds it.
 struct Output {
     std::uint32_t connector = 0;
     std::uint32_t crtc = 0;
     std::uint32_t plane = 0;  // 0: none needed
     drmModeModeInfo mode{};
-    std::string name;         // of the connector
+    std::string name;         // the connector's
     std::uint64_t panel = 0;  // CardState::Connector::panel
 
-    /// Whether what the one shows the other shows as well. Names and marks of modes, which a card changes
-    /// from one answer to the next, do not count.
+    /// True if the two show the same in the same way. Names and flags of modes, which a card changes from one
+    /// answer to the next, do not count.
     bool is_same(const Output& other) const;
 };
 
 /// Hz, exactly: from the pixel clock where there is one.
 double refresh_rate(const drmModeModeInfo& mode);
 
-/// The modes to be tried one after the other until the card takes one: the wished for, the one that the panel
-/// prefers, then the others of its list from the largest down, none of them larger than the preferred.
+/// The modes to try one after the other until the card takes one: the wished one, the panel's preferred one,
+/// then the others of the panel's list from the largest down, none of them larger than the preferred.
 std::vector<drmModeModeInfo> modes_to_try(const std::vector<drmModeModeInfo>& modes, const ModeWish& wish);
 
-/// How many modes of each connector, by id, the card has refused already.
+/// The number of modes that the card has refused already, by connector id.
 using Refusals = std::map<std::uint32_t, std::size_t>;
 
-/// Every panel that can be lit at the same time, in the order of the card's connectors, each with the first
-/// mode, of those that its own wish leads to, that was not refused; a panel with an empty list of modes is
-/// none yet. What feeds a panel already is kept where that does not keep another panel dark.
+/// The outputs for every panel that can be lit at the same time, in the order of the card's connectors. Each
+/// has the first of its modes_to_try() that was not refused; a panel with an empty list of modes does not
+/// count yet. A CRTC that feeds a panel already is kept there unless that keeps another panel dark.
 /// @param needs_plane  the card takes atomic requests, which name planes
 std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& controls, bool needs_plane,
                                    const Refusals& refusals = {});
 
-/// What lies on the way of an output and has to go in the same request, or it is refused: connectors that its
-/// CRTC feeds by now, a CRTC that its connector leaves and that nothing else needs, planes of others on both.
+/// The obstacles to an output. They have to be removed in the same request, or the card refuses it:
+/// connectors that its CRTC feeds by now, a CRTC that its connector leaves and that nothing else needs,
+/// planes of others on both.
 struct Obstacles {
     std::vector<std::uint32_t> connectors;
     std::vector<std::uint32_t> crtcs;
@@ -82,7 +83,7 @@ struct Obstacles {
 /// @param all  every output that is to be lit, with `output`
 Obstacles obstacles(const CardState& card, const Output& output, std::span<const Output> all);
 
-/// The numbers of the flips that a card's events, as it hands them out, tell of.
+/// The numbers of the flips in a card's events, given as the bytes that it hands out.
 std::vector<std::uint64_t> flips_in(std::span<const std::byte> events);
 
 }  // namespace vitrine::player

@@ -9,7 +9,7 @@
 
 namespace vitrine::player {
 
-/// Buffers in plain memory that a card shows, which what GL has drawn elsewhere is copied to.
+/// Buffers in plain memory that a card shows. GL draws elsewhere; each picture is copied into one of them.
 ///
 /// For GL in software, which draws to memory anyway: a copy costs a twentieth of the drawing (render_bench),
 /// and GL then has nothing to do with the card. Mesa's software renderer, drawing to a card that is pulled

@@ -22,16 +22,16 @@ class MemoryTarget {
 
     int height() const { return height_; }
 
-    /// Directs what is drawn to it.
+    /// Draws to it from now on.
     void make_current() const;
 
-    /// Hands out what was drawn, row after row from the top, each 4 * width() bytes and lent for the call.
+    /// Calls `take` with each row of the picture, from the top, each 4 * width() bytes and lent for the call.
     /// @param format  GL_RGBA, or another order that the context can read
     /// @throws std::runtime_error where GL cannot
     void read(GLenum format, const std::function<void(std::span<const std::byte> row)>& take);
 
   private:
-    /// What GL calls the frame buffer and its colours.
+    /// GL's names of the frame buffer and its colours.
     struct Names {
         Names();
         Names(const Names&) = delete;

@@ -15,8 +15,8 @@ namespace vitrine::player {
 struct OffscreenOptions {
     int width = 1280;  // px
     int height = 720;
-    std::optional<std::filesystem::path> film;  // every picture presented goes into this file
-    double film_rate = 30;                      // pictures a second that the film is told to hold
+    std::optional<std::filesystem::path> film;  // every frame presented goes into this file
+    double film_rate = 30;                      // frames a second that the film is told to hold
     std::string name = "offscreen-1";
 };
 
@@ -40,7 +40,7 @@ class OffscreenScreen final : public Screen {
 
     bool is_ready() const override { return true; }
 
-    /// A film has every picture.
+    /// True: a film has every frame.
     bool wants_picture() const override { return film_ || !has_picture_; }
 
     void begin_frame() override;
@@ -50,7 +50,7 @@ class OffscreenScreen final : public Screen {
 
     std::optional<Picture> shown() override;
 
-    /// What has been drawn last.
+    /// The picture that was drawn last.
     Picture picture();
 
     /// Ends the film, so that the file is whole; nothing is filmed after. Nothing to do without a film.

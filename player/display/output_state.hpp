@@ -5,29 +5,29 @@
 
 namespace vitrine::player {
 
-/// What became of a request to a graphics card.
+/// The answer of a graphics card to a request.
 enum class Outcome {
     nothing,    // none was made
     shown,      // the panel is lit, and shows the picture
-    under_way,  // the picture will be shown, and an event tell of it
+    under_way,  // the picture will be shown, and an event will report it
     dropped,    // the card had no time for it: the next picture is newer anyway
     refused,    // not in this mode
     no_master,  // another program has the card
     no_card,    // it was pulled out
 };
 
-/// What follows in the life of an output that is to be lit. The first picture comes with a mode, in a request
-/// that is waited for: some drivers never come back from a mode that is set in passing. All further pictures
-/// are flips, each told by an event; whatever goes wrong with one, the next picture comes with the mode
-/// again. Knows no card: requests are made by who asks it, and their answers told to it.
+/// The state machine of an output that is to be lit. The first picture comes with a mode, in a blocking
+/// request: some drivers never come back from a non-blocking mode set. All further pictures are page flips,
+/// each reported by an event. Whatever goes wrong with one, the next picture comes with the mode again. Knows
+/// no card: the caller makes the requests and passes the answers.
 class OutputState {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Whether the next picture is to come with the mode.
+    /// True if the next picture has to come with the mode.
     bool needs_mode() const { return needs_mode_; }
 
-    /// Whether the card still has a picture that it has not told of: no further one is to be given to it.
+    /// True while the card has not reported the last flip: no further picture may be given to it.
     bool is_waiting() const { return flip_since_.has_value(); }
 
     /// @param error  an errno, or 0
@@ -36,20 +36,20 @@ class OutputState {
     /// @param error  an errno, or 0
     Outcome flip_answered(int error, Time now);
 
-    /// The card has told that the picture is shown. False: none was awaited any more.
+    /// The card has reported a flip. False: none was awaited any more.
     bool flip_arrived();
 
-    /// To be called every now and then. True: the card never told of the last picture, and is not waited for
-    /// any more.
+    /// Gives up after three seconds; to be called every now and then. True: the card never reported the last
+    /// flip, and is not waited for any more.
     bool give_up_waiting(Time now);
 
-    /// The panel shows nothing of ours any more, or something else.
+    /// The panel does not show our picture any more: the next one comes with the mode.
     void start_over();
 
   private:
     bool needs_mode_ = true;
     std::optional<Time> flip_since_;
-    std::optional<Time> busy_since_;  // flips are refused for want of time
+    std::optional<Time> busy_since_;  // since when the card has refused flips as it was busy
 };
 
 }  // namespace vitrine::player

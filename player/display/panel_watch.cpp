@@ -16,7 +16,7 @@ namespace {
 
 constexpr timespec tick{.tv_sec = 2, .tv_nsec = 0};
 constexpr timespec settle_time{.tv_sec = 0, .tv_nsec = 300'000'000};
-constexpr int most_messages = 256;  // read in one go; more of them wake us again
+constexpr int max_messages = 256;  // read in one go; more of them wake us again
 
 UniqueFd kernel_events() {
     UniqueFd socket(::socket(AF_NETLINK, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT));
@@ -45,7 +45,7 @@ bool is_about_panels(std::string_view message) {
 
 bool take_messages(int socket) {
     bool found = false;
-    for (int i = 0; i < most_messages; ++i) {
+    for (int i = 0; i < max_messages; ++i) {
         std::array<char, 4096> message{};
         const ssize_t size = ::recv(socket, message.data(), message.size(), 0);
         if (size < 0 && errno == ENOBUFS) return true;  // some are lost: look
@@ -90,7 +90,7 @@ PanelWatch::Events PanelWatch::read_events() {
     return events;
 }
 
-// Counted from the first word, so that a panel that never stops talking is looked at all the same.
+// The time counts from the first message, so that a panel that never stops sending is looked at all the same.
 void PanelWatch::await_rest() {
     itimerspec left{};
     if (::timerfd_gettime(settled_.get(), &left) == 0 && left.it_value.tv_nsec != 0) return;

@@ -4,13 +4,14 @@
 
 namespace vitrine::player {
 
-/// Tells when panels may have come, gone or changed: a moment after the kernel says so, as it says it several
-/// times, and every few seconds because it does not always. Also wakes for what the card itself reports.
+/// Reports that panels may have come, gone or changed: a moment after the kernel's message, as the kernel
+/// sends several for one change, and every two seconds, as it does not always send one. Also wakes for the
+/// card's own events.
 class PanelWatch {
   public:
     struct Events {
-        bool card = false;    // the card has something to read
-        bool panels = false;  // the kernel has said that panels or cards changed
+        bool card = false;    // the card has an event to read
+        bool panels = false;  // the kernel has reported a change of panels or cards
         bool tick = false;    // two seconds have gone by
     };
 
@@ -21,7 +22,7 @@ class PanelWatch {
     /// Readable when there are events.
     int fd() const { return all_.get(); }
 
-    /// What has happened since the last call; does not wait.
+    /// The events since the last call; does not wait.
     Events read_events();
 
   private:
@@ -30,8 +31,8 @@ class PanelWatch {
     int card_;
     UniqueFd all_;
     UniqueFd timer_;
-    UniqueFd settled_;  // a moment after the kernel's first word
-    UniqueFd kernel_;   // -1: the kernel does not tell us
+    UniqueFd settled_;  // a timer: a moment after the kernel's first message
+    UniqueFd kernel_;   // -1: no messages from the kernel
 };
 
 }  // namespace vitrine::player

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-/// What a screen showed at one moment: RGBA, 8 bits a channel, rows from the top, no padding.
+/// The picture that a screen showed at one moment: RGBA, 8 bits a channel, rows from the top, no padding.
 struct Picture {
     int width = 0;  // px
     int height = 0;

@@ -7,10 +7,11 @@
 
 namespace vitrine::player {
 
-/// One finished picture in the card's memory, lent by a Scanout, which outlives it; given back at its end.
+/// A finished picture in the card's memory, lent by a Scanout, which outlives it; given back at its end.
 struct ScanoutBuffer {
-    std::uint32_t frame_buffer = 0;     // the card's number for it
-    std::shared_ptr<const void> lease;  // shared as it hides what gives it back; has one owner
+    std::uint32_t frame_buffer = 0;  // the card's number for it
+    std::shared_ptr<const void>
+        lease;  // gives the buffer back at its end; shared only to hide its type: has one owner
 };
 
 /// The buffers that GL draws to and a card shows, of one size. Ends after every buffer it lent.
@@ -23,17 +24,17 @@ class Scanout {
     Scanout& operator=(Scanout&&) = delete;
     virtual ~Scanout() = default;
 
-    /// Directs what is drawn to the next buffer.
+    /// Draws to the next buffer from now on.
     virtual void make_current() = 0;
 
-    /// Whether a next buffer is there to draw to.
+    /// True if there is a next buffer to draw to.
     virtual bool has_free_buffer() const = 0;
 
     /// Ends the drawing and lends the buffer that was drawn to, ready to be shown.
     /// @throws std::runtime_error where the card has no room, no such format, or is gone
     virtual ScanoutBuffer lock_front_buffer() = 0;
 
-    /// What is in a buffer that it lent.
+    /// The picture in a buffer that it lent.
     /// @throws std::runtime_error where it cannot be read
     virtual Picture picture(const ScanoutBuffer& buffer) const = 0;
 };

@@ -20,33 +20,34 @@ class Screen {
     Screen& operator=(Screen&&) = delete;
     virtual ~Screen() = default;
 
-    /// Of the connector: "HDMI-A-1".
+    /// The connector's name: "HDMI-A-1".
     virtual const std::string& name() const = 0;
 
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
 
-    /// Pictures a second that it can take; 0: as many as come.
+    /// Frames a second that it can show; 0: as many as come.
     virtual double refresh() const { return 0; }
 
-    /// Pictures that have reached it so far: flips that the card has told of, not those asked for.
+    /// The number of frames that have reached it so far: flips that the card has reported, not those
+    /// requested.
     virtual std::uint64_t flips() const = 0;
 
-    /// What it shows now, read back from where it is shown from; nothing before the first picture.
+    /// The picture that it shows now, read back from the buffer that is shown; nothing before the first one.
     /// @throws std::runtime_error where it cannot be read
     virtual std::optional<Picture> shown() = 0;
 
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;
 
-    /// Whether the picture presented last is not to be seen and will not be: the next one is to be drawn,
-    /// also where it is the same.
+    /// True if the frame presented last is not to be seen and will not be: the next one has to be drawn, also
+    /// if it is the same.
     virtual bool wants_picture() const = 0;
 
-    /// Makes the surface current that the next picture is drawn to.
+    /// Makes the surface of the next frame current.
     virtual void begin_frame() = 0;
 
-    /// Shows what was drawn since begin_frame(), meant to appear at `time` since the player's start.
+    /// Shows the frame drawn since begin_frame(), meant to appear at `time` since the player's start.
     virtual void present(std::chrono::nanoseconds time) = 0;
 };
 

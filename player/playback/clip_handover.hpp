@@ -44,7 +44,7 @@ class ClipHandover {
   private:
     std::unique_ptr<ShotSource> clip_;
     std::chrono::nanoseconds seam_{0};  // since the shot began to be shown
-    int tries_ = 0;                     // that are left
+    int tries_ = 0;                     // tries left
 };
 
 }  // namespace vitrine::player

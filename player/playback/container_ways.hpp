@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-// What differs from container to container in how GStreamer 1.22 searches them; measured.
+// Differences between containers in seeking with GStreamer 1.22, as measured.
 
 /// Containers whose time stamps stay true over a seek while the demuxer's stream time does not: it is then
 /// counted from the first clock reference instead of the first picture, 0.2 s off and more. In a pass from

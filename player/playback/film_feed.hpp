@@ -13,12 +13,12 @@
 
 namespace vitrine::player {
 
-/// How much of a film is decoded, most first.
+/// The share of a film's pictures that is decoded, from all to none.
 enum class Detail {
     all,
-    references,  // pictures that no other one needs are left out
-    keys,        // pictures that need no other one
-    still,       // none
+    references,  // pictures that no other picture needs are left out
+    keys,        // only pictures that need no other picture
+    still,       // no picture
 };
 
 /// A part of a film to be decoded over and over.
@@ -35,7 +35,7 @@ struct FilmPart {
 
 /// The place of a part in its film, in the film's own times; known once the pipeline has its first picture.
 struct FilmWindow {
-    std::chrono::nanoseconds period{0};  // of a picture
+    std::chrono::nanoseconds period{0};  // time of one picture
     std::chrono::nanoseconds begin{0};   // where the film is searched to
     std::optional<std::chrono::nanoseconds> end;
     bool is_named_by_stamp = false;  // pictures are named by time stamps, not by stream time
@@ -43,11 +43,11 @@ struct FilmWindow {
 
 struct FilmOptions {
     PictureForm form = PictureForm::bgra;
-    DecoderMap decoders;  // in hardware, by those that they replace
+    DecoderMap decoders;  // hardware decoders, by the names of the decoders that they replace
 };
 
-/// What fills a queue with the pictures of a part of a film, in threads of its own; failures are told, not
-/// thrown. A seam, so that what keeps films going can be seen with one that stalls.
+/// Fills a queue with the pictures of a part of a film, in threads of its own; failures are told, not thrown.
+/// An interface, so that tests can use a film that stalls.
 class FilmFeed {
   public:
     FilmFeed() = default;
@@ -72,7 +72,7 @@ class FilmFeed {
 
     virtual bool has_ended() const = 0;
 
-    /// Why it ended by itself, in plain words.
+    /// The reason why it ended by itself, in plain words.
     virtual std::optional<std::string> failure() const = 0;
 };
 

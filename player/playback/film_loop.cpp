@@ -18,7 +18,7 @@ constexpr const char* tail_words =
     " ! appsink name=pictures sync=false max-buffers=1 enable-last-sample=false";
 constexpr std::chrono::nanoseconds usual_period =
     std::chrono::milliseconds(33);                                           // where the film does not say
-constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // of times in Matroska
+constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // Matroska rounds times to this
 constexpr int max_barren_loops = 4;
 constexpr const char* jump_word = "vitrine-jump";
 
@@ -125,8 +125,9 @@ bool FilmLoop::preroll() {
     return false;
 }
 
-/// To the first picture of the part. A third of a picture later than its begin, as times rounded up to
-/// milliseconds would else show the last picture of the shot before; and half a picture before the end.
+/// Seeks to the first picture of the part. The window begins a third of a picture later than the part, as
+/// times rounded up to milliseconds would else show the last picture of the shot before; it ends half a
+/// picture before the part.
 void FilmLoop::enter() {
     const MediaFormat format = chain_->format();
     FilmWindow window{.period = period(chain_->tail()), .is_named_by_stamp = has_true_time_stamps(format)};

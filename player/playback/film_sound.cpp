@@ -20,7 +20,7 @@ using std::chrono::nanoseconds;
 
 constexpr const char* leave_word = "vitrine-leave";
 constexpr nanoseconds lead = 150ms;            // until it plays where it was sent
-constexpr nanoseconds rounding = 1ms;          // of times in Matroska
+constexpr nanoseconds rounding = 1ms;          // Matroska rounds times to this
 constexpr nanoseconds leave_patience = 600ms;  // for a device to take what is faded out
 constexpr nanoseconds end_patience = 1s;
 constexpr int max_barren_loops = 4;
@@ -111,7 +111,7 @@ class FilmSound::Work {
         return false;
     }
 
-    /// To where the picture will be.
+    /// Seeks to the place where the picture will be.
     void land() {
         gint64 whole = -1;
         const bool is_known =

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // of times in Matroska
+constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // Matroska rounds times to this
 
 /// Processor time of the calling thread.
 std::chrono::nanoseconds thread_time() {

@@ -32,7 +32,7 @@ double lateness(std::span<const FilmLoad> films) {
     return due > 0 ? static_cast<double>(late) / due : 0;
 }
 
-/// Cost for what is seen.
+/// The cost of a film for its share of the screen.
 double burden(const FilmLoad& film) {
     return film.cost / std::max(film.salience, min_salience);
 }

@@ -18,7 +18,7 @@ struct FilmLoad {
     double cost = 0;      // cores
     double salience = 0;  // in [0, 1]: its share of the screen
     int due = 0;          // pictures
-    int late = 0;         // of them
+    int late = 0;         // pictures
 };
 
 /// Measures what one film costs and gives, from one judgement to the next.
@@ -29,13 +29,13 @@ class FilmMeter {
 
     /// The film is seen in the frame of that time; a film that is drawn twice (crossfade) counts with both
     /// areas.
-    /// @param share  of the screen, in [0, 1]
+    /// @param share  the part of the screen, in [0, 1]
     void note_shown(double share, std::chrono::nanoseconds time);
 
     bool was_shown_after(std::chrono::nanoseconds time) const { return shown_ > time; }
 
     /// The film's load since the last measure().
-    /// @param counts  of its source by now
+    /// @param counts  its source's by now
     /// @param passed  time since then
     FilmLoad measure(SourceId source, const ShotCounts& counts, std::chrono::nanoseconds passed);
 
@@ -59,7 +59,7 @@ class Governor {
         Detail detail = Detail::all;
     };
 
-    /// To be called once a period, of about a second, with every film that plays.
+    /// Judges the films that play; to be called once a period, of about a second.
     std::optional<Change> judge(std::span<const FilmLoad> films);
 
     Detail detail(SourceId source) const;
@@ -71,7 +71,7 @@ class Governor {
     std::optional<Change> step_down(std::span<const FilmLoad> films);
     std::optional<Change> step_up();
 
-    std::map<SourceId, Detail> details_;  // of the films that gave way
+    std::map<SourceId, Detail> details_;  // films that gave way
     std::vector<SourceId> steps_;         // down, the last one at the end
     std::optional<SourceId> tried_;       // stepped up last, on probation
     int settling_ = 0;                    // periods until lateness is due to the last change

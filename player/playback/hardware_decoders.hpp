@@ -13,7 +13,7 @@ namespace vitrine::player {
 /// @param is_usable  whether a GStreamer element is installed and its device opens
 DecoderMap hardware_decoders(const std::function<bool(const std::string& element)>& is_usable);
 
-/// Whether this machine has the element and its device opens.
+/// True if this machine has the element and its device opens.
 bool is_usable_here(const std::string& element);
 
 /// For the log: which codecs are decoded by what.

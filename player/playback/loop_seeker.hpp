@@ -38,7 +38,7 @@ class LoopSeeker {
     /// No more segment seeks.
     void forbid_segments() { has_segments_ = false; }
 
-    /// Whether a message says that a loop is over. A demuxer may have come to the end just before it was sent
+    /// True if a message says that a loop is over. A demuxer may have come to the end just before it was sent
     /// elsewhere: that end is not one.
     bool ends_a_loop(GstMessage* message) const;
 

@@ -10,7 +10,7 @@ namespace vitrine::player {
 /// The folders that the files lie in.
 struct MediaPlaces {
     std::string media;  // the media folder
-    std::string store;  // of the analyzer; a shot that it has is played from there
+    std::string store;  // the analyzer's; a shot that it has is played from there
 };
 
 /// A file that can be opened, and the request in that file's own times and size.

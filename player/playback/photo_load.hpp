@@ -16,7 +16,7 @@ namespace vitrine::player {
 class PhotoLoad {
   public:
     /// @param width, height  px that the upright picture shall have
-    /// @param background     what shows through where the photo is transparent
+    /// @param background     shows through where the photo is transparent
     /// @param queue  outlives this
     PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue);
     PhotoLoad(const PhotoLoad&) = delete;

@@ -17,7 +17,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::size_t row_alignment = 64;  // bytes: the scaler's widest words write beyond a row's end
-constexpr int most_enlarged = 2;           // planes of more than this many times the size are scaled down
+constexpr int max_enlarged = 2;            // planes of more than this many times the size are scaled down
 
 std::optional<AVPixelFormat> format_of(GstVideoFormat format) {
     switch (format) {
@@ -97,8 +97,8 @@ Sample lent(std::shared_ptr<const MappedFrame> mapped, PixelLayout layout, const
 }
 
 bool is_far_larger(const GstVideoFrame& frame, int width, int height) {
-    return GST_VIDEO_FRAME_WIDTH(&frame) > most_enlarged * width ||
-           GST_VIDEO_FRAME_HEIGHT(&frame) > most_enlarged * height;
+    return GST_VIDEO_FRAME_WIDTH(&frame) > max_enlarged * width ||
+           GST_VIDEO_FRAME_HEIGHT(&frame) > max_enlarged * height;
 }
 
 }  // namespace

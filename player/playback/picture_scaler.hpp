@@ -15,7 +15,7 @@ struct SwsContext;
 
 namespace vitrine::player {
 
-/// Makes pictures for the renderer of decoded frames. FFmpeg's scaler, as it costs a fifth of
+/// Makes samples for the renderer from decoded frames. Uses FFmpeg's scaler, which costs a fifth of
 /// videoconvertscale: measured 0.6 against 3.0 ms from 720p to 360p, 0.07 against 0.25 ms at the same size.
 class PictureScaler {
   public:
@@ -41,7 +41,7 @@ class PictureScaler {
         void operator()(SwsContext* scaler) const;
     };
 
-    /// What a scaler is made for.
+    /// The conversion that a scaler is made for.
     struct Task {
         GstVideoFormat format = GST_VIDEO_FORMAT_UNKNOWN;
         int from_width = 0;  // px
@@ -63,10 +63,10 @@ class PictureScaler {
         std::make_shared<std::atomic<bool>>(false);  // shared: with the pictures, whose reader refuses
     PictureMemory memory_;
     std::unique_ptr<SwsContext, EndScaler> scaler_;
-    Task prepared_;                   // that scaler_ is made for
-    GstVideoColorimetry followed_{};  // of the film
-    ColourCode colours_;              // likewise
-    std::optional<ToneMap> tones_;    // likewise
+    Task prepared_;                   // the task of scaler_
+    GstVideoColorimetry followed_{};  // the film's
+    ColourCode colours_;              // the film's
+    std::optional<ToneMap> tones_;    // the film's; none: not HDR
 };
 
 }  // namespace vitrine::player

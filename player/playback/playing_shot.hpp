@@ -29,7 +29,7 @@ struct SourceEvent {
 struct SourceState {
     std::string path;
     bool is_film = false;
-    Detail detail = Detail::all;  // of a film
+    Detail detail = Detail::all;  // a film's
     bool is_stored = false;       // played from the store
     bool is_ready = false;
     std::uint64_t late = 0;  // pictures that were due and not there
@@ -38,7 +38,7 @@ struct SourceState {
 /// The state that all shots of a pool share.
 struct PoolState {
     MediaPlaces places;
-    SourceOptions options;                                        // of sources to come
+    SourceOptions options;                                        // for sources to come
     std::function<void(const std::string& path)> before_opening;  // path: below the media folder
     std::vector<std::unique_ptr<ShotSource>> ending;              // destroyed once their threads have ended
     std::uint64_t late = 0;  // pictures, of sources that were replaced or retired

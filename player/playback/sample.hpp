@@ -11,7 +11,7 @@
 
 namespace vitrine::player {
 
-/// How the bytes of a picture lie, 8 bits a channel.
+/// The layout of a picture's bytes, 8 bits a channel.
 enum class PixelLayout {
     rgba,  // one plane, opaque
     bgra,  // likewise, in the order that Mesa's software renderer copies without looking at each pixel
@@ -19,17 +19,17 @@ enum class PixelLayout {
     nv12,  // brightness, then one such plane with both differences side by side
 };
 
-/// Whether the pixels are colours, not brightness and differences.
+/// True if the pixels are colours, not brightness and differences.
 inline bool is_rgb(PixelLayout layout) {
     return layout == PixelLayout::rgba || layout == PixelLayout::bgra;
 }
 
-/// What the renderer draws at the least cost: the decoder's planes where a graphics card turns them into
-/// colours, if it can from where the decoder left them; BGRA at the very size where the processor does all of
-/// it.
+/// The form of pictures that the renderer draws at the least cost. A graphics card draws the decoder's
+/// planes, uploaded or, if it can, in the decoder's own memory (shared); where the processor draws, BGRA at
+/// the very size costs least.
 enum class PictureForm { bgra, planes, shared };
 
-/// What the brightness and the colour differences of a picture mean.
+/// The meaning of the brightness and the colour differences of a picture.
 struct ColourCode {
     enum class Matrix { bt601, bt709, bt2020 };
 
@@ -48,7 +48,7 @@ struct SharedPlanes {
     };
 
     std::array<Plane, 3> planes;            // as many as the layout has
-    std::optional<std::uint64_t> modifier;  // how the pixels lie, as DRM names it; none: row by row
+    std::optional<std::uint64_t> modifier;  // DRM's name for the order of the pixels; none: row by row
 };
 
 /// One picture ready for the renderer: upright, square pixels once it is shown at the size asked for.
@@ -63,12 +63,12 @@ struct Sample {
     std::size_t stride = 0;             // bytes a row
     std::span<const std::byte> pixels;  // height * stride bytes, lent by `owner`; the brightness of planes
     PixelLayout layout = PixelLayout::rgba;
-    std::array<Plane, 2> chroma;              // of i420 both, of nv12 the first
-    ColourCode colours;                       // of all but rgba and bgra
+    std::array<Plane, 2> chroma;              // i420: both, nv12: the first
+    ColourCode colours;                       // for all layouts but rgba and bgra
     std::shared_ptr<const void> owner;        // shared: the decoder's buffer pool and the renderer's queue
     std::chrono::nanoseconds stream_time{0};  // when in the film
 
-    /// Where the planes lie; then there are no bytes above.
+    /// The memory of the planes; then there are no bytes above.
     std::optional<SharedPlanes> shared;
     std::function<std::optional<Sample>()>
         copied;  // the same with bytes: of shared planes that nobody can read

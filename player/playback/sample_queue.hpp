@@ -15,12 +15,13 @@ namespace vitrine::player {
 /// A picture of a shot that plays in a loop.
 struct LoopedSample {
     Sample sample;
-    std::uint64_t loop = 0;                // how often the shot had been played whole before
-    std::chrono::nanoseconds duration{0};  // of this picture
+    std::uint64_t loop = 0;                // number of times that the shot had been played whole before
+    std::chrono::nanoseconds duration{0};  // the time that this picture is shown
 };
 
-/// Thread-safe. Pictures in the order they are to be shown, from the thread that decodes to the one that
-/// shows. Bounded: it is what keeps a decoder from running ahead, and what bridges the seam of a loop.
+/// Thread-safe. Pictures in the order in which they are to be shown, from the thread that decodes to the one
+/// that shows. It is bounded, which keeps a decoder from running ahead, and it bridges the seam between two
+/// loops.
 class SampleQueue {
   public:
     explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
@@ -31,7 +32,7 @@ class SampleQueue {
     /// The oldest picture where it fits, else nothing, without waiting.
     std::optional<LoopedSample> take_if(const std::function<bool(const LoopedSample&)>& fits);
 
-    /// Whether pictures are dropped instead of put, without waiting; true wakes who waits to put.
+    /// @param refuses  true: put() drops pictures without waiting, also one that waits by now
     void refuse(bool refuses);
 
     bool is_empty() const;
@@ -39,7 +40,7 @@ class SampleQueue {
     /// Waits until there is a picture. False: none in time, or closed.
     bool wait(std::chrono::nanoseconds patience) const;
 
-    /// Wakes all who wait; nothing can be put any more. What is in it can still be taken.
+    /// Ends all waiting; nothing can be put any more. Pictures in the queue can still be taken.
     void close();
 
     bool is_closed() const;

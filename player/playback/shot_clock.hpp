@@ -7,8 +7,8 @@ namespace vitrine::player {
 
 /// Counts of a source since it was made.
 struct ShotCounts {
-    std::uint64_t due = 0;              // how often a picture was asked for
-    std::uint64_t late = 0;             // how often it was not there
+    std::uint64_t due = 0;              // number of times that a picture was asked for
+    std::uint64_t late = 0;             // number of times that it was not there
     std::chrono::nanoseconds spent{0};  // processor time of its film
 };
 
@@ -24,14 +24,14 @@ class ShotClock {
     std::chrono::nanoseconds target(std::chrono::nanoseconds local) const { return local - behind_; }
 
     /// Judges one time once: a second call with the same `local` does nothing.
-    /// @param missing  how long the picture there has been over without a next one; <= 0: it is not
+    /// @param missing  the time for which a next picture has been missing; <= 0: none is missing
     /// @return whether the film is hopelessly late: it is to be sent to jump()
     bool judge(std::chrono::nanoseconds local, std::chrono::nanoseconds missing);
 
     /// The film is sent elsewhere now. @return the place, in loops, where it can play by the time it is there
     std::chrono::nanoseconds jump();
 
-    /// How often a picture was due, and how often it was late.
+    /// The numbers of pictures that were due and that were late.
     ShotCounts counts() const { return {.due = due_, .late = late_}; }
 
     /// Stream times in Matroska are rounded to this.

@@ -13,9 +13,9 @@
 
 namespace vitrine::player {
 
-/// How sources play.
+/// The options of a source.
 struct SourceOptions {
-    Colour background;  // what shows through where a photo is transparent
+    Colour background;  // shows through where a photo is transparent
     FilmOptions film;
     FilmFactory make_film;    // empty: FilmLoop
     bool keeps_time = false;  // a film too slow for the machine skips pictures; else it falls behind
@@ -27,7 +27,7 @@ struct SourceOptions {
 class ShotSource {
   public:
     /// Begins to read at once.
-    /// @param at  how long the shot has been shown already, by the source before this one
+    /// @param at  the time that the shot has been shown already, by the source before this one
     ShotSource(std::string file, const ShotRequest& request, const SourceOptions& options = {},
                std::chrono::nanoseconds at = {});
 

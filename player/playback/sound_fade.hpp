@@ -6,21 +6,20 @@
 
 namespace vitrine::player {
 
-/// How loud a sound is while it comes and goes: by a straight line within a fifth of a second. For the
-/// streaming thread, but for leave().
+/// Fades a sound in and out, linearly within a fifth of a second. For the streaming thread, except leave().
 class SoundFade {
   public:
-    /// From here on it goes. Thread-safe.
+    /// Fades out from here on. Thread-safe.
     void leave() { is_leaving_ = true; }
 
-    /// It begins anew, from silence.
+    /// Begins anew, from silence.
     void come() { gain_ = 0; }
 
-    /// Makes a buffer of float samples, interleaved, as loud as it shall be.
+    /// Applies the fade to a buffer of interleaved float samples.
     /// @param buffer  writable
     void apply(GstBuffer* buffer, int rate, int channels);
 
-    /// It has gone.
+    /// True once it has faded out.
     bool is_silent() const { return is_leaving_ && gain_ <= 0; }
 
   private:

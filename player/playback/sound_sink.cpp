@@ -7,13 +7,13 @@ namespace vitrine::player {
 
 namespace {
 
-// The fade stands behind the queue, so that nothing that is decoded ahead delays it. What a device wants is
-// made behind it.
+// The fade stands behind the queue, so that sound that is decoded ahead does not delay it. Conversion to the
+// device's format stands behind the fade.
 constexpr const char* decoding_words =
     "audioconvert ! audioresample ! capsfilter caps=\"audio/x-raw,format=F32LE,layout=interleaved\""
     " ! queue name=ahead max-size-buffers=0 max-size-bytes=0 max-size-time=600000000"
     " ! identity name=fade ! audioconvert";
-constexpr std::int64_t device_buffer = 100'000;  // microseconds: what a fade comes late
+constexpr std::int64_t device_buffer = 100'000;  // microseconds: the delay of a fade
 
 }  // namespace
 

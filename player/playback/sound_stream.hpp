@@ -16,8 +16,8 @@ class SoundStream {
     /// Posted to the pipeline's thread once the sound has faded out.
     static constexpr const char* silent_word = "vitrine-silent";
 
-    /// @param begin, duration  of the part, stream time
-    /// @param control          of the pipeline; outlives this
+    /// @param begin, duration  the part's, in stream time
+    /// @param control          the pipeline's; outlives this
     SoundStream(std::chrono::nanoseconds begin, std::chrono::nanoseconds duration, PipelineControl& control)
         : timeline_(begin, duration), control_(control) {}
 
@@ -34,7 +34,7 @@ class SoundStream {
     /// True once any sound has reached the sink. Thread-safe.
     bool is_heard() const { return is_heard_; }
 
-    /// Whether there was any sound since the last call. Thread-safe.
+    /// True if there was any sound since the last call. Thread-safe.
     bool take_sounded() { return has_sounded_.exchange(false); }
 
   private:

@@ -18,7 +18,7 @@ GstPtr<GstEvent> SoundTimeline::placed(GstEvent* segment, bool is_stamped) {
     const std::lock_guard lock(mutex_);
     if (const auto found = loops_.find(seek); found != loops_.end()) {
         loop_ = found->second;
-        loops_.erase(loops_.begin(), found);  // those before it are over
+        loops_.erase(loops_.begin(), found);  // earlier loops are over
     }
     const std::chrono::nanoseconds local = loop_ * duration_ + std::chrono::nanoseconds(at) - begin_;
     place.base = static_cast<std::uint64_t>(std::max(std::chrono::nanoseconds(0), local).count());

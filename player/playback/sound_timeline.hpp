@@ -13,12 +13,12 @@ namespace vitrine::player {
 /// time since the first loop began: no loop depends on where a demuxer believes the one before it ended.
 class SoundTimeline {
   public:
-    /// @param begin     of the part, stream time
-    /// @param duration  of the part, > 0
+    /// @param begin     stream time of the part
+    /// @param duration  the part's, > 0
     SoundTimeline(std::chrono::nanoseconds begin, std::chrono::nanoseconds duration)
         : begin_(begin), duration_(duration) {}
 
-    /// The segments of this seek are of that loop, the first being 0.
+    /// The segments of this seek belong to that loop, the first being 0.
     void expect(std::uint32_t seek, std::int64_t loop);
 
     /// A segment event with its place. @param is_stamped  its times are stream times (container_ways.hpp)
@@ -28,8 +28,8 @@ class SoundTimeline {
     std::chrono::nanoseconds begin_;
     std::chrono::nanoseconds duration_;
     std::mutex mutex_;
-    std::map<std::uint32_t, std::int64_t> loops_;  // guarded by mutex_: of seeks under way, by their numbers
-    std::int64_t loop_ = 0;                        // guarded by mutex_: of the last segment
+    std::map<std::uint32_t, std::int64_t> loops_;  // guarded by mutex_: by numbers of seeks under way
+    std::int64_t loop_ = 0;                        // guarded by mutex_: the last segment's
 };
 
 }  // namespace vitrine::player

@@ -28,7 +28,7 @@ class SourcePool {
                 .before_opening = {},
                 .ending = {}} {}
 
-    /// How the films of sources to come are decoded.
+    /// The decoding of films by sources to come.
     FilmOptions& film_options() { return pool_.options.film; }
 
     /// Calls `call` with the path of each file, below the media folder, before anything of it is read.

@@ -12,13 +12,13 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int most_side = 4096;  // px of a tile
+constexpr int max_side = 4096;  // px of a tile
 
-constexpr std::size_t most_field_bytes = std::size_t{1} << 20;
+constexpr std::size_t max_field_bytes = std::size_t{1} << 20;
 
 Sample load_picture(const std::string& file) {
     try {
-        const auto picture = std::make_shared<const StillPicture>(load_still(file, most_side, most_side));
+        const auto picture = std::make_shared<const StillPicture>(load_still(file, max_side, max_side));
         return {.width = picture->width,
                 .height = picture->height,
                 .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
@@ -32,7 +32,7 @@ Sample load_picture(const std::string& file) {
 std::optional<ZoomField> load_field(const std::string& file) {
     if (file.empty()) return std::nullopt;
     try {
-        return zoom_field_from_bytes(read_file(file, most_field_bytes));
+        return zoom_field_from_bytes(read_file(file, max_field_bytes));
     } catch (const std::exception&) {  // its tile is left out while one zooms
         return std::nullopt;
     }

@@ -14,7 +14,7 @@
 
 namespace vitrine::player {
 
-/// What is to be read, by a number of the caller's.
+/// The files of one tile, with a number of the caller's.
 struct TileFile {
     std::uint64_t number = 0;
     std::string file;
@@ -25,15 +25,15 @@ struct TileFile {
 struct LoadedTile {
     std::uint64_t number = 0;
     Sample sample;                        // without pixels where the file cannot be read
-    std::optional<ZoomField> to_coarser;  // none: likewise, or there is none
+    std::optional<ZoomField> to_coarser;  // none: it cannot be read, or there is none
     std::optional<ZoomField> to_finer;
 };
 
-/// A tile as it is in its files.
+/// Reads a tile from its files.
 LoadedTile load_tile(const TileFile& tile);
 
-/// Thread-safe. Reads the tiles of a strip on a thread of its own, so that no frame waits for one. Holds back
-/// where they are not taken.
+/// Thread-safe. Reads the tiles of a tapestry on a thread of its own, so that no frame waits for one. Stops
+/// reading while too many tiles wait to be taken.
 class TileLoader {
   public:
     TileLoader();
@@ -43,7 +43,7 @@ class TileLoader {
     TileLoader& operator=(TileLoader&&) = delete;
     ~TileLoader();
 
-    /// What is to be read from now on, the most urgent first; what was asked for before is not read any more.
+    /// Asks for these tiles, the most urgent first, in place of all that were asked for before.
     void want(std::vector<TileFile> files);
 
     /// Tiles that have been read since. @param most  of them

@@ -12,9 +12,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::nanoseconds most_apart = 80ms;  // of picture and sound
-constexpr std::size_t most_ending = 4;                 // more of them only where a device does not answer
-constexpr std::size_t most_told = 1000;
+constexpr std::chrono::nanoseconds max_apart = 80ms;  // picture and sound
+constexpr std::size_t max_ending = 4;                 // there are more only where a device does not answer
+constexpr std::size_t max_told = 1000;
 
 }  // namespace
 
@@ -30,12 +30,12 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     const AudibleShot* one = chosen_sound(sound, heard());
     const auto origin = one ? moment - one->local : 0ns;
     if (now_ &&
-        (!one || one->source != now_->shot.source || std::chrono::abs(origin - now_->origin) > most_apart))
+        (!one || one->source != now_->shot.source || std::chrono::abs(origin - now_->origin) > max_apart))
         leave();
-    if (one && !now_ && ending_.size() < most_ending) start(*one, origin);
+    if (one && !now_ && ending_.size() < max_ending) start(*one, origin);
 }
 
-/// What the store has is preferred; it may have lost it since.
+/// The copy in the store is preferred; the store may have lost it since.
 void WallSound::start(const AudibleShot& shot, std::chrono::nanoseconds origin) {
     const bool is_kept = shot.stored && !shot.stored->is_dropped;
     if (is_kept && shot.stored->file.empty()) {
@@ -75,7 +75,7 @@ void WallSound::look_after() {
 }
 
 void WallSound::tell_once(const std::string& text, bool is_trouble) {
-    if (told_.size() >= most_told) told_.clear();
+    if (told_.size() >= max_told) told_.clear();
     if (told_.insert(text).second) events_.push_back({.text = text, .is_trouble = is_trouble});
 }
 

@@ -15,32 +15,32 @@
 
 namespace vitrine::player {
 
-/// What is to be told of the sound.
+/// News of the sound, for the log.
 struct SoundEvent {
     std::string text;
     bool is_trouble = false;
 };
 
-/// What of the walls is heard: one film at a time, for as long as it is on a wall. Whatever becomes of the
-/// sound, nobody waits for it.
+/// The sound of the walls: one film at a time, for as long as it is on a wall. The player never waits for the
+/// sound.
 class WallSound {
   public:
     WallSound(MediaPlaces places, SoundSink make_sink)
         : places_(std::move(places)), make_sink_(std::move(make_sink)) {}
 
-    /// To be called with every picture of the walls. What is heard and not among the shots any more, or not
-    /// at the same place of its loop, fades out.
-    /// @param shots  those that may be heard
-    /// @param moment  of the picture, by the monotonic clock
+    /// Updates the sound to the shots on the walls; to be called with every frame. A sound fades out whose
+    /// shot is gone, or that is not at the same place of its loop as the picture.
+    /// @param shots   the shots that may be heard
+    /// @param moment  time of the frame, by the monotonic clock
     void follow(std::span<const AudibleShot> shots, std::chrono::nanoseconds moment);
 
-    /// Nothing is heard from here on.
+    /// Fades the sound out.
     void fall_silent() { follow({}, {}); }
 
-    /// What is heard, or gets ready to be; none: nothing.
+    /// The source that is heard, or gets ready to be; none: silence.
     std::optional<SourceId> heard() const { return now_ ? std::optional(now_->shot.source) : std::nullopt; }
 
-    /// Each is told once.
+    /// The events since the last call.
     std::vector<SoundEvent> take_events() { return std::exchange(events_, {}); }
 
   private:
@@ -60,8 +60,8 @@ class WallSound {
     std::optional<Playing> now_;
     std::set<SourceId> failed_;
     std::vector<std::unique_ptr<FilmSound>> ending_;
-    std::string complaint_;       // of the device, as last told
-    std::set<std::string> told_;  // of films
+    std::string complaint_;       // about the device, as last told
+    std::set<std::string> told_;  // texts about films
     std::vector<SoundEvent> events_;
 };
 

@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::nanoseconds patience = 2s;
 constexpr std::chrono::nanoseconds forgiven_after = 60s;  // without starving
-constexpr int most_rebuilds = 3;                          // with what was chosen at first
+constexpr int max_rebuilds = 3;                           // with the decoder chosen at first
 
 }  // namespace
 
@@ -24,8 +24,8 @@ Watchdog::Verdict Watchdog::judge(bool is_starved, std::chrono::nanoseconds now)
     if (now - *starved_ < patience) return Verdict::fine;
     starved_ = now;
     ++rebuilds_;
-    if (rebuilds_ <= most_rebuilds) return Verdict::rebuild;
-    return rebuilds_ == most_rebuilds + 1 ? Verdict::rebuild_in_software : Verdict::give_up;
+    if (rebuilds_ <= max_rebuilds) return Verdict::rebuild;
+    return rebuilds_ == max_rebuilds + 1 ? Verdict::rebuild_in_software : Verdict::give_up;
 }
 
 }  // namespace vitrine::player

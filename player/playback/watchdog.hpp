@@ -5,18 +5,20 @@
 
 namespace vitrine::player {
 
-/// Watches over one film that plays: drivers and files have been seen to stop in silence. Knows no clock.
+/// Watches over one film that plays: drivers and files have been seen to stop without an error. Knows no
+/// clock.
 class Watchdog {
   public:
     enum class Verdict { fine, rebuild, rebuild_in_software, give_up };
 
-    /// To be called with every picture shown. After a rebuild the next is not judged before it had its time.
-    /// @param is_starved  nothing is there to be shown next
+    /// Judges the film; to be called with every frame. A film that was rebuilt gets its time before the next
+    /// verdict.
+    /// @param is_starved  no picture is there to be shown next
     Verdict judge(bool is_starved, std::chrono::nanoseconds now);
 
   private:
-    std::optional<std::chrono::nanoseconds> starved_;  // since when
-    std::optional<std::chrono::nanoseconds> fine_;     // since when, after a rebuild
+    std::optional<std::chrono::nanoseconds> starved_;  // the begin of starving
+    std::optional<std::chrono::nanoseconds> fine_;     // the begin of a time without starving
     int rebuilds_ = 0;
 };
 

@@ -30,7 +30,7 @@ class CellMeshes {
 
     const Mesh& of(const std::shared_ptr<const Cell>& cell);
 
-    /// To be called once a frame: meshes that have not been drawn for a while are dropped.
+    /// Drops meshes that have not been drawn for a while; to be called once a frame.
     void drop_old();
 
   private:
@@ -49,7 +49,7 @@ class CellLayer {
     /// @param is_on_pixels  canvas points of whole numbers are corners of pixels, in this frame
     void draw(std::span<const DrawItem> items, const ToNdc& view, bool is_on_pixels);
 
-    /// To be called once a frame.
+    /// Drops meshes that have not been drawn for a while; to be called once a frame.
     void drop_old() { meshes_.drop_old(); }
 
   private:

@@ -33,7 +33,7 @@ void append_triangles(Vertices& vertices, std::span<const std::array<Vec2, 3>> t
             append(vertices, corner, 1);
 }
 
-/// @param widths  of the fringe at each corner, px
+/// @param widths  the fringe's width at each corner, px
 void append_fringe(Vertices& vertices, const Polygon& outline, std::span<const double> widths,
                    double coverage) {
     for (std::size_t k = 0; k < outline.size(); ++k) {

@@ -24,7 +24,7 @@ struct CellMesh {
         int count = 0;
     };
 
-    /// What is drawn of the parts, or of the filler.
+    /// The vertices of the parts, or of the filler.
     struct Layer {
         Range outline;    // pairs: lines
         Range triangles;  // triples

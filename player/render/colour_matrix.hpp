@@ -9,7 +9,7 @@ namespace vitrine::player {
 /// rgb = matrix * (coded - zero), all in [0, 1].
 struct ColourMatrix {
     std::array<float, 9> matrix{};  // by columns, as GL reads it
-    std::array<float, 3> zero{};    // what black is coded as
+    std::array<float, 3> zero{};    // the code of black
 };
 
 /// Source: ITU-R BT.601, BT.709 and BT.2020, 8 bits a channel.

@@ -8,8 +8,8 @@
 
 namespace vitrine::player {
 
-/// What a wall shows that has nothing to show: slow lights over a dark sky, without words, never still and
-/// never black. The lights are computed at the corners of a coarse grid and come to the pixels by
+/// The picture of a wall that has nothing to show: slow lights over a dark sky, without words, never still
+/// and never black. The lights are computed at the corners of a coarse grid and come to the pixels by
 /// interpolation, so that it costs little more than filling the screen, also without a graphics card.
 class IdlePicture {
   public:

@@ -26,10 +26,10 @@ class PictureImport {
   public:
     PictureImport();
 
-    /// Whether the display can do so, and says that it takes planes of one and of two channels.
+    /// True if the display can do so, and says that it takes planes of one and of two channels.
     bool is_possible() const { return into_texture_ != nullptr && takes_planes_; }
 
-    /// Has the texture that is bound to GL_TEXTURE_2D read a plane.
+    /// Makes the texture that is bound to GL_TEXTURE_2D read a plane.
     /// @throws std::runtime_error with EGL's reason: the display does not take it
     void read(const SharedPlanes& shared, const PlaneShape& plane) const;
 
@@ -40,7 +40,7 @@ class PictureImport {
     PFNGLEGLIMAGETARGETTEXTURE2DOESPROC into_texture_ = nullptr;
 };
 
-/// What EGL is told of a plane.
+/// The attributes that describe a plane to EGL.
 /// @param names_modifier  whether the display has EGL_EXT_image_dma_buf_import_modifiers
 /// @throws std::runtime_error where a modifier has to be named and cannot be
 std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, const PlaneShape& plane,

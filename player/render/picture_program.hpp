@@ -22,7 +22,7 @@ class PictureProgram {
     /// @param is_exact  a texel is drawn as a pixel
     void use(const DrawItem& item, const PictureTexture& texture, const ToNdc& view, bool is_exact) const;
 
-    /// Whether it fills a cell with the blurred picture.
+    /// True if it fills a cell with the blurred picture.
     bool is_filler() const { return blur_ >= 0; }
 
   private:
@@ -34,10 +34,10 @@ class PictureProgram {
     GLint uv_scale_;
     GLint uv_offset_;
     GLint blur_;    // -1: the program draws sharp
-    GLint level_;   // likewise
+    GLint level_;   // as blur_
     GLint alpha_;   // -1: the program draws opaque
     GLint to_rgb_;  // -1: the picture is in RGB
-    GLint zero_;    // likewise
+    GLint zero_;    // as to_rgb_
 };
 
 /// The programs for one layout of pixels.

@@ -11,16 +11,17 @@ namespace vitrine::player {
 namespace {
 
 struct PlaneForm {
-    GLenum storage = 0;  // none: as `format` says, of GL_EXT_texture_format_BGRA8888
+    GLenum storage = 0;  // 0: as `format` says (GL_EXT_texture_format_BGRA8888)
     GLenum format = 0;
     int bytes = 0;    // a texel
-    int divisor = 1;  // of the picture's width and height, rounded up
+    int divisor = 1;  // the plane has this part of the picture's width and height, rounded up
 };
 
 using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
 
 constexpr double small_picture = 1.5;  // texels a canvas px, from which single ones are stepped over
-constexpr int reduction = 4;           // of shared planes, which cells are filled with when blurred
+constexpr int reduction =
+    4;  // factor by which shared planes are made smaller, to fill cells with when blurred
 
 constexpr PlaneForm rgba{GL_RGBA8, GL_RGBA, 4};
 constexpr PlaneForm bgra{0, GL_BGRA_EXT, 4};
@@ -66,7 +67,7 @@ void upload_plane(const Sample::Plane& plane, const PlaneForm& form, int width, 
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, form.format, GL_UNSIGNED_BYTE, plane.bytes.data());
 }
 
-/// Of the bound texture, for smaller copies too.
+/// Makes room in the bound texture, for smaller copies too.
 void reserve(const PlaneForm& form, int width, int height) {
     if (form.storage == 0) {
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(form.format), width, height, 0, form.format,
@@ -140,7 +141,7 @@ void PictureTexture::bind_sampled(Sampling sampling, double texels) {
     bind(has_smaller_copies_ ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR, wrap);
 }
 
-/// To the texture units 0 and on, with the same filter and wrap for all planes.
+/// Binds to the texture units 0 and on, with the same filter and wrap for all planes.
 void PictureTexture::bind(GLint smaller, GLint larger, GLint wrap) const {
     for (std::size_t i = plane_count(layout_); i-- > 0;) {
         glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
@@ -162,7 +163,7 @@ PictureTexture& PictureTexture::reduced() {
     return *reduced_;
 }
 
-// Half of them in each direction are left out: what is made of it is blurred.
+// Half of the texels in each direction are left out, which does no harm: the copy is only used blurred.
 void PictureTexture::copy_from(const PictureTexture& larger) {
     GLint drawn_to = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_to);

@@ -10,7 +10,7 @@
 
 namespace vitrine::player {
 
-/// How texels become pixels.
+/// The way in which texels become pixels.
 enum class Sampling {
     smooth,  // filtered
     exact,   // a texel is a pixel
@@ -23,11 +23,11 @@ class PictureTexture {
     /// @throws std::runtime_error when the graphics card has no room
     explicit PictureTexture(const Sample& sample);
 
-    /// Of shared planes, which stay where they are.
+    /// A picture of shared planes, which stay where they are.
     /// @throws std::runtime_error where they cannot be read there
     PictureTexture(const Sample& sample, const PictureImport& import);
 
-    /// Whether a picture can be put into this without making room anew; never into shared planes.
+    /// True if a picture can be put into this without making room anew; never into shared planes.
     bool fits(const Sample& sample) const;
 
     /// The pixels are copied before this returns. @pre fits(sample)
@@ -42,7 +42,7 @@ class PictureTexture {
     /// The picture that has or can have smaller copies: this, or for shared planes one a quarter as wide.
     PictureTexture& reduced();
 
-    /// Who holds shared planes, which must live until the graphics card has read them.
+    /// The holder of shared planes, which must live until the graphics card has read them.
     const std::shared_ptr<const void>& lender() const { return lender_; }
 
     int width() const { return width_; }

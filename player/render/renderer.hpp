@@ -19,14 +19,14 @@ namespace vitrine::player {
 /// context current, before that screen ends; every call asserts it.
 class Renderer {
   public:
-    /// @param width, height  of the screen, px
+    /// @param width, height  the screen's size, px
     Renderer(int width, int height, const View& view = {});
 
     /// Draws for a screen of this size from now on, with the canvas lying on it like this. Uploaded pictures
     /// stay.
     void aim(int width, int height, const View& view);
 
-    /// Whether upload() can leave shared planes where they are.
+    /// True if upload() can leave shared planes where they are.
     bool reads_shared_planes() const { return pictures_.reads_shared_planes(); }
 
     /// Takes the source's newest picture. The pixels are copied before this returns; shared planes are copied

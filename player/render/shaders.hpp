@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-// What draws pictures, in GLSL ES 3.00 without its #version line.
+// The shaders that draw pictures, in GLSL ES 3.00 without its #version line.
 
 inline constexpr const char* vertex_shader = R"(
 precision highp float;
@@ -21,8 +21,8 @@ void main() {
 }
 )";
 
-// What the shaders below get a pixel of the picture with: `picture_at` and `opaque_at` by the smaller copies
-// that the sampler chooses, `copy_at` by one of them.
+// The functions that read a pixel of the picture for the shaders below: `picture_at` and `opaque_at` by the
+// smaller copies that the sampler chooses, `copy_at` by one of them.
 
 // Mesa's software renderer (22.3) copies whole tiles where a shader does nothing but look up a texel: one
 // that only sets the opacity to 1 has red and blue swapped there, one that rounds is not copied.
@@ -48,7 +48,7 @@ inline constexpr const char* i420_picture = R"(
 precision highp float;
 uniform sampler2D picture, blue, red;
 uniform mat3 to_rgb;
-uniform vec3 zero;   // what black is coded as
+uniform vec3 zero;   // the code of black
 
 vec3 picture_at(highp vec2 uv) {
     return to_rgb * (vec3(texture(picture, uv).r, texture(blue, uv).r, texture(red, uv).r) - zero);
@@ -122,7 +122,7 @@ inline constexpr const char* filler_shader = R"(
 in highp vec2 uv;
 in mediump float coverage;
 uniform highp vec2 blur;     // radius, as a share of the picture
-uniform highp float level;   // of the smaller copies
+uniform highp float level;   // the smaller copy that is read
 uniform float alpha;
 out vec4 pixel;
 

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-/// What boxes leave of an area, cut into boxes that do not overlap. Empty ones count nothing.
+/// The part of an area that boxes leave free, cut into boxes that do not overlap. Empty boxes are left out.
 std::vector<Box> uncovered(const Box& area, std::span<const Box> boxes);
 
 }  // namespace vitrine::player

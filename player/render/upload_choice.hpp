@@ -7,8 +7,8 @@
 
 namespace vitrine::player {
 
-/// What pictures are to be uploaded as: where the processor draws, each operation on a pixel is dear, so that
-/// it gets them ready for copying; a graphics card gets less to carry, or nothing.
+/// The form in which pictures are to be uploaded: where the processor draws, each operation on a pixel is
+/// dear, so that it gets them ready for copying; a graphics card gets less to carry, or nothing.
 /// @param device               gl_device()
 /// @param reads_shared_planes  whether decoders' pictures can be drawn from where they lie
 inline PictureForm picture_form(std::string_view device, bool reads_shared_planes) {

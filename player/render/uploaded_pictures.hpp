@@ -21,7 +21,7 @@ namespace vitrine::player {
 /// read it. Belongs to a Renderer.
 class UploadedPictures {
   public:
-    /// Whether upload() can leave shared planes where they are.
+    /// True if upload() can leave shared planes where they are.
     bool reads_shared_planes() const { return import_.is_possible(); }
 
     /// Takes the source's newest picture. The pixels are copied before this returns; shared planes are copied
@@ -53,7 +53,7 @@ class UploadedPictures {
     void give_back(const PictureTexture& texture);
 
     PictureImport import_;
-    std::set<SourceId> copied_;  // those whose shared planes could not be read in their place
+    std::set<SourceId> copied_;  // sources whose shared planes could not be read in their place
     std::deque<Lent> lent_;      // the oldest first
     std::unordered_map<SourceId, PictureTexture> textures_;
 };

@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-/// How far a panel is turned clockwise from upright, as seen from the front.
+/// The turn of a panel, clockwise from upright, as seen from the front.
 enum class Rotation { none, right, half, left };
 
 /// @param degrees  0, 90, 180 or 270, clockwise
@@ -12,7 +12,7 @@ inline Rotation rotation_of(int degrees) {
     return static_cast<Rotation>(degrees / 90 % 4);
 }
 
-/// How the canvas lies on the pixels of a screen.
+/// The place of the canvas on the pixels of a screen.
 struct View {
     Rotation rotation = Rotation::none;
     int left = 0;  // px of the screen (not of the turned canvas) that stay black

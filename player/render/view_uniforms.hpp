@@ -5,7 +5,7 @@
 
 namespace vitrine::player {
 
-/// What each program of the renderer is told of where the canvas lies: `uniform vec2 x_axis, y_axis, origin`.
+/// The uniforms of each program for the place of the canvas: `uniform vec2 x_axis, y_axis, origin`.
 struct ViewUniforms {
     explicit ViewUniforms(const Program& program)
         : x_axis(program.uniform("x_axis")),

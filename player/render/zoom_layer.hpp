@@ -18,7 +18,7 @@ class ZoomLayer {
     /// @pre item.zoom; the tile's picture is bound
     void draw(const DrawItem& item, const ToNdc& view);
 
-    /// To be called once a frame: what has not been drawn for a while goes.
+    /// Drops meshes that have not been drawn for a while; to be called once a frame.
     void drop_old();
 
   private:

@@ -41,7 +41,7 @@ ModeWishes modes(const char* words) {
     return modes_named(words).value();
 }
 
-// Of a card with one panel: how it is lit.
+// The output of a card with one panel.
 std::optional<Output> choose_output(const CardState& state, const ModeWishes& wish, bool needs_plane) {
     const std::vector<Output> outputs = choose_outputs(state, wish, needs_plane);
     REQUIRE(outputs.size() <= 1);

@@ -12,7 +12,7 @@ namespace {
 
 const OutputState::Time start{100s};
 
-// Of a panel that is lit.
+// The state of a panel that is lit.
 OutputState lit() {
     OutputState state;
     REQUIRE(state.mode_answered(0) == Outcome::shown);

@@ -55,7 +55,7 @@ std::string loops(int first, int count, int times) {
     return fmt::format("{}", fmt::join(numbers, " "));
 }
 
-/// What the analyzer sees: when each picture comes in one pass from the begin.
+/// The time of each picture in one pass from the begin, as the analyzer sees them.
 std::map<int, std::chrono::nanoseconds> times(const std::string& file, int pictures) {
     SampleQueue queue(12);
     const FilmLoop loop({file, 0s, 1h, numbered_width, numbered_height}, queue);

@@ -51,7 +51,7 @@ std::map<nanoseconds, int> seconds_heard(const std::vector<SoundRecorder::Piece>
     return heard;
 }
 
-/// Where within the part a moment of its shot's time is.
+/// The place within the part at a moment of its shot's time.
 nanoseconds in_part(const SoundPart& part, nanoseconds local) {
     return part.begin + local % part.duration();
 }

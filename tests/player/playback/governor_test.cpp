@@ -11,7 +11,7 @@ using namespace vitrine::player;
 
 namespace {
 
-/// What the ladder leaves of a film's cost, as measured: 0.156, 0.121 and 0.0116 cores.
+/// The cost of a film on each step of the ladder, as measured: 0.156, 0.121 and 0.0116 cores.
 double share(Detail detail) {
     constexpr double shares[] = {1, 0.78, 0.08, 0};
     return shares[static_cast<int>(detail)];

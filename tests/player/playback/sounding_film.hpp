@@ -9,11 +9,11 @@
 
 namespace vitrine::player {
 
-/// How a film is coded that the test draws.
+/// The coding of a film that the test draws.
 struct SoundingFilm {
     std::string picture = "jpegenc";
     std::string muxer = "qtmux";
-    std::string encoder = "avenc_aac";  // of the sound; empty: it has none
+    std::string encoder = "avenc_aac";  // the sound's; empty: no sound
     int seconds = 6;
 };
 
@@ -23,11 +23,11 @@ void write_sounding_film(const std::string& file, const SoundingFilm& film = {})
 /// Takes what a device would play, as fast as the test asks for it.
 class SoundRecorder {
   public:
-    /// What was heard, a piece in one go.
+    /// One piece of the sound that was heard without a gap.
     struct Piece {
         std::chrono::nanoseconds time{0};  // running time of the first sample
         int rate = 0;
-        std::vector<float> samples;  // of the first channel
+        std::vector<float> samples;  // the first channel's
 
         std::chrono::nanoseconds duration() const {
             return std::chrono::nanoseconds(std::chrono::seconds(1)) * static_cast<long>(samples.size()) /
@@ -35,16 +35,16 @@ class SoundRecorder {
         }
     };
 
-    /// Of which each sink made is one after the other recorded from.
+    /// Makes sinks that this records from, one after the other.
     SoundSink sink();
 
-    /// How many sinks were made.
+    /// The number of sinks made.
     std::size_t sinks() const;
 
-    /// What the newest sink gets next, so much of it; less where there is no more within a minute.
+    /// The next sound of the newest sink, of this length; less where there is no more within a minute.
     std::vector<Piece> take(std::chrono::nanoseconds duration);
 
-    /// What waits to be taken.
+    /// The sound that waits to be taken.
     void throw_away();
 
   private:

@@ -13,7 +13,7 @@ namespace {
 
 using Verdict = Watchdog::Verdict;
 
-/// What is said of a film that never gives anything, at 30 pictures a second.
+/// The verdicts on a film that never gives a picture, at 30 a second.
 std::vector<std::pair<Verdict, std::chrono::nanoseconds>> verdicts(Watchdog& watchdog,
                                                                    std::chrono::seconds until) {
     std::vector<std::pair<Verdict, std::chrono::nanoseconds>> verdicts;

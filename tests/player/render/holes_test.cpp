@@ -1,4 +1,4 @@
-// What shows where a picture does not reach: filler, seams and the idle picture.
+// The parts of a wall that no picture reaches: filler, seams and the idle picture.
 
 #include "tests/player/render/drawn_wall.hpp"
 
