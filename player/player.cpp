@@ -11,7 +11,7 @@
 #include "player/input/input_devices.hpp"
 #include "player/playback/hardware_decoders.hpp"
 #include "player/playback/source_pool.hpp"
-#include "player/playback/wall_sound.hpp"
+#include "player/playback/sound/wall_sound.hpp"
 #include "player/player_service.hpp"
 #include "player/settings_change.hpp"
 #include "player/stage/stage_settings.hpp"

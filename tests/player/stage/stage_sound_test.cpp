@@ -1,8 +1,8 @@
 #include "player/display/offscreen_display.hpp"
-#include "player/playback/wall_sound.hpp"
+#include "player/playback/sound/wall_sound.hpp"
 #include "player/stage/stage.hpp"
 #include "tests/player/playback/numbered_film.hpp"
-#include "tests/player/playback/sounding_film.hpp"
+#include "tests/player/playback/sound/sounding_film.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "player/playback/sound_stream.hpp"
+#include "player/playback/sound/sound_stream.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "player/playback/sound_timeline.hpp"
+#include "player/playback/sound/sound_timeline.hpp"
 
 #include <algorithm>
 

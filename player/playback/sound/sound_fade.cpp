@@ -1,4 +1,4 @@
-#include "player/playback/sound_fade.hpp"
+#include "player/playback/sound/sound_fade.hpp"
 
 #include <algorithm>
 #include <chrono>

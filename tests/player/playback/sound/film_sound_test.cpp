@@ -1,7 +1,7 @@
-#include "player/playback/film_sound.hpp"
+#include "player/playback/sound/film_sound.hpp"
 
 #include "tests/player/playback/numbered_film.hpp"
-#include "tests/player/playback/sounding_film.hpp"
+#include "tests/player/playback/sound/sounding_film.hpp"
 
 #include <doctest/doctest.h>
 

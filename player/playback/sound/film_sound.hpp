@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/playback/pipeline_control.hpp"
-#include "player/playback/sound_sink.hpp"
+#include "player/playback/sound/sound_sink.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "player/playback/wall_sound.hpp"
+#include "player/playback/sound/wall_sound.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/playback/sound_sink.hpp"
+#include "player/playback/sound/sound_sink.hpp"
 
 #include <chrono>
 #include <memory>

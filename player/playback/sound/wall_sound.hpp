@@ -1,7 +1,7 @@
 #pragma once
 
-#include "player/playback/film_sound.hpp"
 #include "player/playback/media_places.hpp"
+#include "player/playback/sound/film_sound.hpp"
 #include "player/scene/chosen_sound.hpp"
 
 #include <chrono>

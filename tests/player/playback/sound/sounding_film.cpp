@@ -1,4 +1,4 @@
-#include "tests/player/playback/sounding_film.hpp"
+#include "tests/player/playback/sound/sounding_film.hpp"
 
 #include <fmt/format.h>
 #include <gst/app/gstappsrc.h>

@@ -1,9 +1,9 @@
-#include "player/playback/film_sound.hpp"
+#include "player/playback/sound/film_sound.hpp"
 
 #include "base/media/sound_chain.hpp"
 #include "player/playback/container_ways.hpp"
 #include "player/playback/loop_seeker.hpp"
-#include "player/playback/sound_stream.hpp"
+#include "player/playback/sound/sound_stream.hpp"
 
 #include <atomic>
 #include <cstdint>

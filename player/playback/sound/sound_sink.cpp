@@ -1,4 +1,4 @@
-#include "player/playback/sound_sink.hpp"
+#include "player/playback/sound/sound_sink.hpp"
 
 #include <cstdint>
 #include <stdexcept>

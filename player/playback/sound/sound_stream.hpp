@@ -1,8 +1,8 @@
 #pragma once
 
 #include "player/playback/pipeline_control.hpp"
-#include "player/playback/sound_fade.hpp"
-#include "player/playback/sound_timeline.hpp"
+#include "player/playback/sound/sound_fade.hpp"
+#include "player/playback/sound/sound_timeline.hpp"
 
 #include <atomic>
 #include <chrono>
