@@ -88,28 +88,28 @@ bool is_folder_below(std::string_view folder) {
     return true;
 }
 
-bool is_size(std::string_view value) {
-    int width = 0;
-    int height = 0;
-    const char* end = value.data() + value.size();
-    const auto [after_width, width_error] = std::from_chars(value.data(), end, width);
-    if (width_error != std::errc() || after_width == end || *after_width != 'x') return false;
-    const auto [after_height, height_error] = std::from_chars(after_width + 1, end, height);
-    return height_error == std::errc() && after_height == end && width >= min_side && height >= min_side &&
-           width <= max_side && height <= max_side;
+/// "1280x720"
+std::optional<ScreenSize> screen_size_named(std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos) return std::nullopt;
+    const auto width = number_named<int>(text.substr(0, cross), min_side, max_side);
+    const auto height = number_named<int>(text.substr(cross + 1), min_side, max_side);
+    if (!width || !height) return std::nullopt;
+    return ScreenSize{.width = *width, .height = *height};
 }
 
 }  // namespace
 
-bool is_screen(const std::string& value) {
-    if (value == "kms") return true;
-    if (value.starts_with("kms:/")) return true;
-    if (!value.starts_with("offscreen:")) return false;
-    std::string_view rest = std::string_view(value).substr(10);
-    for (std::size_t plus = 0; (plus = rest.find('+')) != std::string_view::npos;
-         rest.remove_prefix(plus + 1))
-        if (!is_size(rest.substr(0, plus))) return false;
-    return is_size(rest);
+std::optional<std::vector<ScreenSize>> screen_sizes_named(std::string_view text) {
+    std::vector<ScreenSize> sizes;
+    while (true) {
+        const std::size_t plus = text.find('+');
+        const std::optional<ScreenSize> size = screen_size_named(text.substr(0, plus));
+        if (!size) return std::nullopt;
+        sizes.push_back(*size);
+        if (plus == std::string_view::npos) return sizes;
+        text.remove_prefix(plus + 1);
+    }
 }
 
 std::optional<Margins> margins_named(std::string_view text) {

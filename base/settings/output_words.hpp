@@ -4,12 +4,19 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine {
 
-/// The text of output.screen: "kms", "kms:/PATH" or "offscreen:WIDTHxHEIGHT" with "+WIDTHxHEIGHT" for more
-/// screens.
-bool is_screen(const std::string& text);
+struct ScreenSize {
+    int width = 0;  // px
+    int height = 0;
+
+    bool operator==(const ScreenSize&) const = default;
+};
+
+/// The sizes of "1280x720+640x360"; nothing where it is not understood, or a side is not 16 to 16384 px.
+std::optional<std::vector<ScreenSize>> screen_sizes_named(std::string_view text);
 
 /// A length on a screen, the sum of both members.
 struct ScreenLength {

@@ -32,6 +32,13 @@ bool is_colour(const std::string& value) {
     return colour_named(value).has_value();
 }
 
+/// The kinds of displays, which player/display/display_kinds.cpp makes.
+bool is_screen(const std::string& value) {
+    constexpr std::string_view offscreen = "offscreen:";
+    if (value == "kms" || value.starts_with("kms:/")) return true;
+    return value.starts_with(offscreen) && screen_sizes_named(value.substr(offscreen.size())).has_value();
+}
+
 bool is_device_list(const std::string& value) {
     return value == "auto" || value == "none" || value.starts_with('/');
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/settings/output_words.hpp"
 #include "base/settings/settings.hpp"
 #include "player/display/egl.hpp"
 #include "player/display/screen.hpp"

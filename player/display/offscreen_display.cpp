@@ -4,32 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <utility>
 
 namespace vitrine::player {
 
 namespace {
-
-constexpr int min_side = 16;     // px
-constexpr int max_side = 16384;  // px, as graphics cards allow
-
-std::optional<int> side(std::string_view digits) {
-    int value = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (error != std::errc{} || stop != end || value < min_side || value > max_side) return std::nullopt;
-    return value;
-}
-
-std::optional<ScreenSize> screen_size(std::string_view text) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string_view::npos) return std::nullopt;
-    const std::optional<int> width = side(text.substr(0, cross));
-    const std::optional<int> height = side(text.substr(cross + 1));
-    if (!width || !height) return std::nullopt;
-    return ScreenSize{.width = *width, .height = *height};
-}
 
 class OffscreenOpener final : public DisplayOpener {
   public:
@@ -53,23 +32,11 @@ class OffscreenOpener final : public DisplayOpener {
 
 }  // namespace
 
-std::optional<OffscreenChoice> offscreen_choice(std::string_view sizes) {
-    OffscreenChoice choice;
-    while (true) {
-        const std::size_t plus = sizes.find('+');
-        const std::optional<ScreenSize> size = screen_size(sizes.substr(0, plus));
-        if (!size) return std::nullopt;
-        choice.screens.push_back(*size);
-        if (plus == std::string_view::npos) return choice;
-        sizes.remove_prefix(plus + 1);
-    }
-}
-
 std::unique_ptr<DisplayOpener> make_offscreen_opener(std::optional<std::string_view> argument,
                                                      const DisplayRequest& request) {
-    std::optional<OffscreenChoice> choice = offscreen_choice(argument.value_or(""));
-    if (!choice) return nullptr;
-    return std::make_unique<OffscreenOpener>(*std::move(choice), request);
+    std::optional<std::vector<ScreenSize>> sizes = screen_sizes_named(argument.value_or(""));
+    if (!sizes) return nullptr;
+    return std::make_unique<OffscreenOpener>(OffscreenChoice{*std::move(sizes)}, request);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t index) {

@@ -18,12 +18,7 @@ std::filesystem::path numbered(const std::filesystem::path& path, std::size_t in
 /// The screens that `output.screen` asks for in memory instead of panels.
 struct OffscreenChoice {
     std::vector<ScreenSize> screens;  // one at least
-
-    bool operator==(const OffscreenChoice&) const = default;
 };
-
-/// The choice of "1280x720+640x360"; nothing where it is not understood, or a side is not 16 to 16384 px.
-std::optional<OffscreenChoice> offscreen_choice(std::string_view sizes);
 
 /// Screens in memory, "offscreen-1" and so on, that are always there.
 class OffscreenDisplay final : public Display {

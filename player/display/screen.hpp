@@ -51,11 +51,4 @@ class Screen {
     virtual void present(std::chrono::nanoseconds time) = 0;
 };
 
-struct ScreenSize {
-    int width = 0;  // px
-    int height = 0;
-
-    bool operator==(const ScreenSize&) const = default;
-};
-
 }  // namespace vitrine::player

@@ -81,3 +81,13 @@ TEST_CASE("folders elsewhere, and outputs that are named twice, are refused") {
         CHECK_FALSE(output_folders_named(text));
     }
 }
+
+TEST_CASE("screens in memory have a size each") {
+    CHECK(screen_sizes_named("1280x720") == std::vector<ScreenSize>{{1280, 720}});
+    CHECK(screen_sizes_named("1280x720+640x360") == std::vector<ScreenSize>{{1280, 720}, {640, 360}});
+    for (const char* text :
+         {"", "1280", "1280x", "0x720", "-1x720", "1280x720x2", "99999x720", "64x32+", "+64x32"}) {
+        CAPTURE(text);
+        CHECK_FALSE(screen_sizes_named(text));
+    }
+}

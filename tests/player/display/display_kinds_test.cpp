@@ -1,5 +1,4 @@
 #include "player/display/display_kinds.hpp"
-#include "player/display/offscreen_display.hpp"
 
 #include <doctest/doctest.h>
 
@@ -20,8 +19,6 @@ std::unique_ptr<DisplayOpener> opener(const std::string& screen) {
 }  // namespace
 
 TEST_CASE("a display is memory of some sizes, or panels, at a card where one is named") {
-    CHECK(offscreen_choice("1280x720") == OffscreenChoice{.screens = {{1280, 720}}});
-    CHECK(offscreen_choice("1280x720+640x360") == OffscreenChoice{.screens = {{1280, 720}, {640, 360}}});
     CHECK(opener("offscreen:640x360+64x36")->traits().expected == ScreenSize{640, 360});
     CHECK(opener("kms")->traits().has_terminal);
     CHECK(opener("kms:/dev/dri/card1")->traits().is_awaited);
