@@ -38,12 +38,13 @@ class Sampler {
         const nanoseconds interval = frame.time - before_.time;
         const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= longest_interval;
         if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
-            last_faces_ = searched_faces(*faces_, frame.picture, settings_.only_prominent_faces);
+            last_faces_ = find_faces(*faces_, frame.picture, settings_.only_prominent_faces);
             last_faces_time_ = frame.time;
         }
-        Sample sample =
-            searched(frame.picture, has_pair ? before_.picture : cv::Mat(),
-                     std::chrono::duration<double>(interval).count(), settings_, last_faces_, stage_.get());
+        Sample sample = sample_of({.frame = frame.picture,
+                                   .before = has_pair ? before_.picture : cv::Mat(),
+                                   .seconds = std::chrono::duration<double>(interval).count()},
+                                  settings_, last_faces_, stage_.get());
         ++count_;
         sample.time = frame.time;
         sample.pair_time = before_.time;
@@ -77,7 +78,7 @@ class ShotWriter {
 
     void close(const DetectedShot& found, cv::Size frame) {
         std::vector<Sample> samples =
-            samples_.take(found.begin, std::max(found.end, found.begin + nanoseconds(1)));
+            samples_.pop_samples(found.begin, std::max(found.end, found.begin + nanoseconds(1)));
         if (record_.shots.size() >= most_shots) return;
         const Shot shot{.begin = found.begin, .end = found.end, .ends_with = found.ends_with, .region = {}};
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),

@@ -22,7 +22,7 @@ MediaRecord write_explain_sheet(const SourceOpener& open, const SheetTitle& titl
     LongestShots longest(most_rows);
     MediaRecord record =
         analyze(*open(), settings, [&longest](const ShotEvidence& evidence) { longest.add(evidence); });
-    AnalysisSettings letter = papers_letter();
+    AnalysisSettings letter = paper_mode();
     letter.face_model = settings.face_model;
     letter.face_cascade = settings.face_cascade;
     const MediaRecord compared = analyze(*open(), letter);

@@ -30,12 +30,12 @@ namespace fs = std::filesystem;
 namespace {
 
 AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
-    const bool is_letter = from.region == RegionMode::hull;
-    AnalysisSettings settings = is_letter ? papers_letter() : AnalysisSettings{};
+    const bool is_paper_mode = from.region == RegionMode::hull;
+    AnalysisSettings settings = is_paper_mode ? paper_mode() : AnalysisSettings{};
     settings.frame_size = from.frame_size;
     settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));
     settings.face_cascade = from.face_cascade;
-    if (is_letter) return settings;
+    if (is_paper_mode) return settings;
     settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
     settings.region.mass = from.region_mass;
     settings.region.margin = from.region_margin;

@@ -10,29 +10,29 @@
 
 namespace vitrine::analyzer {
 
-/// What an operator or a comparison with the paper may turn; the defaults are what is shipped.
+/// The settings that an operator or a comparison with the paper may change; the defaults are shipped.
 struct AnalysisSettings {
     int frame_size = 320;        // px, longest side on which motion and contrast are measured
-    int samples_per_second = 5;  // frames a second of a film that are searched for what matters
-    int face_interval = 4;       // every so many samples faces are looked for
-    SaliencyWeights weights{.motion = 0.5, .image = 0.5, .face = 0};  // `subject` heeds faces by itself
+    int samples_per_second = 5;  // frames a second of a film that are searched
+    int face_interval = 4;       // samples from one search for faces to the next
+    SaliencyWeights weights{.motion = 0.5, .image = 0.5, .face = 0};  // `subject` regards faces by itself
     MotionMethod motion = MotionMethod::background;
     ImageSaliency image = ImageSaliency::subject;
-    bool only_prominent_faces = true;  // whether faces far smaller than the tallest count nothing
-    bool has_bodies = true;            // whether S_F counts the body below a face
+    bool only_prominent_faces = true;  // faces far smaller than the tallest do not count
+    bool has_bodies = true;            // S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
-    std::string saliency_model;  // an ONNX file that takes the place of `image`; "": not used
+    std::string saliency_model;  // an ONNX file, used in place of `image`; "": not used
     std::string face_model;      // YuNet's ONNX file; "": not used
     std::string face_cascade =
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used
 };
 
-/// Chapters 3.2 and 3.3 to their letter, for comparison only: contrast to one voted pan over its largest
-/// value, contrast to the mean colour, every face found and nothing below it, the line through the half-mass
-/// boxes' centres, the hull. What the letter leaves open stays ours: drifts are limited so that a common part
-/// is left, and the hull keeps to that part and to 12 corners.
-inline AnalysisSettings papers_letter() {
+/// Chapters 3.2 and 3.3 word by word, for comparison only: contrast to one voted pan over its largest value,
+/// contrast to the mean colour, every face found and nothing below it, the line through the half-mass boxes'
+/// centres, the hull. Where the paper leaves something open our way stays: drifts are limited so that a
+/// common part is left, and the hull keeps to that part and to 12 corners.
+inline AnalysisSettings paper_mode() {
     AnalysisSettings settings;
     settings.weights = {};
     settings.motion = MotionMethod::voted_pan;

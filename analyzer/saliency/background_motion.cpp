@@ -15,7 +15,7 @@ constexpr int direction_bins = 16;
 constexpr double still = 0.25;  // px: shorter vectors have no direction
 constexpr int refits = 8;
 constexpr double explained = 0.5;  // px: a vector this far off the background counts a quarter
-constexpr std::size_t every = 3;   // vector takes part in the fit
+constexpr std::size_t every = 3;   // one vector of so many takes part in the fit
 
 struct Bin {
     int magnitude = 0;  // 0: still, whatever the direction
@@ -30,7 +30,7 @@ Bin bin_of(Vec2 v, double step) {
     return {std::clamp(1 + static_cast<int>((magnitude - still) / step), 1, magnitude_bins - 1), direction};
 }
 
-/// Whether b is a or touches it; directions wrap, and all directions touch the still bin.
+/// True where b is a or touches a; directions wrap, and all directions touch the still bin.
 bool are_neighbours(Bin a, Bin b) {
     if (std::abs(a.magnitude - b.magnitude) > 1) return false;
     if (a.magnitude == 0 || b.magnitude == 0) return true;

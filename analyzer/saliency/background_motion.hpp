@@ -7,10 +7,10 @@
 
 namespace vitrine::analyzer {
 
-/// The motion most vectors agree on, voted in magnitude and direction, as the median around the winning bin.
-/// {0, 0} where there are no vectors.
+/// The motion that most vectors agree on, voted in magnitude and direction, as the median around the winning
+/// bin. {0, 0} where there are no vectors.
 ///
-/// @param weights  what each vector's vote counts; empty: all the same
+/// @param weights  one a vector: weight of its vote; empty: all the same
 /// Source: Dynamic Media Assemblage 3.2. Differs: a vote counts for the neighbouring bins too, and all motion
 /// below a quarter pixel is one bin, for its direction is noise.
 Vec2 voted_motion(std::span<const Vec2> vectors, std::span<const double> weights = {});

@@ -11,19 +11,19 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int passes = 3;
-constexpr double strip = 0.1;  // of the side, as wide as a border strip is
+constexpr double strip = 0.1;  // width of a border strip, share of the side
 constexpr double regularity =
     10;  // Lab units^2 added to the border's variance, so that a flat sky is no needle
 
 /// One pixel of one channel: its value, and the best path to it so far.
-struct Place {
+struct PathPixel {
     float value = 0;
     float distance = std::numeric_limits<float>::max();
     float highest = 0;
     float lowest = 0;
 
-    /// Lets the best path of a neighbour go on to this pixel where that is cheaper.
-    void relax(const Place& from) {
+    /// Takes over the best path of a neighbour, continued to this pixel, where that is cheaper.
+    void relax(const PathPixel& from) {
         const float high = std::max(from.highest, value);
         const float low = std::min(from.lowest, value);
         if (high - low >= distance) return;
@@ -33,14 +33,14 @@ struct Place {
     }
 };
 
-std::vector<Place> start(const cv::Mat& lab, int channel) {
-    std::vector<Place> places;
+std::vector<PathPixel> first_paths(const cv::Mat& lab, int channel) {
+    std::vector<PathPixel> places;
     places.reserve(lab.total());
     for (int y = 0; y < lab.rows; ++y) {
         const auto* row = lab.ptr<cv::Vec3f>(y);
         for (int x = 0; x < lab.cols; ++x) {
             const float value = row[x][channel];
-            Place place{.value = value, .highest = value, .lowest = value};
+            PathPixel place{.value = value, .highest = value, .lowest = value};
             if (x == 0 || y == 0 || x + 1 == lab.cols || y + 1 == lab.rows) place.distance = 0;
             places.push_back(place);
         }
@@ -48,11 +48,11 @@ std::vector<Place> start(const cv::Mat& lab, int channel) {
     return places;
 }
 
-void scan(std::vector<Place>& places, int w, int h, bool is_forward) {
+void scan(std::vector<PathPixel>& places, int w, int h, bool is_forward) {
     const std::ptrdiff_t step = is_forward ? 1 : -1;
     for (int k = 1; k + 1 < h; ++k) {
         const int y = is_forward ? k : h - 1 - k;
-        Place* place = places.data() + static_cast<std::ptrdiff_t>(y) * w + (is_forward ? 1 : w - 2);
+        PathPixel* place = places.data() + static_cast<std::ptrdiff_t>(y) * w + (is_forward ? 1 : w - 2);
         for (int i = 1; i + 1 < w; ++i, place += step) {
             place->relax(place[-step * w]);
             place->relax(place[-step]);
@@ -90,11 +90,11 @@ cv::Mat contrast_to(const cv::Mat& lab, const cv::Rect& where) {
 cv::Mat barrier_distance(const cv::Mat& lab) {
     cv::Mat sum = cv::Mat::zeros(lab.size(), CV_32FC1);
     for (int channel = 0; channel < 3; ++channel) {
-        std::vector<Place> places = start(lab, channel);
+        std::vector<PathPixel> places = first_paths(lab, channel);
         for (int pass = 0; pass < passes; ++pass)
             scan(places, lab.cols, lab.rows, pass % 2 == 0);
         auto* to = sum.ptr<float>();
-        for (const Place& place : places)
+        for (const PathPixel& place : places)
             *to++ += place.distance;
     }
     return sum;

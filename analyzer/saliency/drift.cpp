@@ -14,17 +14,17 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double half = 0.5;
-constexpr double least_gain = 0.05;       // of the area, for which the region starts to move
-constexpr double most_loss = 0.02;        // of the area, that the subject's own motion may cost
-constexpr double most_loss_panned = 0.5;  // that the camera's may, for then nothing stands still
-constexpr double carried = 0.25;          // of the background's motion, by which a subject it carries differs
-constexpr double unsteady = 0.2;          // of the way, beyond which a motion is no drift
-constexpr double followable = 0.75;       // of a measured drift, that the common part must allow
-constexpr double least_travel = 0.03;     // of the diagonal over the shot, below which it stands still
+constexpr double min_gain = 0.05;        // share of the area, for which the region starts to move
+constexpr double max_loss = 0.02;        // share of the area that the subject's own motion may cost
+constexpr double max_loss_panned = 0.5;  // share that the camera's may cost, for then nothing stands still
+constexpr double carried = 0.25;     // share of the background's motion by which a carried subject differs
+constexpr double unsteady = 0.2;     // share of the way: a motion that deviates more is no drift
+constexpr double followable = 0.75;  // share of a measured drift that the common part must allow
+constexpr double min_travel = 0.03;  // share of the diagonal over the shot: a slower region stands still
 
-/// Whether a drift leads anywhere during the shot.
+/// True where a drift is long enough over the shot to count.
 bool is_travel(Vec2 drift, double duration, cv::Size frame) {
-    return length(drift) * duration >= least_travel * std::hypot(frame.width, frame.height);
+    return length(drift) * duration >= min_travel * std::hypot(frame.width, frame.height);
 }
 
 /// Slope of the least-squares line of points over time; 0 where all times are one.
@@ -61,14 +61,14 @@ Vec2 peak_centroid(const SaliencyMap& map) {
     return {m.m10 / m.m00 + half, m.m01 / m.m00 + half};
 }
 
-/// A motion at constant speed, and by how much what was measured strays from it.
-struct Line {
+/// A motion at constant speed, and the deviation of the measured path from it.
+struct SteadyMotion {
     Vec2 slope;
     double deviation = 0;  // px, root mean square
 };
 
 /// The line through the path that measured velocities add up to.
-Line line_along(std::span<const SalientFrame> frames, Vec2 SalientFrame::*velocity) {
+SteadyMotion line_along(std::span<const SalientFrame> frames, Vec2 SalientFrame::*velocity) {
     std::vector<double> times;
     std::vector<double> xs;
     std::vector<double> ys;
@@ -93,38 +93,38 @@ Line line_along(std::span<const SalientFrame> frames, Vec2 SalientFrame::*veloci
     return {v, std::sqrt(sum / n)};
 }
 
-struct Measured {
+struct MeasuredDrift {
     Vec2 drift;
-    double most_loss = 0;  // of the area, for which it is still believed
+    double max_loss = 0;  // share of the area that it may cost
 };
 
-/// What the flow says: how the background moves where the subject moves with it, for many vectors tell that
-/// best, else how the subject moves; nothing where that is no steady motion.
-Measured measured_drift(std::span<const SalientFrame> frames, double duration) {
-    const Line background = line_along(frames, &SalientFrame::global_motion);
-    const Line subject = line_along(frames, &SalientFrame::subject_motion);
+/// The drift by the flow: the background's motion where the subject moves with it, for many vectors measure
+/// it, else the subject's; none where that is no steady motion.
+MeasuredDrift measured_drift(std::span<const SalientFrame> frames, double duration) {
+    const SteadyMotion background = line_along(frames, &SalientFrame::global_motion);
+    const SteadyMotion subject = line_along(frames, &SalientFrame::subject_motion);
     const bool is_carried = length(subject.slope - background.slope) <= carried * length(background.slope);
-    const Line& line = is_carried ? background : subject;
+    const SteadyMotion& line = is_carried ? background : subject;
     const double travel = length(line.slope) * duration;
     if (line.deviation > unsteady * travel) return {};
-    return {line.slope, is_carried ? most_loss_panned : most_loss};
+    return {line.slope, is_carried ? max_loss_panned : max_loss};
 }
 
-/// The drift, in search px, that concentrates most. What was measured is believed unless it spreads the
-/// saliency or is too fast to follow; whatever was only searched for must concentrate it clearly.
-Vec2 most_concentrating(const SearchSpace& space, const Measured& measured) {
+/// The drift, in search px, that concentrates most. A measured drift is used unless it spreads the saliency
+/// or is too fast to follow; a drift that was only searched for must concentrate the saliency clearly.
+Vec2 max_concentrating(const SearchSpace& space, const MeasuredDrift& measured) {
     const double still = space.area({});
     const cv::Size size = space.frames.front().map.size();
     const Vec2 followed = limited_drift(size, measured.drift, space.duration);
     const bool is_followed =
         is_travel(followed, space.duration, size) && length(followed) >= followable * length(measured.drift);
-    if (is_followed && space.area(followed) <= still * (1 + measured.most_loss)) return followed;
+    if (is_followed && space.area(followed) <= still * (1 + measured.max_loss)) return followed;
     Vec2 best;
-    double least = still * (1 - least_gain);
+    double least = still * (1 - min_gain);
     for (const Vec2 drift : {followed, line_through(space.frames, peak_centroid), searched_drift(space)}) {
         const double area = space.area(drift);
         if (area >= least) continue;
-        least = area * (1 - least_gain);
+        least = area * (1 - min_gain);
         best = limited_drift(size, drift, space.duration);
     }
     return best;
@@ -132,9 +132,9 @@ Vec2 most_concentrating(const SearchSpace& space, const Measured& measured) {
 
 Vec2 smallest_area_drift(std::span<const SalientFrame> frames, double duration) {
     const SearchSpace space = search_space(frames, duration);
-    Measured measured = measured_drift(frames, duration);
+    MeasuredDrift measured = measured_drift(frames, duration);
     measured.drift = measured.drift * space.scale;
-    const Vec2 drift = most_concentrating(space, measured) * (1 / space.scale);
+    const Vec2 drift = max_concentrating(space, measured) * (1 / space.scale);
     return is_travel(drift, duration, frames.front().map.size()) ? drift : Vec2{};
 }
 

@@ -13,11 +13,10 @@ namespace {
 constexpr double half = 0.5;
 constexpr int search_side = 64;  // px, longest side of the maps searched on
 constexpr std::size_t search_frames = 24;
-constexpr int levels = 512;          // of the histogram the half mass is read from
-constexpr double most_travel = 0.4;  // of each side, that a drift may travel
+constexpr int levels = 512;         // levels of the histogram that gives the half mass
+constexpr double max_travel = 0.4;  // share of each side that a drift may travel
 
-/// What exceeds the map's median: the subject's part, for a background that lies everywhere concentrates
-/// nowhere.
+/// The map less its median: the subject's part, for a background that lies everywhere concentrates nowhere.
 cv::Mat excess(const SaliencyMap& map) {
     std::vector<float> values(map.begin<float>(), map.end<float>());
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -25,7 +24,7 @@ cv::Mat excess(const SaliencyMap& map) {
     return cv::max(map - static_cast<double>(*middle), 0);
 }
 
-/// How many of the largest values inside `part` reach `mass`; all of the map's where they do not.
+/// The number of largest values inside `part` whose sum reaches `mass`; all of the map's where it does not.
 int count_reaching(const cv::Mat& map, const cv::Rect& part, double mass) {
     double highest = 0;
     cv::minMaxLoc(map(part), nullptr, &highest);
@@ -131,8 +130,7 @@ SearchSpace search_space(std::span<const SalientFrame> frames, double duration) 
 
 Vec2 searched_drift(const SearchSpace& space) {
     const cv::Size size = space.frames.front().map.size();
-    const Vec2 furthest{most_travel * size.width / space.duration,
-                        most_travel * size.height / space.duration};
+    const Vec2 furthest{max_travel * size.width / space.duration, max_travel * size.height / space.duration};
     const Vec2 coarse = best_on_grid(space, {}, furthest, 13, 9);
     return best_on_grid(space, coarse, {furthest.x / 6, furthest.y / 4}, 7, 7);
 }

@@ -15,12 +15,12 @@ struct SearchSpace {
     double scale = 1;  // search px per map px
 
     /// The share of the picture that the most salient half takes once accumulated along a drift in search px;
-    /// what the common part does not show is lost.
+    /// saliency outside the common part is lost.
     double area(Vec2 drift) const;
 };
 
-/// Of each map what exceeds its median: the subject's part, for a background that lies everywhere
-/// concentrates nowhere. @pre frames is not empty
+/// The search space of a shot: each map less its median, which leaves the subject's part, for a background
+/// that lies everywhere concentrates nowhere. @pre frames is not empty
 SearchSpace search_space(std::span<const SalientFrame> frames, double duration);
 
 /// The drift, in search px, with the smallest area of all that leave enough in common: on a coarse grid, then

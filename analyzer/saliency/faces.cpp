@@ -9,7 +9,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-// What a head has around its face box, as shares of the box.
+// The head around a face box, as shares of the box.
 constexpr double hair = 0.35;
 constexpr double ear = 0.15;
 constexpr double chin = 0.15;
@@ -18,7 +18,7 @@ constexpr double body_height = 2.0;
 constexpr double body_sigma_x = 0.9;
 constexpr double body_sigma_y = 1.2;
 constexpr double body_strength = 0.8;
-constexpr double prominence = 0.45;  // of the tallest face
+constexpr double prominence = 0.45;  // share of the tallest face
 
 /// exp(-(x - centre)^2 / (2 sigma^2)) at the centres of `count` pixels.
 std::vector<float> bell(int count, double centre, double sigma) {

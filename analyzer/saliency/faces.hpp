@@ -10,14 +10,14 @@
 
 namespace vitrine::analyzer {
 
-/// The better detector of those whose file is named; null where both names are empty.
+/// The better detector whose file is named; null where both names are empty.
 ///
 /// @param model    YuNet's ONNX file, or ""
 /// @param cascade  a Viola-Jones cascade in XML, used where there is no model, or ""
 /// @throws std::runtime_error if the file to be used cannot be read
 std::unique_ptr<FaceDetector> face_detector(const std::string& model, const std::string& cascade);
 
-/// The faces at least 45 % as tall as the tallest: who stands far behind the others is not the subject.
+/// The faces at least 45 % as tall as the tallest: a person far behind the others is not the subject.
 std::vector<Face> prominent(std::vector<Face> faces);
 
 /// Face saliency: each face's Gaussian of half its width and height, the highest where several reach.

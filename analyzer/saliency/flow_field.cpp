@@ -7,13 +7,13 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr int tracked_step = 8;         // px between tracked points
-constexpr int window = 11;              // px a side of the patches compared
-constexpr double reliable_error = 20;   // mean absolute difference of patches, grey levels
-constexpr double least_texture = 1e-3;  // smallest eigenvalue for which Lucas-Kanade has an answer
-constexpr int dense_cell = 2;           // px, as fine as the search goes
-constexpr int large = 120;              // px wide, from which on half the size is fine enough
-constexpr float reach = 4;              // px, half a patch of the dense search
+constexpr int tracked_step = 8;        // px between tracked points
+constexpr int window = 11;             // px a side of the patches compared
+constexpr double reliable_error = 20;  // mean absolute difference of patches, grey levels
+constexpr double min_texture = 1e-3;   // smallest eigenvalue for which Lucas-Kanade has an answer
+constexpr int dense_cell = 2;          // px, the finest that the search gives
+constexpr int large = 120;             // px wide, from which on half the size is fine enough
+constexpr float reach = 4;             // px, half a patch of the dense search
 
 }  // namespace
 
@@ -31,7 +31,7 @@ FlowField tracked_flow(const cv::Mat& before, const cv::Mat& after) {
     std::vector<unsigned char> found;
     std::vector<float> error;
     cv::calcOpticalFlowPyrLK(before, after, from, to, found, error, {window, window}, 3,
-                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 10, 0.03}, 0, least_texture);
+                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 10, 0.03}, 0, min_texture);
     const cv::Rect2f picture(0, 0, static_cast<float>(before.cols), static_cast<float>(before.rows));
     for (std::size_t i = 0; i < from.size(); ++i) {
         const cv::Point2f d = to[i] - from[i];

@@ -13,7 +13,7 @@ struct FlowField {
     cv::Size grid;                  // cells
     double cell = 1;                // px of the pictures a side
     std::vector<Vec2> vectors;      // px
-    std::vector<bool> is_reliable;  // whether the vector was measured on what both pictures show
+    std::vector<bool> is_reliable;  // the vector was measured on a patch that both pictures show
 
     Vec2 place(std::size_t i) const {  // px of the cell's middle
         const auto index = static_cast<int>(i);
@@ -27,8 +27,8 @@ struct FlowField {
 FlowField tracked_flow(const cv::Mat& before, const cv::Mat& after);
 
 /// Dense inverse search in cells of 2 px: ten times as fast on pictures of half the size, with a tenth of the
-/// outliers. A cell is reliable where its patch lies in both pictures: what comes in at the edge of a pan has
-/// no motion.
+/// outliers. A cell is reliable where its patch lies in both pictures: a part that comes in at the edge of a
+/// pan has no motion.
 /// @param before, after  CV_8UC1 of one size, at least 16 px a side
 FlowField dense_flow(const cv::Mat& before, const cv::Mat& after);
 

@@ -11,7 +11,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double least_contrast =
+constexpr double min_contrast =
     10;  // Lab units that count as fully salient at least: about four just-noticeable steps
 
 /// sRGB to CIE Lab by tables of our own: OpenCV's take 120 ms of software floating point to set up, more than
@@ -75,7 +75,7 @@ SaliencyMap frequency_tuned(const cv::Mat& lab) {
     cv::Mat blurred;
     cv::sepFilter2D(lab, blurred, CV_32F, binomial, binomial, {-1, -1}, 0, cv::BORDER_REPLICATE);
     SaliencyMap result(lab.size(), CV_32FC1);
-    float highest = static_cast<float>(least_contrast);
+    float highest = static_cast<float>(min_contrast);
     for (int y = 0; y < lab.rows; ++y) {
         const auto* from = blurred.ptr<cv::Vec3f>(y);
         auto* to = result.ptr<float>(y);

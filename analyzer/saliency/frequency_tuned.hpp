@@ -8,7 +8,7 @@ namespace vitrine::analyzer {
 /// (OpenCV's 8-bit Lab stretches L by 2.55, which lets brightness drown colour.)
 cv::Mat lab(const cv::Mat& bgr);
 
-/// Frequency-tuned saliency: how far the slightly blurred colour of a pixel is from the picture's mean
+/// Frequency-tuned saliency: the distance of a pixel's slightly blurred colour from the picture's mean
 /// colour.
 ///
 /// @param lab  CV_32FC3 of lab(), not empty

@@ -27,7 +27,7 @@ Polygon cut_by(const Polygon& polygon, const HalfPlane& plane) {
     return result;
 }
 
-/// Without corners that repeat or lie on the line of their neighbours.
+/// The polygon without corners that repeat or lie on the line of their neighbours.
 Polygon tidied(const Polygon& polygon) {
     Polygon distinct;
     for (const Vec2 p : polygon) {
@@ -44,7 +44,7 @@ Polygon tidied(const Polygon& polygon) {
     return result.size() >= 3 ? result : Polygon{};
 }
 
-/// Where the lines through (a, b) and (c, d) meet beyond b and before c.
+/// The point where the lines through (a, b) and (c, d) meet beyond b and before c.
 std::optional<Vec2> meeting(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const Vec2 u = b - a;
     const Vec2 v = d - c;

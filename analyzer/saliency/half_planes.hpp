@@ -13,7 +13,7 @@ struct HalfPlane {
     double offset = 0;
 };
 
-/// What is left of a convex counter-clockwise polygon inside all half-planes; empty where nothing is.
+/// The part of a convex counter-clockwise polygon inside all half-planes; empty where there is none.
 Polygon cut_by(Polygon convex, std::span<const HalfPlane> planes);
 
 /// The polygon with every edge moved outward by a distance; corners stay sharp.
@@ -21,7 +21,7 @@ Polygon cut_by(Polygon convex, std::span<const HalfPlane> planes);
 Polygon widened(const Polygon& convex, double distance);
 
 /// The polygon with at most `corners` corners, grown where needed and never cut into: the edge is dropped
-/// whose neighbours meet with the least area added. At least 4 corners; fewer cannot always be had.
+/// whose neighbours meet with the smallest area added. At least 4 corners; fewer cannot always be had.
 /// @pre convex, counter-clockwise, of positive area
 Polygon simplified_outward(Polygon convex, std::size_t corners);
 

@@ -11,10 +11,10 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr std::size_t most_corners = 12;
-constexpr double least_area = 0.08;  // of the picture
-constexpr double largest_area = 0.80;
-constexpr double middle = 0.6;  // of each side, where nothing is salient
+constexpr std::size_t max_corners = 12;
+constexpr double min_area = 0.08;  // share of the picture
+constexpr double max_area = 0.80;
+constexpr double middle = 0.6;  // share of each side, where nothing is salient
 
 Polygon middle_of(const Box& core) {
     const Vec2 half{core.width() * middle / 2, core.height() * middle / 2};
@@ -54,10 +54,10 @@ Polygon with_faces(const Polygon& region, std::span<const Box> faces, const Box&
     return convex_hull(points);
 }
 
-/// A region that is too small, grown about its centre; more where the core's edge takes some away again.
+/// The region, grown about its centre where it is too small; grown more where the core's edge cuts it again.
 Polygon at_least(Polygon region, double least, const Box& core) {
-    constexpr int most_steps = 32;
-    for (int i = 0; i < most_steps; ++i) {
+    constexpr int max_steps = 32;
+    for (int i = 0; i < max_steps; ++i) {
         const double now = area(region);
         if (now >= least || now <= 0) break;
         const double scale = 1.02 * std::sqrt(least / now);
@@ -72,14 +72,14 @@ Polygon smallest_region(const SaliencyMap& volume, const Box& core, std::span<co
     const PeelLimits limits{.safe_mass = settings.safe_mass,
                             .tight_mass = settings.mass,
                             .tight_area = settings.tight_area,
-                            .most_area = largest_area,
+                            .max_area = max_area,
                             .whole = faces};
     const Polygon tight = peeled(volume, core, limits);
     if (area(tight) <= 0) return middle_of(core);
     const double margin = settings.margin * std::hypot(volume.cols, volume.rows);
     Polygon region = clipped(widened(tight, margin), core);
-    if (area(region) > largest_area * whole) region = tight;
-    return at_least(with_faces(region, faces, core), least_area * whole, core);
+    if (area(region) > max_area * whole) region = tight;
+    return at_least(with_faces(region, faces, core), min_area * whole, core);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box
         region = smallest_region(volume, core, faces, settings);
     }
     if (area(region) <= 0) region = middle_of(core);
-    return simplified_within(region, most_corners, core);
+    return simplified_within(region, max_corners, core);
 }
 
 }  // namespace vitrine::analyzer

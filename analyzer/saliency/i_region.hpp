@@ -11,10 +11,10 @@ namespace vitrine::analyzer {
 
 struct RegionSettings {
     RegionMode mode = RegionMode::min_area;
-    double mass = 0.64;       // hull: share of the saliency whose pixels it encloses; min_area: if this share
-    double tight_area = 0.4;  // fits into this share of the picture, as much is kept as fits there;
-    double safe_mass = 0.95;  // else this share is
-    double margin = 0.008;    // around it, of the picture's diagonal; none in hull mode
+    double mass = 0.64;  // hull: share of the saliency that it encloses; min_area: if this share fits into
+    double tight_area = 0.4;  // this share of the picture, as much saliency is kept as fits there;
+    double safe_mass = 0.95;  // else this share of the saliency is kept
+    double margin = 0.008;    // around the region, share of the picture's diagonal; none in hull mode
 };
 
 /// The region of a shot that must not be covered.
@@ -24,10 +24,9 @@ struct RegionSettings {
 /// @param faces   px of the volume; each wholly inside the result as far as the core reaches; not used in
 /// hull mode
 /// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core. In min_area mode
-/// between
-///          8 % and 80 % of the picture, unless core or faces forbid. Where nothing is salient: the middle 60
-///          % of each side.
-/// Source: Dynamic Media Assemblage 3.3; hull mode is its letter.
+///          between 8 % and 80 % of the picture, unless core or faces forbid. Where nothing is salient: the
+///          middle 60 % of each side.
+/// Source: Dynamic Media Assemblage 3.3, which hull mode follows word by word.
 Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
                  const RegionSettings& settings);
 

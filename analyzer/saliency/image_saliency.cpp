@@ -14,15 +14,15 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double working_side = 160;  // px, longest side
-constexpr double flat = 15;           // Lab units, summed over channels: below, nothing stands out
+constexpr double flat = 15;           // Lab units, summed over channels: a smaller barrier does not stand out
 constexpr double barrier_share = 0.5;
 constexpr double border_share = 0.3;
 constexpr double tuned_share = 0.2;
-constexpr double centre_sigma = 0.33;  // of each side
+constexpr double centre_sigma = 0.33;  // share of each side
 constexpr double sigmoid_slope = 10;   // MB+
-constexpr double smoothing = 0.02;     // of the longest side
+constexpr double smoothing = 0.02;     // share of the longest side
 
-/// Scaled so that its maximum is 1.
+/// Scales a map so that its maximum is 1; by no more than 1 / `least`.
 void normalise(cv::Mat& map, double least) {
     double highest = 0;
     cv::minMaxLoc(map, nullptr, &highest);

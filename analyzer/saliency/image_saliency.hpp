@@ -9,17 +9,17 @@
 
 namespace vitrine::analyzer {
 
-/// What makes a place of a still picture salient.
+/// The way in which the saliency of a still picture is found.
 enum class ImageSaliency {
     frequency_tuned,  // the paper's: contrast to the picture's mean colour
     barrier,          // not connected to the border, unlike the border, near the centre
     subject,          // likely inside the box around the subject
 };
 
-/// How near the centre each place is: 1 there, falling off by a Gaussian of a third of each side.
+/// Nearness to the centre: 1 there, falling off by a Gaussian of a third of each side.
 SaliencyMap centre_prior(cv::Size size);
 
-/// Finds what is salient in one picture; whoever has a better way adds it here.
+/// Finds the saliency of one picture. A further way is a further class of this kind.
 class ImageSaliencyStage {
   public:
     ImageSaliencyStage() = default;
@@ -28,7 +28,7 @@ class ImageSaliencyStage {
     virtual ~ImageSaliencyStage() = default;
 
     /// @param bgr    CV_8UC3, not empty
-    /// @param faces  px of bgr, those known; a stage need not heed them
+    /// @param faces  px of bgr, as far as they are known; a stage need not use them
     /// @return       S_I of that size, in [0, 1]
     virtual SaliencyMap map(const cv::Mat& bgr, std::span<const Face> faces) = 0;
 };
@@ -37,7 +37,7 @@ class ImageSaliencyStage {
 ///
 /// @param method   used where no network is named. `frequency_tuned`: Dynamic Media Assemblage 3.2.
 /// `barrier` follows MB+ of Zhang et al. 2015, worked at 160 px, with the frequency-tuned map as a third
-/// witness; all 0 where the picture is flat. `subject`: subject_windows.hpp
+/// cue; all 0 where the picture is flat. `subject`: subject_windows.hpp
 /// @param network  an ONNX file (saliency_network.hpp), or ""
 /// @throws std::runtime_error if the network cannot be read
 std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network);

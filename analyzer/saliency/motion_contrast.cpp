@@ -13,15 +13,15 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double noise_floor = 0.003;  // of the diagonal, per pair
-// Of the camera's own motion: parallax, lens and a flow that errs in proportion make a steady background seem
-// to move against itself.
+constexpr double noise_floor = 0.003;  // share of the diagonal, per pair
+// Share of the camera's own motion: parallax, lens and a flow that errs in proportion make a steady
+// background seem to move against itself.
 constexpr double camera_floor = 0.5;
-constexpr int least_side = 16;            // px
-constexpr int spread = 9;                 // px within which a difference counts
-constexpr double noise_share = 1.5;       // of the median difference, below which all is noise
-constexpr double least_difference = 3;    // grey levels
-constexpr double certain_difference = 5;  // grey levels above that from which on a motion is certain
+constexpr int min_side = 16;              // px
+constexpr int spread = 9;                 // px, side of the box over which differences are averaged
+constexpr double noise_share = 1.5;       // times the median difference: smaller ones are noise
+constexpr double min_difference = 3;      // grey levels
+constexpr double certain_difference = 5;  // grey levels above the noise from which on a motion is certain
 
 /// |v - background| by cell, 0 where the flow has no answer.
 cv::Mat contrast_by_cell(const FlowField& flow, const BackgroundMotion& background) {
@@ -48,10 +48,11 @@ cv::Mat denoised(const cv::Mat& contrast) {
     return cv::max(result - static_cast<double>(median(result)), 0);
 }
 
-/// How sure it is, from 0 to 1, that a place does not move as the background does: whether the picture
-/// differs by more than its noise from the one before, moved by the background. Where nothing is to be seen
-/// the flow may say what it likes.
-cv::Mat evidence(const cv::Mat& before, const cv::Mat& after, const BackgroundMotion& background) {
+/// The certainty, from 0 to 1, that a place does not move as the background does: the difference, beyond its
+/// noise, of the picture to the one before moved by the background. It corrects the flow where the picture
+/// shows nothing to follow.
+cv::Mat own_motion_certainty(const cv::Mat& before, const cv::Mat& after,
+                             const BackgroundMotion& background) {
     const Vec2 t = background.turn;
     const Vec2 shift = background.at({0, 0});
     const cv::Matx23d place(1 + t.x, -t.y, shift.x, t.y, 1 + t.x, shift.y);
@@ -63,7 +64,7 @@ cv::Mat evidence(const cv::Mat& before, const cv::Mat& after, const BackgroundMo
     difference = cv::abs(difference - static_cast<double>(median(difference)));
     cv::boxFilter(difference, difference, CV_32F, {spread, spread});
     const double noise = static_cast<double>(median(difference));
-    cv::Mat result = (difference - (noise_share * noise + least_difference)) / certain_difference;
+    cv::Mat result = (difference - (noise_share * noise + min_difference)) / certain_difference;
     return cv::min(cv::max(result, 0), 1);
 }
 
@@ -78,20 +79,21 @@ Vec2 global_motion(const FlowField& flow) {
 }  // namespace
 
 MotionContrast motion_contrast(const cv::Mat& before, const cv::Mat& after, MotionMethod method) {
-    if (std::min(before.cols, before.rows) < least_side)
+    if (std::min(before.cols, before.rows) < min_side)
         return {SaliencyMap::zeros(before.size(), CV_32FC1), {}, {}};
-    const bool is_letter = method == MotionMethod::voted_pan;
-    FlowField flow = is_letter ? tracked_flow(before, after) : dense_flow(before, after);
+    const bool is_paper_mode = method == MotionMethod::voted_pan;
+    FlowField flow = is_paper_mode ? tracked_flow(before, after) : dense_flow(before, after);
     const Vec2 global = global_motion(flow);
     cv::Mat contrast;
     double floor = std::numeric_limits<double>::min();
-    if (is_letter) {
+    if (is_paper_mode) {
         contrast = contrast_by_cell(flow, {.pan = global, .turn = {}, .centre = {}});
     } else {
         const BackgroundMotion background = fitted_background(flow, global);
         contrast = denoised(contrast_by_cell(flow, background));
         cv::Mat certainty;
-        cv::resize(evidence(before, after, background), certainty, contrast.size(), 0, 0, cv::INTER_AREA);
+        cv::resize(own_motion_certainty(before, after, background), certainty, contrast.size(), 0, 0,
+                   cv::INTER_AREA);
         contrast = contrast.mul(certainty);
         floor = noise_floor * std::hypot(before.cols, before.rows) + camera_floor * length(global);
     }

@@ -10,12 +10,12 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double moving = 0.5;     // S_M of all of a mover
-constexpr double certain = 0.8;    // and of some place in it
-constexpr double speck = 0.002;    // of the picture, below which a box is none
-constexpr double most = 0.3;       // of the picture, above which it is no one thing
-constexpr double most_all = 0.55;  // of the picture, that all boxes' hull may take
-constexpr double nearby = 1.0;     // of two boxes' mean side, that their centres may lie apart
+constexpr double moving = 0.5;           // min S_M over a whole mover
+constexpr double certain = 0.8;          // min S_M at its strongest place
+constexpr double min_share = 0.002;      // share of the picture: a smaller box is a speck
+constexpr double max_share = 0.3;        // share of the picture: a larger box is not one thing
+constexpr double max_hull_share = 0.55;  // share of the picture that the hull of all boxes may take
+constexpr double nearby = 1.0;           // times two boxes' mean side: limit of their centres' distance
 
 std::vector<Box> spots(const SaliencyMap& motion) {
     std::vector<Box> result;
@@ -29,7 +29,7 @@ std::vector<Box> spots(const SaliencyMap& motion) {
         const cv::Rect r(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
                          stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
         const double part = r.area() / static_cast<double>(motion.total());
-        if (part < speck || part > most) continue;
+        if (part < min_share || part > max_share) continue;
         double strongest = 0;
         cv::minMaxLoc(motion(r), nullptr, &strongest, nullptr, nullptr, labels(r) == i);
         if (strongest < certain) continue;
@@ -68,7 +68,7 @@ std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanosec
     }
     if (result.empty()) return result;
     const cv::Size size = samples.front().image.size();
-    if (area(convex_hull(corners)) > most_all * size.area()) return {};
+    if (area(convex_hull(corners)) > max_hull_share * size.area()) return {};
     return result;
 }
 

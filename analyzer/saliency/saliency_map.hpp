@@ -4,8 +4,8 @@
 
 namespace vitrine::analyzer {
 
-/// How much of people's attention each place of a picture draws: CV_32FC1, of the size of the picture or of
-/// the analysis, each value in [0, 1] unless said otherwise (an accumulated map counts up).
+/// The attention that each place of a picture draws: CV_32FC1, of the size of the picture or of the analysis,
+/// each value in [0, 1] unless said otherwise (an accumulated map counts up).
 using SaliencyMap = cv::Mat;
 
 /// w_M, w_I and w_F of eq. 3.2.

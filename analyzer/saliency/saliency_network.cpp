@@ -9,9 +9,9 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int input_side = 320;
-constexpr double least_range = 0.1;  // of the output: below, the network sees nothing
+constexpr double min_range = 0.1;  // range of the output: below, the network sees nothing
 
-/// The picture as the network was taught: each channel less its mean, over its deviation, of ImageNet.
+/// The picture as the network was trained: each channel less ImageNet's mean, over ImageNet's deviation.
 cv::Mat input_of(const cv::Mat& bgr) {
     cv::Mat rgb;
     cv::resize(bgr, rgb, {input_side, input_side}, 0, 0, cv::INTER_AREA);
@@ -46,7 +46,7 @@ SaliencyMap SaliencyNetwork::map(const cv::Mat& bgr) {
     double low = 0;
     double high = 0;
     cv::minMaxLoc(plane, &low, &high);
-    SaliencyMap map = (plane - low) / std::max(least_range, high - low);
+    SaliencyMap map = (plane - low) / std::max(min_range, high - low);
     cv::resize(map, map, bgr.size(), 0, 0, cv::INTER_LINEAR);
     return map;
 }

@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// A neural network that an operator supplies: one input of 1 x 3 x 320 x 320, RGB with the means and
+/// A neural network supplied by an operator: one input of 1 x 3 x 320 x 320, RGB with the means and
 /// deviations of ImageNet, whose first output is one map of saliency. U2-Net and its small form are such.
 class SaliencyNetwork {
   public:

@@ -8,7 +8,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double least_common_part = 0.6;  // of each side
+constexpr double min_common_part = 0.6;  // share of each side
 
 }  // namespace
 
@@ -37,8 +37,8 @@ Box common_part(cv::Size frame, Vec2 drift, double duration) {
 
 Vec2 limited_drift(cv::Size frame, Vec2 drift, double duration) {
     if (duration <= 0) return {};
-    const double scale_x = (1 - least_common_part) * frame.width / (std::abs(drift.x) * duration + 1e-9);
-    const double scale_y = (1 - least_common_part) * frame.height / (std::abs(drift.y) * duration + 1e-9);
+    const double scale_x = (1 - min_common_part) * frame.width / (std::abs(drift.x) * duration + 1e-9);
+    const double scale_y = (1 - min_common_part) * frame.height / (std::abs(drift.y) * duration + 1e-9);
     return drift * std::min({1.0, scale_x, scale_y});
 }
 

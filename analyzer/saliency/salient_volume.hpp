@@ -12,9 +12,9 @@ namespace vitrine::analyzer {
 /// One frame's saliency within its shot.
 struct SalientFrame {
     SaliencyMap map;
-    double time = 0;      // since the shot's begin, in the unit drifts are given in (seconds, or frames)
+    double time = 0;      // since the shot's begin, in the unit of time of the drift (seconds, or frames)
     Vec2 global_motion;   // px of the map per unit of time that the background moves
-    Vec2 subject_motion;  // that what is salient moves
+    Vec2 subject_motion;  // px of the map per unit of time that the salient part moves
 };
 
 /// The saliency of one shot, each frame moved against the drift so that the subject stands still, then added:
@@ -26,8 +26,8 @@ struct SalientFrame {
 /// uneven.
 SaliencyMap accumulated(std::span<const SalientFrame> frames, Vec2 drift);
 
-/// What every frame of a shot shows once aligned along the drift: the intersection of the moved frames, in px
-/// of the first instant. @param duration  of the shot, in the unit of time of the drift
+/// The part that every frame of a shot shows once aligned along the drift: the intersection of the moved
+/// frames, in px of the first instant. @param duration  of the shot, in the unit of time of the drift
 Box common_part(cv::Size frame, Vec2 drift, double duration);
 
 /// The drift slowed down so far that the common part keeps at least 60 % of each side.

@@ -30,7 +30,7 @@ cv::Mat grey(const cv::Mat& bgr) {
     return result;
 }
 
-/// The motion most of what is salient agrees on.
+/// The motion that most of the salient part agrees on.
 Vec2 motion_of_salient(const FlowField& flow, const SaliencyMap& saliency) {
     cv::Mat by_cell;
     cv::resize(saliency, by_cell, flow.grid, 0, 0, cv::INTER_AREA);
@@ -59,8 +59,9 @@ cv::Size map_size(cv::Size frame) {
     return fitted(frame, map_side);
 }
 
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, const AnalysisSettings& settings,
-                std::span<const Face> faces, ImageSaliencyStage* stage) {
+Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces,
+                 ImageSaliencyStage* stage) {
+    const auto& [frame, before, seconds] = pair;
     const cv::Size size = fitted(frame.size(), settings.frame_size);
     const cv::Size map = map_size(frame.size());
     const cv::Mat now = resized(frame, size);
@@ -84,7 +85,7 @@ Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, con
     return sample;
 }
 
-std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent) {
+std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent) {
     const double scale = static_cast<double>(map_size(frame.size()).width) / frame.cols;
     std::vector<Face> faces = detector.detect(frame);
     if (only_prominent) faces = prominent(std::move(faces));

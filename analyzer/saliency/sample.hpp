@@ -11,36 +11,40 @@
 
 namespace vitrine::analyzer {
 
-/// What one sampled frame of a film, or a photo, says. Everything is in px of the map.
+/// The findings in one sampled frame of a film, or in a photo. Everything is in px of the map.
 struct Sample {
     std::chrono::nanoseconds time{0};
-    std::chrono::nanoseconds pair_time{0};  // of the frame before, that motion was measured against
+    std::chrono::nanoseconds pair_time{0};  // time of the frame before, against which motion was measured
     SaliencyMap motion;                     // S_M; empty where there was no frame before
     Vec2 global_motion;                     // per second
-    Vec2 subject_motion;                    // per second, of what is salient, in the picture
+    Vec2 subject_motion;                    // per second, motion of the salient part
     SaliencyMap image;                      // S_I
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
-    std::chrono::nanoseconds faces_time{0};  // of the frame they were found in
-    cv::Mat picture;                         // the frame itself, BGR, only where someone observes
+    std::chrono::nanoseconds faces_time{0};  // time of the frame they were found in
+    cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
 };
 
-/// Longest side of the maps kept of each sample, px.
+/// Longest side of the maps of a sample, px.
 constexpr int map_side = 160;
+
+/// A frame and the frame directly before it.
+struct FramePair {
+    cv::Mat frame;       // CV_8UC3, not empty
+    cv::Mat before;      // of the same size; empty at the start
+    double seconds = 1;  // from one to the other, > 0
+};
 
 /// Searches one frame.
 ///
-/// @param frame     CV_8UC3, not empty
-/// @param before    the frame directly before it; empty at the start
-/// @param seconds   between the two, > 0
 /// @param settings  frame_size, motion and, where there is no stage, image are used
-/// @param faces     px of the maps, those known
-/// @param stage     finds what is salient in the picture itself
+/// @param faces     px of the maps, as far as they are known
+/// @param stage     finds the saliency of the picture itself
 /// @return          maps of at most map_side; times, faces and picture are left to the caller
-Sample searched(const cv::Mat& frame, const cv::Mat& before, double seconds, const AnalysisSettings& settings,
-                std::span<const Face> faces = {}, ImageSaliencyStage* stage = nullptr);
+Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces = {},
+                 ImageSaliencyStage* stage = nullptr);
 
-/// The faces in px of the maps that searched() makes of such a frame.
-std::vector<Face> searched_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
+/// The faces of a frame, in px of the maps that sample_of() makes of it.
+std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
 
 /// The size of the maps of a frame.
 cv::Size map_size(cv::Size frame);

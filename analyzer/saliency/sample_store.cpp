@@ -15,18 +15,17 @@ void SampleStore::settle(Sample sample) {
     const std::size_t number = count_++;
     if (number % stride_ != 0) return;
     settled_.push_back({number, std::move(sample)});
-    if (settled_.size() <= most_settled) return;
+    if (settled_.size() <= max_settled) return;
     stride_ *= 2;
     std::erase_if(settled_, [this](const Settled& s) { return s.number % stride_ != 0; });
 }
 
-std::vector<Sample> SampleStore::take(std::chrono::nanoseconds begin, std::chrono::nanoseconds end) {
+std::vector<Sample> SampleStore::pop_samples(std::chrono::nanoseconds begin, std::chrono::nanoseconds end) {
     std::vector<Sample> taken;
     for (Settled& s : settled_) {
         if (s.sample.time >= begin && s.sample.time < end) taken.push_back(std::move(s.sample));
     }
-    // Later settled samples would be of the next shot; a boundary is told while they are recent, so there are
-    // none.
+    // A boundary is found while its samples are recent, so no settled sample belongs to the next shot.
     settled_.clear();
     count_ = 0;
     stride_ = 1;

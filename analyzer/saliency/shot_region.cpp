@@ -9,15 +9,16 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double same_face = 0.3;  // intersection over union of one face in two searches
-constexpr double leaning = 0.005;  // a sample's saliency at the centre of a shot in which nothing stands out
-constexpr double least_face = 0.05;  // of the map's longer side: smaller ones are nobody in particular
+constexpr double centre_saliency =
+    0.005;                         // per sample, added at the centre: decides where nothing stands out
+constexpr double min_face = 0.05;  // share of the map's longer side: smaller faces do not count
 
 double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// Motion measured across the shot's begin goes; so do faces found before it, for the next ones found in it.
-void forget_the_shot_before(std::vector<Sample>& samples, std::chrono::nanoseconds begin) {
+/// Drops motion measured across the shot's begin, and replaces faces found before it by the next found in it.
+void drop_shot_before(std::vector<Sample>& samples, std::chrono::nanoseconds begin) {
     for (std::size_t i = samples.size(); i-- > 0;) {
         Sample& sample = samples[i];
         if (sample.pair_time < begin) {
@@ -53,15 +54,15 @@ std::vector<const Sample*> searches(const std::vector<Sample>& samples) {
     return result;
 }
 
-/// The heads that must stay whole, moved to where they are at the shot's begin: those of faces large enough
-/// and, in a film, seen at nearly the same place in two searches, for a detector errs now and then.
+/// The heads that must stay whole, moved to their places at the shot's begin: heads of faces that are large
+/// enough and, in a film, seen at nearly the same place in two searches, for a detector errs now and then.
 std::vector<Box> heads(const std::vector<Sample>& samples, std::chrono::nanoseconds begin, Vec2 drift,
                        cv::Size map) {
     std::vector<Box> result;
     const std::vector<const Sample*> found = searches(samples);
     for (std::size_t i = 0; i < found.size(); ++i) {
         for (const Face& face : found[i]->faces) {
-            if (face.box.height() < least_face * std::max(map.width, map.height)) continue;
+            if (face.box.height() < min_face * std::max(map.width, map.height)) continue;
             const bool is_seen_before = i > 0 && has_face_at(found[i - 1]->faces, face.box);
             const bool is_seen_after = i + 1 < found.size() && has_face_at(found[i + 1]->faces, face.box);
             if (found.size() > 1 && !is_seen_before && !is_seen_after) continue;
@@ -112,7 +113,7 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
 
 ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
                          const AnalysisSettings& settings) {
-    forget_the_shot_before(samples, shot.begin);
+    drop_shot_before(samples, shot.begin);
     const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
     const Vec2 drift = found_drift(frames, duration, settings.drift);
@@ -121,8 +122,8 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(map, CV_32FC1)) : accumulated(frames, drift);
     SaliencyMap volume = evidence.volume.clone();
     if (settings.region.mode == RegionMode::min_area) {
-        volume +=
-            centre_prior(map) * (leaning * static_cast<double>(std::max<std::size_t>(1, frames.size())));
+        volume += centre_prior(map) *
+                  (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames.size())));
     }
     std::vector<Box> whole = heads(samples, shot.begin, drift, map);
     for (const Box& mover : movers(samples, shot.begin, drift))

@@ -9,14 +9,14 @@
 
 namespace vitrine::analyzer {
 
-/// A frame of a shot as people are shown it.
+/// A frame of a shot for a sheet that explains the region.
 struct ShownFrame {
     cv::Mat picture;  // BGR
     std::chrono::nanoseconds time{0};
     std::vector<Face> faces;  // px of the map
 };
 
-/// What led to the region of one shot, for whoever asks why it is where it is. Maps are in px of the map.
+/// The evidence that led to the region of one shot, to explain it. Maps are in px of the map.
 struct ShotEvidence {
     Shot shot;
     std::vector<ShownFrame> frames;  // first, middle and last sample; none where pictures were not kept
@@ -26,15 +26,15 @@ struct ShotEvidence {
     SaliencyMap combined;
     SaliencyMap volume;  // S_c, in px of the shot's begin
     std::vector<Face> faces;
-    IRegion letter;  // the region by the paper's letter, to compare with; no corners where nobody asked
+    IRegion letter;  // the region in paper_mode(), to compare with; no corners where it is not wanted
     std::size_t samples = 0;
 };
 
 /// The region of one shot from its samples, in source px, and how it came about.
 ///
 /// @param samples   of the shot, in time order; motion measured across the shot's begin and faces found
-/// before it
-///                  are left out
+/// before
+///                  it are left out
 /// @param shot      begin, end and ends_with; its region is filled
 /// @param map       the size of the samples' maps, for a shot without any
 /// @param source    px of the upright picture

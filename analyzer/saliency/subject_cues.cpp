@@ -13,22 +13,23 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double working_side = 160;  // px, longest side
-constexpr double smoothing = 0.012;   // of the diagonal
-constexpr double paint = 0.0067;  // of the longest side: colours are smoothed before barriers are measured
-constexpr float least = 0.01F;    // of every cue: what is nowhere is everywhere alike
-constexpr float most = 1.2F;
-// Differences that count as a cue at full strength at least, so that noise is none.
-constexpr float least_barrier = 15;     // Lab units, summed over channels
-constexpr float least_detail = 1;       // grey levels
-constexpr float least_distance = 0.1F;  // of the sides
-constexpr double most_detail = 25;      // grey levels: an edge is not sharper for its contrast
+constexpr double smoothing = 0.012;   // share of the diagonal
+constexpr double paint =
+    0.0067;  // share of the longest side: colours are smoothed before barriers are measured
+constexpr float min_cue = 0.01F;  // so that a cue that is nowhere is the same everywhere
+constexpr float max_cue = 1.2F;
+// Differences from which on a cue has its full strength, so that noise has none.
+constexpr float min_barrier = 15;     // Lab units, summed over channels
+constexpr float min_detail = 1;       // grey levels
+constexpr float min_distance = 0.1F;  // share of the sides
+constexpr double max_detail = 25;     // grey levels: more contrast does not make an edge sharper
 
 void smooth(cv::Mat& map) {
     const double sigma = smoothing * std::hypot(map.cols, map.rows);
     cv::GaussianBlur(map, map, {0, 0}, std::max(0.5, sigma), 0, cv::BORDER_REPLICATE);
 }
 
-/// From the 5th to the 99.5th percentile, or `range` if that is less, to [0, 1].
+/// Maps the 5th to the 99.5th percentile, or `range` if that is more, to [0, 1].
 void stretch(cv::Mat& map, float range) {
     std::vector<float> values;
     for (std::size_t i = 0; i < map.total(); i += 4)
@@ -42,7 +43,7 @@ void stretch(cv::Mat& map, float range) {
     const float low = at(0.05);
     const float scale = 1 / std::max(range, at(0.995) - low);
     map.forEach<float>(
-        [=](float& value, const int*) { value = std::clamp((value - low) * scale, 0.F, most) + least; });
+        [=](float& value, const int*) { value = std::clamp((value - low) * scale, 0.F, max_cue) + min_cue; });
 }
 
 cv::Mat detail(const cv::Mat& bgr, cv::Size size) {
@@ -52,7 +53,7 @@ cv::Mat detail(const cv::Mat& bgr, cv::Size size) {
     cv::GaussianBlur(grey, blurred, {5, 5}, 1, 0, cv::BORDER_REPLICATE);
     cv::absdiff(grey, blurred, grey);
     cv::Mat fine;
-    cv::min(grey, most_detail, fine);
+    cv::min(grey, max_detail, fine);
     fine.convertTo(fine, CV_32F);
     cv::resize(fine, fine, size, 0, 0, cv::INTER_AREA);
     return fine;
@@ -131,9 +132,9 @@ SubjectCues subject_cues(const cv::Mat& bgr) {
                      .central = nearness_of_colours(colours)};
     for (cv::Mat* map : {&cues.enclosed, &cues.sharp, &cues.central})
         smooth(*map);
-    stretch(cues.enclosed, least_barrier);
-    stretch(cues.sharp, least_detail);
-    stretch(cues.central, least_distance);
+    stretch(cues.enclosed, min_barrier);
+    stretch(cues.sharp, min_detail);
+    stretch(cues.central, min_distance);
     return cues;
 }
 

@@ -6,12 +6,12 @@
 
 namespace vitrine::analyzer {
 
-/// What may tell a photograph's subject from its surroundings, each CV_32FC1 of one size (at most 160 px),
-/// between 0.01 (nothing of it here) and about 1.2. All are flat where the picture is.
+/// Maps that tell a photograph's subject from its surroundings, each CV_32FC1 of one size (at most 160 px),
+/// between 0.01 (no sign of it) and about 1.2. All are flat where the picture is.
 struct SubjectCues {
-    cv::Mat enclosed;  // by how high a wall of colour it is parted from the picture's border
-    cv::Mat sharp;     // how much fine detail is here: the subject is what the lens was focused on
-    cv::Mat central;   // how near the middle the places of this colour are: backgrounds reach all borders
+    cv::Mat enclosed;  // height of the colour barrier to the picture's border
+    cv::Mat sharp;     // fine detail: the lens was focused on the subject
+    cv::Mat central;   // nearness to the middle of the places of this colour: backgrounds reach all borders
 };
 
 /// The cues of a picture.

@@ -1,8 +1,3 @@
-// A photograph's subject is a thing, not a set of pixels: cues that are right about each pixel still say
-// little about where a person ends. So whole windows are judged instead, all rectangles of a coarse grid, and
-// the map is what they say together. Where the cues agree few windows count and the map is sharp; where they
-// do not, many count and the map is broad, which tells the region to be careful.
-
 #include "analyzer/saliency/subject_windows.hpp"
 
 #include "analyzer/saliency/subject_cues.hpp"
@@ -12,11 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+// A photograph's subject is a thing, not a set of pixels: cues that are right about each pixel still say
+// little about the place where a person ends. So whole windows are judged instead, all rectangles of a coarse
+// grid, and the map is their weighted sum. Where the cues agree few windows count and the map is sharp; where
+// they do not, many count and the map is broad, so that the region keeps more.
+
 namespace vitrine::analyzer {
 namespace {
 
 constexpr int grid = 12;        // cells along each side
-constexpr double ring = 0.06;   // of each side: what counts as next to a window
+constexpr double ring = 0.06;   // width of the surroundings of a window, share of each side
 constexpr double faint = 0.02;  // added before logarithms are taken
 
 // A head around a face box, and the body below, as shares of the face box.
@@ -74,13 +74,13 @@ constexpr std::array<float, window_facts> weights{
     0.089F,
 };
 
-/// The bounds of the grid's lines along one side, px, and the same moved outward and inward by the ring.
-struct Lines {
+/// The grid's lines along one side, px, and the same lines moved to either side by the ring.
+struct GridLines {
     std::array<int, grid + 1> at{};
     std::array<int, grid + 1> before{};
     std::array<int, grid + 1> after{};
 
-    explicit Lines(int side) {
+    explicit GridLines(int side) {
         const int width = std::max(1, static_cast<int>(std::lround(ring * side)));
         for (std::size_t k = 0; k <= grid; ++k) {
             at[k] = static_cast<int>(std::lround(static_cast<double>(k) * side / grid));
@@ -109,26 +109,26 @@ class Sums {
     cv::Mat table_;
 };
 
-/// What all windows of one picture are judged by.
-struct Evidence {
-    Lines across;
-    Lines down;
+/// The evidence in one picture that judges all its windows.
+struct PictureEvidence {
+    GridLines across;
+    GridLines down;
     double aspect = 1;  // width by height
     std::vector<Sums> cues;
     std::vector<Box> heads;  // shares of the picture's sides
     std::vector<Box> bodies;
-    double tallest_face = 0;  // of the picture's height
+    double tallest_face = 0;  // share of the picture's height
 };
 
 Box part_of_picture(const Box& box) {
     return intersection(box, {{0, 0}, {1, 1}});
 }
 
-Evidence evidence(const cv::Mat& bgr, std::span<const Face> faces) {
+PictureEvidence evidence(const cv::Mat& bgr, std::span<const Face> faces) {
     const SubjectCues found = subject_cues(bgr);
-    Evidence e{.across = Lines(found.sharp.cols),
-               .down = Lines(found.sharp.rows),
-               .aspect = static_cast<double>(found.sharp.cols) / found.sharp.rows};
+    PictureEvidence e{.across = GridLines(found.sharp.cols),
+                      .down = GridLines(found.sharp.rows),
+                      .aspect = static_cast<double>(found.sharp.cols) / found.sharp.rows};
     e.cues.emplace_back(found.enclosed);
     e.cues.emplace_back(found.enclosed.mul(found.enclosed).mul(found.enclosed));
     e.cues.emplace_back(found.sharp);
@@ -155,19 +155,19 @@ double mean_share(std::span<const Box> boxes, const Box& window) {
     return boxes.empty() ? 0 : sum / static_cast<double>(boxes.size());
 }
 
-/// Writes facts one after the other.
-class Writer {
+/// Writes facts of a window one after the other.
+class FactWriter {
   public:
-    explicit Writer(SubjectWindow& window) : window_(window) {}
+    explicit FactWriter(SubjectWindow& window) : window_(window) {}
 
     void add(double fact) { window_.facts[count_++] = static_cast<float>(fact); }
 
   private:
-    SubjectWindow& window_;  // outlives the writer
+    SubjectWindow& window_;  // outlives this
     std::size_t count_ = 0;
 };
 
-void add_place(Writer& to, const SubjectWindow& w, double aspect) {
+void add_place(FactWriter& to, const SubjectWindow& w, double aspect) {
     const double width = static_cast<double>(w.right - w.left) / grid;
     const double height = static_cast<double>(w.bottom - w.top) / grid;
     const double size = std::log(width * height);
@@ -187,7 +187,7 @@ void add_place(Writer& to, const SubjectWindow& w, double aspect) {
     to.add(static_cast<int>(is_top && is_bottom));
 }
 
-void add_people(Writer& to, const SubjectWindow& w, const Evidence& e) {
+void add_people(FactWriter& to, const SubjectWindow& w, const PictureEvidence& e) {
     if (e.heads.empty()) {
         for (int i = 0; i < 5; ++i)
             to.add(0);
@@ -203,7 +203,7 @@ void add_people(Writer& to, const SubjectWindow& w, const Evidence& e) {
     to.add(size * std::log(e.tallest_face));
 }
 
-void add_cue(Writer& to, const SubjectWindow& w, const Evidence& e, const Sums& cue) {
+void add_cue(FactWriter& to, const SubjectWindow& w, const PictureEvidence& e, const Sums& cue) {
     const auto [l, t, r, b] =
         std::array{static_cast<std::size_t>(w.left), static_cast<std::size_t>(w.top),
                    static_cast<std::size_t>(w.right), static_cast<std::size_t>(w.bottom)};
@@ -224,7 +224,7 @@ void add_cue(Writer& to, const SubjectWindow& w, const Evidence& e, const Sums& 
 }  // namespace
 
 std::vector<SubjectWindow> subject_windows(const cv::Mat& bgr, std::span<const Face> faces) {
-    const Evidence e = evidence(bgr, faces);
+    const PictureEvidence e = evidence(bgr, faces);
     std::vector<SubjectWindow> windows;
     for (int top = 0; top < grid; ++top) {
         for (int bottom = top + 1; bottom <= grid; ++bottom) {
@@ -232,7 +232,7 @@ std::vector<SubjectWindow> subject_windows(const cv::Mat& bgr, std::span<const F
                 for (int right = left + 1; right <= grid; ++right) {
                     SubjectWindow& w = windows.emplace_back(
                         SubjectWindow{.left = left, .top = top, .right = right, .bottom = bottom});
-                    Writer to(w);
+                    FactWriter to(w);
                     add_place(to, w, e.aspect);
                     add_people(to, w, e);
                     for (const Sums& cue : e.cues)

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double searched_side = 400;  // px, longest side: larger finds no more of 23 marked faces
 constexpr double pyramid_step = 1.15;
-constexpr int least_neighbours = 3;    // overlapping hits that make a face
-constexpr double least_face = 0.08;    // of the picture's shorter side
-constexpr int least_face_pixels = 20;  // what the cascade was trained at
-constexpr double sideways = 0.1;       // of the box: so far off it lies on faces turned aside
+constexpr int min_neighbours = 3;    // overlapping hits that make a face
+constexpr double min_face = 0.08;    // share of the picture's shorter side
+constexpr int min_face_pixels = 20;  // the cascade was trained at this size
+constexpr double sideways = 0.1;     // share of the box: it lies so far off on faces turned aside
 
 }  // namespace
 
@@ -28,10 +28,9 @@ std::vector<Face> ViolaJones::detect(const cv::Mat& bgr) {
     const double scale = std::min(1.0, searched_side / std::max(grey.cols, grey.rows));
     if (scale < 1) cv::resize(grey, grey, {}, scale, scale, cv::INTER_AREA);
     cv::equalizeHist(grey, grey);
-    const int least =
-        std::max(least_face_pixels, static_cast<int>(least_face * std::min(grey.cols, grey.rows)));
+    const int least = std::max(min_face_pixels, static_cast<int>(min_face * std::min(grey.cols, grey.rows)));
     std::vector<cv::Rect> found;
-    cascade_.detectMultiScale(grey, found, pyramid_step, least_neighbours, 0, {least, least});
+    cascade_.detectMultiScale(grey, found, pyramid_step, min_neighbours, 0, {least, least});
     std::vector<Face> faces;
     const Box picture{{0, 0}, {static_cast<double>(bgr.cols), static_cast<double>(bgr.rows)}};
     for (const cv::Rect& r : found) {

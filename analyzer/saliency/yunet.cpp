@@ -9,25 +9,33 @@ namespace {
 
 constexpr std::array<int, 3> strides{8, 16, 32};  // px between the anchors of the three output levels
 constexpr int input_multiple = 32;
-constexpr float least_score = 0.6F;
-constexpr float most_overlap = 0.3F;  // intersection over union of two boxes of one face
+constexpr float min_score = 0.6F;
+constexpr float max_overlap = 0.3F;  // intersection over union of two boxes of one face
 
 struct Candidates {
     std::vector<cv::Rect2d> boxes;
     std::vector<float> scores;
 };
 
-/// Adds the boxes of one level. Each anchor (column, row) has class and object scores, and a box as the
-/// offset of its centre in strides and the logarithm of its size in strides.
-void decode(const cv::Mat& classes, const cv::Mat& objects, const cv::Mat& boxes, int stride, int columns,
-            Candidates& into) {
-    const auto* cls = classes.ptr<float>();
-    const auto* obj = objects.ptr<float>();
-    const auto* box = boxes.ptr<float>();
-    const auto count = static_cast<int>(classes.total());
+/// One output level. Each anchor (column, row) has class and object scores, and a box as the offset of its
+/// centre in strides and the logarithm of its size in strides.
+struct Level {
+    cv::Mat classes, objects, boxes;
+    int stride = 0;   // px between anchors
+    int columns = 0;  // of anchors
+};
+
+/// Adds the boxes of one level.
+void decode(const Level& level, Candidates& into) {
+    const auto* cls = level.classes.ptr<float>();
+    const auto* obj = level.objects.ptr<float>();
+    const auto* box = level.boxes.ptr<float>();
+    const int stride = level.stride;
+    const int columns = level.columns;
+    const auto count = static_cast<int>(level.classes.total());
     for (int i = 0; i < count; ++i) {
         const float score = std::sqrt(std::max(0.F, cls[i]) * std::max(0.F, obj[i]));
-        if (!(score >= least_score)) continue;
+        if (!(score >= min_score)) continue;
         const auto value = [box, i](int k) { return static_cast<double>(box[4 * i + k]); };
         const double width = std::exp(value(2)) * stride;
         const double height = std::exp(value(3)) * stride;
@@ -67,11 +75,12 @@ std::vector<Face> YuNet::detect(const cv::Mat& bgr) {
     net_.forward(outputs, names);
     Candidates candidates;
     for (std::size_t level = 0; level < strides.size(); ++level) {
-        decode(outputs[level], outputs[level + 3], outputs[level + 6], strides[level],
-               padded.cols / strides[level], candidates);
+        decode({outputs[level], outputs[level + 3], outputs[level + 6], strides[level],
+                padded.cols / strides[level]},
+               candidates);
     }
     std::vector<int> kept;
-    cv::dnn::NMSBoxes(candidates.boxes, candidates.scores, least_score, most_overlap, kept);
+    cv::dnn::NMSBoxes(candidates.boxes, candidates.scores, min_score, max_overlap, kept);
     std::vector<Face> faces;
     const Box picture{{0, 0}, {static_cast<double>(bgr.cols), static_cast<double>(bgr.rows)}};
     for (const int i : kept) {

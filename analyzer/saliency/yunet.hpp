@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// A small convolutional face detector; sees side faces, small ones and animals too.
+/// A small convolutional face detector; finds side faces, small ones and animals too.
 /// Source: YuNet (S. Yu et al.), the ONNX of libfacedetection.train with a fixed input shape; decoded here
 /// because FaceDetectorYN of OpenCV 4.6 expects other outputs.
 class YuNet : public FaceDetector {

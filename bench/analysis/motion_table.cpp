@@ -93,7 +93,7 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
     };
     AnalysisSettings settings;
     settings.face_model = input.face_model;
-    TakeScore score{.ours = held_by(settings), .letter = held_by(papers_letter())};
+    TakeScore score{.ours = held_by(settings), .letter = held_by(paper_mode())};
     const auto boxed = [&](Vec2 centre) {
         const Polygon box = still_box(size, score.ours.area, centre);
         return held(take, [&](std::size_t) { return box; });
@@ -199,7 +199,7 @@ void motion_table(const TableInput& input) {
     const Palette drawn_with = palette(input.media, take_side);
     takes_table(
         "drawn subjects", made_take_count(), [&](std::size_t i) { return made_take(i, drawn_with); }, input);
-    films(input, papers_letter(), "paper's letter");
+    films(input, paper_mode(), "paper's letter");
     films(input, {.face_model = input.face_model}, "ours");
 }
 

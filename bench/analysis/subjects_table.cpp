@@ -35,8 +35,8 @@ constexpr int photo_side = 640;         // px, as photographs are analysed
 
 /// The region of a photograph, px of it, as the analyzer makes it.
 Polygon region_of(const cv::Mat& photo, FaceDetector& detector, const AnalysisSettings& settings) {
-    const std::vector<Face> faces = searched_faces(detector, photo, settings.only_prominent_faces);
-    Sample sample = searched(photo, {}, 1, settings, faces);
+    const std::vector<Face> faces = find_faces(detector, photo, settings.only_prominent_faces);
+    Sample sample = sample_of({photo, {}, 1}, settings, faces);
     sample.faces = faces;
     return shot_region({sample}, {}, map_size(photo.size()), photo.size(), settings).shot.region.polygon;
 }
@@ -64,8 +64,7 @@ const std::vector<Way>& ways() {
         {"ours", [](const Photo& p) { return region_of(p.picture, p.detector, {}); }},
         {"ours, by barriers",
          [](const Photo& p) { return region_of(p.picture, p.detector, by(ImageSaliency::barrier)); }},
-        {"the paper's letter",
-         [](const Photo& p) { return region_of(p.picture, p.detector, papers_letter()); }},
+        {"the paper's letter", [](const Photo& p) { return region_of(p.picture, p.detector, paper_mode()); }},
         {"centre, same area",
          [](const Photo& p) { return to_polygon(centre_crop(p.picture.size(), p.share)); }},
         {"libvips, same area", [](const Photo& p) { return to_polygon(attention_crop(p.picture, p.share)); }},
@@ -173,10 +172,10 @@ void costs(const fs::path& folder, FaceDetector& faces) {
     const double motion = milliseconds([&] { motion_contrast(grey_a, grey_b); });
     const double face = milliseconds([&] { faces.detect(a); });
     const double photo_face = milliseconds([&] { faces.detect(photo); });
-    const double whole = milliseconds([&] { searched(b, a, 0.04, {}); });
+    const double whole = milliseconds([&] { sample_of({b, a, 0.04}, {}); });
     std::vector<SalientFrame> frames;
     for (int i = 0; i < 64; ++i)
-        frames.push_back({.map = searched(b, a, 0.04, {}).image, .time = i / 8.0});
+        frames.push_back({.map = sample_of({b, a, 0.04}, {}).image, .time = i / 8.0});
     const double drift = milliseconds([&] { found_drift(frames, 8, DriftMode::smallest_area); });
     const SaliencyMap volume = accumulated(frames, {});
     const Box core = common_part(volume.size(), {}, 0);

@@ -58,7 +58,7 @@ Settings settings_without_faces(RegionMode region) {
 
 TEST_CASE("region = hull is the paper's letter in every stage, not the hull of our saliency") {
     const Photo photo;
-    AnalysisSettings letter = papers_letter();
+    AnalysisSettings letter = paper_mode();
     letter.face_cascade.clear();
     AnalysisSettings hull_of_ours;
     hull_of_ours.face_cascade.clear();

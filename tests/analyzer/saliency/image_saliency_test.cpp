@@ -24,7 +24,7 @@ cv::Mat plain(const cv::Scalar& colour) {
 
 /// The region of a photograph without faces, px of it.
 Polygon region_of(const cv::Mat& picture) {
-    const Sample sample = searched(picture, {}, 1, {});
+    const Sample sample = sample_of({picture, {}, 1}, {});
     return shot_region({sample}, {}, map_size(picture.size()), picture.size(), {}).shot.region.polygon;
 }
 

@@ -31,7 +31,7 @@ class TwoFaces : public FaceDetector {
 }  // namespace
 
 TEST_CASE("to the paper's letter no stage of ours is left and no face is dropped") {
-    const AnalysisSettings letter = papers_letter();
+    const AnalysisSettings letter = paper_mode();
     CHECK(letter.motion == MotionMethod::voted_pan);
     CHECK(letter.image == ImageSaliency::frequency_tuned);
     CHECK(letter.drift == DriftMode::box_centres);
@@ -40,8 +40,8 @@ TEST_CASE("to the paper's letter no stage of ours is left and no face is dropped
     CHECK_FALSE(letter.has_bodies);
     TwoFaces detector;
     const cv::Mat frame = cv::Mat::zeros(90, 160, CV_8UC3);
-    CHECK(searched_faces(detector, frame, letter.only_prominent_faces).size() == 2);
-    CHECK(searched_faces(detector, frame, AnalysisSettings{}.only_prominent_faces).size() == 1);
+    CHECK(find_faces(detector, frame, letter.only_prominent_faces).size() == 2);
+    CHECK(find_faces(detector, frame, AnalysisSettings{}.only_prominent_faces).size() == 1);
 }
 
 TEST_CASE("motion is measured in the way the settings say") {
@@ -54,8 +54,8 @@ TEST_CASE("motion is measured in the way the settings say") {
     cv::Mat after;
     cv::warpAffine(before, after, cv::getRotationMatrix2D({160, 90}, 0, 1.03), before.size(),
                    cv::INTER_LINEAR, cv::BORDER_REFLECT);
-    const Sample letter = searched(after, before, 0.04, papers_letter());
-    const Sample ours = searched(after, before, 0.04, {});
+    const Sample letter = sample_of({after, before, 0.04}, paper_mode());
+    const Sample ours = sample_of({after, before, 0.04}, {});
     CHECK(cv::mean(letter.motion)[0] > 2 * cv::mean(ours.motion)[0]);
 }
 
@@ -131,9 +131,9 @@ TEST_CASE("two hours of one shot keep at most 256 samples, evenly spread") {
     const int count = 2 * 3600 * 8;
     for (int i = 0; i < count; ++i) {
         store.push({.time = milliseconds(125) * i});
-        REQUIRE(store.size() <= SampleStore::recent + SampleStore::most_settled);
+        REQUIRE(store.size() <= SampleStore::recent + SampleStore::max_settled);
     }
-    const std::vector<Sample> kept = store.take(seconds(0), milliseconds(125) * count);
+    const std::vector<Sample> kept = store.pop_samples(seconds(0), milliseconds(125) * count);
     CHECK(kept.size() > 128);
     const auto step = kept[1].time - kept[0].time;
     for (std::size_t i = 1; i < kept.size() - SampleStore::recent; ++i)
@@ -144,7 +144,7 @@ TEST_CASE("samples of a transition go to neither shot, later ones stay") {
     SampleStore store;
     for (int i = 0; i < 10; ++i)
         store.push({.time = milliseconds(100) * i});
-    CHECK(store.take(milliseconds(0), milliseconds(300)).size() == 3);
-    CHECK(store.take(milliseconds(500), milliseconds(900)).size() == 4);
+    CHECK(store.pop_samples(milliseconds(0), milliseconds(300)).size() == 3);
+    CHECK(store.pop_samples(milliseconds(500), milliseconds(900)).size() == 4);
     CHECK(store.size() == 1);
 }
