@@ -9,7 +9,7 @@ namespace vitrine::analyzer {
 
 /// The points p with dot(p, normal) <= offset.
 struct HalfPlane {
-    Vec2 normal;  // of length 1, outward
+    Vec2 normal;  // outward, unit length
     double offset = 0;
 };
 

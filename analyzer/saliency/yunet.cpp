@@ -22,7 +22,7 @@ struct Candidates {
 struct Level {
     cv::Mat classes, objects, boxes;
     int stride = 0;   // px between anchors
-    int columns = 0;  // of anchors
+    int columns = 0;  // anchors a row
 };
 
 /// Adds the boxes of one level.

@@ -32,7 +32,7 @@ double cpu_ms();
 /// Hulls of 8 to 31 points, uniform in a square; areas log-uniform within a factor of 4.
 Items random_hulls(std::size_t count, Random& random);
 
-/// What the records of a catalogue would be packed as, a shot an item.
+/// The items of all shots in a catalogue's records.
 Items regions_of(const std::string& directory);
 
 /// The shapes of items, scaled so that they would cover half the canvas.

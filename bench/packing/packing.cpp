@@ -1,4 +1,5 @@
-// How densely, how fast and how calmly I-Regions are packed: the paper's way and ours, on the same instances.
+// Measures density, time and calm of the packing of I-Regions: the paper's way and ours, on the same
+// instances.
 //   packing [--only TABLE] [--instances N] [--edits N] [--catalogue DIRECTORY]
 // Tables: shares, real, paper, moves, many, changes, edits. Shares are of a 16:9 screen, times are of
 // the CPU.

@@ -1,4 +1,4 @@
-// How quickly and how calmly a wall follows changes, and what its cells cost and leave over.
+// Measures time and calm with which a wall follows changes, and the time and the gaps of its cells.
 //   wall_changes [INSTANCES [CATALOGUE [edits|cells]]]
 // On items like those of real media, or on the regions of a catalogue. Times are of the CPU, moves of the
 // items that are not edited are in shares of the canvas' diagonal, shares are of the 16:9 screen covered by

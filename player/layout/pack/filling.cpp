@@ -228,7 +228,7 @@ class GapFilling {
     std::vector<double> base_;         // scales that items would have if only their weights counted
     std::vector<double> resized_;      // ln(scale / base), one an item
     std::vector<double> min_resized_;  // limits of resized_: an item below its wished size shrinks no more
-    SizeSpread spread_;                // of resized_
+    SizeSpread spread_;                // spread of resized_
     double covered_ = 0;               // share of the field
     double moved_ = 0;                 // canvas px from home, the sum over all items
     double cost_ = 0;

@@ -89,7 +89,7 @@ class RadialPacking {
     double ratio_;
     std::vector<Vec2> places_;
     std::vector<std::size_t> placed_;
-    std::vector<RayStretch> blocked_;  // of one ray; a member for its memory
+    std::vector<RayStretch> blocked_;  // stretches of one ray; a member for its memory
     Box bounds_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-6;          // share of the growth
 constexpr double loosening = 0.01;         // share of the growth, before a disturbed arrangement is separated
-constexpr double min_promising = 0.7;      // of the best growth: a trial that overlaps more is given up
+constexpr double min_promising = 0.7;      // share of the best growth: a trial that overlaps more is given up
 constexpr double tolerated_loss = 0.002;   // share of the growth: the search continues from a trial no worse
 constexpr std::size_t trials_astray = 50;  // without a better one, then back to the best
 constexpr std::size_t vain_trials_an_item = 300;  // in a row: then the search has converged

@@ -11,7 +11,7 @@ namespace vitrine::player {
 struct Shape {
     Polygon outline;  // convex, counter-clockwise, source px from the centroid, at least 3 corners
     Vec2 centroid;    // source px
-    Box extent;       // of the outline
+    Box extent;       // box round the outline
     double radius = 0;
     double area = 0;  // source px^2, > 0
 };

@@ -22,7 +22,7 @@ inline void leave_picture(const std::vector<LayoutItem>& items, const Layout& la
     MESSAGE("the layout is drawn in ", file.string());
 }
 
-/// Whether all regions lie in the canvas and none covers another; leaves a picture where not.
+/// True where all regions lie in the canvas and none covers another; leaves a picture where not.
 inline bool is_sound(const std::vector<LayoutItem>& items, const Layout& layout, const std::string& name) {
     if (layout.placements.size() != items.size()) return false;
     if (items.empty()) return true;

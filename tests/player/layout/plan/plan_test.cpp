@@ -12,7 +12,7 @@ using namespace vitrine::player;
 
 namespace {
 
-/// Whether all regions lie in the canvas and none covers another; leaves a picture where not.
+/// True where all regions lie in the canvas and none covers another; leaves a picture where not.
 bool is_sound(const PlanRequest& request, const Layout& layout, const std::string& name) {
     for (const Placement& placement : layout.placements)
         if (placement.scale > request.max_scale * (1 + 1e-9)) return false;
