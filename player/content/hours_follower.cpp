@@ -1,5 +1,6 @@
 #include "player/content/hours_follower.hpp"
 
+#include "base/hints/hint_words.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
