@@ -51,7 +51,7 @@ void check_gl(const char* what) {
         throw std::runtime_error(fmt::format("{}: {}", what, error_name(error)));
 }
 
-Program::Program(const char* vertex, const std::string& fragment) {
+GlProgram::GlProgram(const char* vertex, const std::string& fragment) {
     attach(id_.value, GL_VERTEX_SHADER, vertex);
     attach(id_.value, GL_FRAGMENT_SHADER, fragment.c_str());
     glLinkProgram(id_.value);

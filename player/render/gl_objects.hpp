@@ -46,15 +46,15 @@ inline void set(GLint uniform, Vec2 value) {
 }
 
 /// A compiled and linked pair of shaders (GLSL ES 3.00, without the #version line).
-class Program {
+class GlProgram {
   public:
     /// @throws std::runtime_error with the compiler's words
-    Program(const char* vertex, const std::string& fragment);
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
-    Program(Program&&) = delete;
-    Program& operator=(Program&&) = delete;
-    ~Program() = default;
+    GlProgram(const char* vertex, const std::string& fragment);
+    GlProgram(const GlProgram&) = delete;
+    GlProgram& operator=(const GlProgram&) = delete;
+    GlProgram(GlProgram&&) = delete;
+    GlProgram& operator=(GlProgram&&) = delete;
+    ~GlProgram() = default;
 
     void use() const { glUseProgram(id_.value); }
 

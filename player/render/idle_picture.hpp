@@ -24,7 +24,7 @@ class IdlePicture {
               const Box& part) const;
 
   private:
-    Program program_;
+    GlProgram program_;
     GlBuffer corners_;
     GlBuffer order_;
     GlVertexArray grid_;

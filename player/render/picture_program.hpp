@@ -29,7 +29,7 @@ class PictureProgram {
     void set_texels(const DrawItem& item, const PictureTexture& texture, bool is_exact) const;
     void set_blur(const PictureTexture& texture) const;
 
-    Program program_;
+    GlProgram program_;
     ViewUniforms view_;
     GLint uv_scale_;
     GLint uv_offset_;

@@ -22,8 +22,8 @@ class Renderer {
     /// @param width, height  the screen's size, px
     Renderer(int width, int height, const View& view = {});
 
-    /// Draws for a screen of this size from now on, with the canvas lying on it like this. Uploaded pictures
-    /// stay.
+    /// Aims at a screen of this size, with the canvas lying on it like this, for all draws to come. Uploaded
+    /// pictures stay.
     void aim(int width, int height, const View& view);
 
     /// True if upload() can leave shared planes where they are.

@@ -33,7 +33,7 @@ class ZoomLayer {
     struct MeshProgram {
         explicit MeshProgram(const char* fragment_shader);
 
-        Program program;
+        GlProgram program;
         ViewUniforms view;
         GLint offset;
         GLint scale;
