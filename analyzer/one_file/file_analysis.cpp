@@ -3,7 +3,7 @@
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/one_file/explain_file.hpp"
 #include "analyzer/status/thumbnail.hpp"
-#include "analyzer/store/keeper.hpp"
+#include "analyzer/store/store_writer.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "analyzer/video/frame_reader.hpp"

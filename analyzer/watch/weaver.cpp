@@ -1,6 +1,6 @@
 #include "analyzer/watch/weaver.hpp"
 
-#include "analyzer/watch/outcome.hpp"
+#include "analyzer/watch/analysis_outcome.hpp"
 #include "base/system/log.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-#include "analyzer/store/keeper.hpp"
+#include "analyzer/store/store_writer.hpp"
 
 #include "analyzer/store/clip_writer.hpp"
 #include "analyzer/store/stored_copy.hpp"

@@ -1,4 +1,4 @@
-#include "analyzer/watch/pulse.hpp"
+#include "analyzer/watch/liveness.hpp"
 
 #include <doctest/doctest.h>
 

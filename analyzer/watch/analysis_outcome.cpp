@@ -1,4 +1,4 @@
-#include "analyzer/watch/outcome.hpp"
+#include "analyzer/watch/analysis_outcome.hpp"
 
 #include "base/state/record_json.hpp"
 

@@ -1,4 +1,4 @@
-#include "analyzer/watch/growing_records.hpp"
+#include "analyzer/watch/film_growth.hpp"
 
 #include <algorithm>
 
