@@ -119,14 +119,14 @@ void Daemon::rescan() {
 /// Whatever happened ends here: the schedule says what follows.
 void Daemon::advance() {
     const Schedule::Time begin = now();
-    follower_.look_at(schedule_.to_look_at(begin), begin);
-    for (std::vector<Action> actions = schedule_.step(now()); !actions.empty();
-         actions = schedule_.step(now()))
+    follower_.look_at(schedule_.files_to_look_at(begin), begin);
+    for (std::vector<Action> actions = schedule_.next_actions(now()); !actions.empty();
+         actions = schedule_.next_actions(now()))
         for (const Action& action : actions)
             perform(action);
     weaver_.advance(is_online() && schedule_.is_idle() && !options_.is_once);
     if (store_.is_over()) make_room();
-    wake_at(schedule_.wake(), begin);
+    wake_at(schedule_.next_wake(), begin);
     if (!is_telling_) telling_.arm(tell_rest);
     is_telling_ = true;
     status_.touch();
@@ -161,7 +161,7 @@ void Daemon::perform(const Action& action) {
         log::info("gone: '{}'", action.path);
         growing_.end(action.path);
         store_.release(action.path);
-        states_.release(action.path);
+        states_.forget_file(action.path);
         weaver_.release(action.path);
         told_waiting_.erase(action.path);
         heard_.erase(action.path);
@@ -213,7 +213,7 @@ void Daemon::grow(const std::string& path, const FileFacts& facts, const std::st
 void Daemon::store_growth() {
     if (!growing_.has_news()) return;
     for (const MediaRecord& record : growing_.take_news())
-        if (schedule_.grew(record.path)) store(record);
+        if (schedule_.mark_grown(record.path)) store(record);
     is_growth_resting_ = true;
     growth_.arm(growth_rest);
 }
@@ -233,7 +233,7 @@ void Daemon::finish(const std::string& path, const FileFacts& facts, const Child
 
 void Daemon::answer(Outcome outcome) {
     MediaRecord& record = outcome.record;
-    switch (schedule_.finished(record.path, outcome.answer, now())) {
+    switch (schedule_.finish_analysis(record.path, outcome.answer, now())) {
     case Verdict::discard:
         return;
     case Verdict::retry:

@@ -33,7 +33,7 @@ void Daemon::want_sounds() {
         heard_.insert(path);
         if (!store_.lacks_sound(*record)) continue;
         growing_.known(*record);
-        schedule_.again(path);
+        schedule_.analyse_again(path);
         wake_.arm(0s);
     }
 }

@@ -82,9 +82,12 @@ void Daemon::make_thumbnails() {
 void Daemon::tell(const MediaRecord& record) {
     ++analysed_;
     if (options_.is_once) {
-        const Schedule::Counts counts = schedule_.counts();
-        log::info("analysed {} of {}: {}", analysed_,
-                  analysed_ + counts.settling + counts.due + counts.running, record.path);
+        std::size_t unfinished = 0;
+        schedule_.visit_files([&](const std::string&, Schedule::Progress progress, Schedule::Time) {
+            using Progress = Schedule::Progress;
+            unfinished += progress != Progress::done && progress != Progress::waiting ? 1 : 0;
+        });
+        log::info("analysed {} of {}: {}", analysed_, analysed_ + unfinished, record.path);
     }
     if (record.state != MediaState::ready)
         log::write_with(log::Level::warning,

@@ -21,10 +21,10 @@ void Daemon::load_catalogue() {
     });
     for (const MediaRecord& record : records) {
         const bool is_waiting = record.state == MediaState::waiting;
-        schedule_.known(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
-                        !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
+        schedule_.add_recorded(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
+                               !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
         store_.hold(record);
-        states_.hold(record);
+        states_.note_record(record);
         weaver_.hold(record);
         if (!record.is_complete) growing_.known(record);
     }
@@ -39,7 +39,7 @@ void Daemon::move(const Action& action) {
     store(*record);
     remove_record(action.from);
     store_.release(action.from);
-    states_.release(action.from);
+    states_.forget_file(action.from);
     weaver_.release(action.from);
     heard_.erase(action.from);
     hints_.arm(std::chrono::seconds(0));  // the new name may say something else
@@ -82,7 +82,7 @@ void Daemon::make_room() {
 void Daemon::store(MediaRecord record) {
     store_.mark_dropped(record);
     store_.hold(record);
-    states_.hold(record);
+    states_.note_record(record);
     weaver_.hold(record);
     unremoved_.erase(record.path);
     try {

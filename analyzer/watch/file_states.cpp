@@ -22,26 +22,26 @@ FileState::State state_of(MediaState state) {
 
 }  // namespace
 
-void FileStates::hold(const MediaRecord& record) {
+void FileStates::note_record(const MediaRecord& record) {
     found_[record.path] = {.state = record.state, .reason = record.reason};
 }
 
-const FileStates::Found* FileStates::found(const std::string& path, Schedule::Stage stage) const {
-    using Stage = Schedule::Stage;
-    if (stage == Stage::settling || stage == Stage::due) return nullptr;
+const FileStates::Found* FileStates::found(const std::string& path, Schedule::Progress progress) const {
+    using Progress = Schedule::Progress;
+    if (progress == Progress::settling || progress == Progress::due) return nullptr;
     const auto known = found_.find(path);
     return known == found_.end() ? nullptr : &known->second;
 }
 
-FileState::State FileStates::state_of(const Found* found, Schedule::Stage stage) {
+FileState::State FileStates::state_of(const Found* found, Schedule::Progress progress) {
     if (found != nullptr) return vitrine::analyzer::state_of(found->state);
-    return stage == Schedule::Stage::settling ? FileState::State::copying : FileState::State::analysing;
+    return progress == Schedule::Progress::settling ? FileState::State::copying : FileState::State::analysing;
 }
 
 StateCounts FileStates::counts(const Schedule& schedule) const {
     StateCounts counts;
-    schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time) {
-        ++counts[state_of(found(path, stage), stage)];
+    schedule.visit_files([&](const std::string& path, Schedule::Progress progress, Schedule::Time) {
+        ++counts[state_of(found(path, progress), progress)];
     });
     return counts;
 }
@@ -49,11 +49,11 @@ StateCounts FileStates::counts(const Schedule& schedule) const {
 std::vector<FileState> FileStates::list(const Schedule& schedule, Schedule::Time clock,
                                         std::chrono::system_clock::time_point now) const {
     std::vector<FileState> states;
-    schedule.visit([&](const std::string& path, Schedule::Stage stage, Schedule::Time since) {
-        const Found* known = found(path, stage);
+    schedule.visit_files([&](const std::string& path, Schedule::Progress progress, Schedule::Time since) {
+        const Found* known = found(path, progress);
         const auto ago = std::chrono::duration_cast<std::chrono::system_clock::duration>(clock - since);
         states.push_back({.path = path,
-                          .state = state_of(known, stage),
+                          .state = state_of(known, progress),
                           .since = now - ago,
                           .reason = known == nullptr ? "" : known->reason});
     });

@@ -11,13 +11,13 @@
 
 namespace vitrine::analyzer {
 
-/// Says of every file where it stands: the schedule knows how far it has come, the records what was found.
+/// Tells where each file stands: the schedule knows how far it has come, the records what was found.
 class FileStates {
   public:
     /// The catalogue has this record now, in place of an earlier one of that path.
-    void hold(const MediaRecord& record);
+    void note_record(const MediaRecord& record);
 
-    void release(const std::string& path) { found_.erase(path); }
+    void forget_file(const std::string& path) { found_.erase(path); }
 
     StateCounts counts(const Schedule& schedule) const;
 
@@ -32,8 +32,8 @@ class FileStates {
         std::string reason;
     };
 
-    const Found* found(const std::string& path, Schedule::Stage stage) const;
-    static FileState::State state_of(const Found* found, Schedule::Stage stage);
+    const Found* found(const std::string& path, Schedule::Progress progress) const;
+    static FileState::State state_of(const Found* found, Schedule::Progress progress);
 
     std::map<std::string, Found> found_;
 };

@@ -103,7 +103,7 @@ void FolderFollower::look_at(std::span<const std::string> paths, const std::set<
     std::vector<MediaFolder::File> there;
     for (const std::string& path : paths) {
         MediaFolder::Look look = folder_.look(path);
-        if (look.presence == MediaFolder::Presence::gone) schedule_.gone(path, now);
+        if (look.presence == MediaFolder::Presence::gone) schedule_.lose_file(path, now);
         if (look.presence == MediaFolder::Presence::there) there.push_back(std::move(look.file));
     }
     for (const MediaFolder::File& file : there)
@@ -121,15 +121,15 @@ void FolderFollower::compare(const MediaFolder::Listing& listing, const std::str
         there.insert(file.path);
     if (listing.is_complete)
         for (const std::string& path : schedule_.paths_below(folder))
-            if (!there.contains(path)) schedule_.gone(path, now);
+            if (!there.contains(path)) schedule_.lose_file(path, now);
     for (const MediaFolder::File& file : listing.files)
         saw(file, now);
 }
 
 /// A close that this kernel saw of a file on a share says nothing of those who write it elsewhere.
 void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
-    const Sight local = is_closed ? Sight::closed : Sight::seen;
-    schedule_.saw(file.path, file.facts, now, is_remote_ ? Sight::remote : local);
+    const LookKind local = is_closed ? LookKind::closed : LookKind::local;
+    schedule_.see_file(file.path, file.facts, now, is_remote_ ? LookKind::remote : local);
 }
 
 std::string FolderFollower::relative(const fs::path& directory) const {

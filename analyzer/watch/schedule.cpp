@@ -7,64 +7,64 @@ namespace vitrine::analyzer {
 
 using std::chrono::nanoseconds;
 
+std::chrono::milliseconds Pace::quiet_after(LookKind look) const {
+    if (look == LookKind::closed) return std::min(quiet, closed_quiet);
+    return look == LookKind::remote ? quiet * remote_quiets : quiet;
+}
+
 Schedule::Schedule(const Pace& pace) : pace_(pace) {
     assert(pace.children >= 1);
 }
 
-void Schedule::known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held) {
+void Schedule::add_recorded(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held) {
     entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = is_held};
 }
 
-std::chrono::milliseconds Schedule::quiet(Sight sight) const {
-    if (sight == Sight::closed) return std::min(pace_.quiet, pace_.closed_quiet);
-    return sight == Sight::remote ? pace_.quiet * pace_.remote_quiets : pace_.quiet;
-}
-
-void Schedule::saw(const std::string& path, const FileFacts& facts, Time now, Sight sight) {
-    const nanoseconds delay = quiet(sight);
+void Schedule::see_file(const std::string& path, const FileFacts& facts, Time now, LookKind look) {
+    const nanoseconds delay = pace_.quiet_after(look);
     const auto found = entries_.find(path);
-    if (found == entries_.end()) return saw_new(path, facts, delay, now);
+    if (found == entries_.end()) return see_new_file(path, facts, delay, now);
     Entry& entry = found->second;
     const bool is_same = is_same_content(entry.facts, facts);
     switch (entry.phase) {
     case Phase::unseen:
-        if (!is_same || !entry.is_settled) return changed(path, entry, facts, delay, now);
+        if (!is_same || !entry.is_settled) return see_change(path, entry, facts, delay, now);
         entry.since = now;
-        return enter(path, entry, Phase::done);
+        return enter_phase(path, entry, Phase::done);
     case Phase::settling:
-        if (!is_same || entry.facts.blocks != facts.blocks) return changed(path, entry, facts, delay, now);
-        if (now >= entry.look_at) return enter(path, entry, Phase::due);
-        if (sight == Sight::closed && entry.waits == 0 && now + delay < entry.look_at)
-            settle(path, entry, delay, now);
+        if (!is_same || entry.facts.blocks != facts.blocks) return see_change(path, entry, facts, delay, now);
+        if (now >= entry.look_at) return enter_phase(path, entry, Phase::due);
+        if (look == LookKind::closed && entry.waits == 0 && now + delay < entry.look_at)
+            settle_file(path, entry, delay, now);
         return;
     case Phase::due:
     case Phase::running:
     case Phase::done:
-        if (!is_same) return changed(path, entry, facts, delay, now);
+        if (!is_same) return see_change(path, entry, facts, delay, now);
         entry.facts = facts;
         return;
     }
 }
 
 /// @param delay  until it is looked at again
-void Schedule::saw_new(const std::string& path, const FileFacts& facts, nanoseconds delay, Time now) {
+void Schedule::see_new_file(const std::string& path, const FileFacts& facts, nanoseconds delay, Time now) {
     const auto left = leaving_.find(path);
     const bool is_back =
         left != leaving_.end() && left->second.is_done && is_same_content(left->second.facts, facts);
-    if (is_back || take_over_from_leaving(path, facts)) {
+    if (is_back || take_over_record(path, facts)) {
         Entry& entry = entries_[path];
         entry = {.facts = facts, .since = now, .is_recorded = true};
-        enter(path, entry, Phase::done);
+        enter_phase(path, entry, Phase::done);
     } else {
         Entry& entry = entries_[path];
         entry = {.facts = facts, .since = now, .is_recorded = left != leaving_.end()};
-        settle(path, entry, delay, now);
+        settle_file(path, entry, delay, now);
     }
     leaving_.erase(path);
 }
 
 /// A rename: the vanished file with the same inode and content gives its record away.
-bool Schedule::take_over_from_leaving(const std::string& path, const FileFacts& facts) {
+bool Schedule::take_over_record(const std::string& path, const FileFacts& facts) {
     const auto from = std::find_if(leaving_.begin(), leaving_.end(), [&](const auto& candidate) {
         const Leaving& left = candidate.second;
         return left.is_done && left.facts.inode == facts.inode && is_same_content(left.facts, facts);
@@ -75,11 +75,11 @@ bool Schedule::take_over_from_leaving(const std::string& path, const FileFacts& 
     return true;
 }
 
-void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds delay,
-                       Time now) {
+void Schedule::see_change(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds delay,
+                          Time now) {
     if (entry.phase == Phase::running) actions_.push_back({.kind = Action::Kind::stop, .path = path});
     const bool keeps_changing = entry.phase == Phase::settling;
-    enter(path, entry, Phase::settling);  // before the facts, by which it is ordered, change
+    enter_phase(path, entry, Phase::settling);  // before the facts, by which it is ordered, change
     entry.facts = facts;
     entry.since = now;
     entry.deaths = entry.waits = 0;
@@ -88,24 +88,24 @@ void Schedule::changed(const std::string& path, Entry& entry, const FileFacts& f
         entry.is_held = entry.is_recorded = true;
         actions_.push_back({.kind = Action::Kind::hold, .path = path, .facts = facts});
     }
-    settle(path, entry, delay, now);
+    settle_file(path, entry, delay, now);
 }
 
-void Schedule::settle(const std::string& path, Entry& entry, nanoseconds delay, Time now) {
-    enter(path, entry, Phase::settling);
+void Schedule::settle_file(const std::string& path, Entry& entry, nanoseconds delay, Time now) {
+    enter_phase(path, entry, Phase::settling);
     entry.look_at = now + delay;
     looks_.emplace(entry.look_at, path);
 }
 
-/// The only place where a phase changes: the two orders follow.
-void Schedule::enter(const std::string& path, Entry& entry, Phase phase) {
+/// The only place where a phase changes: looks_ and due_ follow.
+void Schedule::enter_phase(const std::string& path, Entry& entry, Phase phase) {
     looks_.erase({entry.look_at, path});
     due_.erase({entry.facts.mtime_ns, path});
     entry.phase = phase;
     if (phase == Phase::due) due_.emplace(entry.facts.mtime_ns, path);
 }
 
-void Schedule::gone(const std::string& path, Time now) {
+void Schedule::lose_file(const std::string& path, Time now) {
     const auto found = entries_.find(path);
     if (found == entries_.end()) return;
     Entry& entry = found->second;
@@ -114,11 +114,11 @@ void Schedule::gone(const std::string& path, Time now) {
         leaving_[path] = {.facts = entry.facts,
                           .is_done = entry.phase == Phase::done,
                           .forget_at = now + pace_.rename_grace};
-    enter(path, entry, Phase::unseen);
+    enter_phase(path, entry, Phase::unseen);
     entries_.erase(found);
 }
 
-bool Schedule::grew(const std::string& path) {
+bool Schedule::mark_grown(const std::string& path) {
     const auto found = entries_.find(path);
     if (found == entries_.end() || found->second.phase != Phase::running) return false;
     found->second.is_recorded = true;
@@ -127,7 +127,7 @@ bool Schedule::grew(const std::string& path) {
     return true;
 }
 
-Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {
+Verdict Schedule::finish_analysis(const std::string& path, Answer answer, Time now) {
     children_.erase(path);
     std::erase_if(actions_,
                   [&](const Action& action) {  // it was seen to change just now: nothing is left to stop
@@ -138,65 +138,55 @@ Verdict Schedule::finished(const std::string& path, Answer answer, Time now) {
     Entry& entry = found->second;
     entry.has_grown = false;
     if (answer == Answer::died && ++entry.deaths < pace_.deaths) {
-        settle(path, entry, nanoseconds(0), now);
+        settle_file(path, entry, nanoseconds(0), now);
         return Verdict::retry;
     }
     entry.is_recorded = true;
     entry.is_held = answer == Answer::waiting;
     if (answer == Answer::waiting && entry.waits < pace_.retries) {
-        settle(path, entry, pace_.first_retry * (1 << entry.waits), now);
+        settle_file(path, entry, pace_.first_retry * (1 << entry.waits), now);
         ++entry.waits;
         return Verdict::store;
     }
-    enter(path, entry, Phase::done);
+    enter_phase(path, entry, Phase::done);
     entry.since = now;
     if (answer == Answer::died) return Verdict::quarantine;
     return answer == Answer::waiting ? Verdict::give_up : Verdict::store;
 }
 
-void Schedule::again(const std::string& path) {
+void Schedule::analyse_again(const std::string& path) {
     const auto found = entries_.find(path);
-    if (found != entries_.end() && found->second.phase == Phase::done) enter(path, found->second, Phase::due);
+    if (found != entries_.end() && found->second.phase == Phase::done)
+        enter_phase(path, found->second, Phase::due);
 }
 
-std::vector<std::string> Schedule::to_look_at(Time now) const {
+std::vector<std::string> Schedule::files_to_look_at(Time now) const {
     std::vector<std::string> paths;
     for (auto it = looks_.begin(); it != looks_.end() && it->first <= now; ++it)
         paths.push_back(it->second);
     return paths;
 }
 
-std::vector<Action> Schedule::step(Time now) {
-    forget_leaving(now);
-    start_due();
+std::vector<Action> Schedule::next_actions(Time now) {
+    std::erase_if(leaving_, [&](const auto& candidate) {
+        if (candidate.second.forget_at > now) return false;
+        actions_.push_back({.kind = Action::Kind::remove, .path = candidate.first});
+        return true;
+    });
+    start_due_files();
     return std::exchange(actions_, {});
 }
 
-void Schedule::forget_leaving(Time now) {
-    for (auto it = leaving_.begin(); it != leaving_.end();) {
-        if (it->second.forget_at > now) {
-            ++it;
-            continue;
-        }
-        actions_.push_back({.kind = Action::Kind::remove, .path = it->first});
-        it = leaving_.erase(it);
-    }
-}
-
-/// A photo does not wait for a film that takes minutes.
-bool Schedule::has_room_for(const Entry& entry) const {
-    const bool is_small = entry.facts.bytes <= pace_.small_bytes;
-    return children_.size() < pace_.children + (is_small ? 1 : 0);
-}
-
-/// Newest first: what was just dropped is what its operator waits for.
-void Schedule::start_due() {
+/// Newest first: its operator waits for the file that was just dropped. A photo does not wait for a film that
+/// takes minutes.
+void Schedule::start_due_files() {
     for (auto it = due_.rbegin(); it != due_.rend() && children_.size() <= pace_.children;) {
         const std::string path = it->second;
         ++it;
         if (children_.contains(path)) continue;  // the stopped one is not gone yet
         Entry& entry = entries_.at(path);
-        if (!has_room_for(entry)) continue;
+        const bool is_small = entry.facts.bytes <= pace_.small_bytes;
+        if (children_.size() >= pace_.children + (is_small ? 1 : 0)) continue;
         it = std::make_reverse_iterator(due_.erase(it.base()));
         entry.phase = Phase::running;
         children_.insert(path);
@@ -207,7 +197,7 @@ void Schedule::start_due() {
     }
 }
 
-std::optional<Schedule::Time> Schedule::wake() const {
+std::optional<Schedule::Time> Schedule::next_wake() const {
     std::optional<Time> earliest;
     if (!looks_.empty()) earliest = looks_.begin()->first;
     for (const auto& [path, left] : leaving_)
@@ -223,29 +213,16 @@ std::vector<std::string> Schedule::paths_below(const std::string& folder) const 
     return paths;
 }
 
-Schedule::Stage Schedule::stage_of(const Entry& entry) {
-    if (entry.phase == Phase::done) return Stage::done;
-    if (entry.waits > 0) return Stage::waiting;
-    if (entry.phase == Phase::running) return entry.has_grown ? Stage::growing : Stage::due;
-    return entry.phase == Phase::due ? Stage::due : Stage::settling;
+Schedule::Progress Schedule::progress_of(const Entry& entry) {
+    if (entry.phase == Phase::done) return Progress::done;
+    if (entry.waits > 0) return Progress::waiting;
+    if (entry.phase == Phase::running) return entry.has_grown ? Progress::growing : Progress::due;
+    return entry.phase == Phase::due ? Progress::due : Progress::settling;
 }
 
-void Schedule::visit(const Visit& call) const {
+void Schedule::visit_files(const Visit& call) const {
     for (const auto& [path, entry] : entries_)
-        if (entry.phase != Phase::unseen) call(path, stage_of(entry), entry.since);
-}
-
-Schedule::Counts Schedule::counts() const {
-    Counts counts{.files = entries_.size()};
-    for (const auto& [path, entry] : entries_) {
-        const bool is_waiting = entry.phase == Phase::settling && entry.waits > 0;
-        counts.waiting += is_waiting ? 1 : 0;
-        counts.settling += entry.phase == Phase::settling && !is_waiting ? 1 : 0;
-        counts.due += entry.phase == Phase::due ? 1 : 0;
-        counts.running += entry.phase == Phase::running ? 1 : 0;
-        counts.done += entry.phase == Phase::done ? 1 : 0;
-    }
-    return counts;
+        if (entry.phase != Phase::unseen) call(path, progress_of(entry), entry.since);
 }
 
 bool Schedule::is_idle() const {

@@ -13,25 +13,34 @@
 
 namespace vitrine::analyzer {
 
-/// How the schedule waits. Times are the caller's monotonic clock.
-struct Pace {
-    std::size_t children = 1;                     // files analysed at the same time, at least 1
-    std::uint64_t small_bytes = 0;                // one file up to this size is analysed beside them: photos
-    std::chrono::milliseconds quiet{2000};        // a file must not have changed for so long
-    std::chrono::milliseconds closed_quiet{150};  // where whoever wrote it has closed it, if that is shorter
-    int remote_quiets = 3;  // as long on a network share, whose servers answer out of memory for a while
-    std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
-    std::chrono::milliseconds first_retry{
-        5000};        // after this a waiting file is tried again, then after twice
-    int retries = 8;  // as long, ...; together 21 minutes
-    int deaths = 2;   // children that one content may kill before quarantine
+/// How a file was looked at. Decides how long it must stay unchanged.
+enum class LookKind {
+    local,   // somebody may still be writing it
+    closed,  // its writer has just closed or renamed it; some writers do so more than once
+    remote,  // over a network
 };
 
-/// What is to be done to the catalogue and the children.
+/// The waiting times of the schedule, and its limits.
+struct Pace {
+    std::size_t children = 1;               // files analysed at the same time, at least 1
+    std::uint64_t small_bytes = 0;          // one more file up to this size is analysed beside them: a photo
+    std::chrono::milliseconds quiet{2000};  // a file must stay unchanged for so long
+    std::chrono::milliseconds closed_quiet{150};  // the same after its writer closed it, if that is shorter
+    int remote_quiets = 3;  // quiet times on a network share: its server may answer from a cache for a while
+    std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
+    std::chrono::milliseconds first_retry{5000};  // of a waiting file; each further one waits twice as long
+    int retries = 8;                              // together 21 minutes
+    int deaths = 2;                               // children that one content may kill before quarantine
+
+    /// @return how long a file must stay unchanged after such a look
+    std::chrono::milliseconds quiet_after(LookKind look) const;
+};
+
+/// One thing to do to the catalogue or the children.
 struct Action {
     enum class Kind {
-        start,   // a child for `path`; finished() must follow
-        stop,    // the child of `path`: its file changed or went; finished() must follow
+        start,   // a child for `path`; finish_analysis() must follow
+        stop,    // the child of `path`: its file changed or went; finish_analysis() must follow
         hold,    // the record of `path` becomes waiting: the file keeps changing
         move,    // the record of `from` is now that of `path`
         remove,  // the record of `path` goes
@@ -46,13 +55,6 @@ struct Action {
     friend bool operator==(const Action&, const Action&) = default;
 };
 
-/// How it is known what a file is like.
-enum class Sight {
-    seen,    // looked at: somebody may be writing it
-    closed,  // whoever wrote it has just closed it, or renamed it; some do so more than once
-    remote,  // looked at over a network
-};
-
 /// How a child ended.
 enum class Answer {
     final,    // ready, unsupported or failed: stands until the file changes
@@ -60,7 +62,7 @@ enum class Answer {
     died,     // a crash or the deadline
 };
 
-/// What becomes of a child's answer.
+/// What to do with a child's answer.
 enum class Verdict {
     store,       // as it is
     give_up,     // store it as failed: it has waited long enough
@@ -73,49 +75,50 @@ enum class Verdict {
 /// tested.
 ///
 /// seen -> settling (until unchanged for the quiet time) -> due -> running -> done; a change leads back to
-/// settling from anywhere, a waiting answer too, with growing delays. A file is due only once it was looked
-/// at again after its quiet time: to_look_at() says which, saw() or gone() is the answer.
+/// settling from anywhere, a waiting answer too, with growing delays. A file becomes due only when another
+/// look after its quiet time finds it unchanged: files_to_look_at() names it, see_file() or lose_file() is
+/// the answer. Times are the caller's monotonic clock.
 class Schedule {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
     explicit Schedule(const Pace& pace);
 
-    /// A record that an earlier run left.
-    /// @param is_settled  holds while the file is unchanged; else the file is analysed anew
+    /// Adds the record that an earlier run left.
+    /// @param is_settled  it holds while the file is unchanged; else the file is analysed anew
     /// @param is_held     it is `waiting`
-    void known(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
+    void add_recorded(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
 
     /// The file is there. Only what is seen here counts as quiet: the times that a file carries are those of
     /// clocks that are set, or of other machines.
-    void saw(const std::string& path, const FileFacts& facts, Time now, Sight sight = Sight::seen);
+    void see_file(const std::string& path, const FileFacts& facts, Time now, LookKind look = LookKind::local);
 
-    /// The file is not there. In a rename this comes before saw() of the new name.
-    void gone(const std::string& path, Time now);
+    /// The file is not there. For a rename, call this before see_file() of the new name.
+    void lose_file(const std::string& path, Time now);
 
     /// The catalogue is about to have a record of a file that is still being analysed.
-    /// @return whether it is: false where the file changed or went in the meantime
-    bool grew(const std::string& path);
+    /// @return false where the file changed or went in the meantime: it must not have one
+    bool mark_grown(const std::string& path);
 
-    Verdict finished(const std::string& path, Answer answer, Time now);
+    Verdict finish_analysis(const std::string& path, Answer answer, Time now);
 
-    /// A file whose record stands is analysed once more, for there is more to be known of it.
-    void again(const std::string& path);
+    /// Analyses a file once more though its record stands, because more is to be known of it.
+    void analyse_again(const std::string& path);
 
-    /// Files whose time has come to be looked at, each to be answered by saw() or gone().
-    std::vector<std::string> to_look_at(Time now) const;
+    /// Files that are due to be looked at; answer each by see_file() or lose_file().
+    std::vector<std::string> files_to_look_at(Time now) const;
 
-    /// What to do now, in this order. Each action is given once.
-    std::vector<Action> step(Time now);
+    /// The actions to perform now, in this order. Each is given once.
+    std::vector<Action> next_actions(Time now);
 
-    /// When to_look_at() or step() will have something new at the latest.
-    std::optional<Time> wake() const;
+    /// The latest time at which files_to_look_at() or next_actions() will have something new.
+    std::optional<Time> next_wake() const;
 
     /// All files known under this folder ("" for all, else without a '/' at the end).
     std::vector<std::string> paths_below(const std::string& folder) const;
 
     /// How far a file has come.
-    enum class Stage {
+    enum class Progress {
         settling,  // not quiet yet
         waiting,   // incomplete when last tried
         due,       // to be analysed, or being analysed without anything in the catalogue
@@ -123,17 +126,11 @@ class Schedule {
         done,      // its record stands
     };
 
-    /// Calls with each file, in the order of their paths; `since`: when it was done, else when its content
-    /// was first seen.
-    using Visit = std::function<void(const std::string& path, Stage stage, Time since)>;
+    /// @param since  when it was done, else when its content was first seen
+    using Visit = std::function<void(const std::string& path, Progress progress, Time since)>;
 
-    void visit(const Visit& call) const;
-
-    struct Counts {
-        std::size_t files = 0, settling = 0, waiting = 0, due = 0, running = 0, done = 0;
-    };
-
-    Counts counts() const;
+    /// Calls with each file that was seen in this run, in the order of their paths.
+    void visit_files(const Visit& call) const;
 
     /// Nothing runs, and nothing will except retries of waiting files.
     bool is_idle() const;
@@ -146,7 +143,7 @@ class Schedule {
         Phase phase = Phase::unseen;
         Time look_at{};            // settling only
         Time since{};              // it is done, else has this content
-        int deaths = 0;            // of the content as it is
+        int deaths = 0;            // of children, by the content as it is
         int waits = 0;             // waiting answers for the content as it is
         bool is_settled = false;   // unseen only
         bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
@@ -160,24 +157,20 @@ class Schedule {
         Time forget_at{};
     };
 
-    using Entries = std::map<std::string, Entry>;
-
-    static Stage stage_of(const Entry& entry);
-    std::chrono::milliseconds quiet(Sight sight) const;
-    void enter(const std::string& path, Entry& entry, Phase phase);
-    void saw_new(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay, Time now);
-    void settle(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
-    void changed(const std::string& path, Entry& entry, const FileFacts& facts,
-                 std::chrono::nanoseconds delay, Time now);
-    bool take_over_from_leaving(const std::string& path, const FileFacts& facts);
-    void forget_leaving(Time now);
-    void start_due();
-    bool has_room_for(const Entry& entry) const;
+    static Progress progress_of(const Entry& entry);
+    void enter_phase(const std::string& path, Entry& entry, Phase phase);
+    void see_new_file(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay,
+                      Time now);
+    void settle_file(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
+    void see_change(const std::string& path, Entry& entry, const FileFacts& facts,
+                    std::chrono::nanoseconds delay, Time now);
+    bool take_over_record(const std::string& path, const FileFacts& facts);
+    void start_due_files();
 
     Pace pace_;
-    Entries entries_;
+    std::map<std::string, Entry> entries_;
     std::map<std::string, Leaving> leaving_;              // gone, with a record that is still there
-    std::set<std::string> children_;                      // files with a child, be it a stopped one
+    std::set<std::string> children_;                      // files with a child, also a stopped one
     std::set<std::pair<Time, std::string>> looks_;        // the settling entries by their time
     std::set<std::pair<std::int64_t, std::string>> due_;  // the due entries by mtime
     std::vector<Action> actions_;

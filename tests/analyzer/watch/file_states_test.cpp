@@ -21,13 +21,13 @@ struct Way {
 
     void start() {
         clock += 2s;
-        schedule.saw("a", facts, clock);
-        REQUIRE(schedule.step(clock).size() == 1);
+        schedule.see_file("a", facts, clock);
+        REQUIRE(schedule.next_actions(clock).size() == 1);
     }
 
     void end(Answer answer, MediaState state, const std::string& reason) {
-        schedule.finished("a", answer, clock);
-        states.hold({.path = "a", .state = state, .reason = reason});
+        schedule.finish_analysis("a", answer, clock);
+        states.note_record({.path = "a", .state = state, .reason = reason});
     }
 
     static constexpr Schedule::Time epoch{1h};
@@ -40,7 +40,7 @@ struct Way {
 
 TEST_CASE("a file is copying until it is quiet, then analysing, then what its record says") {
     Way way;
-    way.schedule.saw("a", facts, way.clock);
+    way.schedule.see_file("a", facts, way.clock);
     CHECK(way.now().state == State::copying);
     CHECK(way.now().since.time_since_epoch() == 1h);
 
@@ -56,7 +56,7 @@ TEST_CASE("a file is copying until it is quiet, then analysing, then what its re
 
 TEST_CASE("a file that waits says so, with its reason and the same since, while it is tried again") {
     Way way;
-    way.schedule.saw("a", facts, way.clock);
+    way.schedule.see_file("a", facts, way.clock);
     way.start();
     way.end(Answer::waiting, MediaState::waiting, "half of it is here");
     const FileState waiting = way.now();
@@ -71,26 +71,26 @@ TEST_CASE("a file that waits says so, with its reason and the same since, while 
 
 TEST_CASE("a film is ready with its first shot, and copying again when it is overwritten") {
     Way way;
-    way.schedule.saw("a", facts, way.clock);
+    way.schedule.see_file("a", facts, way.clock);
     way.start();
-    REQUIRE(way.schedule.grew("a"));
-    way.states.hold({.path = "a", .state = MediaState::ready});
+    REQUIRE(way.schedule.mark_grown("a"));
+    way.states.note_record({.path = "a", .state = MediaState::ready});
     CHECK(way.now().state == State::ready);
 
-    way.schedule.saw("a", grown, way.clock);
+    way.schedule.see_file("a", grown, way.clock);
 
     CHECK(way.now().state == State::copying);
 }
 
 TEST_CASE("a deleted file, and one that only an earlier run has seen, are not listed") {
     Way way;
-    way.schedule.known("a", facts, true, false);
-    way.states.hold({.path = "a", .state = MediaState::ready});
+    way.schedule.add_recorded("a", facts, true, false);
+    way.states.note_record({.path = "a", .state = MediaState::ready});
     CHECK(way.now().path.empty());
 
-    way.schedule.saw("a", facts, way.clock);
+    way.schedule.see_file("a", facts, way.clock);
     CHECK(way.now().state == State::ready);
 
-    way.schedule.gone("a", way.clock);
+    way.schedule.lose_file("a", way.clock);
     CHECK(way.now().path.empty());
 }

@@ -88,7 +88,7 @@ class Model {
         case 7:
             return rescan();  // as after an overflow of the queue
         case 8:
-            return see(name(), Sight::seen);  // an event too many
+            return see(name(), LookKind::local);  // an event too many
         case 9:
             is_deaf_ = !is_deaf_;  // events are lost
             return;
@@ -149,7 +149,7 @@ class Model {
                 file.facts.mtime_ns = ++clock_ns_ * 1000 + static_cast<std::int64_t>(++sizes_);
             ++file.facts.blocks;
             is_over = file.is_whole = --writer.parts <= 0;
-            if (is_over || (!file.is_sly && chance(20))) happens(path, Sight::closed);
+            if (is_over || (!file.is_sly && chance(20))) happens(path, LookKind::closed);
         }
         if (is_over)
             std::erase_if(writers_, [&, inode = writer.inode](const Writer& w) { return w.inode == inode; });
@@ -157,7 +157,7 @@ class Model {
 
     void remove(const std::string& path) {
         files_.erase(path);
-        happens(path, Sight::seen);
+        happens(path, LookKind::local);
     }
 
     void rename(const std::string& from, const std::string& to) {
@@ -165,29 +165,29 @@ class Model {
         if (from == to || file == files_.end() || (file->second.is_sly && !file->second.is_whole)) return;
         files_[to] = file->second;
         files_.erase(from);
-        happens(from, Sight::seen);
-        happens(to, Sight::closed);
+        happens(from, LookKind::local);
+        happens(to, LookKind::closed);
     }
 
     /// The kernel reports it, unless events are being lost.
-    void happens(const std::string& path, Sight sight) {
+    void happens(const std::string& path, LookKind sight) {
         if (!is_deaf_) see(path, sight);
     }
 
-    void see(const std::string& path, Sight sight) {
+    void see(const std::string& path, LookKind sight) {
         if (is_away_) return;
         if (files_.contains(path))
-            schedule_.saw(path, files_.at(path).facts, now_, sight);
+            schedule_.see_file(path, files_.at(path).facts, now_, sight);
         else
-            schedule_.gone(path, now_);
+            schedule_.lose_file(path, now_);
     }
 
     void rescan() {
         if (is_away_) return;
         for (const std::string& path : schedule_.paths_below(""))
-            if (!files_.contains(path)) see(path, Sight::seen);
+            if (!files_.contains(path)) see(path, LookKind::local);
         for (const auto& [path, file] : files_)
-            see(path, Sight::seen);
+            see(path, LookKind::local);
     }
 
     /// The share is unmounted, or there again.
@@ -202,8 +202,8 @@ class Model {
         schedule_ = Schedule(pace);
         for (const auto& [path, record] : catalogue_) {
             const bool is_held = record.state == Answer::waiting;
-            schedule_.known(path, {.bytes = record.facts.bytes, .mtime_ns = record.facts.mtime_ns}, !is_held,
-                            is_held);
+            schedule_.add_recorded(path, {.bytes = record.facts.bytes, .mtime_ns = record.facts.mtime_ns},
+                                   !is_held, is_held);
         }
         rescan();
     }
@@ -217,9 +217,9 @@ class Model {
         const Child child = children_.at(path);
         const bool is_there = files_.contains(path) && files_.at(path).facts.inode == child.file.facts.inode;
         children_.erase(path);
-        see(path, Sight::seen);  // as the daemon does
+        see(path, LookKind::local);  // as the daemon does
         const Answer answer = is_there && chance(50) ? files_.at(path).answer() : child.file.answer();
-        const Verdict verdict = schedule_.finished(path, answer, now_);
+        const Verdict verdict = schedule_.finish_analysis(path, answer, now_);
         if (verdict == Verdict::discard || verdict == Verdict::retry) return;
         CHECK((verdict == Verdict::quarantine) == (answer == Answer::died));
         catalogue_[path] = {child.file.facts, answer};
@@ -235,9 +235,9 @@ class Model {
             const bool is_steady = file != files_.end() && file->second.is_sly;
             if (is_steady && now_ - writer.written > 900ms) write_part(writer);
         }
-        for (const std::string& path : schedule_.to_look_at(now_))
-            see(path, Sight::seen);
-        for (const Action& action : schedule_.step(now_))
+        for (const std::string& path : schedule_.files_to_look_at(now_))
+            see(path, LookKind::local);
+        for (const Action& action : schedule_.next_actions(now_))
             perform(action);
         CHECK(children_.size() <= pace.children + 1);  // an empty file is a small one
         check_nothing_half_is_ready();

@@ -18,23 +18,23 @@ struct Bench {
 
     void see(const std::string& path, const FileFacts& facts) {
         files[path] = facts;
-        schedule.saw(path, facts, now);
+        schedule.see_file(path, facts, now);
     }
 
     void lose(const std::string& path) {
         files.erase(path);
-        schedule.gone(path, now);
+        schedule.lose_file(path, now);
     }
 
     Actions after(std::chrono::milliseconds wait) {
         now += wait;
-        for (const std::string& path : schedule.to_look_at(now))
-            schedule.saw(path, files.at(path), now);
-        return schedule.step(now);
+        for (const std::string& path : schedule.files_to_look_at(now))
+            schedule.see_file(path, files.at(path), now);
+        return schedule.next_actions(now);
     }
 
     Verdict finish(const std::string& path, Answer answer = Answer::final) {
-        return schedule.finished(path, answer, now);
+        return schedule.finish_analysis(path, answer, now);
     }
 
     /// Sees a file, analyses it to its end.
@@ -69,13 +69,13 @@ TEST_CASE("a new file is analysed once it has been quiet, and then never again")
     bench.see("a.jpg", small);
     CHECK(bench.after(1h).empty());
     CHECK(bench.schedule.is_idle());
-    CHECK_FALSE(bench.schedule.wake().has_value());
+    CHECK_FALSE(bench.schedule.next_wake().has_value());
 }
 
 TEST_CASE("on a network share quiet takes longer, whatever the times of its files say") {
     Bench bench;
     bench.files["a"] = small;
-    bench.schedule.saw("a", small, bench.now, Sight::remote);
+    bench.schedule.see_file("a", small, bench.now, LookKind::remote);
     CHECK(bench.after(5999ms).empty());
     CHECK(bench.after(1ms) == Actions{Bench::start("a", small)});
 }
@@ -105,9 +105,9 @@ TEST_CASE("a copy that only fills the space it reserved is still changing") {
 
 TEST_CASE("a record of an earlier run holds for the same bytes and time, another is analysed") {
     Bench bench;
-    bench.schedule.known("same.jpg", {.bytes = 10, .mtime_ns = 1}, true, false);
-    bench.schedule.known("other.jpg", {.bytes = 11, .mtime_ns = 1}, true, false);
-    bench.schedule.known("waiting.jpg", {.bytes = 10, .mtime_ns = 1}, false, true);
+    bench.schedule.add_recorded("same.jpg", {.bytes = 10, .mtime_ns = 1}, true, false);
+    bench.schedule.add_recorded("other.jpg", {.bytes = 11, .mtime_ns = 1}, true, false);
+    bench.schedule.add_recorded("waiting.jpg", {.bytes = 10, .mtime_ns = 1}, false, true);
     CHECK(bench.schedule.is_idle());
     bench.see("same.jpg", small);
     bench.see("other.jpg", small);
@@ -119,7 +119,7 @@ TEST_CASE("a record of an earlier run holds for the same bytes and time, another
 
 TEST_CASE("the record of a file that was deleted between two runs goes") {
     Bench bench;
-    bench.schedule.known("old.jpg", small, true, false);
+    bench.schedule.add_recorded("old.jpg", small, true, false);
     bench.lose("old.jpg");
     CHECK_FALSE(bench.schedule.is_idle());
     CHECK(bench.after(499ms).empty());
@@ -146,7 +146,7 @@ TEST_CASE("a file deleted while it is analysed leaves nothing behind") {
     CHECK(bench.after(0s) == Actions{{.kind = Kind::stop, .path = "a.jpg"}});
     CHECK(bench.finish("a.jpg") == Verdict::discard);
     CHECK(bench.after(1h).empty());
-    CHECK(bench.schedule.counts().files == 0);
+    CHECK(bench.schedule.paths_below("").empty());
 }
 
 TEST_CASE("a rename moves the record, in whatever folder the file turns up") {
@@ -249,7 +249,7 @@ TEST_CASE("no more children run than allowed, and the newest file comes first") 
 TEST_CASE("the files below a folder are those, and not its neighbours of a longer name") {
     Schedule schedule(Pace{});
     for (const char* path : {"a/1", "a/b/2", "a.jpg", "ab/3", "b"})
-        schedule.saw(path, small, Schedule::Time{});
+        schedule.see_file(path, small, Schedule::Time{});
     CHECK(schedule.paths_below("a") == std::vector<std::string>{"a/1", "a/b/2"});
     CHECK(schedule.paths_below("").size() == 5);
 }
@@ -257,8 +257,8 @@ TEST_CASE("the files below a folder are those, and not its neighbours of a longe
 TEST_CASE("a file that was closed is due sooner than one of which nothing is known") {
     Bench bench;
     bench.files["a"] = bench.files["b"] = small;
-    bench.schedule.saw("a", small, bench.now);
-    bench.schedule.saw("b", small, bench.now, Sight::closed);
+    bench.schedule.see_file("a", small, bench.now);
+    bench.schedule.see_file("b", small, bench.now, LookKind::closed);
     CHECK(bench.after(149ms).empty());
     CHECK(bench.after(1ms) == Actions{Bench::start("b", small)});
     CHECK(bench.finish("b") == Verdict::store);
@@ -270,10 +270,10 @@ TEST_CASE("closing is the end of waiting for quiet, and counts from the last tim
     Bench bench;
     bench.see("a", small);
     CHECK(bench.after(500ms).empty());
-    bench.schedule.saw("a", small, bench.now, Sight::closed);
+    bench.schedule.see_file("a", small, bench.now, LookKind::closed);
     CHECK(bench.after(100ms).empty());
     bench.files["a"] = grown;
-    bench.schedule.saw("a", grown, bench.now, Sight::closed);  // written once more
+    bench.schedule.see_file("a", grown, bench.now, LookKind::closed);  // written once more
     const Actions held = bench.after(100ms);
     REQUIRE(held.size() == 1);
     CHECK(held[0].kind == Kind::hold);
@@ -284,7 +284,7 @@ TEST_CASE("a shorter quiet time than that after closing stays what it is") {
     Bench bench;
     bench.schedule = Schedule({.quiet = 10ms});
     bench.files["a"] = small;
-    bench.schedule.saw("a", small, bench.now, Sight::closed);
+    bench.schedule.see_file("a", small, bench.now, LookKind::closed);
     CHECK(bench.after(10ms) == Actions{Bench::start("a", small)});
 }
 
@@ -308,11 +308,11 @@ TEST_CASE(
 TEST_CASE("a file of which more is to be known is analysed again, without a look at it before") {
     Bench bench;
     bench.settle("a", small);
-    bench.schedule.again("a");
+    bench.schedule.analyse_again("a");
     CHECK(bench.after(0s) == Actions{Bench::start("a", small)});
-    bench.schedule.again("a");  // it is being analysed anyway
+    bench.schedule.analyse_again("a");  // it is being analysed anyway
     CHECK(bench.finish("a") == Verdict::store);
     CHECK(bench.after(0s).empty());
-    bench.schedule.again("nobody");
+    bench.schedule.analyse_again("nobody");
     CHECK(bench.after(1h).empty());
 }
