@@ -1,27 +1,28 @@
 #include "analyzer/one_file/file_analysis.hpp"
 
+#include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/one_file/explain_file.hpp"
 #include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/store_writer.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
-#include "analyzer/video/frame_reader.hpp"
-#include "base/media/colour.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/stream_end.hpp"
 #include "base/state/catalogue.hpp"
 #include "base/state/media_error.hpp"
-#include "base/state/screen_note.hpp"
-#include "base/state/tapestry.hpp"
+#include "base/state/record_json.hpp"
 #include "base/system/error.hpp"
+#include "base/system/unique_fd.hpp"
 
-#include <sys/stat.h>
+#include <fcntl.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace vitrine::analyzer {
 
@@ -29,83 +30,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
-    const bool is_paper_mode = from.region == RegionMode::hull;
-    AnalysisSettings settings = is_paper_mode ? paper_mode() : AnalysisSettings{};
-    settings.frame_size = from.frame_size;
-    settings.samples_per_second = std::max(1, static_cast<int>(std::lround(from.samples_per_second)));
-    settings.face_cascade = from.face_cascade;
-    if (is_paper_mode) return settings;
-    settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
-    settings.region.mass = from.region_mass;
-    settings.region.margin = from.region_margin;
-    settings.face_model = from.face_model;
-    settings.saliency_model = from.saliency_model;
-    return settings;
-}
-
-struct stat status_of(const fs::path& file) {
-    struct stat status {};
-
-    if (::stat(file.c_str(), &status) < 0) throw_errno("look at '{}'", file.string());
-    return status;
-}
-
-std::unique_ptr<FrameSource> opened(const fs::path& file, const struct stat& status,
-                                    const Settings& settings) {
-    if (!S_ISREG(status.st_mode)) throw MediaError(MediaState::unsupported, "it is not a plain file");
-    return open_media(file.string(), settings.analyzer.frame_size,
-                      colour_named(settings.show.background).value_or(Colour{}));
-}
-
-/// Path, bytes and mtime are the same in all that is said of a file.
-MediaRecord name(MediaRecord record, const fs::path& file, const struct stat& status,
-                 const Settings& settings) {
-    record.path = record_path(file, settings.media.root);
-    record.bytes = static_cast<std::uint64_t>(status.st_size);
-    record.mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
-    return record;
-}
-
-/// A source that lets something be done before and with each of its frames.
-class AttendedSource : public FrameSource {
+/// Lets something be done before each frame of a source and with it.
+class ObservedSource : public FrameSource {
   public:
-    AttendedSource(FrameSource& source, std::function<void()> attend,
-                   std::function<void(const VideoFrame&)> saw)
-        : source_(source), attend_(std::move(attend)), saw_(std::move(saw)) {}
+    ObservedSource(FrameSource& source, std::function<void()> before,
+                   std::function<void(const VideoFrame&)> with)
+        : source_(source), before_(std::move(before)), with_(std::move(with)) {}
 
     const MediaInfo& info() const override { return source_.info(); }
 
     std::optional<VideoFrame> next() override {
-        attend_();
+        before_();
         std::optional<VideoFrame> frame = source_.next();
-        if (frame) saw_(*frame);
+        if (frame) with_(*frame);
         return frame;
     }
 
   private:
     FrameSource& source_;  // outlives this
-    std::function<void()> attend_;
-    std::function<void(const VideoFrame&)> saw_;
+    std::function<void()> before_;
+    std::function<void(const VideoFrame&)> with_;
 };
 
-StorePlace store_place(const fs::path& file, const struct stat& status, const Settings& settings) {
-    const MediaRecord named = name({}, file, status, settings);
-    constexpr int most_parts = 4;  // of the store that one clip or copy may take
-    return {.store = fs::path(settings.state.directory) / "store",
-            .id = store_id(named.path, named.bytes, named.mtime_ns),
-            .clip_side = clip_side(settings),
-            .most_bytes = static_cast<std::uint64_t>(settings.store.max_bytes) / most_parts,
-            .least_free = least_free_bytes};
-}
-
-fs::path thumbnail_place(const fs::path& file, const Settings& settings) {
-    return fs::path(settings.state.directory) / "thumbnails" /
-           (record_id(record_path(file, settings.media.root)) + ".jpg");
-}
-
-/// What a film that broke off keeps; the last shot ends where the damage begins, or earlier.
-MediaRecord known_part(MediaRecord known, const MediaError& error) {
+/// The record of a film that broke off; the last shot ends where the damage begins, or earlier.
+MediaRecord shortened_record(MediaRecord known, const MediaError& error) {
     using std::chrono::seconds;
     const auto end = std::chrono::floor<seconds>(known.shots.back().end).count();
     known.reason =
@@ -115,75 +63,72 @@ MediaRecord known_part(MediaRecord known, const MediaError& error) {
     return known;
 }
 
-/// The analysis of one file, and what is said of it meanwhile.
-class Analysis {
+MediaRecord record_without_shots(MediaState state, const std::string& reason) {
+    MediaRecord record;
+    record.state = state;
+    record.reason = reason;
+    return record;
+}
+
+/// The analysis of one file with its by-products.
+class FileAnalysis {
   public:
-    Analysis(const fs::path& file, const struct stat& status, const Settings& settings,
-             const Keeping& keeping, const GrowthObserver& grown)
-        : file_(file), status_(status), settings_(settings), keeping_(keeping), grown_(grown) {
-        if (keeping.has_thumbnail) thumbnail_.emplace(thumbnail_place(file, settings));
+    FileAnalysis(const AnalysedFile& file, const AnalysisOutputs& outputs, const GrowthObserver& grown)
+        : file_(file), outputs_(outputs), grown_(grown) {
+        if (outputs.thumbnail) thumbnail_.emplace(file.thumbnail());
     }
 
-    /// Whatever the file is, there is something to say of it.
+    /// Every file has a record, with the reason where it has no shots.
     MediaRecord record() {
         try {
-            return analysed();
+            return analyse();
         } catch (const MediaError& error) {
             const bool is_kept = error.state() == MediaState::failed && !known_.shots.empty();
-            if (!is_kept) return without_shots(error.state(), error.what());
-            known_ = known_part(std::move(known_), error);
-            if (frames_) frames_->finish(known_.duration, content());
-            if (keeper_) keeper_->complete(known_);
+            if (!is_kept) return record_without_shots(error.state(), error.what());
+            known_ = shortened_record(std::move(known_), error);
+            finish_outputs(known_);
             return known_;
         } catch (const std::bad_alloc&) {
-            return without_shots(MediaState::failed,
-                                 fmt::format("it needs more memory than {} MiB", settings_.analyzer.memory));
+            return record_without_shots(MediaState::failed, fmt::format("it needs more memory than {} MiB",
+                                                                        file_.settings().analyzer.memory));
         }
     }
 
   private:
-    static MediaRecord without_shots(MediaState state, const std::string& reason) {
-        MediaRecord record;
-        record.state = state;
-        record.reason = reason;
-        return record;
-    }
-
-    MediaRecord analysed() {
-        if (!keeping_.takes_cut_streams) require_whole_packets(file_.string(), media_format(file_.string()));
-        const std::unique_ptr<FrameSource> source = opened(file_, status_, settings_);
-        if (keeping_.stores) keeper_ = std::make_unique<Keeper>(file_.string(), source->info(), place());
-        if (keeping_.has_frames && source->info().kind == MediaKind::film) keep_frames();
-        AttendedSource attended(
-            *source, [this] { tell_kept(); },
+    MediaRecord analyse() {
+        if (!outputs_.accepts_cut) require_whole_packets(file_.name(), media_format(file_.name()));
+        const std::unique_ptr<FrameSource> source = file_.open();
+        begin_outputs(source->info());
+        ObservedSource observed(
+            *source, [this] { report_places(); },
             [this](const VideoFrame& frame) {
-                if (thumbnail_) thumbnail_->saw(frame);
+                if (thumbnail_) thumbnail_->add_frame(frame);
                 if (frames_) frames_->saw(frame);
             });
-        MediaRecord record = analyze(attended, analysis_settings(settings_.analyzer), {},
+        MediaRecord record = analyze(observed, analysis_settings(file_.settings().analyzer), {},
                                      [this](const MediaRecord& part) { grow(part); });
         if (thumbnail_) thumbnail_->write(record);
-        if (frames_) frames_->finish(record.duration, content());
-        if (keeper_) keeper_->complete(record);
+        finish_outputs(record);
         return record;
     }
 
-    FilmContent content() const {
-        const MediaRecord named = name({}, file_, status_, settings_);
-        return {.bytes = named.bytes, .mtime_ns = named.mtime_ns};
+    void begin_outputs(const MediaInfo& media) {
+        if (outputs_.stored) {
+            StorePlace place = file_.store_place();
+            place.wants_sound = outputs_.sound;
+            store_ = std::make_unique<StoreWriter>(file_.name(), media, std::move(place));
+        }
+        if (!outputs_.frames || media.kind != MediaKind::film) return;
+        if (tapestry_state(file_.tapestry(), file_.bytes(), file_.mtime_ns()) != TapestryState::lacking)
+            return;
+        const auto max_bytes = static_cast<std::uint64_t>(file_.settings().tapestry.max_bytes);
+        frames_.emplace(file_.tapestry(), tapestry_share(max_bytes));
     }
 
-    void keep_frames() {
-        const MediaRecord named = name({}, file_, status_, settings_);
-        const fs::path folder = tapestry_folder(settings_.state.directory, named.path);
-        if (tapestry_state(folder, named.bytes, named.mtime_ns) != TapestryState::lacking) return;
-        frames_.emplace(folder, tapestry_share(static_cast<std::uint64_t>(settings_.tapestry.max_bytes)));
-    }
-
-    StorePlace place() const {
-        StorePlace place = store_place(file_, status_, settings_);
-        place.wants_sound = keeping_.has_sound;
-        return place;
+    /// Enters the places in the store.
+    void finish_outputs(MediaRecord& record) {
+        if (frames_) frames_->finish(record.duration, {.bytes = file_.bytes(), .mtime_ns = file_.mtime_ns()});
+        if (store_) store_->finish(record);
     }
 
     void grow(const MediaRecord& part) {
@@ -194,66 +139,77 @@ class Analysis {
         if (thumbnail_) thumbnail_->write(part);
         grown_(part);
         for (const Shot& shot : part.shots)
-            if (keeper_) keeper_->found(shot);
+            if (store_) store_->add_shot(shot);
     }
 
-    void tell_kept() {
-        if (!keeper_) return;
-        for (const Shot& shot : keeper_->news()) {
+    /// Tells of shots again whose place in the store became known since the last frame.
+    void report_places() {
+        if (!store_) return;
+        for (const Shot& shot : store_->take_placed_shots()) {
             MediaRecord part = known_;
             part.shots = {shot};
             grown_(part);
         }
     }
 
-    const fs::path& file_;  // all but keeping outlive the analysis
-    const struct stat& status_;
-    const Settings& settings_;
-    Keeping keeping_;
-    const GrowthObserver& grown_;
-    MediaRecord known_;  // of a film, with the shots so far
-    std::unique_ptr<Keeper> keeper_;
+    const AnalysedFile& file_;  // outlives this
+    AnalysisOutputs outputs_;
+    const GrowthObserver& grown_;  // outlives this
+    MediaRecord known_;            // a film with the shots so far
+    std::unique_ptr<StoreWriter> store_;
     std::optional<Thumbnail> thumbnail_;
     std::optional<KeptFrames> frames_;
 };
 
+void write_line(const UniqueFd& output, const MediaRecord& record) {
+    const std::string json = to_json(record) + "\n";
+    for (std::string_view text = json; !text.empty();) {
+        const ssize_t n = ::write(output.get(), text.data(), text.size());
+        if (n < 0) throw_errno("write the record");
+        text.remove_prefix(static_cast<std::size_t>(n));
+    }
+}
+
 }  // namespace
 
-int clip_side(const Settings& settings) {
-    if (settings.store.clip_size > 0) return settings.store.clip_size;
-    return clip_side_for(settings.layout.slots, noted_screen_side(settings.state.directory));
-}
-
-MediaRecord record_of_file(const fs::path& file, const Settings& settings, const Keeping& keeping,
-                           const std::function<void(const MediaRecord&)>& grown) {
-    const struct stat status = status_of(file);
-    const auto tell = [&](const MediaRecord& part) {
-        if (grown) grown(name(part, file, status, settings));
+MediaRecord analyse_file(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs,
+                         const std::function<void(const MediaRecord&)>& grown) {
+    const AnalysedFile analysed(file, settings);
+    const auto report = [&](const MediaRecord& part) {
+        if (grown) grown(analysed.stamped(part));
     };
-    return name(Analysis(file, status, settings, keeping, tell).record(), file, status, settings);
+    return analysed.stamped(FileAnalysis(analysed, outputs, report).record());
 }
 
-bool leave_thumbnail(const fs::path& file, const Settings& settings) {
-    const fs::path place = thumbnail_place(file, settings);
+void print_analysis(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs) {
+    const UniqueFd output(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+    if (!output.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        throw_errno("redirect the standard output");
+    std::function<void(const MediaRecord&)> grown;
+    if (outputs.growth) grown = [&](const MediaRecord& part) { write_line(output, part); };
+    write_line(output, analyse_file(file, settings, outputs, grown));
+}
+
+bool write_thumbnail(const fs::path& file, const Settings& settings) {
     const Catalogue catalogue(fs::path(settings.state.directory) / "catalogue");
     const auto record = catalogue.find(record_path(file, settings.media.root));
     if (!record || record->shots.empty()) return false;
-    Thumbnail thumbnail(place);
-    const std::unique_ptr<FrameSource> source = opened(file, status_of(file), settings);
+    const AnalysedFile analysed(file, settings);
+    Thumbnail thumbnail(analysed.thumbnail());
+    const std::unique_ptr<FrameSource> source = analysed.open();
     while (const std::optional<VideoFrame> frame = source->next()) {
         if (frame->time < record->shots.front().begin) continue;
-        thumbnail.saw(*frame);
+        thumbnail.add_frame(*frame);
         break;
     }
     thumbnail.write(*record);
-    return fs::exists(place);
+    return fs::exists(analysed.thumbnail());
 }
 
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {
-    const struct stat status = status_of(file);
-    const SheetTitle title{.name = file.filename().string(),
-                           .bytes = static_cast<std::uint64_t>(status.st_size)};
-    return write_explain_sheet([&] { return opened(file, status, settings); }, title, sheet,
+    const AnalysedFile analysed(file, settings);
+    const SheetTitle title{.name = file.filename().string(), .bytes = analysed.bytes()};
+    return write_explain_sheet([&] { return analysed.open(); }, title, sheet,
                                analysis_settings(settings.analyzer));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyzer/one_file/analysis_outputs.hpp"
 #include "base/settings/settings.hpp"
 #include "base/state/record.hpp"
 
@@ -9,34 +10,30 @@
 
 namespace vitrine::analyzer {
 
-/// What an analysis leaves in the state directory, and what it takes.
-struct Keeping {
-    bool stores = false;         // a copy or clips in the store (settings.store), for the player to play from
-    bool has_sound = false;      // of a film, in the store too
-    bool has_thumbnail = false;  // for the status folder
-    bool takes_cut_streams = false;  // one that breaks off inside a packet was waited for long enough
-    bool has_frames = false;  // for the film's tapestry (settings.tapestry), where that is still to be woven
-};
+// The commands of vitrine-analyzer that look at one file.
 
 /// The record of one file as it is now: with its shots, or with the reason why there are none. A film that
 /// turns out to be damaged behind its first shots keeps them, and has the reason too.
 ///
-/// @param file  anywhere; its path in the record is relative to settings.media.root where it lies in there
-/// @param keeping  what else becomes of it
-/// @param grown  sees what is new of a film whenever a shot is over, a record of the new shots alone, and
-/// again of a shot alone when its place in the store becomes known
+/// @param file     anywhere; its path in the record is relative to settings.media.root where it lies in there
+/// @param outputs  by-products to write; `growth` only says whether `grown` is called
+/// @param grown    called with the new shots of a film whenever one is over, and with one shot again when its
+/// place in the store becomes known
 /// @throws std::system_error where there is no such file
-MediaRecord record_of_file(const std::filesystem::path& file, const Settings& settings,
-                           const Keeping& keeping = {},
-                           const std::function<void(const MediaRecord&)>& grown = {});
+MediaRecord analyse_file(const std::filesystem::path& file, const Settings& settings,
+                         const AnalysisOutputs& outputs = {},
+                         const std::function<void(const MediaRecord&)>& grown = {});
 
-/// Leaves the thumbnail of a file whose record is in the catalogue.
+/// Prints that record on the standard output, and with `outputs.growth` each shot before, a line each. Other
+/// output of the process goes to the standard error from then on: libraries print too.
+/// @throws std::system_error
+void print_analysis(const std::filesystem::path& file, const Settings& settings,
+                    const AnalysisOutputs& outputs);
+
+/// Writes the thumbnail of a file whose record is in the catalogue.
 /// @return whether there is one now
 /// @throws MediaError where the file cannot be read
-bool leave_thumbnail(const std::filesystem::path& file, const Settings& settings);
-
-/// The longest side of the clips that are made for the store, px: as set, or as the screens need them.
-int clip_side(const Settings& settings);
+bool write_thumbnail(const std::filesystem::path& file, const Settings& settings);
 
 /// Writes the sheet that shows how the file's regions came about, as PNG.
 /// @return the record

@@ -72,7 +72,7 @@ std::string jpeg(const cv::Mat& bgr) {
 
 }  // namespace
 
-void Thumbnail::saw(const VideoFrame& frame) {
+void Thumbnail::add_frame(const VideoFrame& frame) {
     if (is_written_ || frame.picture.empty() || frames_.size() >= most_frames) return;
     if (!frames_.empty() && frame.time < frames_.back().time + between_frames) return;
     const int side = std::max(frame.picture.cols, frame.picture.rows);

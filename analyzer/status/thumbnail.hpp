@@ -15,10 +15,10 @@ class Thumbnail {
     /// @param file  a JPEG that is replaced as a whole
     explicit Thumbnail(std::filesystem::path file) : file_(std::move(file)) {}
 
-    /// A frame of the file, in the order of time.
-    void saw(const VideoFrame& frame);
+    /// Frames of the file come in the order of time.
+    void add_frame(const VideoFrame& frame);
 
-    /// Draws the first shot; the other calls do nothing. A full disk is no reason to fail.
+    /// Draws the first shot; further calls do nothing. A full disk is no reason to fail.
     /// @param record  with that shot
     void write(const MediaRecord& record);
 

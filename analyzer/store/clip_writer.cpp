@@ -76,8 +76,8 @@ bool ClipWriter::has_encoder() {
     return factory != nullptr;
 }
 
-ClipWriter::ClipWriter(fs::path file, GstSample* like, std::uint64_t most_bytes)
-    : file_(std::move(file)), most_bytes_(most_bytes) {
+ClipWriter::ClipWriter(fs::path file, GstSample* like, std::uint64_t max_bytes)
+    : file_(std::move(file)), max_bytes_(max_bytes) {
     start_gstreamer();
     GError* raw = nullptr;
     pipeline_.reset(gst_parse_launch(words_for(like).c_str(), &raw));
@@ -103,7 +103,7 @@ void ClipWriter::push(GstSample* frame, nanoseconds time) {
     if (held_) send(time);
     held_.reset(gst_sample_ref(frame));
     held_time_ = time;
-    if (++frames_ % look_interval == 0 && size() > most_bytes_)
+    if (++frames_ % look_interval == 0 && size() > max_bytes_)
         throw ClipError(Why::too_large, "the clip is too large");
 }
 
@@ -142,7 +142,7 @@ void ClipWriter::finish(nanoseconds end) {
     if (!message) throw ClipError(Why::broken, "the encoder does not come to an end");
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw failure(message.get());
     gst_element_set_state(pipeline_.get(), GST_STATE_NULL);
-    if (size() > most_bytes_) throw ClipError(Why::too_large, "the clip is too large");
+    if (size() > max_bytes_) throw ClipError(Why::too_large, "the clip is too large");
     try {
         publish_file(unfinished(file_), file_);
     } catch (const std::system_error& error) {

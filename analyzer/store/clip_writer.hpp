@@ -37,8 +37,8 @@ class ClipWriter {
 
     /// @param file        replaced if there is one
     /// @param like        of the film: its size, colours and rate are those of the clip
-    /// @param most_bytes  that the clip may have
-    ClipWriter(std::filesystem::path file, GstSample* like, std::uint64_t most_bytes);
+    /// @param max_bytes  that the clip may have
+    ClipWriter(std::filesystem::path file, GstSample* like, std::uint64_t max_bytes);
     ClipWriter(const ClipWriter&) = delete;
     ClipWriter& operator=(const ClipWriter&) = delete;
 
@@ -60,7 +60,7 @@ class ClipWriter {
     std::uint64_t size() const;
 
     std::filesystem::path file_;
-    std::uint64_t most_bytes_;
+    std::uint64_t max_bytes_;
     GstPtr<GstElement> pipeline_;
     GstPtr<GstElement> source_;
     GstPtr<GstBus> bus_;

@@ -18,10 +18,11 @@ std::int64_t used_ns(const struct stat& file) {
 }
 
 std::uint64_t excess_bytes(std::uint64_t held, std::uint64_t most, const std::filesystem::path& directory,
-                           std::uint64_t least_free) {
+                           std::uint64_t min_free_bytes) {
     std::error_code error;
     const std::filesystem::space_info space = std::filesystem::space(directory, error);
-    const std::uint64_t lack = error || space.available >= least_free ? 0 : least_free - space.available;
+    const std::uint64_t lack =
+        error || space.available >= min_free_bytes ? 0 : min_free_bytes - space.available;
     return std::max(held > most ? held - most : 0, std::min(held, lack));
 }
 

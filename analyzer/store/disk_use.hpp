@@ -11,8 +11,8 @@ namespace vitrine::analyzer {
 std::int64_t used_ns(const struct stat& file);
 
 /// How many of the bytes held below a directory are too many: beyond `most`, or where its disk has less than
-/// `least_free` left.
+/// `min_free_bytes` left.
 std::uint64_t excess_bytes(std::uint64_t held, std::uint64_t most, const std::filesystem::path& directory,
-                           std::uint64_t least_free);
+                           std::uint64_t min_free_bytes);
 
 }  // namespace vitrine::analyzer

@@ -23,7 +23,7 @@ class FilmClips::Pass {
     bool make(const Shot& shot, const fs::path& file) {
         while (frame_.time < shot.begin)
             if (!advance()) return false;
-        ClipWriter writer(file, frame_.sample.get(), clips_.place_.most_bytes);
+        ClipWriter writer(file, frame_.sample.get(), clips_.place_.max_bytes);
         bool has_more = true;
         while (has_more && frame_.time < shot.end) {
             writer.push(frame_.sample.get(), frame_.time - shot.begin);
@@ -59,7 +59,7 @@ FilmClips::~FilmClips() {
     if (thread_.joinable()) thread_.join();
 }
 
-void FilmClips::want(const Shot& shot) {
+void FilmClips::request_clip(const Shot& shot) {
     const std::lock_guard lock(mutex_);
     wanted_.push_back(shot);
     changed_.notify_all();

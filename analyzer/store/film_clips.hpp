@@ -22,17 +22,17 @@ class FilmClips {
     FilmClips(const FilmClips&) = delete;
     FilmClips& operator=(const FilmClips&) = delete;
 
-    /// Gives up what is not made yet.
+    /// Gives up the clips that are not made yet.
     ~FilmClips();
 
     /// @param shot  later than the last one
-    void want(const Shot& shot);
+    void request_clip(const Shot& shot);
 
     /// The shots whose clips were made since the last call, or cannot be, with their place in the store. A
     /// clip for which the disk had no room has its place too: it is made when the analyzer starts again.
     std::vector<Shot> take_made();
 
-    /// Waits until all that was wanted is made, or cannot be.
+    /// Waits until every requested clip is made, or cannot be.
     void finish();
 
   private:
@@ -50,9 +50,9 @@ class FilmClips {
     std::condition_variable changed_;
     std::deque<Shot> wanted_;    // guarded by mutex_
     std::vector<Shot> made_;     // guarded by mutex_
-    bool is_finishing_ = false;  // guarded by mutex_: no more is wanted
+    bool is_finishing_ = false;  // guarded by mutex_: no further clip is requested
     bool is_stopped_ = false;    // guarded by mutex_
-    std::thread thread_;         // last: all else is there when it starts
+    std::thread thread_;         // last: all other members are there when it starts
 };
 
 }  // namespace vitrine::analyzer

@@ -38,7 +38,8 @@ bool Store::lacks_sound(const MediaRecord& record) const {
     if (!is_on() || record.kind != MediaKind::film || record.state != MediaState::ready ||
         !record.is_complete)
         return false;
-    if (!record.sound) return record.reason.empty();  // else what was known of it was all that could be
+    if (!record.sound)
+        return record.reason.empty();  // else the film is damaged: a second analysis finds no more
     return !record.sound->is_dropped && !record.sound->file.empty() &&
            !fs::exists(directory_ / record.sound->file);
 }
@@ -49,7 +50,7 @@ void Store::mark_dropped(MediaRecord& record) const {
     if (record.sound && dropped_.contains(record.sound->file)) record.sound->is_dropped = true;
 }
 
-void Store::hold(const MediaRecord& record) {
+void Store::note_record(const MediaRecord& record) {
     std::set<std::string>& names = named_[record.path];
     names.clear();
     for (const Shot& shot : record.shots)
@@ -57,47 +58,47 @@ void Store::hold(const MediaRecord& record) {
     if (record.sound && !record.sound->is_dropped && !record.sound->file.empty())
         names.insert(record.sound->file);
     for (const std::string& name : names)
-        if (!files_.contains(name)) look_at(name);
+        if (!files_.contains(name)) measure_file(name);
     if (names.empty()) named_.erase(record.path);
 }
 
-void Store::release(const std::string& path) {
+void Store::forget_file(const std::string& path) {
     named_.erase(path);
 }
 
-void Store::look_at(const std::string& name) {
+void Store::measure_file(const std::string& name) {
     struct stat status {};
 
     if (::stat((directory_ / name).c_str(), &status) < 0 || !S_ISREG(status.st_mode)) return;
     files_[name] = {.bytes = static_cast<std::uint64_t>(status.st_size), .used_ns = used_ns(status)};
 }
 
-void Store::list() {
+void Store::read_directory() {
     files_.clear();
     std::error_code missing;
     for (const fs::directory_entry& folder : fs::directory_iterator(directory_, missing)) {
         std::error_code error;
         const std::string id = folder.path().filename().string();
         for (const fs::directory_entry& file : fs::directory_iterator(folder.path(), error))
-            look_at(id + "/" + file.path().filename().string());
+            measure_file(id + "/" + file.path().filename().string());
         if (!busy_.contains(id)) fs::remove(folder.path(), error);  // only where it is empty
     }
 }
 
 void Store::sweep() {
-    list();
-    const std::set<std::string> named = names();
+    read_directory();
+    const std::set<std::string> named = named_files();
     std::set<std::string> unnamed;
     for (const auto& [name, file] : files_)
         if (!named.contains(name) && !is_busy(name)) unnamed.insert(name);
     for (const std::string& name : std::exchange(unnamed_, unnamed))
-        if (unnamed.contains(name)) take_out(name);
+        if (unnamed.contains(name)) remove_file(name);
 }
 
 std::set<std::string> Store::make_room() {
     const std::uint64_t bytes = excess();
     if (bytes == 0) return {};
-    const std::set<std::string> named = names();
+    const std::set<std::string> named = named_files();
     std::vector<StoredFile> files;
     for (const auto& [name, file] : files_) {
         const bool is_named = named.contains(name);
@@ -107,7 +108,7 @@ std::set<std::string> Store::make_room() {
     }
     std::set<std::string> lost;
     for (const StoredFile& file : surplus(std::move(files), bytes)) {
-        take_out(file.name);
+        remove_file(file.name);
         if (file.is_named && is_on()) lost.insert(file.name);
     }
     dropped_.insert(lost.begin(), lost.end());
@@ -118,7 +119,7 @@ std::set<std::string> Store::make_room() {
     return paths;
 }
 
-void Store::take_out(const std::string& name) {
+void Store::remove_file(const std::string& name) {
     std::error_code ignored;  // it is tried again at the next sweep
     fs::remove(directory_ / name, ignored);
     fs::remove((directory_ / name).parent_path(), ignored);  // only where it is empty
@@ -129,10 +130,10 @@ std::uint64_t Store::excess() const {
     std::uint64_t bytes = 0;
     for (const auto& [name, file] : files_)
         bytes += file.bytes;
-    return excess_bytes(bytes, bounds_.max_bytes, directory_, bounds_.least_free);
+    return excess_bytes(bytes, bounds_.max_bytes, directory_, bounds_.min_free_bytes);
 }
 
-std::set<std::string> Store::names() const {
+std::set<std::string> Store::named_files() const {
     std::set<std::string> all;
     for (const auto& [path, its] : named_)
         all.insert(its.begin(), its.end());

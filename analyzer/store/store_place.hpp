@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/settings/settings.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -7,17 +9,20 @@
 namespace vitrine::analyzer {
 
 /// Bytes that the store leaves free on its disk, for the catalogue and everyone else.
-constexpr std::uint64_t least_free_bytes = 64U << 20;
+constexpr std::uint64_t usual_free_bytes = 64U << 20;
 
-/// Where the store is and what may be put there for one file.
+/// The place of one medium in the store, and the limits there.
 struct StorePlace {
     std::filesystem::path store;
-    std::string id;                // of the file, see store_id()
-    int clip_side = 640;           // px, longest side of a clip
-    std::uint64_t most_bytes = 0;  // of one clip or copy
-    std::uint64_t least_free = 0;  // bytes that the disk must keep free
-    bool wants_sound = false;      // of a film
+    std::string id;                    // see store_id()
+    int clip_side = 640;               // px, longest side of a clip
+    std::uint64_t max_bytes = 0;       // for one clip or copy
+    std::uint64_t min_free_bytes = 0;  // bytes that the disk must keep free
+    bool wants_sound = false;          // films only
 };
+
+/// The longest side of the clips that are made for the store, px: as set, or as the screens need them.
+int clip_side(const Settings& settings);
 
 /// Whether the disk has more free than it must keep.
 bool has_room(const StorePlace& place);

@@ -9,29 +9,29 @@
 
 namespace vitrine::analyzer {
 
-Keeper::Keeper(std::string file, const MediaInfo& media, StorePlace place)
+StoreWriter::StoreWriter(std::string file, const MediaInfo& media, StorePlace place)
     : file_(std::move(file)), media_(media), place_(std::move(place)) {
     if (media.kind == MediaKind::photo || !ClipWriter::has_encoder()) return;
     if (const auto form = clip_form(media, place_.clip_side))
         clips_ = std::make_unique<FilmClips>(file_, *form, place_);
 }
 
-Keeper::~Keeper() = default;
+StoreWriter::~StoreWriter() = default;
 
-void Keeper::found(const Shot& shot) {
-    if (clips_) clips_->want(shot);
+void StoreWriter::add_shot(const Shot& shot) {
+    if (clips_) clips_->request_clip(shot);
 }
 
-std::vector<Shot> Keeper::news() {
+std::vector<Shot> StoreWriter::take_placed_shots() {
     std::vector<Shot> made = clips_ ? clips_->take_made() : std::vector<Shot>{};
     known_.insert(known_.end(), made.begin(), made.end());
     return made;
 }
 
-void Keeper::complete(MediaRecord& record) {
+void StoreWriter::finish(MediaRecord& record) {
     if (clips_) clips_->finish();
-    news();
-    fill_in(record);
+    take_placed_shots();
+    fill_in_places(record);
     if (place_.wants_sound && record.kind == MediaKind::film) record.sound = store_sound(file_, place_);
     const auto is_placed = [](const Shot& shot) { return shot.stored.has_value(); };
     if (std::all_of(record.shots.begin(), record.shots.end(), is_placed)) return;
@@ -44,7 +44,7 @@ void Keeper::complete(MediaRecord& record) {
     }
 }
 
-void Keeper::fill_in(MediaRecord& record) {
+void StoreWriter::fill_in_places(MediaRecord& record) {
     for (Shot& shot : record.shots) {
         const auto found = std::find_if(known_.begin(), known_.end(),
                                         [&](const Shot& known) { return known.begin == shot.begin; });

@@ -11,34 +11,34 @@
 
 namespace vitrine::analyzer {
 
-/// Puts one file into the store while it is analysed: a film as clips of its shots and, where
-/// it is to be heard, its sound, a photo as a copy.
-class Keeper {
+/// Writes one medium into the store while it is analysed: a film as clips of its shots and, where it is to be
+/// heard, its sound; a photo as a copy.
+class StoreWriter {
   public:
     /// @param media  what the analysis knows of the file before its first frame
-    Keeper(std::string file, const MediaInfo& media, StorePlace place);
-    ~Keeper();
-    Keeper(const Keeper&) = delete;
-    Keeper& operator=(const Keeper&) = delete;
+    StoreWriter(std::string file, const MediaInfo& media, StorePlace place);
+    ~StoreWriter();
+    StoreWriter(const StoreWriter&) = delete;
+    StoreWriter& operator=(const StoreWriter&) = delete;
 
-    /// The shot of a film is over.
-    void found(const Shot& shot);
+    /// A film's shot is over: its clip is made.
+    void add_shot(const Shot& shot);
 
-    /// The shots found whose place in the store has become known since the last call.
-    std::vector<Shot> news();
+    /// The added shots whose place in the store has become known since the last call.
+    std::vector<Shot> take_placed_shots();
 
-    /// Waits for what is still being made, and says in the whole record where its shots are. A film of which
-    /// no clips can be made is copied.
-    void complete(MediaRecord& record);
+    /// Waits for the files that are still being made, and enters the places of all shots in the record. A
+    /// film of which no clips can be made is copied.
+    void finish(MediaRecord& record);
 
   private:
-    void fill_in(MediaRecord& record);
+    void fill_in_places(MediaRecord& record);
 
     std::string file_;
     MediaInfo media_;
     StorePlace place_;
-    std::unique_ptr<FilmClips> clips_;  // of a film that clips can be made of
-    std::vector<Shot> known_;           // with their places
+    std::unique_ptr<FilmClips> clips_;  // only of a film, where clips can be made
+    std::vector<Shot> known_;           // shots with their places
 };
 
 }  // namespace vitrine::analyzer

@@ -29,7 +29,7 @@ std::optional<StoredShot> stored(StoredShot place_of, const StorePlace& place, c
         fs::create_directories(file.parent_path());
         if (fs::exists(file) || !has_room(place)) return place_of;
         write(unfinished(file));
-        if (fs::file_size(unfinished(file)) <= place.most_bytes)
+        if (fs::file_size(unfinished(file)) <= place.max_bytes)
             publish_file(unfinished(file), file);
         else
             place_of.is_dropped = true;
@@ -68,7 +68,7 @@ std::optional<StoredShot> store_film(const std::string& file, const MediaInfo& s
                                      const StorePlace& place) {
     StoredShot place_of{.file = place.id + "/film", .width = size.width, .height = size.height};
     std::error_code unknown;  // then it is as large as can be
-    place_of.is_dropped = fs::file_size(file, unknown) > place.most_bytes;
+    place_of.is_dropped = fs::file_size(file, unknown) > place.max_bytes;
     if (place_of.is_dropped) return place_of;
     return copied(file, std::move(place_of), place);
 }

@@ -37,10 +37,10 @@ GstPtr<GstElement> writer(const fs::path& to) {
     return bin;
 }
 
-bool is_larger(const fs::path& file, std::uint64_t most_bytes) {
+bool is_larger(const fs::path& file, std::uint64_t max_bytes) {
     std::error_code missing;
     const std::uintmax_t bytes = fs::file_size(file, missing);
-    return !missing && bytes > most_bytes;
+    return !missing && bytes > max_bytes;
 }
 
 /// @throws std::runtime_error where the film cannot be read, MediaError where it is none
@@ -51,7 +51,7 @@ End write(const std::string& film, const fs::path& to, const StorePlace& place) 
     while (true) {
         const GstPtr<GstMessage> message(gst_bus_timed_pop_filtered(
             chain.bus(), look_interval, static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS)));
-        if (is_larger(to, place.most_bytes)) return End::too_large;
+        if (is_larger(to, place.max_bytes)) return End::too_large;
         if (!has_room(place)) return End::no_room;
         if (!message) continue;
         if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_EOS) return End::whole;

@@ -183,7 +183,7 @@ std::uint64_t Tapestries::excess() const {
     std::uint64_t bytes = 0;
     for (const auto& [path, content] : held_)
         bytes += content.bytes;
-    return excess_bytes(bytes, bounds_.max_bytes, state_, bounds_.least_free);
+    return excess_bytes(bytes, bounds_.max_bytes, state_, bounds_.min_free_bytes);
 }
 
 void Tapestries::note(const std::string& path, const Content& content) const {

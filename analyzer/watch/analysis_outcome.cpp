@@ -29,7 +29,7 @@ std::string signal_in_words(int number) {
     }
 }
 
-/// The last line that says something: libraries warn before, the reason stands at the end.
+/// The last line that is not blank: libraries warn first, the reason stands at the end.
 std::string last_line(const std::string& text) {
     const std::size_t end = text.find_last_not_of(" \n\r\t");
     if (end == std::string::npos) return "";
@@ -76,7 +76,7 @@ std::optional<MediaRecord> growth_of(const std::string& line, const std::string&
     return part;
 }
 
-std::optional<MediaRecord> kept(std::optional<MediaRecord> known, const Outcome& outcome) {
+std::optional<MediaRecord> kept_record(std::optional<MediaRecord> known, const AnalysisOutcome& outcome) {
     const MediaRecord& judged = outcome.record;
     if (!outcome.ran_out || !known || known->shots.empty() || known->state != MediaState::ready ||
         known->bytes != judged.bytes || known->mtime_ns != judged.mtime_ns)
@@ -87,8 +87,8 @@ std::optional<MediaRecord> kept(std::optional<MediaRecord> known, const Outcome&
     return known;
 }
 
-Outcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
-                   const FileFacts& facts) {
+AnalysisOutcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
+                           const FileFacts& facts) {
     using End = ChildResult::End;
     if (result.end == End::late || result.end == End::killed)
         return {.answer = Answer::died,

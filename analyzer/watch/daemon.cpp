@@ -1,15 +1,16 @@
 #include "analyzer/watch/daemon.hpp"
 
-#include "base/system/error.hpp"
+#include "analyzer/status/plain_text.hpp"
+#include "analyzer/status/status_summary.hpp"
+#include "base/state/blame.hpp"
+#include "base/state/record_json.hpp"
+#include "base/system/journal.hpp"
 #include "base/system/log.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/epoll.h>
-#include <sys/file.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -21,34 +22,19 @@ namespace {
 
 constexpr auto remote_rescan = 10s;    // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;    // until the media folder is there
-constexpr auto growth_rest = 500ms;    // between two writings of films whose analysis goes on
-constexpr auto tell_rest = 1s;         // between two words to systemd
-constexpr auto unreachable_rest = 1s;  // until what could not be looked at is looked at again
+constexpr auto unreachable_rest = 1s;  // until an unreachable file is looked at again
 constexpr auto weave_deadline = 48h;   // it does nothing that could hang, but all others go first
-constexpr auto hint_rest = 300ms;      // in which a .vitrine.toml is written to its end
+
+constexpr const char* next_rescan = "rescan of the media folder";
+constexpr const char* next_look = "look at a file that was to settle";
 
 Schedule::Time now() {
     return EventLoop::Clock::now();
 }
 
-std::string reading_of(const std::string& path) {
-    return fmt::format("'{}' is read", path);
-}
-
-/// The catalogue has one writer.
-UniqueFd lock_of(const fs::path& catalogue) {
-    fs::create_directories(catalogue);
-    const fs::path file = catalogue / "writer.lock";
-    UniqueFd lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-    if (!lock.is_open()) throw_errno("open '{}'", file.string());
-    if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
-    if (errno == EWOULDBLOCK) errno = EBUSY;
-    throw_errno("another vitrine-analyzer writes the catalogue '{}'", catalogue.string());
-}
-
 WeaveOptions weave_options(const WatchOptions& options) {
     constexpr int niceness = 19;
-    ChildLimits limits = options.limits;
+    ChildLimits limits = options.analysis.limits;
     limits.deadline = weave_deadline;
     limits.niceness = niceness;
     return {.root = options.root,
@@ -58,24 +44,46 @@ WeaveOptions weave_options(const WatchOptions& options) {
             .limits = limits};
 }
 
+BookPlaces book_places(const WatchOptions& options) {
+    return {.catalogue = options.catalogue,
+            .store = options.store,
+            .bounds = options.bounds,
+            .thumbnails = options.state / "thumbnails"};
+}
+
+/// Files that are still to be analysed in this run, those that wait for a retry left out.
+std::size_t unfinished_files(const Schedule& schedule) {
+    using Progress = Schedule::Progress;
+    std::size_t count = 0;
+    schedule.visit_files([&](const std::string&, Progress progress, Schedule::Time) {
+        count += progress != Progress::done && progress != Progress::waiting ? 1 : 0;
+    });
+    return count;
+}
+
 }  // namespace
 
 Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
     : loop_(loop),
       options_(options),
-      folder_(options.root, options.status_folder),
-      catalogue_(options.catalogue),
-      store_(options.store, options.bounds),
-      lock_(lock_of(options.catalogue)),
       schedule_(options.pace),
-      follower_(folder_, schedule_),
-      hint_files_(folder_, options.state / "hints.json"),
+      liveness_(loop,
+                [this] {
+                    return StatusLine{status(), !analyses_.is_idle()};
+                }),
+      follower_(MediaFolder(options.root, options.status_folder), schedule_),
+      hint_files_(loop, follower_.folder(), options.state / "hints.json", [this] { follow_hints(); }),
       weaver_(loop, weave_options(options)),
+      book_(loop, book_places(options), schedule_, weaver_),
+      analyses_(loop, options.analysis, liveness_,
+                {.grown = [this](const MediaRecord& part) { book_.add_growth(part); },
+                 .ended = [this](const FileFacts& facts,
+                                 const AnalysisOutcome& outcome) { finish_analysis(facts, outcome); }}),
       status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }),
-      thumbnails_(loop, options.thumbnail_child, options.limits, [this] { status_.touch(); }) {
+      thumbnails_(loop, options.thumbnail_child, options.analysis.limits, [this] { status_.touch(); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
         if (follower_.read_events(now())) rescan();
-        if (follower_.take_hint_news()) hints_.arm(hint_rest);
+        if (follower_.take_hint_news()) hint_files_.read_soon();
         advance();
     });
     wake_ = loop_.timer([this] { advance(); });
@@ -83,40 +91,61 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
         rescan();
         advance();
     });
-    growth_ = loop_.timer([this] {
-        is_growth_resting_ = false;
-        store_growth();
-    });
-    hints_ = loop_.timer([this] { read_hints(); });
-    watchdog_ = loop_.timer([this] { feed_watchdog(); });
-    telling_ = loop_.timer([this] { tell_systemd(); });
-    load_catalogue();
+    book_.load();
     rescan();
     wake_.arm(0s);
-    watchdog_.arm(0s);
 }
 
-Daemon::~Daemon() = default;
+bool Daemon::is_up_to_date() const {
+    const auto [records, removals] = book_.backlog();
+    return is_online() && records + removals == 0;
+}
 
 void Daemon::rescan() {
-    const std::vector<std::string> remarks = follower_.rescan(now(), [this] { get_on(); });
+    const std::vector<std::string> before = follower_.remarks();
+    follower_.rescan(now(), [this] { liveness_.feed_watchdog_now(); });
+    const std::vector<std::string>& remarks = follower_.remarks();
     for (const std::string& remark : remarks)
-        if (std::find(remarks_.begin(), remarks_.end(), remark) == remarks_.end()) log::warning("{}", remark);
-    if (!remarks_.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
-    remarks_ = remarks;
-    store_again();
-    follow_blame();
-    store_.sweep();
-    weaver_.sweep(schedule_.paths_below(""));
-    read_hints();
+        if (std::find(before.begin(), before.end(), remark) == before.end()) log::warning("{}", remark);
+    if (!before.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
+    book_.retry_writes();
+    quarantine_suspects();
+    book_.sweep(schedule_.paths_below(""));
+    follow_hints();
     std::chrono::milliseconds interval = options_.rescan;
-    if (folder_.is_remote()) interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
+    if (follower_.folder().is_remote())
+        interval = std::min<std::chrono::milliseconds>(interval, remote_rescan);
     if (!is_online()) interval = std::min<std::chrono::milliseconds>(interval, offline_rescan);
     rescan_.arm(interval);
-    pulse_.expect("the media folder is read", now() + interval);
+    liveness_.expect(next_rescan, now() + interval);
 }
 
-/// Whatever happened ends here: the schedule says what follows.
+/// Names or folders may say something else now. A film that is to be heard from now on may lack its sound.
+void Daemon::follow_hints() {
+    if (is_online()) {
+        const std::vector<std::string> paths = schedule_.paths_below("");
+        hint_files_.read(paths);
+        const auto is_heard = [this](const std::string& path) {
+            return hint_files_.hints_for(path).sound.value_or(false);
+        };
+        if (book_.request_sounds(paths, is_heard)) wake_.arm(0s);
+    }
+    status_.touch();
+}
+
+/// A file that brings the player down is not shown until it changes.
+void Daemon::quarantine_suspects() {
+    const Blame blame = read_blame(options_.state);
+    for (const std::string& path : suspects(blame, schedule_.paths_below(""))) {
+        const std::optional<MediaRecord> record = book_.record(path);
+        if (!record || record->state != MediaState::ready || !is_quarantined(blame, *record)) continue;
+        const FileFacts facts{.bytes = record->bytes, .mtime_ns = record->mtime_ns};
+        book_.store(record_of(path, facts, MediaState::quarantined, brought_the_player_down));
+        log::warning("quarantined: '{}': {}", path, brought_the_player_down);
+    }
+}
+
+/// Every event ends here: the schedule decides what follows.
 void Daemon::advance() {
     const Schedule::Time begin = now();
     follower_.look_at(schedule_.files_to_look_at(begin), begin);
@@ -125,113 +154,72 @@ void Daemon::advance() {
         for (const Action& action : actions)
             perform(action);
     weaver_.advance(is_online() && schedule_.is_idle() && !options_.is_once);
-    if (store_.is_over()) make_room();
+    book_.make_room();
     wake_at(schedule_.next_wake(), begin);
-    if (!is_telling_) telling_.arm(tell_rest);
-    is_telling_ = true;
+    liveness_.send_status_soon();
     status_.touch();
     if (!schedule_.is_idle()) return;
-    if (!options_.is_once) return make_thumbnails();
-    store_.sweep();
+    if (!options_.is_once) return request_thumbnails();
+    book_.sweep(schedule_.paths_below(""));
     status_.write();
     loop_.quit();
 }
 
-/// What was to be looked at and still is could not be reached: it is tried again after a while.
+/// A file that was due and still is could not be reached: it is tried again after a while.
 void Daemon::wake_at(std::optional<Schedule::Time> time, Schedule::Time begin) {
-    const std::string look = "files are looked at";
-    pulse_.came(look);
+    liveness_.meet(next_look);
     if (!time) return;
     const Schedule::Time at = *time <= begin ? now() + unreachable_rest : *time;
     wake_.arm(std::max<Schedule::Time::duration>(at - now(), 0s));
-    pulse_.expect(look, at);
+    liveness_.expect(next_look, at);
 }
 
 void Daemon::perform(const Action& action) {
     switch (action.kind) {
     case Action::Kind::start:
-        return start(action);
+        return start_analysis(action);
     case Action::Kind::stop:
-        return children_.at(action.path)->stop();
+        return analyses_.stop(action.path);
     case Action::Kind::hold:
-        return store(record_of(action.path, action.facts, MediaState::waiting, "it is still being copied"));
+        return book_.store(
+            record_of(action.path, action.facts, MediaState::waiting, "it is still being copied"));
     case Action::Kind::move:
-        return move(action);
+        if (!book_.move(action.from, action.path))
+            return log::warning("renamed without a record: '{}'", action.path);
+        hint_files_.read_soon();  // the new name may say something else
+        return log::info("renamed: '{}' to '{}'", action.from, action.path);
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
-        growing_.end(action.path);
-        store_.release(action.path);
-        states_.forget_file(action.path);
-        weaver_.release(action.path);
-        told_waiting_.erase(action.path);
-        heard_.erase(action.path);
-        return remove_record(action.path);
+        return book_.remove(action.path);
     }
 }
 
-void Daemon::start(const Action& action) {
+void Daemon::start_analysis(const Action& action) {
     const auto wait = [&](const char* reason) {
-        answer({.answer = Answer::waiting,
-                .record = record_of(action.path, action.facts, MediaState::waiting, reason)});
+        store_answer({.answer = Answer::waiting,
+                      .record = record_of(action.path, action.facts, MediaState::waiting, reason)});
     };
     if (!action.facts.is_readable) return wait("it may not be read: its permissions forbid it");
-    if (!action.is_last_try && folder_.ends_in_hole(action.path))
+    if (!action.is_last_try && follower_.folder().ends_in_hole(action.path))
         return wait("the copy is not complete: parts of the file are still empty");
-    std::vector<std::string> command = options_.child;
-    if (store_.is_on() && is_to_be_heard(action.path)) command.emplace_back("--sound");
-    command.push_back(folder_.absolute(action.path).string());
-    if (action.is_last_try) command.emplace_back("--as-it-is");
-    const ChildLimits limits =
-        limits_for(options_.limits, options_.deadline_per_mebibyte, action.facts.bytes);
-    log::debug("analysing '{}'", action.path);
-    growing_.begin(record_of(action.path, action.facts, MediaState::waiting, ""));
-    store_.begin(store_id(action.path, action.facts.bytes, action.facts.mtime_ns));
-    reading_[action.path] = now();
-    pulse_.expect(reading_of(action.path), now() + limits.deadline);
-    children_[action.path] = std::make_unique<ChildProcess>(
-        loop_, command, limits,
-        [this, path = action.path, facts = action.facts, limits](const ChildResult& result) {
-            finish(path, facts, result, limits);
-        },
-        [this, path = action.path, facts = action.facts](const std::string& line) {
-            grow(path, facts, line);
-        });
+    AnalysisOutputs outputs = options_.outputs;
+    outputs.sound = outputs.stored && hint_files_.hints_for(action.path).sound.value_or(false);
+    outputs.accepts_cut = action.is_last_try;
+    std::vector<std::string> arguments = arguments_for(outputs);
+    arguments.push_back(follower_.folder().absolute(action.path).string());
+    book_.begin_analysis(action.path, action.facts);
+    analyses_.start(action.path, action.facts, arguments);
 }
 
-/// The first shot of a film is on the wall while the rest of it is still looked at.
-void Daemon::grow(const std::string& path, const FileFacts& facts, const std::string& line) {
-    try {
-        const std::optional<MediaRecord> part = growth_of(line, path, facts);
-        if (!part) return;
-        growing_.add(*part);
-    } catch (const std::runtime_error& error) {  // loading one record
-        return log::warning("a part of '{}' makes no sense, ignoring: {}", path, error.what());
-    }
-    if (!is_growth_resting_) store_growth();
-}
-
-void Daemon::store_growth() {
-    if (!growing_.has_news()) return;
-    for (const MediaRecord& record : growing_.take_news())
-        if (schedule_.mark_grown(record.path)) store(record);
-    is_growth_resting_ = true;
-    growth_.arm(growth_rest);
-}
-
-void Daemon::finish(const std::string& path, const FileFacts& facts, const ChildResult& result,
-                    const ChildLimits& limits) {
-    children_.erase(path);
-    reading_.erase(path);
-    pulse_.came(reading_of(path));
-    store_.end(store_id(path, facts.bytes, facts.mtime_ns));
-    weaver_.analysed(path);
-    follower_.look_at(std::vector{path}, now());  // an answer to what the file was is worth nothing
-    store_growth();
-    answer(outcome_of(result, limits, path, facts));
+void Daemon::finish_analysis(const FileFacts& facts, const AnalysisOutcome& outcome) {
+    const std::string& path = outcome.record.path;
+    follower_.look_at(std::vector{path}, now());  // an answer about an older content is discarded
+    book_.end_analysis(path, facts);
+    store_answer(outcome);
     advance();
 }
 
-void Daemon::answer(Outcome outcome) {
+void Daemon::store_answer(AnalysisOutcome outcome) {
     MediaRecord& record = outcome.record;
     switch (schedule_.finish_analysis(record.path, outcome.answer, now())) {
     case Verdict::discard:
@@ -243,18 +231,61 @@ void Daemon::answer(Outcome outcome) {
         break;
     case Verdict::quarantine:
         record.reason = "twice " + record.reason;
-        if (auto known = kept(stored(record.path), outcome)) record = std::move(*known);
+        if (auto known = kept_record(book_.record(record.path), outcome)) record = std::move(*known);
         break;
     case Verdict::store:
         break;
     }
-    growing_.end(record.path);
-    store(record);
-    if (record.state != MediaState::waiting)
-        told_waiting_.erase(record.path);
-    else if (!told_waiting_.insert(record.path).second)
-        return;  // it waits on
-    tell(record);
+    book_.store(record);
+    if (book_.is_news(record)) log_record(record);
+}
+
+void Daemon::log_record(const MediaRecord& record) {
+    ++logged_;
+    if (options_.is_once)
+        log::info("analysed {} of {}: {}", logged_, logged_ + unfinished_files(schedule_), record.path);
+    if (record.state != MediaState::ready)
+        log::write_with(log::Level::warning,
+                        fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
+                        journal_fields(record));
+    else if (!record.reason.empty())
+        log::warning("ready: '{}': {}", record.path, record.reason);
+    else if (!options_.is_once)
+        log::info("ready: '{}'", record.path);
+}
+
+void Daemon::request_thumbnails() {
+    std::vector<std::string> files;
+    for (const std::string& path : status_.lacking())
+        files.push_back(follower_.folder().absolute(path).string());
+    if (is_online()) thumbnails_.request(files);
+}
+
+std::string Daemon::status() const {
+    const std::vector<std::string>& remarks = follower_.remarks();
+    if (!is_online()) return remarks.empty() ? "starting" : plain_text(remarks.front());
+    std::string text = summary(book_.states().counts(schedule_));
+    if (!analyses_.is_idle()) text += "; " + analyses_.in_words();
+    if (const std::size_t records = book_.backlog().records; records > 0)
+        text += fmt::format("; {} record{} cannot be stored: is the disk full?", records,
+                            records == 1 ? "" : "s");
+    if (!remarks.empty()) text += "; " + plain_text(remarks.front());
+    return text;
+}
+
+std::vector<FileState> Daemon::files() const {
+    return book_.states().list(schedule_, now(), std::chrono::system_clock::now());
+}
+
+StatusReport Daemon::report() const {
+    StatusReport report{.remarks = hint_files_.faults(), .is_online = is_online()};
+    report.remarks.insert(report.remarks.end(), follower_.remarks().begin(), follower_.remarks().end());
+    for (FileState& file : files()) {
+        Hints hints = hint_files_.hints_for(file.path);
+        std::string id = record_id(file.path);
+        report.files.push_back({.file = std::move(file), .hints = hints, .id = std::move(id)});
+    }
+    return report;
 }
 
 }  // namespace vitrine::analyzer

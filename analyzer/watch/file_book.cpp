@@ -1,19 +1,56 @@
-#include "analyzer/watch/daemon.hpp"
+#include "analyzer/watch/file_book.hpp"
 
-#include "base/state/blame.hpp"
+#include "analyzer/watch/analysis_outcome.hpp"
+#include "base/system/error.hpp"
 #include "base/system/log.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
-
-// What the daemon does to the records.
 
 namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
-void Daemon::load_catalogue() {
+namespace {
+
+constexpr auto growth_rest = std::chrono::milliseconds(500);  // between two writings of growing films
+
+/// The catalogue has one writer.
+UniqueFd lock_of(const fs::path& catalogue) {
+    fs::create_directories(catalogue);
+    const fs::path file = catalogue / "writer.lock";
+    UniqueFd lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+    if (!lock.is_open()) throw_errno("open '{}'", file.string());
+    if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+    if (errno == EWOULDBLOCK) errno = EBUSY;
+    throw_errno("another vitrine-analyzer writes the catalogue '{}'", catalogue.string());
+}
+
+std::string thumbnail_name(const std::string& path) {
+    return record_id(path) + ".jpg";
+}
+
+}  // namespace
+
+FileBook::FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, Weaver& weaver)
+    : catalogue_(places.catalogue),
+      lock_(lock_of(places.catalogue)),
+      store_(places.store, places.bounds),
+      schedule_(schedule),
+      weaver_(weaver),
+      thumbnails_(places.thumbnails),
+      growth_(loop.timer([this] {
+          is_growth_resting_ = false;
+          publish_growth();
+      })) {}
+
+void FileBook::load() {
     const auto records = catalogue_.load([](const std::string& file, const std::string& reason) {
         log::warning("record '{}' unreadable, its file is analysed again: {}", file, reason);
         std::error_code ignored;  // it is overwritten at the latest
@@ -23,32 +60,15 @@ void Daemon::load_catalogue() {
         const bool is_waiting = record.state == MediaState::waiting;
         schedule_.add_recorded(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
                                !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
-        store_.hold(record);
+        store_.note_record(record);
         states_.note_record(record);
-        weaver_.hold(record);
-        if (!record.is_complete) growing_.known(record);
+        weaver_.note_record(record);
+        if (!record.is_complete)
+            files_[record.path].growth = std::make_unique<FilmGrowth>(FilmGrowth::published(record));
     }
 }
 
-/// A record that was damaged meanwhile is missed until the next start, which finds its file unknown.
-void Daemon::move(const Action& action) {
-    std::optional<MediaRecord> record = stored(action.from);
-    if (!record) return log::warning("renamed without a record: '{}'", action.path);
-    record->path = action.path;
-    weaver_.move(action.from, action.path);
-    store(*record);
-    remove_record(action.from);
-    store_.release(action.from);
-    states_.forget_file(action.from);
-    weaver_.release(action.from);
-    heard_.erase(action.from);
-    hints_.arm(std::chrono::seconds(0));  // the new name may say something else
-    std::error_code none;                 // only a picture for the status folder
-    fs::rename(thumbnail(action.from), thumbnail(action.path), none);
-    log::info("renamed: '{}' to '{}'", action.from, action.path);
-}
-
-std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
+std::optional<MediaRecord> FileBook::record(const std::string& path) const {
     try {
         return catalogue_.find(path);
     } catch (const std::runtime_error& error) {  // loading one record
@@ -57,63 +77,159 @@ std::optional<MediaRecord> Daemon::stored(const std::string& path) const {
     }
 }
 
-/// What brings the player down is not shown, until it changes.
-void Daemon::follow_blame() {
-    const Blame blame = read_blame(options_.catalogue.parent_path());
-    for (const std::string& path : suspects(blame, schedule_.paths_below(""))) {
-        const std::optional<MediaRecord> record = stored(path);
-        if (!record || record->state != MediaState::ready || !is_quarantined(blame, *record)) continue;
-        const FileFacts facts{.bytes = record->bytes, .mtime_ns = record->mtime_ns};
-        store(record_of(path, facts, MediaState::quarantined, brought_the_player_down));
-        log::warning("quarantined: '{}': {}", path, brought_the_player_down);
-    }
+void FileBook::store(const MediaRecord& record) {
+    if (const auto known = files_.find(record.path); known != files_.end()) known->second.growth.reset();
+    write_record(record);
 }
 
-/// What lost its place in the store is played from the media folder.
-void Daemon::make_room() {
-    const std::set<std::string> paths = store_.make_room();
-    for (const std::string& path : paths)
-        if (const std::optional<MediaRecord> record = stored(path)) store(*record);
-    if (!paths.empty())
-        log::info("the store is full: {} files lose their place or a part of it", paths.size());
-}
-
-/// A full disk is no reason to stop: the record waits here.
-void Daemon::store(MediaRecord record) {
+void FileBook::write_record(MediaRecord record) {
     store_.mark_dropped(record);
-    store_.hold(record);
+    store_.note_record(record);
     states_.note_record(record);
-    weaver_.hold(record);
-    unremoved_.erase(record.path);
+    weaver_.note_record(record);
+    const auto known = files_.find(record.path);
+    if (known != files_.end()) known->second.is_unremoved = false;
     try {
         catalogue_.store(record);
-        unsaved_.erase(record.path);
+        if (known != files_.end()) known->second.unstored.reset();
     } catch (const std::system_error& error) {
         if (!std::exchange(is_lack_told_, true))
             log::error("records cannot be stored, trying again: {}", error.what());
-        unsaved_[record.path] = record;
+        std::unique_ptr<MediaRecord>& unstored = files_[record.path].unstored;
+        unstored = std::make_unique<MediaRecord>(std::move(record));
     }
 }
 
-/// Nor is a disk that takes nothing at all.
-void Daemon::remove_record(const std::string& path) {
-    unsaved_.erase(path);
+bool FileBook::move(const std::string& from, const std::string& to) {
+    std::optional<MediaRecord> moved = record(from);
+    if (!moved) return false;
+    moved->path = to;
+    weaver_.rename_film(from, to);
+    store(*moved);
+    remove(from);
+    std::error_code none;  // only a picture for the status folder
+    fs::rename(thumbnails_ / thumbnail_name(from), thumbnails_ / thumbnail_name(to), none);
+    return true;
+}
+
+void FileBook::remove(const std::string& path) {
+    files_.erase(path);
+    store_.forget_file(path);
+    states_.forget_file(path);
+    weaver_.forget_film(path);
+    remove_record(path);
+}
+
+void FileBook::remove_record(const std::string& path) {
     try {
         catalogue_.remove(path);
     } catch (const fs::filesystem_error& error) {
         if (!std::exchange(is_lack_told_, true))
             log::error("records cannot be removed, trying again: {}", error.what());
-        unremoved_.insert(path);
+        files_[path].is_unremoved = true;
     }
 }
 
-void Daemon::store_again() {
-    for (const auto& [path, record] : std::exchange(unsaved_, {}))
-        store(record);
-    for (const std::string& path : std::exchange(unremoved_, {}))
+void FileBook::retry_writes() {
+    std::vector<MediaRecord> unstored;
+    std::vector<std::string> unremoved;
+    for (auto& [path, file] : files_) {
+        if (file.unstored) unstored.push_back(*file.unstored);
+        if (std::exchange(file.is_unremoved, false)) unremoved.push_back(path);
+    }
+    for (MediaRecord& record : unstored)
+        write_record(std::move(record));
+    for (const std::string& path : unremoved)
         remove_record(path);
-    if (unsaved_.empty() && unremoved_.empty() && std::exchange(is_lack_told_, false))
+    const auto [records, removals] = backlog();
+    if (records + removals == 0 && std::exchange(is_lack_told_, false))
         log::info("all records are stored again");
+}
+
+FileBook::Backlog FileBook::backlog() const {
+    Backlog backlog;
+    for (const auto& [path, file] : files_) {
+        backlog.records += file.unstored ? 1 : 0;
+        backlog.removals += file.is_unremoved ? 1 : 0;
+    }
+    return backlog;
+}
+
+void FileBook::begin_analysis(const std::string& path, const FileFacts& facts) {
+    const MediaRecord begun = record_of(path, facts, MediaState::waiting, "");
+    std::unique_ptr<FilmGrowth>& growth = files_[path].growth;
+    if (!growth) growth = std::make_unique<FilmGrowth>(begun);
+    growth->begin_analysis(begun);
+    store_.begin_writing(store_id(path, facts.bytes, facts.mtime_ns));
+}
+
+void FileBook::end_analysis(const std::string& path, const FileFacts& facts) {
+    store_.end_writing(store_id(path, facts.bytes, facts.mtime_ns));
+    weaver_.note_analysis(path);
+    publish_growth();
+}
+
+void FileBook::add_growth(const MediaRecord& part) {
+    const auto known = files_.find(part.path);
+    if (known == files_.end() || !known->second.growth) return;  // the file went, and is forgotten
+    known->second.growth->add_shots(part);
+    if (!is_growth_resting_) publish_growth();
+}
+
+void FileBook::publish_growth() {
+    bool has_published = false;
+    for (auto& [path, file] : files_) {
+        std::optional<MediaRecord> news = file.growth ? file.growth->take_news() : std::nullopt;
+        if (!news) continue;
+        has_published = true;
+        if (schedule_.mark_grown(path)) write_record(std::move(*news));
+    }
+    if (!has_published) return;
+    is_growth_resting_ = true;
+    growth_.arm(growth_rest);
+}
+
+bool FileBook::request_sounds(const std::vector<std::string>& paths,
+                              const std::function<bool(const std::string& path)>& is_heard) {
+    if (!store_.is_on()) return false;
+    bool has_requested = false;
+    for (const std::string& path : paths) {
+        const auto known = files_.find(path);
+        if (!is_heard(path)) {
+            if (known != files_.end()) known->second.is_sound_checked = false;
+            continue;
+        }
+        if (known != files_.end() && known->second.is_sound_checked) continue;
+        const std::optional<MediaRecord> heard = record(path);
+        if (!heard || heard->state != MediaState::ready || !heard->is_complete) continue;
+        File& file = files_[path];
+        file.is_sound_checked = true;
+        if (!store_.lacks_sound(*heard)) continue;
+        file.growth = std::make_unique<FilmGrowth>(FilmGrowth::published(*heard));
+        schedule_.analyse_again(path);
+        has_requested = true;
+    }
+    return has_requested;
+}
+
+bool FileBook::is_news(const MediaRecord& record) {
+    if (record.state == MediaState::waiting) return !std::exchange(files_[record.path].is_waiting_told, true);
+    if (const auto known = files_.find(record.path); known != files_.end())
+        known->second.is_waiting_told = false;
+    return true;
+}
+
+void FileBook::make_room() {
+    const std::set<std::string> paths = store_.make_room();
+    for (const std::string& path : paths)
+        if (std::optional<MediaRecord> full = record(path)) write_record(std::move(*full));
+    if (!paths.empty())
+        log::info("the store is full: {} files lose their place or a part of it", paths.size());
+}
+
+void FileBook::sweep(const std::vector<std::string>& paths) {
+    store_.sweep();
+    weaver_.sweep_tapestries(paths);
 }
 
 }  // namespace vitrine::analyzer

@@ -2,47 +2,38 @@
 
 #include "base/state/record.hpp"
 
-#include <map>
-#include <string>
-#include <vector>
+#include <cstddef>
+#include <optional>
 
 namespace vitrine::analyzer {
 
-/// The films whose analysis goes on, with the shots that are known so far. Pure: when to write them is the
-/// daemon's to decide.
+/// The shots of one film that are known while its analysis goes on. Pure: FileBook decides when they are
+/// written.
 ///
-/// A second try begins at the film's first shot again; until it has more to say than the first, the catalogue
-/// keeps what the first one said.
-class GrowingRecords {
+/// A second try begins at the film's first shot again; until it knows more than the first, the catalogue
+/// keeps what the first one found.
+class FilmGrowth {
   public:
-    /// A record in the catalogue that is not complete, left by an earlier run.
-    void known(const MediaRecord& record);
+    /// @param file  path and content; nothing is published of it
+    explicit FilmGrowth(const MediaRecord& file) : record_(file) {}
 
-    /// An analysis begins, of the content that `file` names.
-    void begin(const MediaRecord& file);
+    /// A growth that the catalogue has already: `record` with all its shots.
+    static FilmGrowth published(const MediaRecord& record);
 
-    /// What a child says of its newest shots, or of earlier ones anew; its path, bytes and mtime are those
-    /// that were begun.
-    void add(const MediaRecord& part);
+    /// An analysis begins of the content that `file` names.
+    void begin_analysis(const MediaRecord& file);
 
-    /// The records that say more than the catalogue has, each once.
-    std::vector<MediaRecord> take_news();
+    /// Adds new shots, or replaces earlier ones that begin at the same time.
+    /// @param part  its path, bytes and mtime are those of begin_analysis()
+    void add_shots(const MediaRecord& part);
 
-    bool has_news() const;
-
-    /// Its analysis is over, or its file is gone.
-    void end(const std::string& path) { growths_.erase(path); }
+    /// The record, where it has more than the catalogue; each addition is returned once.
+    std::optional<MediaRecord> take_news();
 
   private:
-    struct Growth {
-        MediaRecord record;
-        std::size_t published = 0;  // shots that the catalogue has of this content
-        bool is_changed = false;    // shots of before say more
-    };
-
-    static bool says_more(const Growth& growth);
-
-    std::map<std::string, Growth> growths_;
+    MediaRecord record_;
+    std::size_t published_ = 0;  // shots that the catalogue has of this content
+    bool is_changed_ = false;    // a published shot has been replaced
 };
 
 }  // namespace vitrine::analyzer

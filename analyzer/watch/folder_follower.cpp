@@ -10,25 +10,26 @@ namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
+void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
     is_remote_ = folder_.is_remote();
     unwatched_ = 0;
-    MediaFolder::Listing listing = folder_.list(
-        "", [this](const std::string& folder) { watch(folder); }, attend);
+    const MediaFolder::Listing listing = folder_.list(
+        "", [this](const std::string& folder) { watch_folder(folder); }, attend);
     is_online_ = folder_.device().has_value() && !is_unmounted(listing);
     if (!is_online_) {
         watch_.remove(folder_.root());
         const char* what =
             is_suspiciously_empty(listing) ? "is empty; its share may not be mounted" : "is not there";
-        return {fmt::format("the media folder '{}' {}", folder_.root().string(), what)};
+        remarks_ = {fmt::format("the media folder '{}' {}", folder_.root().string(), what)};
+        return;
     }
     if (!listing.files.empty() || !device_) device_ = folder_.device();
     has_seen_files_ |= !listing.files.empty();
     compare(listing, "", now);
+    remarks_ = listing.remarks;
     if (unwatched_ > 0)
-        listing.remarks.push_back(fmt::format(
+        remarks_.push_back(fmt::format(
             "{} folders are only looked at now and then (see fs.inotify.max_user_watches)", unwatched_));
-    return listing.remarks;
 }
 
 /// An empty folder on another file system than before is the place where a share was mounted.
@@ -43,75 +44,77 @@ bool FolderFollower::is_suspiciously_empty(const MediaFolder::Listing& listing) 
     return listing.files.empty() && !has_seen_files_ && !schedule_.paths_below("").empty();
 }
 
-void FolderFollower::watch(const std::string& folder) {
+void FolderFollower::watch_folder(const std::string& folder) {
     const fs::path path = folder.empty() ? folder_.root() : folder_.absolute(folder);
     if (!watch_.add(path) && fs::exists(path)) ++unwatched_;
 }
 
-bool FolderFollower::read_events(Schedule::Time now) {
+FolderFollower::Changes FolderFollower::read_changes() {
     using Kind = DirectoryEvent::Kind;
-    std::set<std::string> files, closed, added, removed;
-    bool is_lost = false;
+    Changes changes;
     for (const DirectoryEvent& event : watch_.read()) {
         const std::string path = relative(event.directory / event.name);
         has_hint_news_ |= event.name == hint_file_name;
         switch (event.kind) {
         case Kind::written:
-            closed.insert(path);
-            files.insert(path);
+            changes.closed.insert(path);
+            changes.files.insert(path);
             break;
         case Kind::changed:
         case Kind::removed:
-            files.insert(path);
+            changes.files.insert(path);
             break;
         case Kind::directory_added:
-            added.insert(path);
+            changes.added.insert(path);
             break;
         case Kind::directory_removed:
-            removed.insert(path);
+            changes.removed.insert(path);
             break;
         case Kind::self_gone:
-            is_lost |= event.directory == folder_.root();
+            changes.is_lost |= event.directory == folder_.root();
             break;
         case Kind::overflow:
-            is_lost = true;
+            changes.is_lost = true;
             break;
         }
     }
-    has_hint_news_ |= !added.empty() || !removed.empty();
-    for (const std::string& folder : removed) {
+    return changes;
+}
+
+bool FolderFollower::read_events(Schedule::Time now) {
+    Changes changes = read_changes();
+    has_hint_news_ |= !changes.added.empty() || !changes.removed.empty();
+    for (const std::string& folder : changes.removed) {
         watch_.remove(folder_.absolute(folder));
         const std::vector<std::string> lost = schedule_.paths_below(folder);
-        files.insert(lost.begin(), lost.end());
+        changes.files.insert(lost.begin(), lost.end());
         if (folder_.device() && fs::exists(folder_.absolute(folder)))
-            added.insert(folder);  // another took its place
+            changes.added.insert(folder);  // another took its place
     }
-    look_at(std::vector<std::string>(files.begin(), files.end()), closed, now);
-    for (const std::string& folder : added)
+    look_at_changed(changes, now);
+    for (const std::string& folder : changes.added)
         list_below(folder, now);
-    return is_lost;
+    return changes.is_lost;
 }
 
 void FolderFollower::look_at(std::span<const std::string> paths, Schedule::Time now) {
-    look_at(paths, {}, now);
+    look_at_changed({.files = {paths.begin(), paths.end()}}, now);
 }
 
-/// What is gone is told first: it may be there again under another name.
-/// @param closed  files that nobody writes any more, as far as this kernel knows
-void FolderFollower::look_at(std::span<const std::string> paths, const std::set<std::string>& closed,
-                             Schedule::Time now) {
+/// Lost files come first: they may be there again under another name.
+void FolderFollower::look_at_changed(const Changes& changes, Schedule::Time now) {
     std::vector<MediaFolder::File> there;
-    for (const std::string& path : paths) {
-        MediaFolder::Look look = folder_.look(path);
+    for (const std::string& path : changes.files) {
+        MediaFolder::LookResult look = folder_.look_at(path);
         if (look.presence == MediaFolder::Presence::gone) schedule_.lose_file(path, now);
         if (look.presence == MediaFolder::Presence::there) there.push_back(std::move(look.file));
     }
     for (const MediaFolder::File& file : there)
-        saw(file, now, closed.contains(file.path));
+        see_file(file, now, changes.closed.contains(file.path));
 }
 
 void FolderFollower::list_below(const std::string& folder, Schedule::Time now) {
-    compare(folder_.list(folder, [this](const std::string& below) { watch(below); }), folder, now);
+    compare(folder_.list(folder, [this](const std::string& below) { watch_folder(below); }), folder, now);
 }
 
 void FolderFollower::compare(const MediaFolder::Listing& listing, const std::string& folder,
@@ -123,11 +126,11 @@ void FolderFollower::compare(const MediaFolder::Listing& listing, const std::str
         for (const std::string& path : schedule_.paths_below(folder))
             if (!there.contains(path)) schedule_.lose_file(path, now);
     for (const MediaFolder::File& file : listing.files)
-        saw(file, now);
+        see_file(file, now);
 }
 
-/// A close that this kernel saw of a file on a share says nothing of those who write it elsewhere.
-void FolderFollower::saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
+/// On a share, a close that this kernel saw does not tell whether another machine still writes the file.
+void FolderFollower::see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
     const LookKind local = is_closed ? LookKind::closed : LookKind::local;
     schedule_.see_file(file.path, file.facts, now, is_remote_ ? LookKind::remote : local);
 }

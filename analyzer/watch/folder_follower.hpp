@@ -13,11 +13,15 @@
 
 namespace vitrine::analyzer {
 
-/// Tells the schedule what is in the media folder: what the kernel reports at once, everything else whenever
-/// the folder is read as a whole. A folder that is not there, or cannot be read, loses no file.
+/// Tells the schedule which files are in the media folder: events of the kernel at once, all other changes
+/// whenever the whole folder is read. A folder that is not there, or cannot be read, loses no file.
 class FolderFollower {
   public:
-    FolderFollower(const MediaFolder& folder, Schedule& schedule) : folder_(folder), schedule_(schedule) {}
+    /// @param schedule  outlives this
+    FolderFollower(MediaFolder folder, Schedule& schedule)
+        : folder_(std::move(folder)), schedule_(schedule) {}
+
+    const MediaFolder& folder() const { return folder_; }
 
     /// Becomes readable when there are events.
     int fd() const { return watch_.fd(); }
@@ -25,11 +29,14 @@ class FolderFollower {
     /// Whether the folder was there when last looked for.
     bool is_online() const { return is_online_; }
 
-    /// Reads the whole folder. @return what could not be read, in plain words
+    /// Reads the whole folder.
     /// @param attend  called with each file and folder, for that may take minutes
-    std::vector<std::string> rescan(Schedule::Time now, const MediaFolder::Attend& attend = {});
+    void rescan(Schedule::Time now, const MediaFolder::Attend& attend = {});
 
-    /// Follows what the kernel has reported. @return whether the folder must be read as a whole
+    /// Parts of the folder that the last rescan could not read, in plain words.
+    const std::vector<std::string>& remarks() const { return remarks_; }
+
+    /// Follows the kernel's events. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);
 
     /// Whether a `.vitrine.toml` or a folder came, went or changed since the last call.
@@ -39,19 +46,30 @@ class FolderFollower {
     void look_at(std::span<const std::string> paths, Schedule::Time now);
 
   private:
-    void watch(const std::string& folder);
+    /// Paths by what the kernel said of them.
+    struct Changes {
+        std::set<std::string> files;    // written, changed or removed
+        std::set<std::string> closed;   // those of the files that nobody writes any more
+        std::set<std::string> added;    // folders
+        std::set<std::string> removed;  // folders
+        bool is_lost = false;           // events are missing, or the root is gone
+    };
+
+    Changes read_changes();
+    void watch_folder(const std::string& folder);
     void list_below(const std::string& folder, Schedule::Time now);
     void compare(const MediaFolder::Listing& listing, const std::string& folder, Schedule::Time now);
-    void saw(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
-    void look_at(std::span<const std::string> paths, const std::set<std::string>& closed, Schedule::Time now);
+    void see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
+    void look_at_changed(const Changes& changes, Schedule::Time now);
     std::string relative(const std::filesystem::path& directory) const;
     bool is_unmounted(const MediaFolder::Listing& listing) const;
     bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;
 
-    const MediaFolder& folder_;  // outlives this
-    Schedule& schedule_;         // outlives this
+    MediaFolder folder_;
+    Schedule& schedule_;
     DirectoryWatch watch_;
     std::size_t unwatched_ = 0;  // folders that the kernel refused to watch in this rescan
+    std::vector<std::string> remarks_;
     bool is_online_ = false;
     bool has_hint_news_ = false;
     bool is_remote_ = false;

@@ -5,12 +5,15 @@
 #include "base/system/log.hpp"
 
 #include <system_error>
+#include <utility>
 
 namespace vitrine::analyzer {
 
 namespace {
 
-/// Of all files, from the media folder itself on.
+constexpr auto write_time = std::chrono::milliseconds(300);  // in which a .vitrine.toml is written to its end
+
+/// All folders of these files, the media folder itself included.
 std::set<std::string> folders_of(const std::vector<std::string>& paths) {
     std::set<std::string> folders{""};
     for (const std::string& path : paths)
@@ -22,18 +25,26 @@ std::set<std::string> folders_of(const std::vector<std::string>& paths) {
 
 }  // namespace
 
+HintFiles::HintFiles(EventLoop& loop, const MediaFolder& folder, std::filesystem::path hand_over,
+                     std::function<void()> due)
+    : folder_(folder), hand_over_(std::move(hand_over)), due_(loop.timer(std::move(due))) {}
+
+void HintFiles::read_soon() {
+    due_.arm(write_time);
+}
+
 void HintFiles::read(const std::vector<std::string>& paths) {
     hints_.clear();
     faults_.clear();
     for (const std::string& folder : folders_of(paths))
-        read_one(folder);
+        read_folder(folder);
     for (const std::string& fault : faults_)
-        if (!complaints_.contains(fault)) log::warning("hints: {}", fault);
-    complaints_ = {faults_.begin(), faults_.end()};
-    tell();
+        if (!logged_.contains(fault)) log::warning("hints: {}", fault);
+    logged_ = {faults_.begin(), faults_.end()};
+    write_hand_over();
 }
 
-void HintFiles::read_one(const std::string& folder) {
+void HintFiles::read_folder(const std::string& folder) {
     const std::string path = (folder.empty() ? "" : folder + "/") + std::string(hint_file_name);
     const std::optional<std::string> text = folder_.content(path, max_bytes + 1);
     if (!text) return;
@@ -47,15 +58,15 @@ void HintFiles::read_one(const std::string& folder) {
 }
 
 /// A full disk is no reason to stop: it is tried again the next time.
-void HintFiles::tell() {
+void HintFiles::write_hand_over() {
     std::string json = to_json(hints_);
     json += "\n";
     if (json == written_) return;
     try {
-        replace_file(told_, json);
+        replace_file(hand_over_, json);
         written_ = json;
     } catch (const std::system_error& error) {
-        log::error("what folders say is not stored, trying again: {}", error.what());
+        log::error("'{}' not written, trying again: {}", hand_over_.string(), error.what());
     }
 }
 

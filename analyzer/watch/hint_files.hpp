@@ -2,41 +2,50 @@
 
 #include "analyzer/watch/media_folder.hpp"
 #include "base/hints/folder_hints.hpp"
+#include "base/system/event_loop.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace vitrine::analyzer {
 
-/// What the files `.vitrine.toml` in the media folder say; tells it to the player in STATE/hints.json. Logs.
+/// The files `.vitrine.toml` in the media folder. Hands their hints to the player in STATE/hints.json. Logs.
 class HintFiles {
   public:
     static constexpr std::size_t max_bytes = 1U << 16;  // of one of them
 
-    /// @param folder  outlives this
-    HintFiles(const MediaFolder& folder, std::filesystem::path told)
-        : folder_(folder), told_(std::move(told)) {}
+    /// @param folder     outlives this
+    /// @param hand_over  STATE/hints.json
+    /// @param due        called from the loop when read_soon() was called: it is time to read()
+    HintFiles(EventLoop& loop, const MediaFolder& folder, std::filesystem::path hand_over,
+              std::function<void()> due);
 
-    /// Reads them anew. @param paths  of the files whose folders count
+    /// One of them is just being written: it is read once it is whole.
+    void read_soon();
+
+    /// Reads all of them anew. @param paths  the media; the folders of these are searched
     void read(const std::vector<std::string>& paths);
 
-    const FolderHints& hints() const { return hints_; }
+    /// The hints for one file, by all names and folders above it.
+    Hints hints_for(const std::string& path) const { return hints_of(path, hints_); }
 
-    /// What is wrong with them: file, line and what is allowed.
+    /// Mistakes in them: file, line and what is allowed.
     const std::vector<std::string>& faults() const { return faults_; }
 
   private:
-    void read_one(const std::string& folder);
-    void tell();
+    void read_folder(const std::string& folder);
+    void write_hand_over();
 
     const MediaFolder& folder_;
-    std::filesystem::path told_;
+    std::filesystem::path hand_over_;
     FolderHints hints_;
     std::vector<std::string> faults_;
-    std::set<std::string> complaints_;  // faults that were told
-    std::string written_;               // what is in the file
+    std::set<std::string> logged_;  // faults that are in the log
+    std::string written_;           // the content of hand_over_
+    EventLoop::Source due_;
 };
 
 }  // namespace vitrine::analyzer

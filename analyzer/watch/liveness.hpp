@@ -1,31 +1,57 @@
 #pragma once
 
+#include "base/system/event_loop.hpp"
+
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 
 namespace vitrine::analyzer {
 
-/// Whether the daemon gets on with what it is for, and so whether systemd may be told that all is well. A
-/// loop that turns proves nothing: whatever must have happened by some time is kept here until it has. Knows
-/// no clock: time is passed in.
-class Pulse {
+/// The state of the service in one line, for `systemctl status`.
+struct StatusLine {
+    std::string text;
+    bool has_running_times = false;  // the text tells how long something takes: it is sent again and again
+};
+
+/// Tells systemd that the analyzer lives. The watchdog is fed while all that must happen by some time has
+/// happened: a loop that turns proves nothing. The status line is sent at most once a second. Logs.
+class Liveness {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    static constexpr auto patience = std::chrono::seconds(60);  // behind the time that was expected
+    static constexpr auto patience = std::chrono::seconds(60);  // after the time that was expected
 
-    /// @param what  in plain words; expected anew under the same ones, only the later time counts
+    /// Feeds the watchdog for the first time as soon as the loop runs.
+    Liveness(EventLoop& loop, std::function<StatusLine()> status);
+
+    /// @param what  in plain words; expected anew under the same words, only the later time counts
     void expect(const std::string& what, Time until) { expected_[what] = until; }
 
-    void came(const std::string& what) { expected_.erase(what); }
+    /// It has happened, or is not expected any more.
+    void meet(const std::string& what) { expected_.erase(what); }
 
-    /// What has been missed for longest; nothing where all is well.
-    std::optional<std::string> missed(Time now) const;
+    /// What is overdue for longest; nothing where all is well.
+    std::optional<std::string> overdue(Time now) const;
+
+    /// Feeds the watchdog from inside a long step.
+    void feed_watchdog_now();
+
+    /// Sends the status line in a moment.
+    void send_status_soon();
 
   private:
+    void feed_watchdog();
+    void send_status();
+
+    std::function<StatusLine()> status_;
     std::map<std::string, Time> expected_;
+    std::optional<Time> fed_;   // when the watchdog was fed last
+    std::string told_overdue_;  // why it is not fed, as the log has it
+    bool is_sending_ = false;   // the status line is sent in a moment
+    EventLoop::Source watchdog_, sending_;
 };
 
 }  // namespace vitrine::analyzer

@@ -172,7 +172,7 @@ std::optional<std::string> MediaFolder::content(const std::string& path, std::si
     return text;
 }
 
-MediaFolder::Look MediaFolder::look(const std::string& path) const {
+MediaFolder::LookResult MediaFolder::look_at(const std::string& path) const {
     if (has_junk_part(path) || is_passed_over(path)) return {};
     if (!device()) return {.presence = Presence::unreachable, .file = {}};
     const UniqueFd file = open(path, O_PATH);

@@ -42,12 +42,12 @@ class MediaFolder {
         unreachable,  // could not be found out: a server that is off
     };
 
-    struct Look {
+    struct LookResult {
         Presence presence = Presence::gone;
         File file;  // where it is there
     };
 
-    Look look(const std::string& path) const;
+    LookResult look_at(const std::string& path) const;
 
     struct Listing {
         std::vector<File> files;

@@ -10,13 +10,13 @@ MissingThumbnails::MissingThumbnails(EventLoop& loop, std::vector<std::string> c
                                      const ChildLimits& limits, std::function<void()> made)
     : loop_(loop), command_(std::move(command)), limits_(limits), made_(std::move(made)) {}
 
-void MissingThumbnails::make(const std::vector<std::string>& files) {
+void MissingThumbnails::request(const std::vector<std::string>& files) {
     if (command_.empty()) return;
     wanted_ = files;
-    if (!child_) go_on();
+    if (!child_) start_next();
 }
 
-void MissingThumbnails::go_on() {
+void MissingThumbnails::start_next() {
     while (!wanted_.empty()) {
         const std::string file = std::move(wanted_.back());
         wanted_.pop_back();
@@ -29,7 +29,7 @@ void MissingThumbnails::go_on() {
                     log::debug("no thumbnail of '{}': {}", file, result.complaint);
                 child_.reset();
                 made_();
-                go_on();
+                start_next();
             });
         return;
     }

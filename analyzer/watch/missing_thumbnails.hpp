@@ -10,20 +10,20 @@
 
 namespace vitrine::analyzer {
 
-/// Has the thumbnails made that the status page lacks, as of files that were analysed before there was one: a
-/// child at a time, each file once in a run.
+/// Makes the thumbnails that the status page lacks, for files that were analysed before there was a page: one
+/// child process at a time, each file once in a run.
 class MissingThumbnails {
   public:
-    /// @param command  that makes one; the file's path is appended
+    /// @param command  makes one; the file's path is appended. Empty: none are made
     /// @param made     called from the loop after each child
     MissingThumbnails(EventLoop& loop, std::vector<std::string> command, const ChildLimits& limits,
                       std::function<void()> made);
 
     /// @param files  absolute; those that were tried before are left out
-    void make(const std::vector<std::string>& files);
+    void request(const std::vector<std::string>& files);
 
   private:
-    void go_on();
+    void start_next();
 
     EventLoop& loop_;  // outlives this
     std::vector<std::string> command_;

@@ -8,13 +8,13 @@
 
 namespace vitrine::analyzer {
 
-/// What is to be done to the weaving child.
+/// One thing to do to the weaving child.
 struct WeaveAction {
     enum class Kind {
-        start,  // one for `path`; finished() must follow
+        start,  // one for `path`; finish_weaving() must follow
         pause,  // it stands still
-        go_on,
-        stop,  // its film changed or went; finished() must follow
+        go_on,  // after a pause
+        stop,   // its film changed or went; finish_weaving() must follow
     };
 
     Kind kind = Kind::start;
@@ -27,23 +27,23 @@ struct WeaveAction {
 /// be analysed. Pure: sees no file and no clock.
 class WeaveSchedule {
   public:
-    static constexpr int most_tries = 2;  // a content
+    static constexpr int max_tries = 2;  // for one content
 
-    /// The film has no tapestry yet. What is said of it a second time counts nothing.
-    void want(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);
+    /// The film has no tapestry yet. A second request for the same content changes nothing.
+    void request_film(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);
 
-    /// It is gone, or its tapestry is not wanted any more.
-    void forget(const std::string& path);
+    /// The film is gone, or its tapestry is not wanted any more.
+    void forget_film(const std::string& path);
 
     /// The child of that film has ended. @param is_woven  its tapestry is there
-    void finished(const std::string& path, bool is_woven);
+    void finish_weaving(const std::string& path, bool is_woven);
 
     /// @param is_free  nothing is to be analysed
-    /// @return what to do now, in this order. Each action is given once
-    std::vector<WeaveAction> step(bool is_free);
+    /// @return the actions to perform now, in this order. Each is given once
+    std::vector<WeaveAction> next_actions(bool is_free);
 
-    /// The film whose child there is; "" for none.
-    const std::string& running() const { return running_; }
+    /// The film that has a child; "" for none.
+    const std::string& running_film() const { return running_; }
 
     /// Nothing is woven, and nothing will be.
     bool is_idle() const;
@@ -58,7 +58,7 @@ class WeaveSchedule {
     std::map<std::string, Wish> wishes_;
     std::string running_;
     bool is_paused_ = false;
-    bool is_outdated_ = false;  // what runs is not wanted any more
+    bool is_outdated_ = false;  // the running film is not wanted any more
     bool is_stopping_ = false;
 };
 

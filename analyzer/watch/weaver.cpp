@@ -10,48 +10,48 @@ namespace vitrine::analyzer {
 Weaver::Weaver(EventLoop& loop, WeaveOptions options)
     : loop_(loop), options_(std::move(options)), tapestries_(options_.state, options_.bounds) {}
 
-void Weaver::hold(const MediaRecord& record) {
+void Weaver::note_record(const MediaRecord& record) {
     if (tapestries_.hold(record))
-        schedule_.want(record.path, record.bytes, record.mtime_ns);
+        schedule_.request_film(record.path, record.bytes, record.mtime_ns);
     else if (!record.is_complete || record.state != MediaState::ready)
-        schedule_.forget(record.path);
+        schedule_.forget_film(record.path);
 }
 
-void Weaver::release(const std::string& path) {
-    schedule_.forget(path);
+void Weaver::forget_film(const std::string& path) {
+    schedule_.forget_film(path);
     advance(was_free_);  // its child must not put in what is taken out
     tapestries_.release(path);
 }
 
-void Weaver::move(const std::string& from, const std::string& to) {
-    schedule_.forget(from);
+void Weaver::rename_film(const std::string& from, const std::string& to) {
+    schedule_.forget_film(from);
     advance(was_free_);
     tapestries_.move(from, to);
 }
 
-void Weaver::sweep(const std::vector<std::string>& files) {
+void Weaver::sweep_tapestries(const std::vector<std::string>& files) {
     tapestries_.sweep(files);
-    tapestries_.look_at(schedule_.running());
+    tapestries_.look_at(schedule_.running_film());
     make_room();
 }
 
 void Weaver::make_room() {
-    for (const std::string& path : tapestries_.make_room(schedule_.running())) {
-        schedule_.forget(path);
+    for (const std::string& path : tapestries_.make_room(schedule_.running_film())) {
+        schedule_.forget_film(path);
         log::info("too many tapestries: that of '{}' is not kept", path);
     }
 }
 
 void Weaver::advance(bool is_free) {
     was_free_ = is_free;
-    for (const WeaveAction& action : schedule_.step(is_free))
+    for (const WeaveAction& action : schedule_.next_actions(is_free))
         perform(action);
 }
 
 void Weaver::perform(const WeaveAction& action) {
     switch (action.kind) {
     case WeaveAction::Kind::start:
-        return start(action.path);
+        return start_child(action.path);
     case WeaveAction::Kind::pause:
         return child_->pause();
     case WeaveAction::Kind::go_on:
@@ -61,19 +61,20 @@ void Weaver::perform(const WeaveAction& action) {
     }
 }
 
-void Weaver::start(const std::string& path) {
+void Weaver::start_child(const std::string& path) {
     std::vector<std::string> command = options_.command;
     command.push_back("--output=" + tapestries_.folder(path).string());
     command.push_back((options_.root / path).string());
     log::debug("weaving '{}'", path);
     child_ = std::make_unique<ChildProcess>(
-        loop_, command, options_.limits, [this, path](const ChildResult& result) { finish(path, result); });
+        loop_, command, options_.limits,
+        [this, path](const ChildResult& result) { finish_weaving(path, result); });
 }
 
-void Weaver::finish(const std::string& path, const ChildResult& result) {
+void Weaver::finish_weaving(const std::string& path, const ChildResult& result) {
     child_.reset();
     const bool is_woven = result.end == ChildResult::End::exited && result.code == 0;
-    schedule_.finished(path, is_woven);
+    schedule_.finish_weaving(path, is_woven);
     tapestries_.look_at(path);
     if (is_woven)
         log::info("woven: '{}'", path);

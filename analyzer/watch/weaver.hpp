@@ -21,8 +21,8 @@ struct WeaveOptions {
     ChildLimits limits;
 };
 
-/// Has the tapestries of the films woven that the daemon has records of, in a child of its own and only while
-/// nothing is analysed; logs.
+/// Weaves the tapestries of the films that have records, one at a time in a child process, and only while
+/// nothing is analysed. Logs.
 class Weaver {
   public:
     Weaver(EventLoop& loop, WeaveOptions options);
@@ -30,24 +30,30 @@ class Weaver {
     Weaver& operator=(const Weaver&) = delete;
     ~Weaver() = default;
 
-    /// See Tapestries.
-    void hold(const MediaRecord& record);
-    void release(const std::string& path);
-    void move(const std::string& from, const std::string& to);
+    /// There is this record now; its tapestry is woven where it lacks one.
+    void note_record(const MediaRecord& record);
+
+    /// There is no record of this path any more: its tapestry goes.
+    void forget_film(const std::string& path);
+
+    /// Call before the records of both paths are noted and forgotten.
+    void rename_film(const std::string& from, const std::string& to);
 
     /// A child has ended that analysed the film, and may have kept frames of it.
-    void analysed(const std::string& path) { tapestries_.look_at(path); }
+    void note_analysis(const std::string& path) { tapestries_.look_at(path); }
 
-    /// From time to time. @param files  all that there are
-    void sweep(const std::vector<std::string>& files);
+    /// Removes tapestries of no film, and those beyond the bounds. Call from time to time.
+    /// @param files  all that there are
+    void sweep_tapestries(const std::vector<std::string>& files);
 
+    /// Starts, pauses or continues weaving.
     /// @param is_free  nothing is to be analysed, and the films are there
     void advance(bool is_free);
 
   private:
     void perform(const WeaveAction& action);
-    void start(const std::string& path);
-    void finish(const std::string& path, const ChildResult& result);
+    void start_child(const std::string& path);
+    void finish_weaving(const std::string& path, const ChildResult& result);
     void make_room();
 
     EventLoop& loop_;  // outlives this

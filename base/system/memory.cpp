@@ -17,4 +17,11 @@ void bound_memory() {
     ::mallopt(M_TRIM_THRESHOLD, 4 * returned_from);
 }
 
+void keep_freed_memory() {
+    constexpr int max_kept = 64 << 20;
+    constexpr int max_on_heap = 32 << 20;  // as much as glibc allows
+    ::mallopt(M_TRIM_THRESHOLD, max_kept);
+    ::mallopt(M_MMAP_THRESHOLD, max_on_heap);
+}
+
 }  // namespace vitrine

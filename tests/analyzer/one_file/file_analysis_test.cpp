@@ -64,7 +64,7 @@ TEST_CASE("region = hull is the paper's letter in every stage, not the hull of o
     hull_of_ours.face_cascade.clear();
     hull_of_ours.region.mode = RegionMode::hull;
 
-    const MediaRecord found = record_of_file(photo.path, settings_without_faces(RegionMode::hull));
+    const MediaRecord found = analyse_file(photo.path, settings_without_faces(RegionMode::hull));
 
     REQUIRE(found.shots.size() == 1);
     const Polygon expected = analyze(*open_media(photo.path), letter).shots.at(0).region.polygon;
@@ -87,9 +87,9 @@ TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where 
     settings.state.directory = folder.path / "state";
     const fs::path kept = tapestry_folder(settings.state.directory, "film");
 
-    (void)record_of_file(film, settings);
+    (void)analyse_file(film, settings);
     CHECK_FALSE(kept_frames(kept));
-    const MediaRecord record = record_of_file(film, settings, {.has_frames = true});
+    const MediaRecord record = analyse_file(film, settings, {.frames = true});
     REQUIRE(record.state == MediaState::ready);
     const Film frames = film_of(std::move(*kept_frames(kept)), nullptr);
     CHECK(frames.candidates->signatures().size() == 1);
@@ -106,6 +106,6 @@ TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where 
                           .tile_width = 512,
                           .brick_width = 178,
                           .levels = {}});
-    (void)record_of_file(film, settings, {.has_frames = true});
+    (void)analyse_file(film, settings, {.frames = true});
     CHECK_FALSE(kept_frames(kept));
 }

@@ -64,7 +64,7 @@ TEST_CASE("a thumbnail is small and has the region drawn where it lies") {
     const TemporaryDirectory directory;
     const fs::path file = directory.path / "thumbnails/a.jpg";
     Thumbnail thumbnail(file);
-    thumbnail.saw(frame({200, 40, 40}));
+    thumbnail.add_frame(frame({200, 40, 40}));
     thumbnail.write(record());
     const Seen found = seen(file);
     CHECK(found.width == 240);
@@ -80,7 +80,7 @@ TEST_CASE("of a film the first frame of its first shot is shown, not what fades 
     const fs::path file = directory.path / "a.jpg";
     Thumbnail thumbnail(file);
     for (int i = 0; i < 100; ++i)
-        thumbnail.saw(frame(i < 50 ? cv::Scalar(0, 0, 0) : cv::Scalar(40, 200, 40), i * 40ms));
+        thumbnail.add_frame(frame(i < 50 ? cv::Scalar(0, 0, 0) : cv::Scalar(40, 200, 40), i * 40ms));
     thumbnail.write(record(2s, 4s));
     CHECK(seen(file).middle_of_right[1] > 150);
     const auto time = fs::last_write_time(file);
@@ -95,7 +95,7 @@ TEST_CASE("without a shot, or where the disk is full, there is none and nothing 
     CHECK_FALSE(fs::exists(directory.path / "a.jpg"));
     directory.write("b", "a file in the folder's place");
     Thumbnail full(directory.path / "b/a.jpg");
-    full.saw(frame({200, 40, 40}));
+    full.add_frame(frame({200, 40, 40}));
     full.write(record());
     CHECK_FALSE(fs::exists(directory.path / "b/a.jpg"));
 }

@@ -58,7 +58,7 @@ struct Film {
     std::vector<Shot> made(const std::vector<Shot>& shots) const {
         FilmClips clips(path, form, place);
         for (const Shot& shot : shots)
-            clips.want(shot);
+            clips.request_clip(shot);
         clips.finish();
         return clips.take_made();
     }
@@ -69,7 +69,7 @@ struct Film {
     std::string path = write_film(home.path / "film.mkv");
     ClipForm form{.width = 64, .height = 48};
     StorePlace place{
-        .store = home.path / "store", .id = std::string(16, 'a'), .clip_side = 64, .most_bytes = 1U << 20};
+        .store = home.path / "store", .id = std::string(16, 'a'), .clip_side = 64, .max_bytes = 1U << 20};
 };
 
 struct Seen {
@@ -166,14 +166,14 @@ TEST_CASE("a full disk leaves no half clip, and a place where it is made the nex
 
 TEST_CASE("a disk that must be kept free is not written to") {
     Film film;
-    film.place.least_free = std::numeric_limits<std::uint64_t>::max();
+    film.place.min_free_bytes = std::numeric_limits<std::uint64_t>::max();
     CHECK(film.made({{.begin = 0s, .end = 1s}}).size() == 1);
     CHECK(fs::is_empty(film.place.store / film.place.id));
 }
 
 TEST_CASE("a clip that is too large is given up, the next one is made") {
     Film film;
-    film.place.most_bytes = 3000;
+    film.place.max_bytes = 3000;
     const std::vector<Shot> made = film.made({{.begin = 0s, .end = 2s}, {.begin = 2s, .end = 2080ms}});
     REQUIRE(made.size() == 2);
     CHECK(made[0].stored->is_dropped);
@@ -193,5 +193,5 @@ TEST_CASE("a film that breaks off has the clips before") {
 TEST_CASE("what is not made yet is given up at once") {
     const Film film;
     FilmClips clips(film.path, film.form, film.place);
-    clips.want({.begin = 0s, .end = 3s});
+    clips.request_clip({.begin = 0s, .end = 3s});
 }

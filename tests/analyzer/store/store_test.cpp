@@ -50,14 +50,14 @@ TEST_CASE("what no record names is taken out at the second look, what one names 
     shelf.put(id_a + "/1-2.mp4.new");  // a crash left it
     shelf.put(id_b + "/photo");
     Store store(shelf.directory, {.max_bytes = 1000});
-    store.hold(film("a", {id_a + "/0-1.mp4"}));
+    store.note_record(film("a", {id_a + "/0-1.mp4"}));
     store.sweep();
     CHECK(shelf.has(id_b + "/photo"));
     store.sweep();
     CHECK(shelf.has(id_a + "/0-1.mp4"));
     CHECK_FALSE(shelf.has(id_a + "/1-2.mp4.new"));
     CHECK_FALSE(shelf.has(id_b));
-    store.release("a");
+    store.forget_file("a");
     store.sweep();
     store.sweep();
     CHECK_FALSE(shelf.has(id_a));
@@ -67,12 +67,12 @@ TEST_CASE("where a child is at work nothing is taken out that is not named yet")
     const Shelf shelf;
     shelf.put(id_a + "/0-1.mp4", 50);
     Store store(shelf.directory, {.max_bytes = 5});
-    store.begin(id_a);
+    store.begin_writing(id_a);
     store.sweep();
     store.sweep();
     store.make_room();
     CHECK(shelf.has(id_a + "/0-1.mp4"));
-    store.end(id_a);
+    store.end_writing(id_a);
     store.make_room();
     CHECK_FALSE(shelf.has(id_a + "/0-1.mp4"));
 }
@@ -84,12 +84,11 @@ TEST_CASE("beyond its bytes the store gives up what was not used for longest, an
     shelf.put(id_b + "/0-1.mp4", 200);
     Store store(shelf.directory, {.max_bytes = 25});
     MediaRecord a = film("a", {id_a + "/0-1.mp4", id_a + "/1-2.mp4"});
-    store.hold(a);
-    CHECK_FALSE(store.is_over());
-    store.hold(film("b", {id_b + "/0-1.mp4"}));
-    CHECK(store.is_over());
+    store.note_record(a);
+    CHECK(store.make_room().empty());
+    store.note_record(film("b", {id_b + "/0-1.mp4"}));
     CHECK(store.make_room() == std::set<std::string>{"a"});
-    CHECK_FALSE(store.is_over());
+    CHECK(store.make_room().empty());
     CHECK_FALSE(shelf.has(id_a + "/1-2.mp4"));
     store.mark_dropped(a);
     CHECK_FALSE(a.shots[0].stored->is_dropped);
@@ -101,8 +100,8 @@ TEST_CASE("a full disk is no different from a full store") {
     const Shelf shelf;
     shelf.put(id_a + "/0-1.mp4");
     Store store(shelf.directory,
-                {.max_bytes = 1000, .least_free = std::numeric_limits<std::uint64_t>::max()});
-    store.hold(film("a", {id_a + "/0-1.mp4"}));
+                {.max_bytes = 1000, .min_free_bytes = std::numeric_limits<std::uint64_t>::max()});
+    store.note_record(film("a", {id_a + "/0-1.mp4"}));
     CHECK(store.make_room() == std::set<std::string>{"a"});
     CHECK_FALSE(shelf.has(id_a + "/0-1.mp4"));
 }
@@ -112,7 +111,7 @@ TEST_CASE("a store that is off is emptied, and asks for nothing") {
     shelf.put(id_a + "/0-1.mp4");
     Store store(shelf.directory, {.max_bytes = 0});
     MediaRecord a = film("a", {id_a + "/0-1.mp4"});
-    store.hold(a);
+    store.note_record(a);
     CHECK(store.make_room().empty());
     CHECK_FALSE(shelf.has(id_a));
     store.mark_dropped(a);
@@ -160,7 +159,7 @@ TEST_CASE("a film's sound is held like its shots, and named when it has lost its
     Store store(shelf.directory, {.max_bytes = 15});
     MediaRecord record = film("a", {id_a + "/0-1.mp4"});
     record.sound = StoredSound{.file = id_a + "/sound"};
-    store.hold(record);
+    store.note_record(record);
     CHECK(store.make_room() == std::set<std::string>{"a"});
     CHECK(shelf.has(id_a + "/0-1.mp4"));
     CHECK_FALSE(shelf.has(id_a + "/sound"));

@@ -40,7 +40,7 @@ struct Shelf {
     fs::path folder() const { return place.store / place.id; }
 
     TemporaryDirectory home;
-    StorePlace place{.store = home.path / "store", .id = std::string(16, 'a'), .most_bytes = 1U << 20};
+    StorePlace place{.store = home.path / "store", .id = std::string(16, 'a'), .max_bytes = 1U << 20};
 };
 
 int red_over(const fs::path& photo, Colour background) {
@@ -80,11 +80,11 @@ TEST_CASE("a large photo is stored smaller, and stays as transparent as it was")
 TEST_CASE("a copy beyond its bytes is given up, one without room has its place all the same") {
     Shelf shelf;
     const std::string file = write_photo(shelf.home.path / "a.png", 60, 40, 3);
-    shelf.place.most_bytes = 10;
+    shelf.place.max_bytes = 10;
     CHECK(shelf.photo(file, 60, 40)->is_dropped);
     CHECK(fs::is_empty(shelf.folder()));
-    shelf.place.most_bytes = 1U << 20;
-    shelf.place.least_free = std::numeric_limits<std::uint64_t>::max();
+    shelf.place.max_bytes = 1U << 20;
+    shelf.place.min_free_bytes = std::numeric_limits<std::uint64_t>::max();
     CHECK_FALSE(shelf.photo(file, 60, 40)->is_dropped);
     CHECK(fs::is_empty(shelf.folder()));
 }

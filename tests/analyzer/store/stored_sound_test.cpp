@@ -58,7 +58,7 @@ double seconds_of_sound(const fs::path& path) {
 
 struct Shelf {
     TemporaryDirectory home;
-    StorePlace place{.store = home.path / "store", .id = std::string(16, 'a'), .most_bytes = 1U << 20};
+    StorePlace place{.store = home.path / "store", .id = std::string(16, 'a'), .max_bytes = 1U << 20};
 };
 
 }  // namespace
@@ -85,7 +85,7 @@ TEST_CASE("a film without sound is known to have none") {
 
 TEST_CASE("a sound that is too large gives its place away") {
     Shelf shelf;
-    shelf.place.most_bytes = 100;
+    shelf.place.max_bytes = 100;
     const std::string film = write_film(shelf.home.path / "a.mov", "identity");
     CHECK(store_sound(film, shelf.place).is_dropped);
     CHECK_FALSE(fs::exists(shelf.place.store / shelf.place.id / "sound"));
@@ -94,7 +94,7 @@ TEST_CASE("a sound that is too large gives its place away") {
 
 TEST_CASE("where the disk has no room a sound is named all the same") {
     Shelf shelf;
-    shelf.place.least_free = std::numeric_limits<std::uint64_t>::max();
+    shelf.place.min_free_bytes = std::numeric_limits<std::uint64_t>::max();
     const std::string film = write_film(shelf.home.path / "a.mp4", "avenc_aac");
     CHECK(store_sound(film, shelf.place) == StoredSound{.file = shelf.place.id + "/sound"});
     CHECK_FALSE(fs::exists(shelf.place.store / shelf.place.id / "sound"));

@@ -27,17 +27,23 @@ constexpr auto patience = 60s;  // until something that must come is given up
 /// Says that a file is ready, unless its first line is a command that misbehaves.
 constexpr const char* reader = R"(
     sound=
-    if [ "$1" = --sound ]; then
+    as_it_is=
+    while :; do
+        case "$1" in
+        --sound) sound=',"sound":{"file":"","dropped":false}' ;;
+        --as-it-is) as_it_is=true ;;
+        --*) ;;
+        *) break ;;
+        esac
         shift
-        sound=',"sound":{"file":"","dropped":false}'
-    fi
+    done
     read -r word name < "$1" || true
     echo "$1" >> "$0.log"
     case "$word" in
     crash) kill -SEGV $$ ;;
     fail) echo "no picture in it" >&2; exit 1 ;;
     half) state=waiting ;;
-    cut) state=waiting; [ "$2" != --as-it-is ] || state=ready ;;
+    cut) state=waiting; [ -z "$as_it_is" ] || state=ready ;;
     *) state=ready ;;
     esac
     stored=
@@ -71,9 +77,9 @@ struct House {
                 .catalogue = home.path / "catalogue",
                 .store = home.path / "store",
                 .state = home.path,
-                .bounds = {.max_bytes = most_stored},
-                .child = {"/bin/sh", script.string()},
-                .limits = {.deadline = deadline},
+                .bounds = {.max_bytes = max_stored},
+                .analysis = {.words = {"/bin/sh", script.string()}, .limits = {.deadline = deadline}},
+                .outputs = {.stored = max_stored > 0},
                 .pace = {.quiet = 1ms, .rename_grace = 100ms, .first_retry = 1ms, .retries = 2},
                 .rescan = rescan};
     }
@@ -135,7 +141,7 @@ struct House {
 
     bool has_stored(const std::string& id) const { return fs::exists(home.path / "store" / id / "photo"); }
 
-    std::uint64_t most_stored = 0;  // bytes
+    std::uint64_t max_stored = 0;  // bytes
     std::chrono::milliseconds deadline = 20s;
     std::chrono::milliseconds rescan = 1h;
     TemporaryDirectory home;
@@ -387,7 +393,7 @@ TEST_CASE("a damaged record is dropped and its file analysed again") {
 
 TEST_CASE("what is stored of a file goes with it") {
     House house;
-    house.most_stored = 1000;
+    house.max_stored = 1000;
     house.rescan = 20ms;
     const std::string a = house.keep("a.jpg");
     house.start();
@@ -405,7 +411,7 @@ TEST_CASE("what is stored of a file goes with it") {
 
 TEST_CASE("a full store gives up its oldest, whose record says so") {
     House house;
-    house.most_stored = 15;
+    house.max_stored = 15;
     const std::string a = house.keep("a.jpg");
     house.start();
     CHECK(house.becomes("a.jpg", MediaState::ready));
@@ -422,7 +428,7 @@ TEST_CASE("a full store gives up its oldest, whose record says so") {
 
 TEST_CASE("what the store has lost is made again at the next start, what it gave up is not") {
     House house;
-    house.most_stored = 1000;
+    house.max_stored = 1000;
     const std::string a = house.keep("a.jpg");
     const std::string b = house.keep("b.jpg");
     house.start();
@@ -538,7 +544,7 @@ TEST_CASE("thumbnails that the status page lacks are made when nothing else is t
 
 TEST_CASE("a film is asked for its sound where names or folders say so, be it afterwards") {
     House house;
-    house.most_stored = 1000;
+    house.max_stored = 1000;
     house.drop("sound at once.mp4");
     house.drop("later/a.mp4");
     house.drop("later/mute b.mp4");

@@ -47,21 +47,21 @@ struct House {
     }
 
     void start() {
-        daemon = std::make_unique<Daemon>(loop, WatchOptions{.root = root,
-                                                             .catalogue = home.path / "catalogue",
-                                                             .store = home.path / "store",
-                                                             .state = home.path,
-                                                             .child = {"/bin/sh", read.string()},
-                                                             .weave = {"/bin/sh", weave.string()},
-                                                             .tapestries = {.max_bytes = max_bytes},
-                                                             .limits = {.deadline = 50s},
-                                                             .pace = {.children = 2,
-                                                                      .quiet = 1ms,
-                                                                      .rename_grace = 100ms,
-                                                                      .first_retry = 1ms,
-                                                                      .retries = 2},
-                                                             .rescan = 1h,
-                                                             .is_once = is_once});
+        daemon = std::make_unique<Daemon>(
+            loop, WatchOptions{.root = root,
+                               .catalogue = home.path / "catalogue",
+                               .store = home.path / "store",
+                               .state = home.path,
+                               .analysis = {.words = {"/bin/sh", read.string()}, .limits = {.deadline = 50s}},
+                               .weave = {"/bin/sh", weave.string()},
+                               .tapestries = {.max_bytes = max_bytes},
+                               .pace = {.children = 2,
+                                        .quiet = 1ms,
+                                        .rename_grace = 100ms,
+                                        .first_retry = 1ms,
+                                        .retries = 2},
+                               .rescan = 1h,
+                               .is_once = is_once});
     }
 
     fs::path drop(const std::string& name, const std::string& content = "film\n") const {

@@ -20,45 +20,39 @@ MediaRecord part(int first, int count, std::int64_t mtime = 1) {
 }  // namespace
 
 TEST_CASE("parts are added behind each other, and are news once") {
-    GrowingRecords growing;
-    growing.begin(part(0, 0));
-    CHECK_FALSE(growing.has_news());
-    growing.add(part(0, 1));
-    growing.add(part(1, 2));
-    CHECK(growing.has_news());
-    CHECK(growing.take_news() == std::vector{part(0, 3)});
-    CHECK_FALSE(growing.has_news());
-    CHECK(growing.take_news().empty());
+    FilmGrowth growth(part(0, 0));
+    CHECK_FALSE(growth.take_news());
+    growth.add_shots(part(0, 1));
+    growth.add_shots(part(1, 2));
+    CHECK(growth.take_news() == part(0, 3));
+    CHECK_FALSE(growth.take_news());
 }
 
 TEST_CASE("a second try is no news until it knows more than the first") {
-    GrowingRecords growing;
-    growing.known(part(0, 2));
-    growing.begin(part(0, 0));
-    growing.add(part(0, 2));
-    CHECK_FALSE(growing.has_news());
-    growing.add(part(2, 1));
-    CHECK(growing.take_news() == std::vector{part(0, 3)});
+    FilmGrowth growth = FilmGrowth::published(part(0, 2));
+    growth.begin_analysis(part(0, 0));
+    growth.add_shots(part(0, 2));
+    CHECK_FALSE(growth.take_news());
+    growth.add_shots(part(2, 1));
+    CHECK(growth.take_news() == part(0, 3));
 }
 
 TEST_CASE("of another content the first shot is news") {
-    GrowingRecords growing;
-    growing.known(part(0, 2));
-    growing.begin(part(0, 0, 9));
-    growing.add(part(0, 1, 9));
-    CHECK(growing.take_news() == std::vector{part(0, 1, 9)});
+    FilmGrowth growth = FilmGrowth::published(part(0, 2));
+    growth.begin_analysis(part(0, 0, 9));
+    growth.add_shots(part(0, 1, 9));
+    CHECK(growth.take_news() == part(0, 1, 9));
 }
 
 TEST_CASE("a shot whose place in the store becomes known is news, and stands where it stood") {
-    GrowingRecords growing;
-    growing.begin(part(0, 0));
-    growing.add(part(0, 2));
-    growing.take_news();
+    FilmGrowth growth(part(0, 0));
+    growth.add_shots(part(0, 2));
+    growth.take_news();
     MediaRecord stored = part(0, 1);
     stored.shots[0].stored = {.file = "0123456789abcdef/a.mp4", .width = 8, .height = 8};
-    growing.add(stored);
+    growth.add_shots(stored);
     MediaRecord expected = part(0, 2);
     expected.shots[0].stored = stored.shots[0].stored;
-    CHECK(growing.take_news() == std::vector{expected});
-    CHECK(growing.take_news().empty());
+    CHECK(growth.take_news() == expected);
+    CHECK_FALSE(growth.take_news());
 }

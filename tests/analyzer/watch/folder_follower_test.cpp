@@ -36,9 +36,8 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     const TemporaryDirectory home;
     for (int i = 0; i < folders; ++i)
         std::filesystem::create_directory(home.path / std::to_string(i));
-    const MediaFolder folder(home.path);
     Schedule schedule(Pace{});
-    FolderFollower follower(folder, schedule);
+    FolderFollower follower(MediaFolder(home.path), schedule);
     Schedule::Time now{1h};
     follower.rescan(now);
     const long resident_before = most_resident_mebibytes();

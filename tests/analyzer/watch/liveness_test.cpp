@@ -6,29 +6,38 @@ using namespace vitrine;
 using namespace vitrine::analyzer;
 using namespace std::chrono_literals;
 
-TEST_CASE("all is well while what is expected comes in time, or not much later") {
-    const Pulse::Time begin{1h};
-    Pulse pulse;
-    CHECK_FALSE(pulse.missed(begin + 100h));
+namespace {
 
-    pulse.expect("the folder is read", begin + 10s);
-    CHECK_FALSE(pulse.missed(begin + 10s + Pulse::patience));
+struct Bench {
+    EventLoop loop;
+    Liveness liveness{loop, [] { return StatusLine{}; }};
+};
 
-    pulse.expect("the folder is read", begin + 20s);  // it was, and will be again
-    CHECK_FALSE(pulse.missed(begin + 20s + Pulse::patience));
+}  // namespace
+
+TEST_CASE("nothing is overdue while what is expected happens in time, or not much later") {
+    const Liveness::Time begin{1h};
+    Bench bench;
+    CHECK_FALSE(bench.liveness.overdue(begin + 100h));
+
+    bench.liveness.expect("rescan of the media folder", begin + 10s);
+    CHECK_FALSE(bench.liveness.overdue(begin + 10s + Liveness::patience));
+
+    bench.liveness.expect("rescan of the media folder", begin + 20s);  // it was, and will be again
+    CHECK_FALSE(bench.liveness.overdue(begin + 20s + Liveness::patience));
 }
 
-TEST_CASE("what does not come is missed, the longest first, though other things go on") {
-    const Pulse::Time begin{1h};
-    Pulse pulse;
-    pulse.expect("the child of 'b' ends", begin + 20s);
-    pulse.expect("the child of 'a' ends", begin + 10s);
-    pulse.expect("the folder is read", begin + 3h);
-    CHECK(pulse.missed(begin + 1h) == "the child of 'a' ends");
+TEST_CASE("what does not happen is overdue, the longest first, though other things go on") {
+    const Liveness::Time begin{1h};
+    Bench bench;
+    bench.liveness.expect("analysis of 'b'", begin + 20s);
+    bench.liveness.expect("analysis of 'a'", begin + 10s);
+    bench.liveness.expect("rescan of the media folder", begin + 3h);
+    CHECK(bench.liveness.overdue(begin + 1h) == "analysis of 'a'");
 
-    pulse.came("the child of 'a' ends");
-    CHECK(pulse.missed(begin + 1h) == "the child of 'b' ends");
+    bench.liveness.meet("analysis of 'a'");
+    CHECK(bench.liveness.overdue(begin + 1h) == "analysis of 'b'");
 
-    pulse.came("the child of 'b' ends");
-    CHECK_FALSE(pulse.missed(begin + 1h));
+    bench.liveness.meet("analysis of 'b'");
+    CHECK_FALSE(bench.liveness.overdue(begin + 1h));
 }

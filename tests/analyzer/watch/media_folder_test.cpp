@@ -54,7 +54,7 @@ TEST_CASE(
     CHECK(paths(folder.list("b/c")) == std::vector<std::string>{"b/c/d.mp4"});
     CHECK(folder.list("b/@eaDir").files.empty());
 
-    const auto look = folder.look("a.jpg");
+    const auto look = folder.look_at("a.jpg");
     REQUIRE(look.presence == Presence::there);
     CHECK(look.file.facts.bytes == 5);
     CHECK(look.file.facts.inode != 0);
@@ -75,9 +75,9 @@ TEST_CASE("no link leads out of the folder, and one in a circle ends nothing") {
     CHECK(folder.list("").files.empty());
     CHECK(folder.list("folder").files.empty());
     for (const char* path : {"file.jpg", "folder/secret.jpg", "circle/file.jpg", "../x", "nothing.jpg"})
-        CHECK(folder.look(path).presence == Presence::gone);
+        CHECK(folder.look_at(path).presence == Presence::gone);
     const auto escape = fs::relative(outside.path / "secret.jpg", directory.path).string();
-    CHECK(folder.look(escape).presence == Presence::gone);
+    CHECK(folder.look_at(escape).presence == Presence::gone);
 }
 
 TEST_CASE("a folder that is not there is incomplete, not empty") {
@@ -85,11 +85,11 @@ TEST_CASE("a folder that is not there is incomplete, not empty") {
     const MediaFolder folder(directory.path / "unmounted");
     CHECK_FALSE(folder.list("").is_complete);
     CHECK_FALSE(folder.device().has_value());
-    CHECK(folder.look("a.jpg").presence == Presence::unreachable);
+    CHECK(folder.look_at("a.jpg").presence == Presence::unreachable);
     fs::create_directories(directory.path / "unmounted");
     CHECK(folder.list("").is_complete);
     CHECK(folder.device().has_value());
-    CHECK(folder.look("a.jpg").presence == Presence::gone);
+    CHECK(folder.look_at("a.jpg").presence == Presence::gone);
 }
 
 TEST_CASE("folders within folders end at the limit and say so") {
@@ -132,7 +132,7 @@ TEST_CASE(
         paths.push_back(file.path);
     std::sort(paths.begin(), paths.end());
     CHECK(paths == std::vector<std::string>{"..2026-12-24 Advent/b.jpg", "_INFO 2/a.jpg"});
-    CHECK(folder.look("_INFO/index.html").presence == MediaFolder::Presence::gone);
+    CHECK(folder.look_at("_INFO/index.html").presence == MediaFolder::Presence::gone);
     CHECK(folder.list("_INFO").files.empty());
     CHECK(folder.content("d/.vitrine.toml", 100) == "seconds = 20");
     CHECK(folder.content("d/.vitrine.toml", 7) == "seconds");

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "analyzer/status/status_folder.hpp"
+#include "analyzer/status/status_report.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// A JPEG, whole. Nothing where there is none, or one larger than a picture of ours can be.
+std::optional<std::string> read_picture(const std::filesystem::path& file);
+
+/// The thumbnails of the files on the status page: copied from the state directory, where the analysing
+/// children write them, to the status folder.
+class ThumbnailCopies {
+  public:
+    /// @param thumbnails  STATE/thumbnails
+    explicit ThumbnailCopies(std::filesystem::path thumbnails) : thumbnails_(std::move(thumbnails)) {}
+
+    /// Copies new thumbnails of ready files and removes those of files that are not on the page any more, in
+    /// the state directory too.
+    /// @throws std::system_error where the folder cannot be written
+    void update(const StatusFolder& folder, const std::vector<StatusEntry>& page);
+
+    /// The ids of the thumbnails in the folder.
+    const std::set<std::string>& ids() const { return ids_; }
+
+    /// Paths of ready files on the page that had no thumbnail at the last update.
+    const std::vector<std::string>& lacking() const { return lacking_; }
+
+  private:
+    void copy_changed(const StatusFolder& folder, const std::set<std::string>& wanted);
+    void read_folder(const StatusFolder& folder);
+    void remove_old(const std::set<std::string>& wanted) const;
+
+    std::filesystem::path thumbnails_;
+    std::set<std::string> ids_;
+    std::vector<std::string> lacking_;
+    std::map<std::string, std::filesystem::file_time_type> copied_;  // by name, as they were in STATE
+};
+
+}  // namespace vitrine::analyzer

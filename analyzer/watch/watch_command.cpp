@@ -1,0 +1,127 @@
+#include "analyzer/watch/watch_command.hpp"
+
+#include "analyzer/store/store_place.hpp"
+#include "analyzer/tapestry/tapestry_state.hpp"
+#include "analyzer/watch/daemon.hpp"
+#include "base/settings/settings_file.hpp"
+#include "base/settings/settings_snapshot.hpp"
+#include "base/system/log.hpp"
+#include "base/system/service.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool can_limit_memory = false;  // sanitizers reserve terabytes
+#else
+constexpr bool can_limit_memory = true;
+#endif
+
+/// Half of the cores, rounded up.
+std::size_t usual_parallelism() {
+    return (std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
+}
+
+AnalysisCommand analysis_command(const Settings::Analyzer& settings, const std::string& config) {
+    constexpr int mebibyte_bits = 20;
+    AnalysisCommand command{.words = {"/proc/self/exe", config, "analyze"},
+                            .limits = {},
+                            .deadline_per_mebibyte = settings.deadline_per_mebibyte};
+    command.limits.deadline = settings.deadline;
+    if (can_limit_memory)
+        command.limits.memory_bytes = static_cast<std::uint64_t>(settings.memory) << mebibyte_bits;
+    return command;
+}
+
+/// The by-products of each analysis; sound and cut streams are up to the single file.
+AnalysisOutputs analysis_outputs(const Settings& settings, bool is_once) {
+    return {.growth = true,
+            .stored = settings.store.max_bytes > 0,
+            .frames = settings.tapestry.max_bytes > 0 && !is_once,
+            .thumbnail = !settings.status.folder.empty()};
+}
+
+Pace pace(const Settings::Analyzer& settings, bool is_once) {
+    constexpr std::uint64_t small_file = 16U << 20;  // most photos, and hardly a film that takes long
+    Pace pace{.children =
+                  settings.children > 0 ? static_cast<std::size_t>(settings.children) : usual_parallelism(),
+              .small_bytes = small_file,
+              .quiet = settings.quiet};
+    if (is_once) pace.first_retry = std::chrono::hours(24);  // waiting files are left to the daemon
+    return pace;
+}
+
+/// @param snapshot  the file of settings that children read
+WatchOptions watch_options(const Settings& settings, const std::string& snapshot, bool is_once) {
+    const std::string config = "--config=" + snapshot;
+    const fs::path state = settings.state.directory;
+    WatchOptions options;
+    options.root = fs::absolute(settings.media.root).lexically_normal();
+    options.state = state;
+    options.catalogue = state / "catalogue";
+    options.store = state / "store";
+    options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
+    options.bounds.clip_side = clip_side(settings);
+    options.analysis = analysis_command(settings.analyzer, config);
+    options.outputs = analysis_outputs(settings, is_once);
+    options.status_folder = settings.status.folder;
+    if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
+    options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
+    options.weave = {"/proc/self/exe",
+                     config,
+                     "weave",
+                     "--resume",
+                     fmt::format("--threads={}", usual_parallelism()),
+                     fmt::format("--most-bytes={}", tapestry_share(options.tapestries.max_bytes))};
+    options.pace = pace(settings.analyzer, is_once);
+    options.rescan = settings.analyzer.rescan;
+    options.is_once = is_once;
+    return options;
+}
+
+/// With a mistake in the new settings the old ones stay.
+void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot) {
+    try {
+        const Settings settings = read_settings();
+        log::set_level(settings.log.level);
+        snapshot.replace(settings);
+        log::info("settings read again: files are analysed by them from now on; folders, store and pace "
+                  "after a restart");
+    } catch (const SettingsError& error) {
+        log::error("settings: {}; the old ones stay", error.what());
+    }
+}
+
+}  // namespace
+
+int watch_media(const Settings& settings, const ReadSettings& read_settings, bool is_once) {
+    SettingsSnapshot snapshot(settings);
+    EventLoop loop;
+    const EventLoop::Source hangup = loop.signal(SIGHUP, [&] { read_again(read_settings, snapshot); });
+    bool is_interrupted = false;
+    const auto quit = [&] {
+        is_interrupted = true;
+        loop.quit();
+    };
+    const EventLoop::Source terminate = loop.signal(SIGTERM, quit);
+    const EventLoop::Source interrupt = loop.signal(SIGINT, quit);
+    const Daemon daemon(loop, watch_options(settings, snapshot.path(), is_once));
+    service::ready(daemon.status());
+    log::info("watching '{}': {}", settings.media.root, daemon.status());
+    loop.run();
+    service::stopping();
+    if (!is_once) return EXIT_SUCCESS;
+    return daemon.is_up_to_date() && !is_interrupted ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace vitrine::analyzer

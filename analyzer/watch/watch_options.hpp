@@ -1,0 +1,34 @@
+#pragma once
+
+#include "analyzer/one_file/analysis_outputs.hpp"
+#include "analyzer/store/store.hpp"
+#include "analyzer/store/store_place.hpp"
+#include "analyzer/watch/analyses.hpp"
+#include "analyzer/watch/schedule.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// All that the daemon needs to know.
+struct WatchOptions {
+    std::filesystem::path root;       // the media folder
+    std::filesystem::path catalogue;  // the directory of records
+    std::filesystem::path store;
+    std::filesystem::path state;               // hints.json, status.json, thumbnails/ and wall.jpg
+    std::vector<std::string> thumbnail_child;  // see MissingThumbnails
+    std::string status_folder;                 // in the media folder, for its operators; empty: none
+    StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
+    AnalysisCommand analysis;
+    AnalysisOutputs outputs;         // of each analysis
+    std::vector<std::string> weave;  // the command that weaves a tapestry; see WeaveOptions
+    StoreBounds tapestries{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
+    Pace pace;
+    std::chrono::milliseconds rescan{60'000};
+    bool is_once = false;  // ends the loop as soon as the catalogue is up to date
+};
+
+}  // namespace vitrine::analyzer
