@@ -17,7 +17,10 @@ Schedule::Schedule(const Pace& pace) : pace_(pace) {
 }
 
 void Schedule::add_recorded(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held) {
-    entries_[path] = {.facts = facts, .is_settled = is_settled, .is_recorded = true, .is_held = is_held};
+    entries_[path] = {.facts = facts,
+                      .phase = is_settled ? Phase::unseen : Phase::stale,
+                      .is_recorded = true,
+                      .is_held = is_held};
 }
 
 void Schedule::see_file(const std::string& path, const FileFacts& facts, Time now, LookKind look) {
@@ -27,8 +30,10 @@ void Schedule::see_file(const std::string& path, const FileFacts& facts, Time no
     Entry& entry = found->second;
     const bool is_same = is_same_content(entry.facts, facts);
     switch (entry.phase) {
+    case Phase::stale:
+        return see_change(path, entry, facts, delay, now);
     case Phase::unseen:
-        if (!is_same || !entry.is_settled) return see_change(path, entry, facts, delay, now);
+        if (!is_same) return see_change(path, entry, facts, delay, now);
         entry.since = now;
         return enter_phase(path, entry, Phase::done);
     case Phase::settling:
@@ -48,31 +53,16 @@ void Schedule::see_file(const std::string& path, const FileFacts& facts, Time no
 
 /// @param delay  until it is looked at again
 void Schedule::see_new_file(const std::string& path, const FileFacts& facts, nanoseconds delay, Time now) {
-    const auto left = leaving_.find(path);
-    const bool is_back =
-        left != leaving_.end() && left->second.is_done && is_same_content(left->second.facts, facts);
-    if (is_back || take_over_record(path, facts)) {
-        Entry& entry = entries_[path];
-        entry = {.facts = facts, .since = now, .is_recorded = true};
+    const LeavingFiles::Return before = leaving_.take_back(path, facts);
+    std::optional<std::string> from;
+    if (!before.record_holds) from = leaving_.take_renamed(facts);
+    if (from) actions_.push_back({.kind = Action::Kind::move, .path = path, .from = *from, .facts = facts});
+    Entry& entry = entries_[path];
+    entry = {.facts = facts, .since = now, .is_recorded = before.is_recorded || from};
+    if (before.record_holds || from)
         enter_phase(path, entry, Phase::done);
-    } else {
-        Entry& entry = entries_[path];
-        entry = {.facts = facts, .since = now, .is_recorded = left != leaving_.end()};
+    else
         settle_file(path, entry, delay, now);
-    }
-    leaving_.erase(path);
-}
-
-/// A rename: the vanished file with the same inode and content gives its record away.
-bool Schedule::take_over_record(const std::string& path, const FileFacts& facts) {
-    const auto from = std::find_if(leaving_.begin(), leaving_.end(), [&](const auto& candidate) {
-        const Leaving& left = candidate.second;
-        return left.is_done && left.facts.inode == facts.inode && is_same_content(left.facts, facts);
-    });
-    if (from == leaving_.end() || facts.inode == 0) return false;
-    actions_.push_back({.kind = Action::Kind::move, .path = path, .from = from->first, .facts = facts});
-    leaving_.erase(from);
-    return true;
 }
 
 void Schedule::see_change(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds delay,
@@ -111,9 +101,7 @@ void Schedule::lose_file(const std::string& path, Time now) {
     Entry& entry = found->second;
     if (entry.phase == Phase::running) actions_.push_back({.kind = Action::Kind::stop, .path = path});
     if (entry.is_recorded)
-        leaving_[path] = {.facts = entry.facts,
-                          .is_done = entry.phase == Phase::done,
-                          .forget_at = now + pace_.rename_grace};
+        leaving_.add(path, entry.facts, entry.phase == Phase::done, now + pace_.rename_grace);
     enter_phase(path, entry, Phase::unseen);
     entries_.erase(found);
 }
@@ -168,11 +156,8 @@ std::vector<std::string> Schedule::files_to_look_at(Time now) const {
 }
 
 std::vector<Action> Schedule::next_actions(Time now) {
-    std::erase_if(leaving_, [&](const auto& candidate) {
-        if (candidate.second.forget_at > now) return false;
-        actions_.push_back({.kind = Action::Kind::remove, .path = candidate.first});
-        return true;
-    });
+    for (const std::string& path : leaving_.take_expired(now))
+        actions_.push_back({.kind = Action::Kind::remove, .path = path});
     start_due_files();
     return std::exchange(actions_, {});
 }
@@ -198,10 +183,8 @@ void Schedule::start_due_files() {
 }
 
 std::optional<Schedule::Time> Schedule::next_wake() const {
-    std::optional<Time> earliest;
-    if (!looks_.empty()) earliest = looks_.begin()->first;
-    for (const auto& [path, left] : leaving_)
-        earliest = std::min(earliest.value_or(left.forget_at), left.forget_at);
+    std::optional<Time> earliest = leaving_.next_expiry();
+    if (!looks_.empty()) earliest = std::min(earliest.value_or(looks_.begin()->first), looks_.begin()->first);
     return earliest;
 }
 
@@ -222,11 +205,12 @@ Schedule::Progress Schedule::progress_of(const Entry& entry) {
 
 void Schedule::visit_files(const Visit& call) const {
     for (const auto& [path, entry] : entries_)
-        if (entry.phase != Phase::unseen) call(path, progress_of(entry), entry.since);
+        if (entry.phase != Phase::unseen && entry.phase != Phase::stale)
+            call(path, progress_of(entry), entry.since);
 }
 
 bool Schedule::is_idle() const {
-    return children_.empty() && due_.empty() && leaving_.empty() && actions_.empty() &&
+    return children_.empty() && due_.empty() && leaving_.is_empty() && actions_.empty() &&
            std::all_of(looks_.begin(), looks_.end(),
                        [&](const auto& look) { return entries_.at(look.second).waits > 0; });
 }

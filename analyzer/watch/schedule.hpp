@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/watch/file_facts.hpp"
+#include "analyzer/watch/leaving_files.hpp"
 
 #include <chrono>
 #include <functional>
@@ -136,7 +137,14 @@ class Schedule {
     bool is_idle() const;
 
   private:
-    enum class Phase { unseen, settling, due, running, done };
+    enum class Phase {
+        unseen,  // only an earlier run has seen it; its record holds while it is the same
+        stale,   // likewise, but it is to be analysed anew
+        settling,
+        due,
+        running,
+        done,
+    };
 
     struct Entry {
         FileFacts facts;
@@ -145,16 +153,9 @@ class Schedule {
         Time since{};              // it is done, else has this content
         int deaths = 0;            // of children, by the content as it is
         int waits = 0;             // waiting answers for the content as it is
-        bool is_settled = false;   // unseen only
         bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
         bool is_held = false;      // that record is waiting already
         bool has_grown = false;    // that record is a part of the running analysis
-    };
-
-    struct Leaving {
-        FileFacts facts;
-        bool is_done = false;  // its record holds for whoever has the same content
-        Time forget_at{};
     };
 
     static Progress progress_of(const Entry& entry);
@@ -164,12 +165,11 @@ class Schedule {
     void settle_file(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
     void see_change(const std::string& path, Entry& entry, const FileFacts& facts,
                     std::chrono::nanoseconds delay, Time now);
-    bool take_over_record(const std::string& path, const FileFacts& facts);
     void start_due_files();
 
     Pace pace_;
     std::map<std::string, Entry> entries_;
-    std::map<std::string, Leaving> leaving_;              // gone, with a record that is still there
+    LeavingFiles leaving_;
     std::set<std::string> children_;                      // files with a child, also a stopped one
     std::set<std::pair<Time, std::string>> looks_;        // the settling entries by their time
     std::set<std::pair<std::int64_t, std::string>> due_;  // the due entries by mtime

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "analyzer/watch/file_facts.hpp"
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Files that vanished and whose record is still in the catalogue. Each may turn up again, under its own name
+/// or another; after a while its record goes. Pure: times are passed in.
+class LeavingFiles {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// @param is_done  its record is final, and holds for any file of the same content
+    void add(const std::string& path, const FileFacts& facts, bool is_done, Time forget_at);
+
+    /// How a file of this path was known before.
+    struct Return {
+        bool is_recorded = false;   // the catalogue has a record of this path
+        bool record_holds = false;  // and it is right for the content
+    };
+
+    /// There is a file of this path again.
+    Return take_back(const std::string& path, const FileFacts& facts);
+
+    /// A rename: the vanished file with the same inode and content gives its record away.
+    /// @return the old path; nothing where there is no such file
+    std::optional<std::string> take_renamed(const FileFacts& facts);
+
+    /// Paths whose time is over: their records go.
+    std::vector<std::string> take_expired(Time now);
+
+    /// When take_expired() will have something.
+    std::optional<Time> next_expiry() const;
+
+    bool is_empty() const { return files_.empty(); }
+
+  private:
+    struct File {
+        FileFacts facts;
+        bool is_done = false;
+        Time forget_at{};
+    };
+
+    std::map<std::string, File> files_;
+};
+
+}  // namespace vitrine::analyzer
