@@ -42,7 +42,7 @@ std::string valid_text(std::string_view line) {
     return valid.get();
 }
 
-/// The coverage of a line of text, CV_8UC1, as high as the line; empty where nothing is to be drawn.
+/// The coverage of a line of text, CV_8UC1, as high as the line; empty where there is nothing to draw.
 cv::Mat text_mask(const std::string& line, double size, TextWeight weight) {
     if (line.find_first_not_of(' ') == std::string::npos) return {};
     const std::unique_ptr<char, GFree> markup(g_markup_escape_text(line.c_str(), -1));
@@ -101,29 +101,29 @@ void Canvas::arrow(Vec2 from, Vec2 to, Ink colour, int thickness) {
                     head);
 }
 
-int Canvas::text_width(std::string_view line, double size, TextWeight weight) const {
-    return text_mask(valid_text(line), size, weight).cols;
+int Canvas::text_width(std::string_view line, double size) const {
+    return text_mask(valid_text(line), size, TextWeight::normal).cols;
 }
 
-int Canvas::text(std::string_view line, Vec2 at, double size, Ink colour, TextWeight weight, int most_width) {
+int Canvas::text(std::string_view line, Vec2 at, const TextStyle& style, int max_width) {
     std::string shown = valid_text(line);
-    cv::Mat mask = text_mask(shown, size, weight);
-    for (glong left = g_utf8_strlen(shown.c_str(), -1) - 2; mask.cols > most_width && left > 4; left -= 2) {
+    cv::Mat mask = text_mask(shown, style.size, style.weight);
+    for (glong left = g_utf8_strlen(shown.c_str(), -1) - 2; mask.cols > max_width && left > 4; left -= 2) {
         const std::string full = valid_text(line);
         const std::unique_ptr<char, GFree> head(g_utf8_substring(full.c_str(), 0, left / 2));
         const std::unique_ptr<char, GFree> tail(
             g_utf8_substring(full.c_str(), g_utf8_strlen(full.c_str(), -1) - left / 2, -1));
         shown = fmt::format("{}…{}", head.get(), tail.get());
-        mask = text_mask(shown, size, weight);
+        mask = text_mask(shown, style.size, style.weight);
     }
     if (mask.empty()) return 0;
-    const double baseline = at.y + cap_height / 2 * size;
-    const int top = static_cast<int>(std::lround(baseline + descent(shown, size))) - mask.rows;
+    const double baseline = at.y + cap_height / 2 * style.size;
+    const int top = static_cast<int>(std::lround(baseline + descent(shown, style.size))) - mask.rows;
     const cv::Rect all(static_cast<int>(at.x), top, mask.cols, mask.rows);
     const cv::Rect seen = all & cv::Rect({}, picture_.size());
     if (seen.empty()) return mask.cols;
     cv::Mat target = picture_(seen);
-    const cv::Scalar ink = bgr(colour);
+    const cv::Scalar ink = bgr(style.colour);
     const cv::Mat coverage = mask(seen - all.tl());
     for (int y = 0; y < target.rows; ++y) {
         for (int x = 0; x < target.cols; ++x) {

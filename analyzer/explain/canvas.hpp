@@ -15,8 +15,13 @@ using Ink = unsigned;
 
 enum class TextWeight { normal, bold };
 
-/// A picture that is drawn on and written as PNG: boxes, outlines, pictures and text. All lengths are canvas
-/// px.
+struct TextStyle {
+    double size = 12;  // px
+    Ink colour = 0;
+    TextWeight weight = TextWeight::normal;
+};
+
+/// A picture to draw on and to write as PNG: boxes, outlines, pictures and text. All lengths are canvas px.
 class Canvas {
   public:
     /// @throws std::runtime_error if libvips cannot be started
@@ -24,21 +29,20 @@ class Canvas {
 
     void fill(const Box& box, Ink colour);
 
-    /// A picture CV_8UC3 (BGR) placed with its corner at `at`, in its own size, clipped to the canvas.
+    /// Draws a picture CV_8UC3 (BGR) with its corner at `at`, in its own size, clipped to the canvas.
     void place(const cv::Mat& picture, Vec2 at);
 
     void outline(const Polygon& polygon, Ink colour, int thickness);
 
     void arrow(Vec2 from, Vec2 to, Ink colour, int thickness);
 
-    /// One line of text with the middle of its capitals at `at.y`; what is not UTF-8 is shown as replacement
+    /// Draws one line with the middle of its capitals at `at.y`. Bytes that are not UTF-8 become replacement
     /// characters.
-    /// @param most_width  beyond it the middle of the text is left out
-    /// @return            the width drawn
-    int text(std::string_view line, Vec2 at, double size, Ink colour, TextWeight weight = TextWeight::normal,
-             int most_width = 100'000);
+    /// @param max_width  of a wider line the middle of the text is left out
+    /// @return           the width drawn
+    int text(std::string_view line, Vec2 at, const TextStyle& style, int max_width = 100'000);
 
-    int text_width(std::string_view line, double size, TextWeight weight = TextWeight::normal) const;
+    int text_width(std::string_view line, double size) const;
 
     /// @throws std::runtime_error if the file cannot be written
     void write_png(const std::string& path) const;

@@ -13,22 +13,22 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int margin = 48;
-constexpr int widest_frame = 400;
-constexpr int tallest_frame = 300;
+constexpr int max_frame_width = 400;
+constexpr int max_frame_height = 300;
 constexpr int gap = 14;
 constexpr int group_gap = 34;  // between frames and maps
 constexpr int label_height = 22;
 constexpr int header_height = 132;
 constexpr int row_title_height = 32;
 constexpr int row_gap = 30;
-constexpr int least_width = 1100;
-constexpr int narrowest_facts = 150;
+constexpr int min_width = 1100;
+constexpr int min_facts_width = 150;
 constexpr Ink paper = 0xFBFAF8;
 constexpr Ink ink = 0x1C1B1A;
 constexpr Ink faint_ink = 0x76726D;
 constexpr Ink no_map = 0xECE9E5;
 constexpr Ink region_colour = 0xFF8A00;
-constexpr Ink letter_colour = 0xF03A9B;
+constexpr Ink paper_mode_colour = 0xF03A9B;
 constexpr Ink drift_colour = 0x00C8E0;
 constexpr Ink face_colour = 0x4CE06A;
 constexpr double dimmed = 0.45;  // brightness outside the region
@@ -38,8 +38,8 @@ struct Cell {
     cv::Size size;
 };
 
-/// Where things stand on the sheet of one file: one frame of a photo or three of each shot, and right of them
-/// two rows of three maps.
+/// The places on the sheet of one file: one frame of a photo or three of each shot, and right of them two
+/// rows of three maps.
 struct Plan {
     int frames = 1;
     cv::Size frame;
@@ -47,10 +47,10 @@ struct Plan {
 
     double maps_x() const { return margin + frames * (frame.width + gap) - gap + group_gap; }
 
-    int map_step() const { return std::max(map.width, narrowest_facts) + gap; }
+    int map_step() const { return std::max(map.width, min_facts_width) + gap; }
 
     int width() const {
-        return std::max(least_width, static_cast<int>(maps_x()) + 3 * map_step() - gap + margin);
+        return std::max(min_width, static_cast<int>(maps_x()) + 3 * map_step() - gap + margin);
     }
 
     int row_height() const { return row_title_height + label_height + frame.height + row_gap; }
@@ -68,8 +68,8 @@ struct Plan {
 };
 
 Plan plan_of(const MediaRecord& record) {
-    const double scale = std::min(static_cast<double>(widest_frame) / record.width,
-                                  static_cast<double>(tallest_frame) / record.height);
+    const double scale = std::min(static_cast<double>(max_frame_width) / record.width,
+                                  static_cast<double>(max_frame_height) / record.height);
     const auto fit = [&](double s) {
         return cv::Size(std::max(1, static_cast<int>(std::lround(record.width * s))),
                         std::max(1, static_cast<int>(std::lround(record.height * s))));
@@ -96,17 +96,24 @@ cv::Mat coloured(const SaliencyMap& map, double highest) {
     return result;
 }
 
-void draw_map(Canvas& canvas, const Cell& cell, const char* name, const SaliencyMap& map, double highest,
-              const char* otherwise) {
-    canvas.text(name, cell.at - Vec2{0, label_height / 2.0}, 12, faint_ink, TextWeight::bold);
-    if (!map.empty()) {
-        canvas.place(fitted(coloured(map, highest), cell.size), cell.at);
+/// One of the maps beside the frames.
+struct ShownMap {
+    const char* name;
+    SaliencyMap map;           // empty: there is none
+    double highest = 1;        // the value of the brightest colour
+    const char* absence = "";  // shown where there is none
+};
+
+void draw_map(Canvas& canvas, const Cell& cell, const ShownMap& shown) {
+    canvas.text(shown.name, cell.at - Vec2{0, label_height / 2.0}, {12, faint_ink, TextWeight::bold});
+    if (!shown.map.empty()) {
+        canvas.place(fitted(coloured(shown.map, shown.highest), cell.size), cell.at);
         return;
     }
     const Vec2 size{static_cast<double>(cell.size.width), static_cast<double>(cell.size.height)};
     canvas.fill({cell.at, cell.at + size}, no_map);
-    const int width = canvas.text_width(otherwise, 12);
-    canvas.text(otherwise, cell.at + Vec2{(size.x - width) / 2, size.y / 2}, 12, faint_ink);
+    const int width = canvas.text_width(shown.absence, 12);
+    canvas.text(shown.absence, cell.at + Vec2{(size.x - width) / 2, size.y / 2}, {12, faint_ink});
 }
 
 double highest_of(const SaliencyMap& map) {
@@ -130,8 +137,8 @@ cv::Mat dimmed_outside(const cv::Mat& frame, const Polygon& region) {
     return result;
 }
 
-/// A frame with what was found in it: the region as it lies then, the letter's, faces, and the way the region
-/// still goes.
+/// Draws a frame with the findings in it: the region as it lies then, that by the paper's letter, faces, and
+/// the way that the region still goes.
 void draw_frame(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const ShownFrame& shown,
                 const MediaRecord& record) {
     const double scale = static_cast<double>(cell.size.width) / record.width;
@@ -146,7 +153,7 @@ void draw_frame(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
     const auto outline = [&](const Polygon& polygon, Ink colour, int thickness) {
         canvas.outline(clipped(transformed(polygon, 1, cell.at), picture), colour, thickness);
     };
-    if (!row.letter.polygon.empty()) outline(lies(row.letter, shown.time), letter_colour, 1);
+    if (!row.letter.polygon.empty()) outline(lies(row.letter, shown.time), paper_mode_colour, 1);
     for (const Face& face : shown.faces) {
         const double face_scale = static_cast<double>(cell.size.width) / row.volume.cols;
         outline(transformed(to_polygon(face.box), face_scale, {}), face_colour, 1);
@@ -162,7 +169,7 @@ double part_of(const IRegion& region, const MediaRecord& record) {
     return 100 * area(region.polygon) / (static_cast<double>(record.width) * record.height);
 }
 
-/// What the row says in words, in the place of a sixth map.
+/// The words of the row, in the place of a sixth map.
 void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const MediaRecord& record) {
     std::vector<std::pair<std::string, Ink>> lines;
     lines.emplace_back(fmt::format("region {:.0f} %", part_of(row.shot.region, record)), ink);
@@ -177,7 +184,7 @@ void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
     }
     double y = cell.at.y + 8;
     for (const auto& [line, colour] : lines) {
-        canvas.text(line, {cell.at.x, y}, 13, colour);
+        canvas.text(line, {cell.at.x, y}, {13, colour});
         y += 21;
     }
 }
@@ -185,49 +192,56 @@ void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
 void draw_maps(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
                const Plan& plan) {
     const auto cell = [&](int column, int line) { return Cell{plan.map_at(column, line, top), plan.map}; };
-    draw_map(canvas, cell(0, 0), "S_M motion", row.motion, 1, "no frame before");
-    draw_map(canvas, cell(1, 0), "S_I image", row.image, 1, "no sample");
-    draw_map(canvas, cell(2, 0), "S_F faces", row.faces.empty() ? SaliencyMap() : row.face, 1, "no face");
-    draw_map(canvas, cell(0, 1), "S combined", row.combined,
-             row.combined.empty() ? 1 : highest_of(row.combined), "no sample");
-    draw_map(canvas, cell(1, 1), "S_c accumulated", row.volume, highest_of(row.volume), "");
+    draw_map(canvas, cell(0, 0), {"S_M motion", row.motion, 1, "no frame before"});
+    draw_map(canvas, cell(1, 0), {"S_I image", row.image, 1, "no sample"});
+    draw_map(canvas, cell(2, 0), {"S_F faces", row.faces.empty() ? SaliencyMap() : row.face, 1, "no face"});
+    draw_map(canvas, cell(0, 1),
+             {"S combined", row.combined, row.combined.empty() ? 1 : highest_of(row.combined), "no sample"});
+    draw_map(canvas, cell(1, 1), {"S_c accumulated", row.volume, highest_of(row.volume)});
     draw_facts(canvas, cell(2, 1), row, record);
 }
 
-std::string row_title(const ShotEvidence& row, std::size_t number) {
-    return fmt::format("shot {}   {} to {}", number, time_text(row.shot.begin), time_text(row.shot.end));
+std::size_t number_of(const Shot& shot, const MediaRecord& record) {
+    const auto found = std::find(record.shots.begin(), record.shots.end(), shot);
+    return static_cast<std::size_t>(found - record.shots.begin()) + 1;
+}
+
+std::string row_title(const ShotEvidence& row, const MediaRecord& record) {
+    return fmt::format("shot {}   {} to {}", number_of(row.shot, record), time_text(row.shot.begin),
+                       time_text(row.shot.end));
 }
 
 void draw_row(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
-              std::size_t number, const Plan& plan) {
+              const Plan& plan) {
     const bool is_film = record.kind == MediaKind::film;
-    if (is_film) canvas.text(row_title(row, number), {margin, top + 12}, 15, ink, TextWeight::bold);
+    if (is_film) canvas.text(row_title(row, record), {margin, top + 12}, {15, ink, TextWeight::bold});
     draw_maps(canvas, top, row, record, plan);
     constexpr std::array<const char*, 3> names{"begin", "middle", "end"};
     for (int i = 0; i < plan.frames; ++i) {
         const Cell cell{plan.frame_at(i, top), plan.frame};
         const auto index = static_cast<std::size_t>(i);
         if (row.frames.size() != names.size()) {
-            draw_map(canvas, cell, "", {}, 1, "no sample");
+            draw_map(canvas, cell, {.name = "", .map = {}, .absence = "no sample"});
             continue;
         }
         const ShownFrame& shown = row.frames[index];
         const std::string label =
             is_film ? fmt::format("{}   {}", names[index], time_text(shown.time)) : "frame and region";
-        canvas.text(label, cell.at - Vec2{0, label_height / 2.0}, 12, faint_ink, TextWeight::bold);
+        canvas.text(label, cell.at - Vec2{0, label_height / 2.0}, {12, faint_ink, TextWeight::bold});
         draw_frame(canvas, cell, row, shown, record);
     }
 }
 
 void draw_legend(Canvas& canvas, double y, int width) {
-    constexpr std::array<std::pair<const char*, Ink>, 4> entries{{{"region", region_colour},
-                                                                  {"by the paper's letter", letter_colour},
-                                                                  {"where it moves to", drift_colour},
-                                                                  {"face", face_colour}}};
+    constexpr std::array<std::pair<const char*, Ink>, 4> entries{
+        {{"region", region_colour},
+         {"by the paper's letter", paper_mode_colour},
+         {"where it moves to", drift_colour},
+         {"face", face_colour}}};
     double x = width - margin;
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
         x -= canvas.text_width(entry->first, 13);
-        canvas.text(entry->first, {x, y}, 13, faint_ink);
+        canvas.text(entry->first, {x, y}, {13, faint_ink});
         x -= 26;
         canvas.fill({{x, y - 1.5}, {x + 18, y + 1.5}}, entry->second);
         x -= 22;
@@ -245,16 +259,11 @@ std::string facts(const SheetTitle& title, const MediaRecord& record, std::size_
     return text;
 }
 
-std::size_t number_of(const Shot& shot, const MediaRecord& record) {
-    const auto found = std::find(record.shots.begin(), record.shots.end(), shot);
-    return static_cast<std::size_t>(found - record.shots.begin()) + 1;
-}
-
 }  // namespace
 
 void LongestShots::add(ShotEvidence evidence) {
     shots_.push_back(std::move(evidence));
-    if (shots_.size() <= most_) return;
+    if (shots_.size() <= max_shots_) return;
     shots_.erase(
         std::min_element(shots_.begin(), shots_.end(), [](const ShotEvidence& a, const ShotEvidence& b) {
             return a.shot.duration() < b.shot.duration();
@@ -269,8 +278,8 @@ Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record,
                        static_cast<int>(rows.size()) * plan.row_height() - row_gap + margin;
     const int width = plan.width();
     Canvas canvas(width, height, paper);
-    canvas.text(title.name, {margin, margin + 16.0}, 28, ink, TextWeight::bold, width - 2 * margin);
-    canvas.text(facts(title, record, rows.size()), {margin, margin + 56.0}, 16, faint_ink);
+    canvas.text(title.name, {margin, margin + 16.0}, {28, ink, TextWeight::bold}, width - 2 * margin);
+    canvas.text(facts(title, record, rows.size()), {margin, margin + 56.0}, {16, faint_ink});
     draw_legend(canvas, margin + 56.0, width);
     double top = margin + header_height - (record.kind == MediaKind::photo ? 30 : 0);
     if (line_height > 0) {
@@ -279,7 +288,7 @@ Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record,
         top += line_height;
     }
     for (const ShotEvidence& row : rows) {
-        draw_row(canvas, top, row, record, number_of(row.shot, record), plan);
+        draw_row(canvas, top, row, record, plan);
         top += plan.row_height();
     }
     return canvas;

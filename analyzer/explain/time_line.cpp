@@ -46,7 +46,7 @@ void draw_legend(Canvas& canvas, const Box& place) {
         {{"shown below", shown_shot}, {"dissolve", dissolve}, {"fade or black", fade}}};
     for (const auto& [name, colour] : entries) {
         canvas.fill({{x, place.min.y - 24}, {x + 12, place.min.y - 12}}, colour);
-        x += 18 + canvas.text(name, {x + 18, place.min.y - 18}, 12, ink) + 22;
+        x += 18 + canvas.text(name, {x + 18, place.min.y - 18}, {12, ink}) + 22;
     }
 }
 
@@ -79,7 +79,7 @@ void draw_time_line(Canvas& canvas, const Box& place, const MediaRecord& record,
         const std::string number = fmt::format("{}", i + 1);
         const int width = canvas.text_width(number, 12);
         if (right - at(shot.begin) < width + 8) continue;
-        canvas.text(number, {at(shot.begin) + 5, place.min.y + bar_height / 2}, 12, number_ink);
+        canvas.text(number, {at(shot.begin) + 5, place.min.y + bar_height / 2}, {12, number_ink});
     }
     const double step = tick_step(duration);
     const int ticks = static_cast<int>(duration / step + 1e-9);
@@ -90,7 +90,7 @@ void draw_time_line(Canvas& canvas, const Box& place, const MediaRecord& record,
         const std::string label = time_text(nanoseconds(static_cast<long long>(t * 1e9)));
         const int width = canvas.text_width(label, 12);
         const double left = std::clamp(x - width / 2.0, place.min.x, place.max.x - width);
-        canvas.text(label, {left, place.min.y + tick_y}, 12, ink);
+        canvas.text(label, {left, place.min.y + tick_y}, {12, ink});
     }
     draw_legend(canvas, place);
 }
