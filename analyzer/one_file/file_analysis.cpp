@@ -2,7 +2,7 @@
 
 #include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
-#include "analyzer/one_file/explain_file.hpp"
+#include "analyzer/one_file/explain_sheet.hpp"
 #include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/store_writer.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"

@@ -1,4 +1,4 @@
-#include "analyzer/one_file/explain_file.hpp"
+#include "analyzer/one_file/explain_sheet.hpp"
 
 #include "analyzer/one_file/analyze.hpp"
 
