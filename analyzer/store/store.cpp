@@ -107,7 +107,7 @@ std::set<std::string> Store::make_room() {
                 {.name = name, .bytes = file.bytes, .used_ns = file.used_ns, .is_named = is_named});
     }
     std::set<std::string> lost;
-    for (const StoredFile& file : surplus(std::move(files), bytes)) {
+    for (const StoredFile& file : files_to_remove(std::move(files), bytes)) {
         remove_file(file.name);
         if (file.is_named && is_on()) lost.insert(file.name);
     }

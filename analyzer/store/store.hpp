@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analyzer/store/surplus.hpp"
 #include "base/state/record.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "analyzer/store/surplus.hpp"
+#include "analyzer/store/disk_use.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,13 +22,13 @@ const std::vector<StoredFile> four{{.name = "new", .bytes = 10, .used_ns = 9, .i
 }  // namespace
 
 TEST_CASE("what no record names goes first, then what was not used for longest, and no more than it takes") {
-    CHECK(names(surplus(four, 0)).empty());
-    CHECK(names(surplus(four, 1)) == std::vector<std::string>{"long gone"});
-    CHECK(names(surplus(four, 20)) == std::vector<std::string>{"long gone", "gone"});
-    CHECK(names(surplus(four, 21)) == std::vector<std::string>{"long gone", "gone", "old"});
+    CHECK(names(files_to_remove(four, 0)).empty());
+    CHECK(names(files_to_remove(four, 1)) == std::vector<std::string>{"long gone"});
+    CHECK(names(files_to_remove(four, 20)) == std::vector<std::string>{"long gone", "gone"});
+    CHECK(names(files_to_remove(four, 21)) == std::vector<std::string>{"long gone", "gone", "old"});
 }
 
 TEST_CASE("where nothing is enough all of it goes") {
-    CHECK(surplus(four, 1000).size() == 4);
-    CHECK(surplus({}, 1000).empty());
+    CHECK(files_to_remove(four, 1000).size() == 4);
+    CHECK(files_to_remove({}, 1000).empty());
 }
