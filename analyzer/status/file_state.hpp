@@ -7,12 +7,12 @@
 
 namespace vitrine::analyzer {
 
-/// Where one file of the media folder stands, for whoever asks why it is not on the wall.
+/// The state of one file of the media folder, for those who ask why it is not on the wall.
 struct FileState {
     enum class State {
         ready,        // may be shown; of a film, perhaps only its first shots so far
         copying,      // it changed within the quiet time
-        analysing,    // whole as far as can be told: its turn comes, or it is being looked at
+        analysing,    // whole as far as can be told: being analysed, or soon
         waiting,      // incomplete: tried again later
         unsupported,  // whole, but nothing that can be shown
         failed,       // looked like a medium and could not be read
@@ -21,14 +21,15 @@ struct FileState {
 
     std::string path;  // relative to the media folder, any bytes
     State state = State::copying;
-    std::chrono::system_clock::time_point since;  // ready and below: when that was found out, after a restart
-                                                  // the start; else when this content was first seen
-    std::string reason;                           // plain words; empty where there is nothing to say
+    std::chrono::system_clock::time_point
+        since;           // ready and below: when that was found out (after a restart:
+                         // the start); else when this content was first seen
+    std::string reason;  // plain words; empty where there is nothing to say
 
     friend bool operator==(const FileState&, const FileState&) = default;
 };
 
-/// How many files stand where; a state without any may be missing.
+/// Files in each state; a state without files may be missing.
 using StateCounts = std::map<FileState::State, std::size_t>;
 
 constexpr const char* name_of(FileState::State state) {

@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::string_view replacement = "\xef\xbf\xbd";
 
-struct Lead {
+/// The meaning of the first byte of a character.
+struct FirstByte {
     std::size_t length = 0;  // bytes of the character; 0: none begins so
     std::uint32_t bits = 0;
-    std::uint32_t least = 0;  // that needs so many bytes
+    std::uint32_t min_code = 0;  // that needs so many bytes
 };
 
-Lead lead_of(unsigned char byte) {
+FirstByte first_byte(unsigned char byte) {
     if (byte < 0x80) return {1, byte, 0};
     if ((byte & 0xE0) == 0xC0) return {2, byte & 0x1FU, 0x80};
     if ((byte & 0xF0) == 0xE0) return {3, byte & 0x0FU, 0x800};
@@ -24,9 +25,9 @@ Lead lead_of(unsigned char byte) {
     return {};
 }
 
-/// The bytes of the character that this begins with; 0: it is none.
-std::size_t character(std::string_view bytes) {
-    const Lead lead = lead_of(static_cast<unsigned char>(bytes.front()));
+/// @return the length of the first character; 0 where the bytes begin with none
+std::size_t character_length(std::string_view bytes) {
+    const FirstByte lead = first_byte(static_cast<unsigned char>(bytes.front()));
     if (lead.length == 0 || lead.length > bytes.size()) return 0;
     std::uint32_t code = lead.bits;
     for (std::size_t i = 1; i < lead.length; ++i) {
@@ -35,7 +36,7 @@ std::size_t character(std::string_view bytes) {
         code = code << 6 | (byte & 0x3FU);
     }
     const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < lead.least || code > 0x10FFFF || is_surrogate ? 0 : lead.length;
+    return code < lead.min_code || code > 0x10FFFF || is_surrogate ? 0 : lead.length;
 }
 
 bool is_control(std::string_view one) {
@@ -45,7 +46,7 @@ bool is_control(std::string_view one) {
     return one.size() == 2 && first == 0xC2 && second < 0xA0;
 }
 
-/// Marks that turn the direction of what follows, so that a name could pose as another.
+/// Marks that turn the direction of the text behind them, so that a name could pose as another.
 bool is_direction(std::string_view one) {
     if (one.size() != 3 || one[0] != '\xe2') return false;
     const auto second = static_cast<unsigned char>(one[1]);
@@ -59,7 +60,7 @@ bool is_direction(std::string_view one) {
 std::string plain_text(std::string_view bytes) {
     std::string text;
     while (!bytes.empty()) {
-        const std::size_t length = character(bytes);
+        const std::size_t length = character_length(bytes);
         const std::string_view one = bytes.substr(0, length == 0 ? 1 : length);
         if (length == 0 || is_direction(one))
             text += replacement;

@@ -9,15 +9,15 @@
 
 namespace vitrine::analyzer {
 
-/// A folder in the media folder that we write and others may do anything to: links in it are never followed.
-/// All members throw std::system_error where it cannot be written.
+/// The folder in the media folder that the analyzer writes. Others may do anything to it: links in it are
+/// never followed. All members throw std::system_error where it cannot be written.
 class StatusFolder {
   public:
     StatusFolder(std::filesystem::path root, std::string name)
         : root_(std::move(root)), name_(std::move(name)) {}
 
-    /// Replaces a file as a whole; nothing happens where it has this content already.
-    /// @param below  a folder in it, or nothing
+    /// Replaces a file as a whole, unless it has this content already.
+    /// @param below  a folder in it; empty: the folder itself
     void write(const std::string& below, const std::string& name, std::string_view content) const;
 
     /// The names in it that end like this.

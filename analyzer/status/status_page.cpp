@@ -1,6 +1,7 @@
+#include "analyzer/status/status_page.hpp"
+
 #include "analyzer/status/plain_text.hpp"
-#include "analyzer/status/status_report.hpp"
-#include "analyzer/status/status_summary.hpp"
+#include "analyzer/status/status_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-// Loads nothing from elsewhere, runs nothing, and looks again by itself.
+// The page loads nothing from elsewhere, runs no script, and reloads itself.
 constexpr std::string_view head = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file:; style-src 'unsafe-inline'">
@@ -66,14 +67,14 @@ std::vector<StatusEntry> on_page(const StatusReport& report) {
         const bool is_ready = entry.file.state == FileState::State::ready;
         if (is_ready)
             ready.push_back(entry);
-        else if (files.size() < most_on_page / 2)
+        else if (files.size() < max_on_page / 2)
             files.push_back(entry);
     }
     std::stable_sort(ready.begin(), ready.end(), [](const StatusEntry& a, const StatusEntry& b) {
         return std::chrono::floor<std::chrono::minutes>(a.file.since) >
                std::chrono::floor<std::chrono::minutes>(b.file.since);
     });
-    ready.resize(std::min(ready.size(), most_on_page - files.size()));
+    ready.resize(std::min(ready.size(), max_on_page - files.size()));
     files.insert(files.end(), ready.begin(), ready.end());
     return files;
 }

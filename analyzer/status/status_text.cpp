@@ -1,6 +1,6 @@
+#include "analyzer/status/status_text.hpp"
+
 #include "analyzer/status/plain_text.hpp"
-#include "analyzer/status/status_report.hpp"
-#include "analyzer/status/status_summary.hpp"
 #include "base/hints/hint_words.hpp"
 
 #include <fmt/format.h>

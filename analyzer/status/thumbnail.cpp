@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int longest_side = 240;  // px
+constexpr int max_side = 240;  // px
 constexpr int quality = 75;
-constexpr std::size_t most_frames = 24;
+constexpr std::size_t max_frames = 24;
 constexpr auto between_frames = std::chrono::milliseconds(500);
 
 struct Unref {
@@ -31,7 +31,7 @@ struct Free {
     void operator()(void* memory) const { g_free(memory); }
 };
 
-/// The region as it lies in this frame, in px of the thumbnail.
+/// The region as it lies in this frame, thumbnail px.
 std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, const VideoFrame& frame,
                                cv::Size size) {
     constexpr int shift = 16;  // of cv::polylines: fractions of px
@@ -46,7 +46,7 @@ std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, cons
     return corners;
 }
 
-/// Light within dark, to be seen on any picture.
+/// Draws a light line within a dark one: it is seen on any picture.
 void draw(cv::Mat& picture, const std::vector<cv::Point>& corners) {
     constexpr int shift = 16;
     const cv::Scalar dark(30, 30, 30);
@@ -55,7 +55,7 @@ void draw(cv::Mat& picture, const std::vector<cv::Point>& corners) {
     cv::polylines(picture, corners, true, light, 2, cv::LINE_AA, shift);
 }
 
-/// Nothing where it cannot be made.
+/// @return empty where it cannot be made
 std::string jpeg(const cv::Mat& bgr) {
     cv::Mat rgb;
     cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
@@ -73,16 +73,16 @@ std::string jpeg(const cv::Mat& bgr) {
 }  // namespace
 
 void Thumbnail::add_frame(const VideoFrame& frame) {
-    if (is_written_ || frame.picture.empty() || frames_.size() >= most_frames) return;
+    if (is_written_ || frame.picture.empty() || frames_.size() >= max_frames) return;
     if (!frames_.empty() && frame.time < frames_.back().time + between_frames) return;
     const int side = std::max(frame.picture.cols, frame.picture.rows);
-    const double scale = std::min(1.0, static_cast<double>(longest_side) / side);
+    const double scale = std::min(1.0, static_cast<double>(max_side) / side);
     VideoFrame small{.picture = {}, .time = frame.time};
     cv::resize(frame.picture, small.picture, {}, scale, scale, cv::INTER_AREA);
     frames_.push_back(std::move(small));
 }
 
-/// The first one in the shot.
+/// The first kept frame of the shot.
 const VideoFrame* Thumbnail::frame_of(const Shot& shot) const {
     const auto found =
         std::ranges::find_if(frames_, [&](const VideoFrame& frame) { return frame.time >= shot.begin; });

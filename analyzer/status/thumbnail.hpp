@@ -8,8 +8,8 @@
 
 namespace vitrine::analyzer {
 
-/// A small picture of one file with its I-Region drawn, for the status folder. The first shot is known only
-/// once it is over: until then a few frames are kept.
+/// A small picture of one file with its I-Region drawn in it, for the status folder. The first shot is known
+/// only once it is over: until then a few frames are kept.
 class Thumbnail {
   public:
     /// @param file  a JPEG that is replaced as a whole

@@ -1,7 +1,7 @@
 #include "analyzer/watch/daemon.hpp"
 
 #include "analyzer/status/plain_text.hpp"
-#include "analyzer/status/status_summary.hpp"
+#include "analyzer/status/status_text.hpp"
 #include "base/state/blame.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/journal.hpp"

@@ -1,5 +1,7 @@
 #include "analyzer/status/status_report.hpp"
 
+#include "analyzer/status/status_page.hpp"
+#include "analyzer/status/status_text.hpp"
 #include "base/hints/hint_words.hpp"
 
 #include <doctest/doctest.h>
@@ -107,10 +109,10 @@ TEST_CASE("of very many files the page has those at fault and the newest, and sa
                                      i % 10 == 0 ? State::failed : State::ready, "",
                                      std::chrono::minutes(i)));
     const std::vector<StatusEntry> files = on_page(report);
-    CHECK(files.size() == most_on_page);
+    CHECK(files.size() == max_on_page);
     CHECK(files.front().file.state == State::failed);
     CHECK(files.back().file.state == State::ready);
-    CHECK(files[most_on_page / 2].file.path == "p149999");
+    CHECK(files[max_on_page / 2].file.path == "p149999");
     const std::string html = page(report);
     CHECK(html.size() < 1'000'000);
     CHECK(count(html, "1000 of 50000 files are here; status.txt has all of them.") == 1);

@@ -1,4 +1,5 @@
 #include "analyzer/status/status_report.hpp"
+
 #include "base/hints/hint_words.hpp"
 #include "base/state/path_text.hpp"
 

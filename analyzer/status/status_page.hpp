@@ -1,0 +1,26 @@
+#pragma once
+
+#include "analyzer/status/status_report.hpp"
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Files on the page at most; status.txt has all.
+constexpr std::size_t max_on_page = 1000;
+
+/// The files on the page: first those that are not ready, at most half of it, then the ready ones, newest
+/// first.
+std::vector<StatusEntry> on_page(const StatusReport& report);
+
+/// index.html.
+/// @param files       of on_page()
+/// @param thumbnails  ids of those that lie in thumbnails/
+/// @param has_wall    wall.jpg lies beside
+std::string status_page(const StatusReport& report, const std::vector<StatusEntry>& files,
+                        const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock);
+
+}  // namespace vitrine::analyzer
