@@ -18,7 +18,7 @@ namespace {
 
 constexpr int sub_pixel_bits = 4;
 constexpr int text_dpi = 72;         // so that a point is a pixel
-constexpr double cap_height = 0.73;  // of the size, DejaVu Sans
+constexpr double cap_height = 0.73;  // share of the size, DejaVu Sans
 constexpr const char* typeface = "DejaVu Sans";
 
 struct ImageUnref {
@@ -61,7 +61,7 @@ cv::Mat text_mask(const std::string& line, double size, TextWeight weight) {
     return mask.clone();
 }
 
-/// How far the ink of a line reaches below its baseline, px: vips_text crops to the ink.
+/// The depth of a line's ink below its baseline, px: vips_text crops to the ink.
 double descent(const std::string& line, double size) {
     if (line.find('_') != std::string::npos) return 0.28 * size;
     if (line.find_first_of("gjpqy()[]") != std::string::npos) return 0.22 * size;

@@ -16,7 +16,7 @@ struct AnalysisOutputs {
     bool accepts_cut = false;  // a stream that breaks off inside a packet was waited for long enough
 };
 
-/// How one of them stands on the command line of `vitrine-analyzer analyze`.
+/// One output as a flag of `vitrine-analyzer analyze`.
 struct OutputFlag {
     const char* name;
     bool AnalysisOutputs::*value;

@@ -11,9 +11,9 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr std::size_t most_shots = 10'000;              // a file; what comes after is not shown
-constexpr nanoseconds usual_interval{40'000'000};       // of the last frame, where nothing else tells
-constexpr nanoseconds longest_interval{1'000'000'000};  // between two frames that can be compared for motion
+constexpr std::size_t max_shots = 10'000;           // in a file; later ones are not shown
+constexpr nanoseconds usual_interval{40'000'000};   // the duration of the last frame, if it is not known
+constexpr nanoseconds max_interval{1'000'000'000};  // between two frames that are compared for motion
 
 /// Turns frames into samples, a few a second.
 class Sampler {
@@ -36,7 +36,7 @@ class Sampler {
   private:
     Sample sample(const VideoFrame& frame) {
         const nanoseconds interval = frame.time - before_.time;
-        const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= longest_interval;
+        const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= max_interval;
         if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
             last_faces_ = find_faces(*faces_, frame.picture, settings_.only_prominent_faces);
             last_faces_time_ = frame.time;
@@ -65,7 +65,7 @@ class Sampler {
     nanoseconds last_faces_time_{0};
 };
 
-/// Closes shots: takes their samples and adds them to the record.
+/// Adds shots to the record: takes the samples of each and finds its region.
 class ShotWriter {
   public:
     ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
@@ -79,7 +79,7 @@ class ShotWriter {
     void close(const DetectedShot& found, cv::Size frame) {
         std::vector<Sample> samples =
             samples_.pop_samples(found.begin, std::max(found.end, found.begin + nanoseconds(1)));
-        if (record_.shots.size() >= most_shots) return;
+        if (record_.shots.size() >= max_shots) return;
         const Shot shot{.begin = found.begin, .end = found.end, .ends_with = found.ends_with, .region = {}};
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
                                                   {record_.width, record_.height}, settings_);
@@ -95,11 +95,11 @@ class ShotWriter {
     const AnalysisSettings& settings_;
     const ShotObserver& observer_;
     const GrowthObserver& grown_;
-    MediaRecord part_;  // what is told of the newest shot
+    MediaRecord part_;  // the record that `grown` gets, with the newest shot
     SampleStore samples_;
 };
 
-/// Whether a frame can follow another: pictures of a broken stream may repeat a time or change their size.
+/// Tests if a frame can follow another: frames of a broken stream may repeat a time or change their size.
 bool follows(const VideoFrame& frame, const VideoFrame& last) {
     return frame.time > last.time && frame.picture.size() == last.picture.size();
 }
@@ -113,7 +113,7 @@ nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interv
 
 MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer,
                     const GrowthObserver& grown) {
-    cv::setNumThreads(1);  // the decoder has the other core; OpenCV's own threads mostly wait, and burn it
+    cv::setNumThreads(1);  // the decoder needs the other core; OpenCV's threads would mostly spin on it
     const MediaInfo& info = source.info();
     MediaRecord record{.kind = info.kind,
                        .state = MediaState::ready,

@@ -8,19 +8,19 @@
 
 namespace vitrine::analyzer {
 
-/// Sees each shot as soon as its region is known. Where there is one, pictures are kept with the samples.
+/// Called with each shot as soon as its region is known. Where it is given, the samples keep their pictures.
 using ShotObserver = std::function<void(const ShotEvidence&)>;
 
-/// Sees what is new of a film as soon as a shot is over: a record that is not complete, of the new shots
-/// alone. Its duration is what the file says of itself.
+/// Called as soon as a film's shot is over, with a record that is not complete and has the new shots alone.
+/// Its duration is what the file declares.
 using GrowthObserver = std::function<void(const MediaRecord&)>;
 
-/// Chapter 3.1 to 3.3 of the paper over one medium, in one pass and bounded memory: shots, what matters in
-/// each, and the region around it. A photo is one still frame.
+/// Applies chapters 3.1 to 3.3 of the paper to one medium, in one pass and bounded memory: finds its shots,
+/// what matters in each, and the region around it. A photo is one still frame.
 ///
-/// @param source  from its first frame; its frames may be larger than settings.frame_size: only faces gain
-/// @return  kind, size, duration, shots, state ready; path, bytes and mtime are the caller's. Every shot has
-/// a region.
+/// @param source  at its first frame; frames larger than settings.frame_size help to find faces only
+/// @return  kind, size, duration, shots, state ready; the caller adds path, bytes and mtime. Every shot has a
+/// region.
 /// @throws MediaError if the source breaks or gives no frame at all
 /// @throws std::runtime_error if a face detector's file cannot be read
 MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer = {},

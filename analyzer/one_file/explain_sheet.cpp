@@ -5,9 +5,9 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr std::size_t most_rows = 6;
+constexpr std::size_t max_rows = 6;
 
-/// The region of the shot that begins then; shots do not depend on the way saliency is taken.
+/// The region of the shot that begins then: the same shots are found with every kind of saliency.
 IRegion region_from(const MediaRecord& record, std::chrono::nanoseconds begin) {
     for (const Shot& shot : record.shots) {
         if (shot.begin == begin) return shot.region;
@@ -19,7 +19,7 @@ IRegion region_from(const MediaRecord& record, std::chrono::nanoseconds begin) {
 
 MediaRecord write_explain_sheet(const SourceOpener& open, const SheetTitle& title, const std::string& output,
                                 const AnalysisSettings& settings) {
-    LongestShots longest(most_rows);
+    LongestShots longest(max_rows);
     MediaRecord record =
         analyze(*open(), settings, [&longest](const ShotEvidence& evidence) { longest.add(evidence); });
     AnalysisSettings letter = paper_mode();

@@ -15,10 +15,8 @@ using SourceOpener = std::function<std::unique_ptr<FrameSource>()>;
 /// Analyses a medium and writes the sheet that explains what was seen, as PNG: `vitrine-analyzer explain
 /// FILE`.
 ///
-/// @param open    opens it from its first frame, as open_media() does; called twice, for it is analysed by
-/// the
-///                paper's letter too, to show both
-/// @param title   what the sheet calls it
+/// @param open    opens it from its first frame, as open_media() does; called twice, because the medium is
+///                analysed by the paper's letter too, to show both
 /// @param output  path of the PNG
 /// @return        the record, as analyze() makes it
 /// @throws as analyze(); std::runtime_error if the sheet cannot be drawn or written

@@ -14,7 +14,7 @@ constexpr std::string_view replacement = "\xef\xbf\xbd";
 struct FirstByte {
     std::size_t length = 0;  // bytes of the character; 0: none begins so
     std::uint32_t bits = 0;
-    std::uint32_t min_code = 0;  // that needs so many bytes
+    std::uint32_t min_code = 0;  // the first one that needs so many bytes
 };
 
 FirstByte first_byte(unsigned char byte) {

@@ -7,7 +7,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int least_side = 16;  // px, of x264enc
+constexpr int min_side = 16;  // px, for x264enc
 
 int even(double length) {
     return 2 * std::max(1, static_cast<int>(std::lround(length / 2)));
@@ -15,26 +15,27 @@ int even(double length) {
 
 }  // namespace
 
-std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side) {
+std::optional<ClipForm> clip_form(const MediaInfo& film, int max_side) {
     const int longest = std::max(film.width, film.height);
     if (longest <= 0) return std::nullopt;
-    const double scale = std::min(1.0, static_cast<double>(longest_side) / longest);
+    const double scale = std::min(1.0, static_cast<double>(max_side) / longest);
     const ClipForm form{.width = even(film.width * scale),
                         .height = even(film.height * scale),
                         .turn = film.turn,
                         .colours = film.colours};
-    if (std::min(form.width, form.height) < least_side) return std::nullopt;
+    if (std::min(form.width, form.height) < min_side) return std::nullopt;
     return form;
 }
 
 int clip_side_for(int slots, int screen_side) {
     constexpr int usual_screen = 1920;
-    constexpr int least = 320;
+    constexpr int min_clip = 320;
     const int screen = screen_side > 0 ? screen_side : usual_screen;
     constexpr double beyond = 1.2;
     constexpr int step = 16;  // px: a macroblock
     const double side = screen * beyond / std::sqrt(std::max(1, slots));
-    return std::clamp(step * static_cast<int>(std::lround(side / step)), least, std::max(least, screen));
+    return std::clamp(step * static_cast<int>(std::lround(side / step)), min_clip,
+                      std::max(min_clip, screen));
 }
 
 }  // namespace vitrine::analyzer

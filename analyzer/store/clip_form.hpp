@@ -6,17 +6,17 @@
 
 namespace vitrine::analyzer {
 
-/// The pictures of a film's clips: upright, square pixels, even sides.
+/// The format of a film's clips: upright, square pixels, even sides.
 struct ClipForm {
     int width = 0;  // px
     int height = 0;
-    GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // that makes the film's frames upright
-    GstVideoColorimetry colours{};  // of the film; a clip has those of a usual screen
+    GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // makes the film's frames upright
+    GstVideoColorimetry colours{};  // the film's; a clip has those of a usual screen
 };
 
-/// @param longest_side  px that a clip has at most
+/// @param max_side  px, of a clip's longest side
 /// @return  nothing where the film is too small for the encoder
-std::optional<ClipForm> clip_form(const MediaInfo& film, int longest_side);
+std::optional<ClipForm> clip_form(const MediaInfo& film, int max_side);
 
 /// The longest side of clips where nobody has set it: that of a cell where `slots` shots share a screen, with
 /// a fifth added as pictures reach beyond their cells; at least 320 px, at most the screen's.

@@ -14,23 +14,23 @@ namespace vitrine::analyzer {
 /// A frame of a film in the form of a clip.
 struct ClipFrame {
     GstPtr<GstSample> sample;
-    std::chrono::nanoseconds time{0};  // in the film
+    std::chrono::nanoseconds time{0};  // since the beginning of the film
 };
 
-/// The frames of a film one after another, in the form of its clips. Not FilmSource: the analysis is ahead of
-/// the clips by seconds, which would have to be kept in memory, uncoded.
+/// Reads the frames of a film one after another, in the form of its clips. It is not FilmSource: the analysis
+/// is ahead of the clips by seconds, and these frames would have to be kept in memory, uncoded.
 class ClipReader {
   public:
     /// @throws MediaError where the film cannot be decoded
     ClipReader(const std::string& film, const ClipForm& form);
 
-    /// Nothing at the end. @throws MediaError where the film breaks off
+    /// The next frame; nothing at the end. @throws MediaError where the film breaks off
     std::optional<ClipFrame> next();
 
   private:
     GstPtr<GstSample> toned(GstPtr<GstSample> sample) const;
 
-    std::optional<ToneMap> tones_;  // of an HDR film
+    std::optional<ToneMap> tones_;  // only for an HDR film
     DecodeChain chain_;
     GstPtr<GstElement> sink_;
     FrameTimes times_;

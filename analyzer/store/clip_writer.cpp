@@ -19,23 +19,23 @@ namespace fs = std::filesystem;
 using std::chrono::nanoseconds;
 using Why = ClipError::Why;
 
-constexpr nanoseconds usual_duration{40'000'000};  // of a frame, where nothing else tells
+constexpr nanoseconds usual_duration{40'000'000};  // the duration of the last frame, if it is not known
 constexpr std::uint64_t frames_ahead = 4;          // handed over and not coded yet
 constexpr GstClockTime patience = 60 * GST_SECOND;
-constexpr GstClockTime room_patience = 2 * GST_MSECOND;  // between two looks
-constexpr int look_interval = 32;                        // frames between two looks at the size
-constexpr int most_frames_a_key = 120;                   // rates beyond are a container's unit of time
-constexpr double bits_a_pixel = 0.4;                     // of a frame at most, at 30 a second
+constexpr GstClockTime room_patience = 2 * GST_MSECOND;  // between two checks
+constexpr int look_interval = 32;                        // frames between two checks of the size
+constexpr int max_rate = 120;                            // a higher one is a container's unit of time
+constexpr double bits_a_pixel = 0.4;                     // at most, at 30 frames a second
 
 /// Frames a second; 0 where the film does not say, or says nonsense.
 int rate_of(GstSample* like) {
     GstVideoInfo info;
     if (!gst_video_info_from_caps(&info, gst_sample_get_caps(like)) || info.fps_d <= 0) return 0;
     const int rate = (info.fps_n + info.fps_d - 1) / info.fps_d;
-    return rate > most_frames_a_key ? 0 : rate;
+    return rate > max_rate ? 0 : rate;
 }
 
-/// What the encoder is told of the frames.
+/// The format of the frames for the encoder.
 GstPtr<GstCaps> caps_of(GstSample* like) {
     GstPtr<GstCaps> caps(gst_caps_copy(gst_sample_get_caps(like)));
     if (rate_of(like) == 0) gst_caps_set_simple(caps.get(), "framerate", GST_TYPE_FRACTION, 0, 1, nullptr);

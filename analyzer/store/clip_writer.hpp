@@ -10,11 +10,11 @@
 
 namespace vitrine::analyzer {
 
-/// A clip that cannot be made.
+/// Reports that a clip cannot be made.
 class ClipError : public std::runtime_error {
   public:
     enum class Why {
-        broken,     // the encoder does not take it
+        broken,     // the encoder refuses it
         too_large,  // it would have more bytes than allowed
         no_room,    // the disk is full
     };
@@ -27,29 +27,29 @@ class ClipError : public std::runtime_error {
     Why why_;
 };
 
-/// Codes one shot so that it is cheap to play in a loop: H.264 in MP4, a key picture at its begin and at
-/// least one a second, no picture that refers to a later one, the coding tools that decoders find easy.
+/// Codes one shot so that it is cheap to play in a loop: H.264 in MP4, a key picture at its beginning and at
+/// least one a second, no picture that refers to a later one, coding tools that are cheap to decode.
 /// Measured at 640 x 360: a sixth of the decoding of a 720p film.
 class ClipWriter {
   public:
-    /// Whether this machine can make clips at all.
+    /// True where this machine can make clips at all.
     static bool has_encoder();
 
     /// @param file        replaced if there is one
-    /// @param like        of the film: its size, colours and rate are those of the clip
+    /// @param like        a frame of the film: the clip has its size, colours and rate
     /// @param max_bytes  that the clip may have
     ClipWriter(std::filesystem::path file, GstSample* like, std::uint64_t max_bytes);
     ClipWriter(const ClipWriter&) = delete;
     ClipWriter& operator=(const ClipWriter&) = delete;
 
-    /// Leaves no half file behind.
+    /// Removes an unfinished file.
     ~ClipWriter();
 
-    /// @param time  since the shot's begin, later than the last
+    /// @param time  from the beginning of the shot, later than the last
     /// @throws ClipError
     void push(GstSample* frame, std::chrono::nanoseconds time);
 
-    /// From now on the file is there, and whole.
+    /// Completes the file and gives it its name.
     /// @param end  when the last frame's time is over
     /// @throws ClipError
     void finish(std::chrono::nanoseconds end);

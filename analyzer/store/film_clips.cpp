@@ -14,12 +14,12 @@ namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
-/// The way through the film from shot to shot.
+/// One pass through the film, from shot to shot.
 class FilmClips::Pass {
   public:
     explicit Pass(FilmClips& clips) : clips_(clips), reader_(clips.film_, clips.form_) {}
 
-    /// @return  false where the film has no more frames, or all is to end
+    /// @return  false where the film has no more frames, or was given up
     bool make(const Shot& shot, const fs::path& file) {
         while (frame_.time < shot.begin)
             if (!advance()) return false;
@@ -93,7 +93,8 @@ std::optional<Shot> FilmClips::next_wanted() {
     return shot;
 }
 
-/// The thread's whole body: what goes wrong leaves shots without a clip, and is the analysis' to judge.
+/// The thread's whole body. After an error the rest of the shots have no clip; the analysis decides what that
+/// means.
 void FilmClips::run() {
     try {
         fs::create_directories(place_.store / place_.id);
@@ -112,7 +113,7 @@ void FilmClips::make(Pass& pass, Shot shot) {
         fmt::format("{}/{}-{}-{}.mp4", place_.id, shot.begin.count(), shot.end.count(), place_.clip_side);
     shot.stored = {.file = file, .width = form_.width, .height = form_.height};
     try {
-        const bool is_there = fs::exists(place_.store / file);  // of an analysis that was cut off
+        const bool is_there = fs::exists(place_.store / file);  // left by an analysis that was cut off
         if (!is_there && has_room(place_) && !pass.make(shot, place_.store / file)) return;
     } catch (const ClipError& error) {
         log::debug("no clip '{}': {}", file, error.what());

@@ -27,11 +27,11 @@ class Store {
 
     bool is_on() const { return bounds_.max_bytes > 0; }
 
-    /// Whether an analysis is needed for a ready record: a shot of it is missing in the store, or was made
-    /// for a screen so much smaller that it would be seen.
+    /// True where a ready record needs an analysis: a shot of it is missing in the store, or was made for a
+    /// screen so much smaller that it would be seen.
     bool lacks(const MediaRecord& record) const;
 
-    /// Whether an analysis is needed for the sound of a ready film, were it to be heard.
+    /// True where a ready film needs an analysis before it can be heard.
     bool lacks_sound(const MediaRecord& record) const;
 
     /// Marks in a record the files that were removed. Call before the record is written.

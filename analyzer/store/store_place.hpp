@@ -24,7 +24,7 @@ struct StorePlace {
 /// The longest side of the clips that are made for the store, px: as set, or as the screens need them.
 int clip_side(const Settings& settings);
 
-/// Whether the disk has more free than it must keep.
+/// True where the disk has more free than it must keep.
 bool has_room(const StorePlace& place);
 
 }  // namespace vitrine::analyzer

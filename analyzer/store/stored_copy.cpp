@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int photo_side = 2880;                  // px: one and a half of a screen 1920 px wide
+constexpr int photo_side = 2880;                  // px: one and a half times a screen of 1920 px
 constexpr std::uintmax_t small_photo = 3U << 20;  // bytes
 
-/// Makes the file by `write`, which is given the name to write to, unless it is there or there is no room.
+/// Makes the file with `write`, which gets the name to write to, unless the file exists or there is no room.
 template <typename Write>
 std::optional<StoredShot> stored(StoredShot place_of, const StorePlace& place, const Write& write) {
     const fs::path file = place.store / place_of.file;
@@ -53,7 +53,7 @@ std::optional<StoredShot> copied(const std::string& file, StoredShot place_of, c
 std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& size,
                                       const StorePlace& place) {
     const int longest = std::max(size.width, size.height);
-    std::error_code unknown;  // then it is as large as can be
+    std::error_code unknown;  // counts as too large
     const bool is_small = longest <= photo_side && fs::file_size(file, unknown) <= small_photo;
     StoredShot place_of{.file = place.id + "/photo", .width = size.width, .height = size.height};
     if (is_small && is_fast_to_decode(media_format(file))) return copied(file, std::move(place_of), place);
@@ -67,7 +67,7 @@ std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& 
 std::optional<StoredShot> store_film(const std::string& file, const MediaInfo& size,
                                      const StorePlace& place) {
     StoredShot place_of{.file = place.id + "/film", .width = size.width, .height = size.height};
-    std::error_code unknown;  // then it is as large as can be
+    std::error_code unknown;  // counts as too large
     place_of.is_dropped = fs::file_size(file, unknown) > place.max_bytes;
     if (place_of.is_dropped) return place_of;
     return copied(file, std::move(place_of), place);

@@ -16,11 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t index_interval = 1'000'000'000;  // ns between two places that can be searched
-constexpr GstClockTime look_interval = GST_SECOND / 4;  // between two looks at what it has become
+constexpr GstClockTime look_interval = GST_SECOND / 4;  // between two checks of its size
 
 enum class End { whole, without_sound, too_large, no_room };
 
-/// What writes coded sound to a file, as one element with a pad "sink": a muxer's pads are to be asked for.
+/// One element with a pad "sink" that writes coded sound to a file. A muxer has no such pad of its own: it
+/// gives one on request.
 GstPtr<GstElement> writer(const fs::path& to) {
     GstPtr<GstElement> bin(gst_bin_new(nullptr));
     gst_object_ref_sink(bin.get());
@@ -78,7 +79,7 @@ StoredSound store_sound(const std::string& file, const StorePlace& place) {
         log::debug("the sound of '{}' cannot be read: {}", file, error.what());
         if (has_room(place)) sound.file.clear();
     }
-    std::error_code ignored;  // mostly it is not there
+    std::error_code ignored;  // usually it is not there
     fs::remove(unfinished(to), ignored);
     return sound;
 }

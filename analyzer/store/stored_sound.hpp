@@ -7,11 +7,11 @@
 
 namespace vitrine::analyzer {
 
-/// Puts the sound of a film into the store, coded as it is in the film, in a Matroska file whose times are
+/// Writes the sound of a film into the store, coded as it is in the film, in a Matroska file whose times are
 /// the film's.
 ///
-/// @return  its place, which is given away where it is too large, and empty where the disk had no room; no
-/// file where the film has no sound that could be heard
+/// @return  its place: `is_dropped` where it is too large; without a file there where the disk had no room;
+/// no file name where the film has no sound that can be played
 StoredSound store_sound(const std::string& file, const StorePlace& place);
 
 }  // namespace vitrine::analyzer

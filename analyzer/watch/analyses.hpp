@@ -14,7 +14,7 @@
 
 namespace vitrine::analyzer {
 
-/// How files are analysed.
+/// The command that analyses one file, and its limits.
 struct AnalysisCommand {
     std::vector<std::string> words;    // a program that prints one record; arguments of the file are appended
     ChildLimits limits;                // for an empty file
@@ -24,7 +24,7 @@ struct AnalysisCommand {
 /// The analyses that run: one child process a file. Logs.
 class Analyses {
   public:
-    /// The callers' answers to what the children say; both are called from the loop.
+    /// Both are called from the loop.
     struct Events {
         std::function<void(const MediaRecord& part)> grown;  // new shots of a film
         std::function<void(const FileFacts& facts, AnalysisOutcome outcome)> ended;

@@ -15,8 +15,8 @@ namespace vitrine::analyzer {
 /// The meaning of a child's end for its file.
 struct AnalysisOutcome {
     Answer answer = Answer::final;
-    MediaRecord record;    // with path and content, state and reason
-    bool ran_out = false;  // of time or memory: only the file's length is to blame
+    MediaRecord record;    // has path, bytes, mtime, state and reason
+    bool ran_out = false;  // time or memory ran out: only the file's length is to blame
 };
 
 /// The record of a file without shots.

@@ -22,7 +22,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int exit_not_started = 127;  // as a shell says it
+constexpr int exit_not_started = 127;  // the code of a shell for this
 
 struct Pipe {
     Pipe() {
@@ -35,7 +35,7 @@ struct Pipe {
     UniqueFd read, write;
 };
 
-/// What the new process needs, gathered before the fork: after it only calls that are safe there are left.
+/// Data for the new process, gathered before the fork: after it only async-signal-safe calls are allowed.
 struct Launch {
     std::vector<char*> arguments;  // with nullptr at the end
     rlim_t memory = RLIM_INFINITY;
@@ -105,9 +105,9 @@ std::optional<std::string> first_line(std::string& text) {
 
 ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes) {
     constexpr double bytes_per_mebibyte = 1 << 20;
-    constexpr double most_seconds = 86'400;
+    constexpr double max_seconds = 86'400;
     const double seconds = deadline_per_mebibyte * static_cast<double>(bytes) / bytes_per_mebibyte;
-    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, most_seconds) * 1000));
+    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, max_seconds) * 1000));
     return limits;
 }
 
@@ -174,7 +174,7 @@ void ChildProcess::kill(ChildResult::End why) {
 }
 
 /// Reads some of the output. @return false at its end or limit
-bool ChildProcess::take_output() {
+bool ChildProcess::read_some_output() {
     std::string& text = said_ ? line_ : result_.output;
     const std::size_t before = text.size();
     const bool has_end = !read_some(output_, text);
@@ -194,7 +194,7 @@ bool ChildProcess::take_output() {
 }
 
 void ChildProcess::read_output() {
-    if (!take_output()) output_source_ = {};
+    if (!read_some_output()) output_source_ = {};
 }
 
 void ChildProcess::read_complaint() {
@@ -213,7 +213,7 @@ void ChildProcess::reap() {
     std::size_t before = 0;
     do
         before = heard_;
-    while (take_output() && heard_ > before);
+    while (read_some_output() && heard_ > before);
     while (has_more(complaint_, result_.complaint)) {
     }
     if (result_.complaint.size() > max_complaint)

@@ -13,11 +13,11 @@
 
 namespace vitrine::analyzer {
 
-/// What one child may take.
+/// The limits of one child.
 struct ChildLimits {
-    std::chrono::milliseconds deadline{120'000};  // by the wall's clock, and so much processor time per core
+    std::chrono::milliseconds deadline{120'000};  // elapsed time, and the same of processor time per core
     std::uint64_t memory_bytes = 0;               // private memory it may ask for; 0: as much as there is
-    std::size_t output_bytes = 64U << 20;         // of its standard output
+    std::size_t output_bytes = 64U << 20;         // on its standard output
     int niceness = 10;                            // added to ours
 };
 
@@ -26,7 +26,7 @@ struct ChildLimits {
 /// @param deadline_per_mebibyte  seconds
 ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes);
 
-/// How a child ended, with what it said.
+/// The end of a child, and its output.
 struct ChildResult {
     enum class End {
         exited,           // by itself, with `code`
@@ -38,18 +38,18 @@ struct ChildResult {
 
     End end = End::exited;
     int code = 0;
-    std::string output;  // its standard output, at most ChildLimits::output_bytes; the last line where `said`
-                         // got them
+    std::string output;  // its standard output, at most ChildLimits::output_bytes; only the last line where
+                         // `said` got the lines
     std::string complaint;  // the end of its standard error, at most max_complaint bytes
 };
 
-/// A program run apart, in a process group of its own, with limits and a deadline: whatever happens in it,
-/// this process goes on. It dies with this process, gains no privileges and leaves no core file.
+/// Another program in a process group of its own, with limits and a deadline: this process goes on whatever
+/// happens in it. It dies with this process, gains no privileges and leaves no core file.
 class ChildProcess {
   public:
     static constexpr std::size_t max_complaint = 4096;
 
-    /// Hears each line of the standard output as soon as it is whole, without its end.
+    /// Gets each line of the standard output as soon as it is whole, without its end.
     using Said = std::function<void(const std::string& line)>;
 
     /// @param command  the program's file and its arguments
@@ -64,7 +64,7 @@ class ChildProcess {
     /// Kills what still runs, without waiting for it.
     ~ChildProcess();
 
-    /// It stands still until go_on(); its deadline does not.
+    /// Stops the process until go_on(); its deadline goes on.
     void pause();
     void go_on();
 
@@ -74,7 +74,7 @@ class ChildProcess {
   private:
     void kill(ChildResult::End why);
     void read_output();
-    bool take_output();
+    bool read_some_output();
     void read_complaint();
     void reap();
 
@@ -84,7 +84,7 @@ class ChildProcess {
     ChildResult result_;
     std::string line_;        // the unfinished one, where said_ hears lines
     std::size_t heard_ = 0;   // bytes of output so far
-    bool is_killed_ = false;  // by us: result_.end says why
+    bool is_killed_ = false;  // we killed it: result_.end says why
     pid_t pid_ = -1;          // -1: reaped
     UniqueFd process_, output_, complaint_;
     EventLoop::Source process_source_, output_source_, complaint_source_, deadline_;

@@ -30,10 +30,10 @@ class Daemon {
     Daemon& operator=(const Daemon&) = delete;
     ~Daemon() = default;
 
-    /// Whether the media folder was there when last looked for.
+    /// True where the media folder was there at the last look.
     bool is_online() const { return follower_.is_online(); }
 
-    /// Whether the folder was there and every record is on the disk.
+    /// True where the folder is there and every record is on the disk.
     bool is_up_to_date() const;
 
     /// For `systemctl status`: how many files are in which state, which are analysed now, what is wrong.

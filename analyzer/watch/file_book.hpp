@@ -24,7 +24,7 @@ namespace vitrine::analyzer {
 struct BookPlaces {
     std::filesystem::path catalogue;
     std::filesystem::path store;
-    StoreBounds bounds;                // of the store
+    StoreBounds bounds;                // limits of the store
     std::filesystem::path thumbnails;  // only renamed here
 };
 
@@ -114,7 +114,7 @@ class FileBook {
     Schedule& schedule_;  // outlives this
     Weaver& weaver_;      // outlives this
     std::filesystem::path thumbnails_;
-    std::map<std::string, File> files_;  // those that more is known of than their record
+    std::map<std::string, File> files_;  // files with more to remember than their record
     bool is_lack_told_ = false;          // it is in the log that the disk refuses
     bool is_growth_resting_ = false;     // parts of films were written a moment ago
     EventLoop::Source growth_;

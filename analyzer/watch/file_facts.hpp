@@ -4,18 +4,18 @@
 
 namespace vitrine::analyzer {
 
-/// What the file system says of one file.
+/// The status of one file in the file system.
 struct FileFacts {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
-    std::uint64_t blocks = 0;  // of 512 bytes; changes after a write without one, where allocation is delayed
+    std::uint64_t blocks = 0;  // 512 bytes each; with delayed allocation they change after the last write
     std::uint64_t inode = 0;   // not kept by every network file system
-    bool is_readable = true;   // by this process
+    bool is_readable = true;   // this process may read it
 
     friend bool operator==(const FileFacts&, const FileFacts&) = default;
 };
 
-/// Whether an analysis of the one holds for the other. A record holds no more than this either.
+/// True where an analysis of the one holds for the other. A record holds no more than this either.
 inline bool is_same_content(const FileFacts& a, const FileFacts& b) {
     return a.bytes == b.bytes && a.mtime_ns == b.mtime_ns && a.is_readable == b.is_readable;
 }

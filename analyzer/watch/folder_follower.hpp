@@ -26,7 +26,7 @@ class FolderFollower {
     /// Becomes readable when there are events.
     int fd() const { return watch_.fd(); }
 
-    /// Whether the folder was there when last looked for.
+    /// True where the folder was there at the last look.
     bool is_online() const { return is_online_; }
 
     /// Reads the whole folder.
@@ -39,7 +39,7 @@ class FolderFollower {
     /// Follows the kernel's events. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);
 
-    /// Whether a `.vitrine.toml` or a folder came, went or changed since the last call.
+    /// @return true where a `.vitrine.toml` or a folder came, went or changed since the last call
     bool take_hint_news() { return std::exchange(has_hint_news_, false); }
 
     /// Looks at single files.
@@ -49,7 +49,7 @@ class FolderFollower {
     /// Paths by what the kernel said of them.
     struct Changes {
         std::set<std::string> files;    // written, changed or removed
-        std::set<std::string> closed;   // those of the files that nobody writes any more
+        std::set<std::string> closed;   // files that nobody writes any more
         std::set<std::string> added;    // folders
         std::set<std::string> removed;  // folders
         bool is_lost = false;           // events are missing, or the root is gone
@@ -73,7 +73,7 @@ class FolderFollower {
     bool is_online_ = false;
     bool has_hint_news_ = false;
     bool is_remote_ = false;
-    bool has_seen_files_ = false;          // in this run
+    bool has_seen_files_ = false;          // since the start of this process
     std::optional<std::uint64_t> device_;  // where files were last seen
 };
 

@@ -15,7 +15,7 @@ namespace vitrine::analyzer {
 /// The files `.vitrine.toml` in the media folder. Hands their hints to the player in STATE/hints.json. Logs.
 class HintFiles {
   public:
-    static constexpr std::size_t max_bytes = 1U << 16;  // of one of them
+    static constexpr std::size_t max_bytes = 1U << 16;  // in one of them
 
     /// @param folder     outlives this
     /// @param hand_over  STATE/hints.json

@@ -19,7 +19,7 @@ class LeavingFiles {
     /// @param is_done  its record is final, and holds for any file of the same content
     void add(const std::string& path, const FileFacts& facts, bool is_done, Time forget_at);
 
-    /// How a file of this path was known before.
+    /// The knowledge of a path before its file came back.
     struct Return {
         bool is_recorded = false;   // the catalogue has a record of this path
         bool record_holds = false;  // and it is right for the content

@@ -35,7 +35,7 @@ void Liveness::feed_watchdog_now() {
     if (!interval || (fed_ && now < *fed_ + *interval / 4)) return;
     service::feed_watchdog();
     fed_ = now;
-    watchdog_.arm(*interval / 2);  // what waits in the loop meanwhile comes first
+    watchdog_.arm(*interval / 2);  // events that wait in the loop meanwhile come first
 }
 
 void Liveness::feed_watchdog() {

@@ -33,7 +33,7 @@ class Liveness {
     /// It has happened, or is not expected any more.
     void meet(const std::string& what) { expected_.erase(what); }
 
-    /// What is overdue for longest; nothing where all is well.
+    /// The expectation that is overdue for longest; nothing where all is well.
     std::optional<std::string> overdue(Time now) const;
 
     /// Feeds the watchdog from inside a long step.

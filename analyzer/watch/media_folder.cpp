@@ -27,7 +27,7 @@ constexpr std::array junk_names{"thumbs.db",  "ehthumbs.db", "desktop.ini",
 constexpr std::array junk_endings{"~",    ".part",     ".partial",    ".crdownload",
                                   ".tmp", ".filepart", ".opdownload", ".download"};
 
-/// Of ASCII letters, whatever the locale.
+/// Changes ASCII letters only, in every locale.
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower)
@@ -79,7 +79,7 @@ struct CloseDirectory {
 
 using Directory = std::unique_ptr<DIR, CloseDirectory>;
 
-/// One reading of a folder with all below it.
+/// One reading of a folder and all folders below it.
 struct Walk {
     const MediaFolder::Enter& enter;
     const MediaFolder::Attend& attend;
@@ -142,8 +142,8 @@ bool is_junk_name(std::string_view name) {
                        [&](const char* ending) { return lower.ends_with(ending); });
 }
 
-/// Never through a link below the root: folder by folder, for openat2(), which does that at once, is not
-/// there for a service that systemd keeps from making setuid files.
+/// Opens folder by folder, so that no link below the root is followed. openat2() would do that at once, but a
+/// service that systemd keeps from making setuid files does not have it.
 UniqueFd MediaFolder::open(const std::string& path, int flags) const {
     UniqueFd folder(::open(root_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     std::size_t begin = 0;
@@ -159,13 +159,13 @@ bool MediaFolder::is_passed_over(const std::string& path) const {
     return path.size() == passed_over_.size() || path[passed_over_.size()] == '/';
 }
 
-std::optional<std::string> MediaFolder::content(const std::string& path, std::size_t most_bytes) const {
+std::optional<std::string> MediaFolder::content(const std::string& path, std::size_t max_bytes) const {
     const UniqueFd file = open(path, O_RDONLY | O_NONBLOCK);
 
     struct stat status {};
 
     if (!file.is_open() || ::fstat(file.get(), &status) < 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    std::string text(std::min(most_bytes, static_cast<std::size_t>(status.st_size)), '\0');
+    std::string text(std::min(max_bytes, static_cast<std::size_t>(status.st_size)), '\0');
     const ssize_t size = ::pread(file.get(), text.data(), text.size(), 0);
     if (size < 0) return std::nullopt;
     text.resize(static_cast<std::size_t>(size));

@@ -12,18 +12,18 @@
 
 namespace vitrine::analyzer {
 
-/// Whether programs leave files or folders of this name behind that nobody wants to see: hidden ones,
+/// True for names of files and folders that programs leave behind and nobody wants to see: hidden ones,
 /// thumbnails, halves of downloads, wastebaskets, our own status folder.
 bool is_junk_name(std::string_view name);
 
-/// The folder whose photos and films are shown, as it is now. Links are passed over, so that none leads out
-/// of it. Paths are relative to it, with '/' between folders and any bytes in names.
+/// The folder whose photos and films are shown, as it is now. Links are skipped: none leads out of it. Paths
+/// are relative to it, with '/' between folders and any bytes in names.
 class MediaFolder {
   public:
     static constexpr int max_depth = 32;
     static constexpr std::size_t max_files = 100'000;
 
-    /// @param passed_over  a folder in it of ours, for the operator to read; may be empty
+    /// @param passed_over  the status folder in it, which is skipped; may be empty
     explicit MediaFolder(std::filesystem::path root, std::string passed_over = "")
         : root_(std::move(root)), passed_over_(std::move(passed_over)) {}
 
@@ -39,7 +39,7 @@ class MediaFolder {
     enum class Presence {
         there,
         gone,         // or no plain file, or junk
-        unreachable,  // could not be found out: a server that is off
+        unreachable,  // not known: a server that is off
     };
 
     struct LookResult {
@@ -47,12 +47,13 @@ class MediaFolder {
         File file;  // where it is there
     };
 
+    /// Looks at one file.
     LookResult look_at(const std::string& path) const;
 
     struct Listing {
         std::vector<File> files;
         bool is_complete = true;           // false: something could not be read, a missing file may be there
-        std::vector<std::string> remarks;  // what could not be read or was too much, in plain words
+        std::vector<std::string> remarks;  // unreadable folders and exceeded limits, in plain words
     };
 
     using Enter = std::function<void(const std::string& folder)>;
@@ -64,17 +65,17 @@ class MediaFolder {
     /// @param attend  called whenever a file or folder was found
     Listing list(const std::string& folder, const Enter& enter = {}, const Attend& attend = {}) const;
 
-    /// Tells one mounted file system from another at the root; nothing where the root is missing.
+    /// Identifies the file system that is mounted at the root; nothing where the root is missing.
     std::optional<std::uint64_t> device() const;
 
-    /// Whether other machines may change it unseen by this kernel: CIFS, NFS, FUSE, 9P.
+    /// True where other machines may change it unseen by this kernel: CIFS, NFS, FUSE, 9P.
     bool is_remote() const;
 
-    /// Whether the end of the file was never written, as in a copy that reserved its space first.
+    /// True where the end of the file was never written: a copy that reserved its space first.
     bool ends_in_hole(const std::string& path) const;
 
-    /// The first bytes of a plain file; nothing where it cannot be read. Its name may be one of junk.
-    std::optional<std::string> content(const std::string& path, std::size_t most_bytes) const;
+    /// The first bytes of a plain file, also of one with a junk name; nothing where it cannot be read.
+    std::optional<std::string> content(const std::string& path, std::size_t max_bytes) const;
 
   private:
     bool is_passed_over(const std::string& path) const;

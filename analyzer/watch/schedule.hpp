@@ -14,7 +14,7 @@
 
 namespace vitrine::analyzer {
 
-/// How a file was looked at. Decides how long it must stay unchanged.
+/// The way in which a file was looked at: it decides how long the file must stay unchanged.
 enum class LookKind {
     local,   // somebody may still be writing it
     closed,  // its writer has just closed or renamed it; some writers do so more than once
@@ -29,9 +29,10 @@ struct Pace {
     std::chrono::milliseconds closed_quiet{150};  // the same after its writer closed it, if that is shorter
     int remote_quiets = 3;  // quiet times on a network share: its server may answer from a cache for a while
     std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
-    std::chrono::milliseconds first_retry{5000};  // of a waiting file; each further one waits twice as long
-    int retries = 8;                              // together 21 minutes
-    int deaths = 2;                               // children that one content may kill before quarantine
+    std::chrono::milliseconds first_retry{
+        5000};        // a waiting file is tried again; then after twice as long, ...
+    int retries = 8;  // together 21 minutes
+    int deaths = 2;   // children that one content may kill before quarantine
 
     /// @return how long a file must stay unchanged after such a look
     std::chrono::milliseconds quiet_after(LookKind look) const;
@@ -56,14 +57,14 @@ struct Action {
     friend bool operator==(const Action&, const Action&) = default;
 };
 
-/// How a child ended.
+/// The end of a child.
 enum class Answer {
     final,    // ready, unsupported or failed: stands until the file changes
     waiting,  // incomplete: to be tried again
     died,     // a crash or the deadline
 };
 
-/// What to do with a child's answer.
+/// The fate of a child's answer.
 enum class Verdict {
     store,       // as it is
     give_up,     // store it as failed: it has waited long enough
@@ -118,7 +119,7 @@ class Schedule {
     /// All files known under this folder ("" for all, else without a '/' at the end).
     std::vector<std::string> paths_below(const std::string& folder) const;
 
-    /// How far a file has come.
+    /// The progress of a file.
     enum class Progress {
         settling,  // not quiet yet
         waiting,   // incomplete when last tried
@@ -133,7 +134,7 @@ class Schedule {
     /// Calls with each file that was seen in this run, in the order of their paths.
     void visit_files(const Visit& call) const;
 
-    /// Nothing runs, and nothing will except retries of waiting files.
+    /// True where nothing runs, and nothing will except retries of waiting files.
     bool is_idle() const;
 
   private:
@@ -151,11 +152,11 @@ class Schedule {
         Phase phase = Phase::unseen;
         Time look_at{};            // settling only
         Time since{};              // it is done, else has this content
-        int deaths = 0;            // of children, by the content as it is
+        int deaths = 0;            // children that the content as it is has killed
         int waits = 0;             // waiting answers for the content as it is
         bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
-        bool is_held = false;      // that record is waiting already
-        bool has_grown = false;    // that record is a part of the running analysis
+        bool is_held = false;      // the record is waiting already
+        bool has_grown = false;    // the record is a part of the running analysis
     };
 
     static Progress progress_of(const Entry& entry);

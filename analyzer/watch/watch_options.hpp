@@ -23,7 +23,7 @@ struct WatchOptions {
     std::string status_folder;                 // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;
-    AnalysisOutputs outputs;         // of each analysis
+    AnalysisOutputs outputs;         // each analysis writes these
     std::vector<std::string> weave;  // the command that weaves a tapestry; see WeaveOptions
     StoreBounds tapestries{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     Pace pace;

@@ -45,7 +45,7 @@ class WeaveSchedule {
     /// The film that has a child; "" for none.
     const std::string& running_film() const { return running_; }
 
-    /// Nothing is woven, and nothing will be.
+    /// True where nothing is woven, and nothing will be.
     bool is_idle() const;
 
   private:

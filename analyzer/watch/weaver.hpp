@@ -12,12 +12,12 @@
 
 namespace vitrine::analyzer {
 
-/// How tapestries are woven.
+/// The options of weaving.
 struct WeaveOptions {
-    std::filesystem::path root;        // of the media
+    std::filesystem::path root;        // the media folder
     std::filesystem::path state;       // directory
     StoreBounds bounds;                // max_bytes 0: no tapestries
-    std::vector<std::string> command;  // to which the folder and the film are appended
+    std::vector<std::string> command;  // the folder and the film are appended
     ChildLimits limits;
 };
 
