@@ -15,8 +15,8 @@ namespace {
 
 /// Shows at once whatever the slots hold.
 struct Shown {
-    explicit Shown(int files, int slots = 3)
-        : slots({.count = slots, .order = ShotOrder::name, .dwell = 20s, .lead = 0s}) {
+    explicit Shown(int files, int count = 3)
+        : slots({.count = count, .order = ShotOrder::name, .dwell = 20s, .lead = 0s}) {
         slots.set_catalogue(photos(files));
         run(100ms);
     }
