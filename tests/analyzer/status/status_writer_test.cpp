@@ -77,7 +77,7 @@ TEST_CASE("a file that is removed leaves with its thumbnail, one that is replace
     share.report.files.clear();
     share.writer.write();
     CHECK_FALSE(fs::exists(share.file(copied)));
-    CHECK(read_file(share.file("status.txt")) == "0 files\n\n");
+    CHECK(read_file(share.file("status.txt")) == "0 files\nThe player is not running.\n\n");
 }
 
 TEST_CASE("a thumbnail that no file on the page has goes after a while") {
