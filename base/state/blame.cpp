@@ -14,7 +14,7 @@ namespace {
 
 constexpr int opening_points = 2;
 constexpr int playing_points = 1;
-constexpr std::size_t most_lines = 10'000;
+constexpr std::size_t max_lines = 10'000;
 
 std::string in_words(const ContentName& name) {
     return fmt::format("{} {} {}\n", name.id, name.bytes, name.mtime_ns);
@@ -29,7 +29,7 @@ std::optional<ContentName> name_in(std::istream& words) {
 template <typename Use> void for_each_line(const std::string& text, const Use& use) {
     std::istringstream lines(text);
     std::string line;
-    for (std::size_t i = 0; i < most_lines && std::getline(lines, line); ++i) {
+    for (std::size_t i = 0; i < max_lines && std::getline(lines, line); ++i) {
         std::istringstream words(line);
         std::string first;
         if (words >> first) use(first, words);

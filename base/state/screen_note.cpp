@@ -13,7 +13,7 @@ namespace vitrine {
 namespace {
 
 constexpr const char* file_name = "screen";  // below the state directory; only the player writes it
-constexpr std::size_t most_bytes = 32;
+constexpr std::size_t max_bytes = 32;
 constexpr int max_side = 16384;  // px
 
 }  // namespace
@@ -21,7 +21,7 @@ constexpr int max_side = 16384;  // px
 int noted_screen_side(const std::filesystem::path& state) {
     std::string text;
     try {
-        text = read_file(state / file_name, most_bytes);
+        text = read_file(state / file_name, max_bytes);
     } catch (const std::system_error&) {
         return 0;
     }

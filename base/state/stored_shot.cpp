@@ -10,7 +10,7 @@ namespace vitrine {
 namespace {
 
 constexpr std::size_t id_length = 16;
-constexpr std::size_t longest_name = 100;
+constexpr std::size_t max_name = 100;
 
 bool is_hex(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
@@ -28,7 +28,7 @@ std::string store_id(const std::string& path, std::uint64_t bytes, std::int64_t 
 }
 
 bool is_store_name(std::string_view file) {
-    if (file.size() < id_length + 2 || file.size() > longest_name || file[id_length] != '/') return false;
+    if (file.size() < id_length + 2 || file.size() > max_name || file[id_length] != '/') return false;
     const std::string_view id = file.substr(0, id_length);
     const std::string_view name = file.substr(id_length + 1);
     return std::all_of(id.begin(), id.end(), is_hex) && std::all_of(name.begin(), name.end(), is_plain) &&

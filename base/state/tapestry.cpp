@@ -18,7 +18,7 @@ namespace {
 
 constexpr int version = 1;
 constexpr const char* index_name = "index.json";
-constexpr std::size_t most_levels = 32;
+constexpr std::size_t max_levels = 32;
 constexpr std::size_t max_keyframes = 200'000;  // of a level
 constexpr int max_side = 4096;                  // px, of a tile or a brick
 constexpr int max_width = 100'000'000;          // px, of a level
@@ -139,7 +139,7 @@ Tapestry tapestry_from_json(std::string_view text) {
     require(is_folder_name(tapestry.folder), "'folder' is no plain name");
     for (const int side : {tapestry.height, tapestry.tile_width, tapestry.brick_width})
         require(side > 0 && side <= max_side, "a size is out of range");
-    require(json.at("levels").size() <= most_levels, "too many levels");
+    require(json.at("levels").size() <= max_levels, "too many levels");
     for (const Json& level : json.at("levels"))
         tapestry.levels.push_back(to_level(level));
     return tapestry;

@@ -11,8 +11,17 @@ namespace vitrine {
 
 /// Stays at one address for as long as its source lives, because sd-event keeps that address.
 struct EventLoop::Callback {
+    Callback(EventLoop& its_loop, std::function<void(std::uint32_t)> its_call)
+        : loop(its_loop), call(std::move(its_call)) {}
+
+    Callback(const Callback&) = delete;
+    Callback& operator=(const Callback&) = delete;
+
+    ~Callback() { sd_event_source_disable_unref(source); }
+
     EventLoop& loop;
     std::function<void(std::uint32_t)> call;
+    sd_event_source* source = nullptr;
 
     /// Stops exceptions before they reach C, at this place only. The copy keeps the function alive if it
     /// destroys its own source.
@@ -63,33 +72,23 @@ constexpr std::uint64_t timer_accuracy_us = 1000;
 
 EventLoop::Source::Source() = default;
 
-EventLoop::Source::Source(Source&& other) noexcept
-    : source_(std::exchange(other.source_, nullptr)), callback_(std::move(other.callback_)) {}
+EventLoop::Source::Source(std::unique_ptr<Callback> callback) : callback_(std::move(callback)) {}
 
-EventLoop::Source& EventLoop::Source::operator=(Source&& other) noexcept {
-    if (this == &other) return *this;
-    reset();
-    source_ = std::exchange(other.source_, nullptr);
-    callback_ = std::move(other.callback_);
-    return *this;
-}
+EventLoop::Source::Source(Source&&) noexcept = default;
+EventLoop::Source& EventLoop::Source::operator=(Source&&) noexcept = default;
+EventLoop::Source::~Source() = default;
 
-EventLoop::Source::~Source() {
-    reset();
-}
-
-void EventLoop::Source::reset() {
-    sd_event_source_disable_unref(std::exchange(source_, nullptr));
-    callback_.reset();
+sd_event_source* EventLoop::Source::source() const {
+    return callback_ ? callback_->source : nullptr;
 }
 
 void EventLoop::Source::arm(Clock::duration delay) {
-    checked(sd_event_source_set_time_relative(source_, microseconds(delay)), "set a timer");
-    checked(sd_event_source_set_enabled(source_, SD_EVENT_ONESHOT), "arm a timer");
+    checked(sd_event_source_set_time_relative(source(), microseconds(delay)), "set a timer");
+    checked(sd_event_source_set_enabled(source(), SD_EVENT_ONESHOT), "arm a timer");
 }
 
 void EventLoop::Source::disarm() {
-    checked(sd_event_source_set_enabled(source_, SD_EVENT_OFF), "disarm a timer");
+    checked(sd_event_source_set_enabled(source(), SD_EVENT_OFF), "disarm a timer");
 }
 
 void EventLoop::Unref::operator()(sd_event* event) const {
@@ -104,26 +103,23 @@ EventLoop::EventLoop() {
 
 EventLoop::~EventLoop() = default;
 
-EventLoop::Source EventLoop::made(Source source, int result, const char* what) const {
-    checked(result, what);
-    return source;
+std::unique_ptr<EventLoop::Callback> EventLoop::new_callback(std::function<void()> call) {
+    return std::make_unique<Callback>(*this, [call = std::move(call)](std::uint32_t) { call(); });
 }
 
 EventLoop::Source EventLoop::watch(int fd, std::uint32_t events, std::function<void(std::uint32_t)> call) {
-    Source source;
-    source.callback_ = std::make_unique<Callback>(Callback{*this, std::move(call)});
-    const int result =
-        sd_event_add_io(get(), &source.source_, fd, events, &Callback::on_io, source.callback_.get());
-    return made(std::move(source), result, "watch a file descriptor");
+    auto callback = std::make_unique<Callback>(*this, std::move(call));
+    checked(sd_event_add_io(get(), &callback->source, fd, events, &Callback::on_io, callback.get()),
+            "watch a file descriptor");
+    return Source(std::move(callback));
 }
 
 EventLoop::Source EventLoop::timer(std::function<void()> call) {
-    Source source;
-    source.callback_ =
-        std::make_unique<Callback>(Callback{*this, [call = std::move(call)](std::uint32_t) { call(); }});
-    const int result = sd_event_add_time(get(), &source.source_, CLOCK_MONOTONIC, 0, timer_accuracy_us,
-                                         &Callback::on_time, source.callback_.get());
-    source = made(std::move(source), result, "make a timer");
+    auto callback = new_callback(std::move(call));
+    checked(sd_event_add_time(get(), &callback->source, CLOCK_MONOTONIC, 0, timer_accuracy_us,
+                              &Callback::on_time, callback.get()),
+            "make a timer");
+    Source source(std::move(callback));
     source.disarm();
     return source;
 }
@@ -133,21 +129,17 @@ EventLoop::Source EventLoop::signal(int number, std::function<void()> call) {
     sigemptyset(&set);
     sigaddset(&set, number);
     checked(-pthread_sigmask(SIG_BLOCK, &set, nullptr), "block a signal");
-    Source source;
-    source.callback_ =
-        std::make_unique<Callback>(Callback{*this, [call = std::move(call)](std::uint32_t) { call(); }});
-    const int result =
-        sd_event_add_signal(get(), &source.source_, number, &Callback::on_signal, source.callback_.get());
-    return made(std::move(source), result, "take a signal");
+    auto callback = new_callback(std::move(call));
+    checked(sd_event_add_signal(get(), &callback->source, number, &Callback::on_signal, callback.get()),
+            "take a signal");
+    return Source(std::move(callback));
 }
 
 EventLoop::Source EventLoop::defer(std::function<void()> call) {
-    Source source;
-    source.callback_ =
-        std::make_unique<Callback>(Callback{*this, [call = std::move(call)](std::uint32_t) { call(); }});
-    const int result =
-        sd_event_add_defer(get(), &source.source_, &Callback::on_defer, source.callback_.get());
-    return made(std::move(source), result, "defer a call");
+    auto callback = new_callback(std::move(call));
+    checked(sd_event_add_defer(get(), &callback->source, &Callback::on_defer, callback.get()),
+            "defer a call");
+    return Source(std::move(callback));
 }
 
 void EventLoop::run() {

@@ -25,6 +25,7 @@ class EventLoop {
     class [[nodiscard]] Source {
       public:
         Source();
+        explicit Source(std::unique_ptr<Callback> callback);  // made by the loop
         Source(Source&&) noexcept;
         Source& operator=(Source&&) noexcept;
         Source(const Source&) = delete;
@@ -37,10 +38,8 @@ class EventLoop {
         void disarm();
 
       private:
-        friend class EventLoop;
-        void reset();
+        sd_event_source* source() const;
 
-        sd_event_source* source_ = nullptr;
         std::unique_ptr<Callback> callback_;
     };
 
@@ -77,7 +76,7 @@ class EventLoop {
     sd_event* get() const { return event_.get(); }
 
   private:
-    Source made(Source source, int result, const char* what) const;
+    std::unique_ptr<Callback> new_callback(std::function<void()> call);
     void rethrow();
 
     struct Unref {
