@@ -140,7 +140,7 @@ TEST_CASE("a photo asked for in another size is read again and the old one shown
     source.resize(30, 15);
     CHECK(source.is_outdated());
     CHECK(source.picture_at(1s)->width == 20);
-    source.read_anew();
+    source.read_photo();
     source.resize(40, 20);  // while it is read
     while (!source.has_ended()) {
         CHECK(source.picture_at(1s).has_value());
