@@ -2,8 +2,8 @@
 #include "base/settings/settings_file.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
+#include "base/system/memory.hpp"
 #include "player/plan_command.hpp"
-#include "player/playback/picture_memory.hpp"
 #include "player/player.hpp"
 
 #include <CLI/CLI.hpp>

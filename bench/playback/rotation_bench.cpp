@@ -5,8 +5,8 @@
 //
 // FILE is a film of a second or more; of it each shot shows another half a second.
 
+#include "base/system/memory.hpp"
 #include "player/display/offscreen_screen.hpp"
-#include "player/playback/picture_memory.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
 

@@ -1,7 +1,5 @@
 #include "player/playback/picture_memory.hpp"
 
-#include <malloc.h>
-
 #include <new>
 #include <utility>
 
@@ -10,8 +8,6 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::align_val_t alignment{64};
-constexpr int arenas = 2;
-constexpr int returned_from = 256 << 10;  // bytes; without it the limit grows to the largest block ever freed
 
 }  // namespace
 
@@ -37,12 +33,6 @@ std::shared_ptr<std::byte> PictureMemory::block(std::size_t bytes) {
 void PictureMemory::give_back(const std::shared_ptr<Pool>& pool, Block block, std::size_t size) {
     const std::lock_guard lock(pool->mutex);
     if (pool->size == size) pool->spare.push_back(std::move(block));
-}
-
-void bound_memory() {
-    ::mallopt(M_ARENA_MAX, arenas);
-    ::mallopt(M_MMAP_THRESHOLD, returned_from);
-    ::mallopt(M_TRIM_THRESHOLD, 4 * returned_from);
 }
 
 }  // namespace vitrine::player

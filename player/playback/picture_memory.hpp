@@ -32,8 +32,4 @@ class PictureMemory {
     std::shared_ptr<Pool> pool_ = std::make_shared<Pool>();  // shared: with the blocks that are out
 };
 
-/// Keeps a process that runs for years from growing by fragments: it gets few arenas for its many threads,
-/// and blocks of pictures go back to the system when they are freed. Call it before any thread starts.
-void bound_memory();
-
 }  // namespace vitrine::player

@@ -1,0 +1,27 @@
+#include "base/system/memory.hpp"
+
+#include <malloc.h>
+
+namespace vitrine {
+
+namespace {
+
+constexpr int arenas = 2;
+constexpr int returned_from = 256 << 10;  // bytes; without it the limit grows to the largest block ever freed
+
+}  // namespace
+
+void bound_memory() {
+    ::mallopt(M_ARENA_MAX, arenas);
+    ::mallopt(M_MMAP_THRESHOLD, returned_from);
+    ::mallopt(M_TRIM_THRESHOLD, 4 * returned_from);
+}
+
+void keep_freed_memory() {
+    constexpr int max_kept = 64 << 20;
+    constexpr int max_on_heap = 32 << 20;  // as much as glibc allows
+    ::mallopt(M_TRIM_THRESHOLD, max_kept);
+    ::mallopt(M_MMAP_THRESHOLD, max_on_heap);
+}
+
+}  // namespace vitrine
