@@ -10,7 +10,7 @@ endif()
 add_library(vitrine_options INTERFACE)
 target_include_directories(vitrine_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(vitrine_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  -Wall -Wextra -Wpedantic -Wconversion $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow> -Wnon-virtual-dtor -Wold-style-cast
   -Wno-missing-field-initializers)  # designated initialisers leave out what keeps its default
 # Headers precompiled once for all targets need the same macros in each: fmt's, and those of -pthread.
 target_compile_options(vitrine_options INTERFACE -pthread)
@@ -78,8 +78,8 @@ function(read_together name)
     set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${first})
   endforeach()
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A local name may stand in another source's way without harm; types of unnamed namespaces are not in a main file.
-  target_compile_options(${name} PRIVATE -Wno-shadow -Wno-subobject-linkage)
+  # vitrine_options leaves out -Wshadow here: file-local names of one source are hidden in others, which is no mistake.
+  target_compile_options(${name} PRIVATE -Wno-subobject-linkage)  # types of unnamed namespaces are not in a main file
 endfunction()
 
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, media, pipeline,
