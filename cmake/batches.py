@@ -17,7 +17,7 @@ def local_names(text):
         for line in body.splitlines():
             if not line or line[0] in " }/#)" or line.startswith(("using namespace", "namespace ", "template")):
                 continue
-            head = line.split("=")[0]
+            head = re.split("[={]", line)[0]
             found = re.match(r"(?:struct|class|enum class|enum|using)\s+(\w+)", head) or re.search(r"(\w+)\(", head) \
                 or re.search(r"(\w+)(?:\[.*\])*\s*[{;]?\s*$", head)
             if found:
