@@ -119,7 +119,7 @@ struct Bench {
         TapestryStep step = strip.step(now);
         scene += cpu_milliseconds() - before;
         for (const TileId& id : step.missing) {
-            renderer.upload(strip.source_of(id), tile.sample);
+            renderer.upload(strip.sources().tile(id), tile.sample);
             strip.tile_ready(id, {.to_coarser = zoom(strip.tapestry(), id, false),
                                   .to_finer = zoom(strip.tapestry(), id, true)});
         }
@@ -144,7 +144,7 @@ void print(const char* what, Cost spent, double one_picture) {
 
 int main() {
     Bench bench;
-    bench.renderer.upload(bench.strip.mark(), bench.tile.sample);
+    bench.renderer.upload(bench.strip.sources().mark(), bench.tile.sample);
     const Noise film(1280, 720);
     bench.renderer.upload(2, film.sample);
     const Box all{{0, 0}, canvas};

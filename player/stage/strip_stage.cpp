@@ -65,7 +65,8 @@ void StripStage::set_catalogue(const RecordList& records) {
 
 WallStep StripStage::step(std::chrono::nanoseconds now, Renderer& renderer) {
     if (!std::exchange(has_mark_, true))
-        renderer.upload(strip_.mark(), {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
+        renderer.upload(strip_.sources().mark(),
+                        {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
     TapestryStep step = strip_.step(now);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
     if (give_tiles(step.missing, renderer) && options_.awaits_tiles) {
@@ -116,7 +117,7 @@ void StripStage::give(const LoadedTile& loaded, Renderer& renderer) {
                      directory_.string());
         return;
     }
-    renderer.upload(strip_.source_of(tile), loaded.sample);
+    renderer.upload(strip_.sources().tile(tile), loaded.sample);
     const double left = static_cast<double>(tile.tile) * strip_.tapestry().tile_width;
     strip_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
                              .to_finer = mesh_of(loaded.to_finer, left, true)});

@@ -11,8 +11,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double least_speed = 8;  // canvas px a second: slower it stands
-constexpr double key_way = 0.3;    // of the box' width
+constexpr double min_speed = 8;  // canvas px per second; a slower strip stops
+constexpr double key_way = 0.3;  // share of the box' width
 
 double seconds(nanoseconds time) {
     return std::chrono::duration<double>(time).count();
@@ -45,13 +45,10 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
     case Gesture::Kind::pinch_end:
         return settle(pinched_at_);
     case Gesture::Kind::wheel:
-        return zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) + (gesture.factor > 1 ? 1 : -1),
-                       gesture.at.x);
+        return zoom_by_one(gesture.factor > 1, gesture.at.x);
     case Gesture::Kind::key:
         if (gesture.key == Key::nearer || gesture.key == Key::farther)
-            return zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) +
-                               (gesture.key == Key::nearer ? 1 : -1),
-                           middle);
+            return zoom_by_one(gesture.key == Key::nearer, middle);
         if (gesture.key == Key::left || gesture.key == Key::right)
             speed_ =
                 (gesture.key == Key::left ? 1 : -1) * key_way * place.box().width() / seconds(pace_.glide);
@@ -62,10 +59,14 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
 }
 
 void TapestryMotion::zoom_to(double level, double at) {
-    zoom_ = Zoom{.from = view_.level, .to = level, .at = at};
+    zoom_ = Zoom{.from = view_.level, .to = level, .at = at, .began = {}};
 }
 
-/// To the nearest whole level, which is the sharpest.
+void TapestryMotion::zoom_by_one(bool is_nearer, double at) {
+    zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) + (is_nearer ? 1 : -1), at);
+}
+
+/// Zooms to the nearest whole level, which is the sharpest.
 void TapestryMotion::settle(double at) {
     if (view_.level != std::round(view_.level)) zoom_to(std::round(view_.level), at);
 }
@@ -73,15 +74,12 @@ void TapestryMotion::settle(double at) {
 const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace& place) {
     const nanoseconds passed = last_ ? now - *last_ : nanoseconds(0);
     last_ = now;
-    if (is_touched_) {
-        is_touched_ = is_by_itself_ = false;
+    if (!touched_) {
         touched_ = now;
+        reached_level_.reset();
     }
-    if (!is_by_itself_ && now - touched_ >= pace_.patience) {
-        is_by_itself_ = true;
-        turned_ = now;
-    }
-    if (is_by_itself_) go_by_itself(now, passed, place);
+    if (!reached_level_ && now - *touched_ >= pace_.patience) reached_level_ = now;
+    if (reached_level_) go_by_itself(now, passed, place);
     go_on_zooming(now, place);
     glide(passed, place);
     view_ = place.bounded(view_);
@@ -90,19 +88,18 @@ const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace
 
 void TapestryMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
     if (!zoom_) return;
-    if (!zoom_->has_begun) {
+    if (!zoom_->began) {
         zoom_->began = now;
-        zoom_->has_begun = true;
-        zoom_->to = std::clamp(zoom_->to, 0.0, place.most_level());
+        zoom_->to = std::clamp(zoom_->to, 0.0, place.max_level());
     }
-    const double progress = seconds(now - zoom_->began) / seconds(pace_.zoom);
+    const double progress = seconds(now - *zoom_->began) / seconds(pace_.zoom);
     const double level =
         progress >= 1 ? zoom_->to : zoom_->from + (zoom_->to - zoom_->from) * eased(progress);
     view_ = place.zoomed(view_, level, zoom_->at);
     if (progress >= 1) zoom_.reset();
 }
 
-/// A flung strip slows down evenly in each moment, and stands at its ends.
+/// Slows a flung strip down exponentially; it stops at its ends.
 void TapestryMotion::glide(nanoseconds passed, const TapestryPlace& place) {
     if (speed_ == 0) return;
     const double time = seconds(pace_.glide);
@@ -111,23 +108,23 @@ void TapestryMotion::glide(nanoseconds passed, const TapestryPlace& place) {
     view_ = place.moved(view_, speed_ * time * (1 - kept));
     speed_ *= kept;
     const bool stands = view_ == before && passed.count() > 0;
-    if (std::abs(speed_) < least_speed || stands) speed_ = 0;
+    if (std::abs(speed_) < min_speed || stands) speed_ = 0;
 }
 
 void TapestryMotion::go_by_itself(nanoseconds now, nanoseconds passed, const TapestryPlace& place) {
     const TapestryView before = view_;
     view_ = place.moved(view_, -way_ * pace_.drift * place.box().width() * seconds(passed));
     if (view_ == before && passed.count() > 0) way_ = -way_;
-    if (zoom_ || now - turned_ < pace_.dwell) return;
-    turned_ = now;
-    const double level = std::round(view_.level) + nearer_;
-    if (level < 0 || level > place.most_level()) nearer_ = -nearer_;
-    zoom_to(std::round(view_.level) + nearer_, (place.box().min.x + place.box().max.x) / 2);
+    if (zoom_ || now - *reached_level_ < pace_.dwell) return;
+    reached_level_ = now;
+    const double level = std::round(view_.level) + level_step_;
+    if (level < 0 || level > place.max_level()) level_step_ = -level_step_;
+    zoom_to(std::round(view_.level) + level_step_, (place.box().min.x + place.box().max.x) / 2);
 }
 
 double TapestryMotion::direction() const {
     if (speed_ != 0) return -speed_;
-    return is_by_itself_ ? way_ : 0;
+    return is_by_itself() ? way_ : 0;
 }
 
 }  // namespace vitrine::player

@@ -9,46 +9,44 @@
 namespace vitrine::player {
 
 struct TapestryPace {
-    std::chrono::nanoseconds zoom =
-        std::chrono::milliseconds(600);  // of a step from level to level (paper, 6)
-    std::chrono::nanoseconds glide =
-        std::chrono::milliseconds(350);  // in which a flung strip loses 63 % of its speed
+    std::chrono::nanoseconds zoom = std::chrono::milliseconds(600);   // from one level to the next (paper, 6)
+    std::chrono::nanoseconds glide = std::chrono::milliseconds(350);  // a flung strip loses 63 % of its speed
     std::chrono::nanoseconds patience = std::chrono::seconds(8);  // without a touch, then it moves by itself
-    std::chrono::nanoseconds dwell = std::chrono::seconds(10);    // at a level, moving by itself
-    double drift = 0.05;  // of the strip's visible width a second, moving by itself
+    std::chrono::nanoseconds dwell = std::chrono::seconds(10);    // at a level, while it moves by itself
+    double drift = 0.05;  // share of the visible width per second, while it moves by itself
 };
 
-/// How a view of a tapestry moves: with fingers, on after them, from level to level, and by itself where
-/// nobody touches it: to and fro through the film, nearer and farther. Knows no clock.
+/// Moves the view of a tapestry: with the fingers, on after a flick, from level to level, and by itself if
+/// nobody touches it: to and fro through the film, to finer and to coarser levels. Knows no clock.
 class TapestryMotion {
   public:
     TapestryMotion(const TapestryView& view, const TapestryPace& pace) : view_(view), pace_(pace) {}
 
-    /// Drags, flicks, pinches, the wheel and keys; others are ignored.
+    /// Moves the view by drags, flicks, pinches, the wheel and keys; ignores other gestures.
     void handle_gesture(const Gesture& gesture, const TapestryPlace& place);
 
-    /// Somebody is there: it does not begin to move by itself for a while.
-    void touch() { is_touched_ = true; }
+    /// Somebody is there: the view does not begin to move by itself for `patience`.
+    void touch() { touched_.reset(); }
 
     /// @param now  never goes back
     const TapestryView& advance(std::chrono::nanoseconds now, const TapestryPlace& place);
 
     const TapestryView& view() const { return view_; }
 
-    bool is_by_itself() const { return is_by_itself_; }
+    bool is_by_itself() const { return reached_level_.has_value(); }
 
-    /// Where the view goes to: > 0 to the right.
+    /// Direction in which the view moves: > 0 to the right, < 0 to the left, 0: it rests.
     double direction() const;
 
   private:
     struct Zoom {
-        double from = 0, to = 0;
-        double at = 0;  // canvas px, of what stays where it is
-        std::chrono::nanoseconds began{0};
-        bool has_begun = false;
+        double from = 0, to = 0;                        // levels
+        double at = 0;                                  // canvas px of the point that keeps its place
+        std::optional<std::chrono::nanoseconds> began;  // none: it begins with the next advance()
     };
 
     void zoom_to(double level, double at);
+    void zoom_by_one(bool is_nearer, double at);
     void settle(double at);
     void go_on_zooming(std::chrono::nanoseconds now, const TapestryPlace& place);
     void glide(std::chrono::nanoseconds passed, const TapestryPlace& place);
@@ -58,15 +56,14 @@ class TapestryMotion {
     TapestryView view_;
     TapestryPace pace_;
     std::optional<Zoom> zoom_;
-    double speed_ = 0;  // of the strip, canvas px a second to the right
-    bool is_touched_ = true;
-    bool is_by_itself_ = false;
-    double way_ = 1;     // by itself: 1: on through the film, -1: back
-    double nearer_ = 1;  // by itself: 1: to finer levels, -1: to coarser ones
-    double pinched_at_ = 0;
-    std::chrono::nanoseconds touched_{0};
-    std::chrono::nanoseconds turned_{0};  // when it came to this level by itself
-    std::optional<std::chrono::nanoseconds> last_;
+    double speed_ = 0;                                 // of the strip, canvas px per second to the right
+    double way_ = 1;                                   // by itself: 1: on through the film, -1: back
+    double level_step_ = 1;                            // by itself: 1: to finer levels, -1: to coarser ones
+    double pinched_at_ = 0;                            // canvas px
+    std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last advance()
+    std::optional<std::chrono::nanoseconds>
+        reached_level_;                             // by itself: when; none: it does not move by itself
+    std::optional<std::chrono::nanoseconds> last_;  // the last advance()
 };
 
 }  // namespace vitrine::player

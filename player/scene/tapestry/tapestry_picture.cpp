@@ -1,10 +1,10 @@
+#include "player/scene/tapestry/tapestry_picture.hpp"
+
 #include "player/scene/crossfade.hpp"
-#include "player/scene/tapestry/tapestry_show.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-// What a strip looks like.
 
 namespace vitrine::player {
 
@@ -13,12 +13,21 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr auto appearing = 300ms;  // that what begins to play fades in
-constexpr double blend_begin =
-    0.2;  // of the way from a level to the next: there the finer one begins to be seen
-constexpr double blend_end = 0.8;   // there it is all that is seen
-constexpr double soft_edge = 0.14;  // of the height of what plays in place
-constexpr int edge_points = 6;      // a side, of the soft edge
+constexpr double strip_top = 0.62;     // share of the canvas' height
+constexpr double strip_height = 0.31;  // likewise
+constexpr double preview_top = 0.05;   // likewise
+constexpr double preview_room = 0.52;  // likewise, of which the preview takes what its shape allows
+constexpr double preview_width = 0.9;  // share of the canvas' width, at most
+constexpr int level_bits = 26;         // of a tile's number within its level, in its source's number
+constexpr SourceId film_bit = SourceId{1} << 40;
+constexpr auto appearing = 300ms;    // fade-in of a film that begins to play in place
+constexpr double blend_begin = 0.2;  // share of the way between two levels where the finer one begins to show
+constexpr double blend_end = 0.8;    // share of the way from which only the finer one shows
+constexpr double soft_edge = 0.14;   // width, as share of the height of the picture that plays in place
+constexpr int edge_points = 6;       // per side of the soft edge
+constexpr double nearly_opaque = 0.999;  // a soft edge is drawn only for what is not opaque
+constexpr double playhead_alpha = 0.85;
+constexpr double playhead_lines = 720;  // lines of the canvas for one px of half the playhead's width
 
 std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
     const Vec2 right_top{box.max.x, box.min.y};
@@ -26,7 +35,7 @@ std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
     return {{box.min, right_top, box.max}, {box.min, box.max, left_bottom}};
 }
 
-/// A cell that is a box, with clean edges.
+/// A box as a cell with sharp edges.
 std::shared_ptr<const Cell> box_cell(const Box& box) {
     return std::make_shared<const Cell>(Cell{.parts = {to_polygon(box)},
                                              .filler = {},
@@ -35,7 +44,7 @@ std::shared_ptr<const Cell> box_cell(const Box& box) {
                                              .fade_edges = {FadeEdge{}}});
 }
 
-/// A box that fades out over what lies around it.
+/// A box as a cell whose edges fade into what lies around it.
 std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
     const Box inner{box.min + Vec2{edge, edge}, box.max - Vec2{edge, edge}};
     const Polygon corners = to_polygon(inner);
@@ -53,145 +62,187 @@ std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
                                              .edge_coverage = 1});
 }
 
-}  // namespace
+/// Draws one frame, part by part.
+class Drawing {
+  public:
+    Drawing(const DrawnTapestry& drawn, nanoseconds now)
+        : drawn_(drawn),
+          place_(drawn.tapestry, drawn.boxes.strip),
+          frame_{.canvas = drawn.boxes.canvas, .idle = 1, .time = now} {}
 
-Frame TapestryShow::picture(nanoseconds now) {
-    Frame frame{.canvas = canvas_, .idle = 1, .time = now};
-    draw_levels(frame);
-    draw_in_place(frame);
-    draw_preview(frame);
-    if (shown_ && shown_->began) draw_playhead(frame, *shown_);
-    return frame;
-}
+    void draw_strip();
+    void draw_in_place();
+    void draw_preview();
+    void draw_playhead();
 
-void TapestryShow::draw_levels(Frame& frame) const {
-    const auto coarse = static_cast<std::size_t>(view().level);
-    const double share = view().level - static_cast<double>(coarse);
-    if (share > 0 && tapestry_.levels[coarse + 1].has_zoom) {
-        if (!is_whole(coarse)) draw_level(frame, 0, 1);
-        if (goes_over_whole(coarse)) cover(frame);
-        draw_zoom(frame, coarse, true);
-        return draw_zoom(frame, coarse + 1, false);
+    Frame take_frame() { return std::move(frame_); }
+
+  private:
+    const Box& box() const { return drawn_.boxes.strip; }
+
+    void draw_level(std::size_t level, double alpha);
+    void draw_zoom(std::size_t level, bool is_to_finer);
+    bool has_tiles(std::size_t level) const;
+    bool has_zooms(std::size_t level) const;
+    void cover_strip();
+
+    const DrawnTapestry& drawn_;
+    TapestryPlace place_;
+    Frame frame_;
+};
+
+void Drawing::draw_strip() {
+    const double level = drawn_.view.level;
+    const auto coarse = static_cast<std::size_t>(level);
+    const double share = level - static_cast<double>(coarse);
+    if (share > 0 && drawn_.tapestry.levels[coarse + 1].has_zoom) {
+        if (!has_tiles(coarse)) draw_level(0, 1);
+        if (has_zooms(coarse)) cover_strip();
+        draw_zoom(coarse, true);
+        return draw_zoom(coarse + 1, false);
     }
     const double alpha = eased((share - blend_begin) / (blend_end - blend_begin));
-    const bool has_all = is_whole(share > 0 && alpha >= 1 ? coarse + 1 : coarse);
-    if (has_all)
-        cover(frame);
+    if (has_tiles(share > 0 && alpha >= 1 ? coarse + 1 : coarse))
+        cover_strip();
     else
-        draw_level(frame, 0, 1);
-    if (alpha < 1) draw_level(frame, coarse, 1);
-    if (alpha > 0) draw_level(frame, coarse + 1, alpha);
+        draw_level(0, 1);
+    if (alpha < 1) draw_level(coarse, 1);
+    if (alpha > 0) draw_level(coarse + 1, alpha);
 }
 
-const ZoomMesh* TapestryShow::zoom_of(const TileId& tile, bool is_to_finer) const {
-    const auto found = zooms_.find(tile);
-    if (found == zooms_.end()) return nullptr;
-    return (is_to_finer ? found->second.to_finer : found->second.to_coarser).get();
-}
-
-/// A level's tiles on their way to the one next to it.
-void TapestryShow::draw_zoom(Frame& frame, std::size_t level, bool is_to_finer) const {
-    const double share = view().level - std::floor(view().level);
-    for (const auto& [tile, middle] : place().tiles(view(), level, box_.min.x, box_.max.x)) {
-        const ZoomMesh* mesh = zoom_of(tile, is_to_finer);
-        if (mesh == nullptr || !cache_.has(tile)) continue;
-        const Placement placement = place().zoom_placement(view(), *mesh);
+/// Draws a level's tiles on their way to a neighbouring level.
+void Drawing::draw_zoom(std::size_t level, bool is_to_finer) {
+    const double share = drawn_.view.level - std::floor(drawn_.view.level);
+    for (const auto& [tile, middle] : place_.tiles(drawn_.view, level, box().min.x, box().max.x)) {
+        const std::shared_ptr<const ZoomMesh> mesh = drawn_.tiles.zoom(tile, is_to_finer);
+        if (!mesh) continue;
+        const Placement placement = place_.zoom_placement(drawn_.view, *mesh);
         const auto canvas_x = [&](double coarse, double fine) {
             const double x =
                 (1 - share) * (coarse - mesh->coarse_origin) + share * (fine - mesh->fine_origin);
             return placement.offset.x + placement.scale * x;
         };
-        if (canvas_x(mesh->coarse_left, mesh->fine_left) > box_.max.x ||
-            canvas_x(mesh->coarse_right, mesh->fine_right) < box_.min.x)
+        if (canvas_x(mesh->coarse_left, mesh->fine_left) > box().max.x ||
+            canvas_x(mesh->coarse_right, mesh->fine_right) < box().min.x)
             continue;
-        const TileZooms& zooms = zooms_.at(tile);
+        const double tile_width = drawn_.tapestry.tile_width;
         const double width =
-            std::min<double>(tapestry_.tile_width, tapestry_.levels[level].width -
-                                                       static_cast<double>(tile.tile) * tapestry_.tile_width);
-        frame.items.push_back({.source = source_of(tile),
-                               .cell = {},
-                               .zoom = is_to_finer ? zooms.to_finer : zooms.to_coarser,
-                               .share = share,
-                               .placement = placement,
-                               .picture = {width, static_cast<double>(tapestry_.height)}});
+            std::min(tile_width, drawn_.tapestry.levels[level].width - tile.tile * tile_width);
+        frame_.items.push_back({.source = drawn_.sources.tile(tile),
+                                .cell = {},
+                                .zoom = mesh,
+                                .share = share,
+                                .placement = placement,
+                                .picture = {width, static_cast<double>(drawn_.tapestry.height)}});
     }
 }
 
-/// Whether all that is seen of a level can be drawn.
-bool TapestryShow::is_whole(std::size_t level) const {
-    return std::ranges::all_of(place().tiles(view(), level, box_.min.x, box_.max.x),
-                               [&](const auto& tile) { return cache_.has(tile.first); });
+/// True if every tile in view on a level is there.
+bool Drawing::has_tiles(std::size_t level) const {
+    return std::ranges::all_of(place_.tiles(drawn_.view, level, box().min.x, box().max.x),
+                               [&](const auto& tile) { return drawn_.tiles.has(tile.first); });
 }
 
-/// Whether all that is seen of a level can be drawn on its way to the finer one.
-bool TapestryShow::goes_over_whole(std::size_t coarse) const {
-    return std::ranges::all_of(place().tiles(view(), coarse, box_.min.x, box_.max.x), [&](const auto& tile) {
-        return cache_.has(tile.first) && zoom_of(tile.first, true) != nullptr;
-    });
+/// True if every tile in view on a level is there with its mesh to the finer level.
+bool Drawing::has_zooms(std::size_t level) const {
+    return std::ranges::all_of(
+        place_.tiles(drawn_.view, level, box().min.x, box().max.x),
+        [&](const auto& tile) { return drawn_.tiles.zoom(tile.first, true) != nullptr; });
 }
 
-/// The strip is drawn whole: all of its box that the film reaches.
-void TapestryShow::cover(Frame& frame) const {
-    const double left = place().canvas_x(view(), 0ns);
-    const double right = place().canvas_x(view(), tapestry_.duration);
-    frame.covered.push_back(intersection(box_, {{left, box_.min.y}, {right, box_.max.y}}));
+/// Tells the frame that the strip covers its box as far as the film reaches.
+void Drawing::cover_strip() {
+    const double left = place_.canvas_x(drawn_.view, 0ns);
+    const double right = place_.canvas_x(drawn_.view, drawn_.tapestry.duration);
+    frame_.covered.push_back(intersection(box(), {{left, box().min.y}, {right, box().max.y}}));
 }
 
-void TapestryShow::draw_level(Frame& frame, std::size_t level, double alpha) const {
-    for (const TilePiece& piece : place().pieces(view(), level, box_.min.x, box_.max.x)) {
-        if (!cache_.has(piece.tile)) continue;
+void Drawing::draw_level(std::size_t level, double alpha) {
+    for (const TilePiece& piece : place_.pieces(drawn_.view, level, box().min.x, box().max.x)) {
+        if (!drawn_.tiles.has(piece.tile)) continue;
         const double width = (piece.right - piece.left) / (piece.last - piece.first);
-        frame.items.push_back(
-            {.source = source_of(piece.tile),
-             .cell = box_cell({{piece.left, box_.min.y}, {piece.right, box_.max.y}}),
-             .placement = {.scale = 1, .offset = {piece.left - piece.first * width, box_.min.y}},
-             .picture = {width, box_.height()},
+        frame_.items.push_back(
+            {.source = drawn_.sources.tile(piece.tile),
+             .cell = box_cell({{piece.left, box().min.y}, {piece.right, box().max.y}}),
+             .placement = {.scale = 1, .offset = {piece.left - piece.first * width, box().min.y}},
+             .picture = {width, box().height()},
              .alpha = alpha});
     }
 }
 
-void TapestryShow::draw_in_place(Frame& frame) {
-    if (!in_place_ || !in_place_->began) return;
-    if (in_place_->began->count() < 0) in_place_->began = frame.time;
-    const nanoseconds local = frame.time - *in_place_->began;
-    const Box at = brick(in_place_->begin);
+void Drawing::draw_in_place() {
+    const std::optional<PlayingSpan>& playing = drawn_.preview.in_place();
+    if (!playing || !playing->began) return;
+    const nanoseconds local = frame_.time - *playing->began;
+    const Box at = place_.brick(drawn_.view, playing->span.begin, drawn_.preview.film().picture);
     const double alpha =
         eased(std::chrono::duration<double>(local) / std::chrono::duration<double>(appearing));
-    frame.items.push_back({.source = in_place_->source,
-                           .cell = soft_cell(at, soft_edge * at.height()),
-                           .placement = {.scale = 1, .offset = at.min},
-                           .picture = {at.width(), at.height()},
-                           .local = local,
-                           .alpha = std::min(alpha, 0.999)});
+    frame_.items.push_back({.source = playing->source,
+                            .cell = soft_cell(at, soft_edge * at.height()),
+                            .placement = {.scale = 1, .offset = at.min},
+                            .picture = {at.width(), at.height()},
+                            .local = local,
+                            .alpha = std::min(alpha, nearly_opaque)});
 }
 
-void TapestryShow::draw_preview(Frame& frame) {
-    if (!shown_ || !shown_->began) return;
-    if (shown_->began->count() < 0) shown_->began = frame.time;
-    nanoseconds local = frame.time - *shown_->began;
-    if (incoming_ && incoming_->follows) local = std::min(local, shown_->length() - 1ns);  // it waits
-    frame.covered.push_back(preview_);
-    frame.items.push_back({.source = shown_->source,
-                           .cell = box_cell(preview_),
-                           .placement = {.scale = 1, .offset = preview_.min},
-                           .picture = {preview_.width(), preview_.height()},
-                           .local = local,
-                           .alpha = 1});
+void Drawing::draw_preview() {
+    const std::optional<PlayingSpan>& playing = drawn_.preview.above();
+    if (!playing || !playing->began) return;
+    const Box& at = drawn_.boxes.preview;
+    frame_.covered.push_back(at);
+    frame_.items.push_back({.source = playing->source,
+                            .cell = box_cell(at),
+                            .placement = {.scale = 1, .offset = at.min},
+                            .picture = {at.width(), at.height()},
+                            .local = drawn_.preview.time_above(frame_.time),
+                            .alpha = 1});
 }
 
-/// A line through the strip at what plays above it.
-void TapestryShow::draw_playhead(Frame& frame, const Playing& playing) const {
-    const nanoseconds length = playing.end - playing.begin;
-    const nanoseconds local = frame.time - *playing.began;
-    const double x =
-        std::round(place().canvas_x(view(), playing.begin + (length.count() > 0 ? local % length : local)));
-    const double half = std::max(1.0, std::round(canvas_.y / 720));
-    if (x < box_.min.x || x > box_.max.x) return;
-    frame.items.push_back({.source = mark(),
-                           .cell = box_cell({{x - half, box_.min.y}, {x + half, box_.max.y}}),
-                           .placement = {.scale = 1, .offset = {x - half, box_.min.y}},
-                           .picture = {2 * half, box_.height()},
-                           .alpha = 0.85});
+/// Draws a line through the strip at the time that the preview shows.
+void Drawing::draw_playhead() {
+    const std::optional<PlayingSpan>& playing = drawn_.preview.above();
+    if (!playing || !playing->began) return;
+    const nanoseconds length = playing->span.length();
+    const nanoseconds local = frame_.time - *playing->began;
+    const double x = std::round(
+        place_.canvas_x(drawn_.view, playing->span.begin + (length.count() > 0 ? local % length : local)));
+    const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
+    if (x < box().min.x || x > box().max.x) return;
+    frame_.items.push_back({.source = drawn_.sources.mark(),
+                            .cell = box_cell({{x - half, box().min.y}, {x + half, box().max.y}}),
+                            .placement = {.scale = 1, .offset = {x - half, box().min.y}},
+                            .picture = {2 * half, box().height()},
+                            .alpha = playhead_alpha});
+}
+
+}  // namespace
+
+TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture) {
+    const double height = std::min(preview_room * canvas.y, preview_width * canvas.x * picture.y / picture.x);
+    const double half = height * picture.x / picture.y / 2;
+    const double top = preview_top * canvas.y + (preview_room * canvas.y - height) / 2;
+    return {.canvas = canvas,
+            .strip = {{0, std::round(strip_top * canvas.y)},
+                      {canvas.x, std::round((strip_top + strip_height) * canvas.y)}},
+            .preview = {{std::round(canvas.x / 2 - half), std::round(top)},
+                        {std::round(canvas.x / 2 + half), std::round(top + height)}}};
+}
+
+SourceId TapestrySources::tile(const TileId& tile) const {
+    return first + (SourceId{tile.level + 1} << level_bits) + static_cast<SourceId>(tile.tile);
+}
+
+SourceId TapestrySources::film() const {
+    return first | film_bit;
+}
+
+Frame tapestry_frame(const DrawnTapestry& drawn, nanoseconds now) {
+    Drawing drawing(drawn, now);
+    drawing.draw_strip();
+    drawing.draw_in_place();
+    drawing.draw_preview();
+    drawing.draw_playhead();
+    return drawing.take_frame();
 }
 
 }  // namespace vitrine::player

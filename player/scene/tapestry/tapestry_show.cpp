@@ -1,9 +1,6 @@
 #include "player/scene/tapestry/tapestry_show.hpp"
 
-#include "player/scene/crossfade.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vitrine::player {
@@ -13,79 +10,59 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr double strip_top = 0.62;     // of the canvas' height
-constexpr double strip_height = 0.31;  // likewise
-constexpr double preview_top = 0.05;   // likewise
-constexpr double preview_room = 0.52;  // likewise
-constexpr auto preview_length = 60s;   // that plays, then it begins again
-constexpr auto in_place_length = 4s;   // likewise, within the strip
-constexpr auto own_interval = 12s;     // between two previews that it begins by itself
-constexpr double shut = 0.75;          // factor of a pinch at the coarsest level that leaves the strip
-constexpr auto lead = 1500ms;          // that what comes next is got ready before it is due
-constexpr int level_bits = 26;         // a tile's number within its level, in its source's number
-constexpr SourceId film_bit = SourceId{1} << 40;
+constexpr auto own_interval = 12s;      // between two previews that the show begins by itself
+constexpr double closing_pinch = 0.75;  // factor of a pinch at the coarsest level that closes the tapestry
+constexpr std::int64_t min_tiles = 16;
 
-std::size_t most_tiles(const Tapestry& tapestry, std::int64_t bytes) {
+std::size_t max_tiles(const Tapestry& tapestry, std::int64_t bytes) {
     const std::int64_t tile = std::int64_t{4} * tapestry.tile_width * tapestry.height;
-    return static_cast<std::size_t>(std::max<std::int64_t>(16, bytes / tile));
+    return static_cast<std::size_t>(std::max(min_tiles, bytes / tile));
+}
+
+bool contains(const Box& box, Vec2 point) {
+    return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
 }
 
 }  // namespace
 
 TapestryShow::TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings)
     : tapestry_(std::move(tapestry)),
-      picture_(picture),
       settings_(settings),
+      boxes_(tapestry_boxes(canvas, picture)),
       motion_({.centre = settings.first_seen}, settings.pace),
-      cache_(most_tiles(tapestry_, settings.most_tile_bytes)),
-      last_source_(settings.first_source | film_bit) {
-    lay_out(canvas);
-    if (settings_.plays_at_once) play(settings_.first_seen);
-}
-
-void TapestryShow::lay_out(Vec2 canvas) {
-    canvas_ = canvas;
-    box_ = {{0, std::round(strip_top * canvas.y)},
-            {canvas.x, std::round((strip_top + strip_height) * canvas.y)}};
-    const double height = std::min(preview_room * canvas.y, 0.9 * canvas.x * picture_.y / picture_.x);
-    const double half = height * picture_.x / picture_.y / 2;
-    const double top = preview_top * canvas.y + (preview_room * canvas.y - height) / 2;
-    preview_ = {{std::round(canvas.x / 2 - half), std::round(top)},
-                {std::round(canvas.x / 2 + half), std::round(top + height)}};
+      tiles_(max_tiles(tapestry_, settings.max_tile_bytes)),
+      preview_({.path = tapestry_.path,
+                .duration = tapestry_.duration,
+                .picture = picture,
+                .shots = settings.shots},
+               sources().film()) {
+    if (settings_.plays_at_once) preview_.play(settings_.first_seen, boxes_.preview.width());
 }
 
 void TapestryShow::set_canvas(Vec2 canvas) {
-    if (canvas == canvas_) return;
-    lay_out(canvas);
-    retire(incoming_);
-    retire(in_place_);
-}
-
-SourceId TapestryShow::source_of(const TileId& tile) const {
-    return settings_.first_source + (SourceId{tile.level + 1} << level_bits) +
-           static_cast<SourceId>(tile.tile);
+    if (canvas == boxes_.canvas) return;
+    boxes_ = tapestry_boxes(canvas, preview_.film().picture);
+    preview_.stop_outdated();
 }
 
 void TapestryShow::handle_gesture(const Gesture& gesture) {
-    is_touched_ = true;
-    const bool is_on_strip = gesture.from.y >= box_.min.y;
+    touched_.reset();
     switch (gesture.kind) {
     case Gesture::Kind::tap:
         motion_.touch();
-        if (!is_on_strip) return close_or_end(gesture.at);
-        play(place().time_at(view(), gesture.at.x));
-        return play_in_place(place().time_at(view(), gesture.at.x));
+        return handle_tap(gesture);
     case Gesture::Kind::hold:
         motion_.touch();
-        if (is_on_strip) play_in_place(place().time_at(view(), gesture.at.x));
+        if (gesture.from.y >= boxes_.strip.min.y) play_in_place(gesture.at.x);
         return;
     case Gesture::Kind::key:
         if (gesture.key == Key::back) is_over_ = true;
-        if (gesture.key == Key::select) play(view().centre);
+        if (gesture.key == Key::select) preview_.play(view().centre, boxes_.preview.width());
         break;
     case Gesture::Kind::pinch:
-        retire(in_place_);
-        pinch_shut(gesture);
+        preview_.stop_in_place();
+        pinched_ = view().level > 0 ? 1 : pinched_ * gesture.factor;
+        if (pinched_ < closing_pinch) is_over_ = true;
         break;
     case Gesture::Kind::pinch_end:
         pinched_ = 1;
@@ -96,147 +73,40 @@ void TapestryShow::handle_gesture(const Gesture& gesture) {
     motion_.handle_gesture(gesture, place());
 }
 
-/// A tap on the preview puts it away, one beside it leaves the strip.
-void TapestryShow::close_or_end(Vec2 at) {
-    const bool is_on_preview = shown_ && at.x >= preview_.min.x && at.x <= preview_.max.x &&
-                               at.y >= preview_.min.y && at.y <= preview_.max.y;
-    if (!is_on_preview) is_over_ = true;
-    retire(shown_);
-    if (incoming_ && incoming_->follows) retire(incoming_);
+/// A tap on the strip plays the film from there, one on the preview closes the preview, any other closes the
+/// tapestry.
+void TapestryShow::handle_tap(const Gesture& tap) {
+    if (tap.from.y >= boxes_.strip.min.y) {
+        preview_.play(place().time_at(view(), tap.at.x), boxes_.preview.width());
+        return play_in_place(tap.at.x);
+    }
+    if (!preview_.above() || !contains(boxes_.preview, tap.at)) is_over_ = true;
+    preview_.stop_preview();
 }
 
-/// Fingers that come together where it cannot get any smaller.
-void TapestryShow::pinch_shut(const Gesture& gesture) {
-    pinched_ = view().level > 0 ? 1 : pinched_ * gesture.factor;
-    if (pinched_ < shut) is_over_ = true;
+void TapestryShow::play_in_place(double canvas_x) {
+    const FilmSpan span = preview_.span_in_place(place().time_at(view(), canvas_x));
+    const Box brick = place().brick(view(), span.begin, preview_.film().picture);
+    preview_.play_in_place(span, brick.width());
 }
 
 void TapestryShow::tile_ready(const TileId& tile, TileZooms zooms) {
-    zooms_[tile] = std::move(zooms);
-    for (const TileId& gone : cache_.add(tile)) {
-        retired_.push_back(source_of(gone));
-        zooms_.erase(gone);
-    }
+    for (const TileId& gone : tiles_.add(tile, std::move(zooms)))
+        retired_tiles_.push_back(sources().tile(gone));
 }
 
 std::vector<SourceId> TapestryShow::close() {
-    for (std::optional<Playing>* playing : {&shown_, &incoming_, &in_place_})
-        retire(*playing);
-    for (const TileId& tile : cache_.clear())
-        retired_.push_back(source_of(tile));
-    zooms_.clear();
-    retired_.push_back(mark());
-    return std::exchange(retired_, {});
+    preview_.stop_all();
+    std::vector<SourceId> retired = preview_.take_changes().retired;
+    for (const SourceId tile : std::exchange(retired_tiles_, {}))
+        retired.push_back(tile);
+    for (const TileId& tile : tiles_.clear())
+        retired.push_back(sources().tile(tile));
+    retired.push_back(sources().mark());
+    return retired;
 }
 
-void TapestryShow::forget_tiles() {
-    cache_.clear();
-    zooms_.clear();
-}
-
-void TapestryShow::source_ready(SourceId source) {
-    if (incoming_ && incoming_->source == source && incoming_->follows) {
-        incoming_->began = nanoseconds(-1);
-    } else if (incoming_ && incoming_->source == source) {
-        retire(shown_);
-        shown_ = std::exchange(incoming_, std::nullopt);
-        shown_->began = nanoseconds(-1);  // with the next picture
-    }
-    if (in_place_ && in_place_->source == source) in_place_->began = nanoseconds(-1);
-}
-
-void TapestryShow::source_failed(SourceId source) {
-    for (std::optional<Playing>* playing : {&shown_, &incoming_, &in_place_})
-        if (*playing && (*playing)->source == source) retire(*playing);
-}
-
-void TapestryShow::retire(std::optional<Playing>& playing) {
-    if (playing) retired_.push_back(playing->source);
-    playing.reset();
-}
-
-TapestryShow::Playing TapestryShow::stretch(nanoseconds from, nanoseconds length, double width) {
-    Shot shot{.begin = std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), tapestry_.duration - 1s)),
-              .stored = {}};
-    const Shot* within = shot_at(shot.begin);
-    if (within != nullptr)
-        shot.begin = std::clamp(shot.begin, within->begin, std::max(within->begin, within->end - 1s));
-    shot.end = std::min(shot.begin + length, tapestry_.duration);
-    if (within != nullptr && within->stored) {
-        shot.end = std::min(shot.end, within->end);
-        shot.stored = within->stored;
-        shot.stored->begin += shot.begin - within->begin;
-    }
-    const Playing playing{.source = ++last_source_, .begin = shot.begin, .end = shot.end, .began = {}};
-    requests_.push_back(
-        {.source = playing.source,
-         .path = tapestry_.path,
-         .kind = MediaKind::film,
-         .shot = shot,
-         .width = std::max(1, static_cast<int>(std::lround(width))),
-         .height = std::max(1, static_cast<int>(std::lround(width * picture_.y / picture_.x)))});
-    return playing;
-}
-
-/// The shot that a moment lies in, or the next one: what lies between two of them belongs to neither. Behind
-/// the last it is the last; none where they are not known.
-const Shot* TapestryShow::shot_at(nanoseconds time) const {
-    const auto found = std::ranges::upper_bound(settings_.shots, time, std::less<>(),
-                                                [](const Shot& shot) { return shot.end; });
-    if (settings_.shots.empty()) return nullptr;
-    return found == settings_.shots.end() ? &settings_.shots.back() : &*found;
-}
-
-/// The next stretch of what plays above: got ready in time, shown once the one before has ended.
-void TapestryShow::play_on(nanoseconds now) {
-    if (!shown_ || !shown_->began || shown_->began->count() < 0) return;
-    const nanoseconds left = *shown_->began + shown_->length() - now;
-    const nanoseconds end = settings_.shots.empty() ? tapestry_.duration - 1s : settings_.shots.back().end;
-    if (left <= lead && !incoming_ && shown_->end < end) {
-        incoming_ = stretch(shown_->end, preview_length, preview_.width());
-        incoming_->follows = true;
-    }
-    if (left.count() > 0 || !incoming_ || !incoming_->follows || !incoming_->began) return;
-    retire(shown_);
-    shown_ = std::exchange(incoming_, std::nullopt);
-    shown_->follows = false;
-}
-
-void TapestryShow::play(nanoseconds from) {
-    retire(incoming_);
-    incoming_ = stretch(from, preview_length, preview_.width());
-}
-
-/// Within one shot: what follows it belongs elsewhere on the strip.
-void TapestryShow::play_in_place(nanoseconds from) {
-    retire(in_place_);
-    nanoseconds length = in_place_length;
-    if (const Shot* within = shot_at(from); within != nullptr) {
-        length = std::min(length, within->duration());
-        from = std::clamp(from, within->begin, within->end - length);
-    }
-    in_place_ = stretch(from, length, brick(from).width());
-}
-
-/// Where a keyframe's picture is about, of the moment that plays: in the upper row or in the lower one.
-Box TapestryShow::brick(nanoseconds time) const {
-    const auto level = static_cast<std::size_t>(std::lround(view().level));
-    const auto& keyframes = tapestry_.levels[level].keyframes;
-    const double x = place().canvas_x(view(), time);
-    std::size_t nearest = 0;
-    for (std::size_t k = 0; k < keyframes.size(); ++k)
-        if (std::abs(place().canvas_x(view(), keyframes[k]) - x) <
-            std::abs(place().canvas_x(view(), keyframes[nearest]) - x))
-            nearest = k;
-    const double scale = box_.height() / tapestry_.height;
-    const double width = std::min(tapestry_.brick_width * scale, box_.height() * picture_.x / picture_.y);
-    const double height = width * picture_.y / picture_.x;
-    const double top = nearest % 2 == 0 ? box_.min.y : box_.max.y - height;
-    const double middle = place().canvas_x(view(), keyframes[nearest]);
-    return {{middle - width / 2, top}, {middle + width / 2, top + height}};
-}
-
-/// Where it moves by itself the film plays what is in the middle, anew every now and then.
+/// While the strip moves by itself, the preview plays the middle of the view, anew in intervals.
 void TapestryShow::play_by_itself(nanoseconds now) {
     if (!motion_.is_by_itself()) {
         played_ = now - own_interval;
@@ -244,21 +114,32 @@ void TapestryShow::play_by_itself(nanoseconds now) {
     }
     if (now - played_ < own_interval) return;
     played_ = now;
-    retire(in_place_);
-    play(view().centre);
+    preview_.stop_in_place();
+    preview_.play(view().centre, boxes_.preview.width());
 }
 
 TapestryStep TapestryShow::step(nanoseconds now) {
-    if (std::exchange(is_touched_, false)) touched_ = now;
-    if (settings_.patience && now - touched_ >= *settings_.patience) is_over_ = true;
+    if (!touched_) touched_ = now;
+    if (settings_.patience && now - *touched_ >= *settings_.patience) is_over_ = true;
     const TapestryPlace here = place();
     motion_.advance(now, here);
-    cache_.wish(wanted_tiles(here, view(), motion_.direction(), cache_.most()));
+    tiles_.set_wanted(wanted_tiles(here, view(), motion_.direction(), tiles_.max_tiles()));
     play_by_itself(now);
-    play_on(now);
-    TapestryStep step{.frame = picture(now), .missing = cache_.missing()};
-    step.requests = std::exchange(requests_, {});
-    step.retired = std::exchange(retired_, {});
+    preview_.play_on(now, boxes_.preview.width());
+    preview_.start_ready(now);
+    const DrawnTapestry drawn{.tapestry = tapestry_,
+                              .tiles = tiles_,
+                              .preview = preview_,
+                              .view = view(),
+                              .boxes = boxes_,
+                              .sources = sources()};
+    TapestryPreview::Changes changes = preview_.take_changes();
+    TapestryStep step{.frame = tapestry_frame(drawn, now),
+                      .missing = tiles_.missing(),
+                      .requests = std::move(changes.requests),
+                      .retired = std::move(changes.retired)};
+    for (const SourceId tile : std::exchange(retired_tiles_, {}))
+        step.retired.push_back(tile);
     return step;
 }
 

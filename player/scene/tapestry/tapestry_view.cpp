@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr int halvings = 60;  // of a film's length, until less than a nanosecond is left
+constexpr int halvings = 60;  // of a film's length, to less than a nanosecond
 
 /// The levels on both sides of a real one, and how far it is from the coarser to the finer.
 struct Between {
@@ -19,8 +19,8 @@ struct Between {
 };
 
 Between between(double level, std::size_t levels) {
-    const double most = static_cast<double>(levels - 1);
-    const double within = std::clamp(level, 0.0, most);
+    const double last = static_cast<double>(levels - 1);
+    const double within = std::clamp(level, 0.0, last);
     const auto coarse = static_cast<std::size_t>(within);
     return {coarse, std::min(coarse + 1, levels - 1), within - static_cast<double>(coarse)};
 }
@@ -34,7 +34,7 @@ double TapestryPlace::strip_x(double level, nanoseconds time) const {
     return coarse + at.share * (tapestry_.x_at(at.fine, time) - coarse);
 }
 
-/// By halving: a place goes to the right with time at every level.
+/// Found by bisection: at every level, x grows with time.
 nanoseconds TapestryPlace::time_of(double level, double x) const {
     const Between at = between(level, tapestry_.levels.size());
     if (at.share == 0) return tapestry_.time_at(at.coarse, x);
@@ -47,8 +47,9 @@ nanoseconds TapestryPlace::time_of(double level, double x) const {
     return low;
 }
 
-/// Whether the view lies between this level and one next to it, and there are fields in between.
-bool TapestryPlace::goes_over(const TapestryView& view, std::size_t level) const {
+/// True if the view lies between this level and a neighbouring one, and zoom fields lead from one to the
+/// other.
+bool TapestryPlace::is_zooming(const TapestryView& view, std::size_t level) const {
     const Between at = between(view.level, tapestry_.levels.size());
     return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry_.levels[at.fine].has_zoom;
 }
@@ -76,7 +77,7 @@ nanoseconds TapestryPlace::time_at(const TapestryView& view, double canvas_x) co
 }
 
 TapestryView TapestryPlace::bounded(TapestryView view) const {
-    view.level = std::clamp(view.level, 0.0, most_level());
+    view.level = std::clamp(view.level, 0.0, max_level());
     const double whole = strip_x(view.level, tapestry_.duration);
     const double half = std::min(whole, box_.width() / scale()) / 2;
     const double x = strip_x(view.level, view.centre);
@@ -93,7 +94,7 @@ TapestryView TapestryPlace::moved(const TapestryView& view, double by) const {
 
 TapestryView TapestryPlace::zoomed(const TapestryView& view, double level, double canvas_x) const {
     const nanoseconds kept = time_at(view, canvas_x);
-    TapestryView next{.centre = view.centre, .level = std::clamp(level, 0.0, most_level())};
+    TapestryView next{.centre = view.centre, .level = std::clamp(level, 0.0, max_level())};
     const double middle = (box_.min.x + box_.max.x) / 2;
     next.centre = time_of(next.level, strip_x(next.level, kept) - (canvas_x - middle) / scale());
     return bounded(next);
@@ -107,8 +108,8 @@ double TapestryPlace::levels_for(double level, double factor) const {
     return ratio > 1 ? std::log(factor) / std::log(ratio) : 0;
 }
 
-/// A tile's places between this level and the next are straight between the next one's keyframes: it is cut
-/// there.
+/// Between two keyframes of the next level, a tile's place on the way to that level is linear: so tiles are
+/// cut at those keyframes.
 std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size_t level, double left,
                                              double right) const {
     std::vector<TilePiece> pieces;
@@ -141,11 +142,25 @@ std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size
     return pieces;
 }
 
+Box TapestryPlace::brick(const TapestryView& view, nanoseconds time, Vec2 picture) const {
+    const auto& keyframes = tapestry_.levels[static_cast<std::size_t>(std::lround(view.level))].keyframes;
+    const double x = canvas_x(view, time);
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < keyframes.size(); ++k)
+        if (std::abs(canvas_x(view, keyframes[k]) - x) < std::abs(canvas_x(view, keyframes[nearest]) - x))
+            nearest = k;
+    const double width = std::min(brick_width(), box_.height() * picture.x / picture.y);
+    const double height = width * picture.y / picture.x;
+    const double top = nearest % 2 == 0 ? box_.min.y : box_.max.y - height;
+    const double middle = canvas_x(view, keyframes[nearest]);
+    return {{middle - width / 2, top}, {middle + width / 2, top + height}};
+}
+
 std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& view, std::size_t level,
                                                             double left, double right) const {
     std::vector<std::pair<TileId, double>> tiles;
     const int count = tapestry_.tiles(level);
-    const bool is_zoom = goes_over(view, level);
+    const bool is_zoom = is_zooming(view, level);
     const bool is_coarse = static_cast<double>(level) < view.level;
     const double more = is_zoom && is_coarse ? tapestry_.brick_width : 0;  // px of the strip
     const double reach = is_zoom && !is_coarse ? brick_width() : 0;        // canvas px

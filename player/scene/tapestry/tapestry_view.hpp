@@ -12,12 +12,12 @@
 
 namespace vitrine::player {
 
-// Which part of a tapestry is seen. Between two levels a moment of the film lies between its places on both,
-// so that while one zooms everything moves at a constant speed. Source: Video Tapestries 4.3, where islands
-// move with constant velocity; here all of the strip does.
+// The part of a tapestry that is in view. Between two levels, each moment of the film lies between its places
+// on both levels, so that everything moves at a constant speed during a zoom. Source: Video Tapestries 4.3,
+// where islands move with constant velocity; here the whole strip does.
 
 struct TapestryView {
-    std::chrono::nanoseconds centre{0};  // what is seen in the middle
+    std::chrono::nanoseconds centre{0};  // time in the film that is in the middle
     double level = 0;                    // in [0, levels - 1]; a whole number: that level alone
 
     friend bool operator==(const TapestryView&, const TapestryView&) = default;
@@ -31,60 +31,64 @@ struct TileId {
     friend auto operator<=>(const TileId&, const TileId&) = default;
 };
 
-/// A part of a tile, where it is seen.
+/// A part of a tile and its place on the canvas.
 struct TilePiece {
     TileId tile;
-    double first = 0, last = 1;  // of the tile, as shares of its width
+    double first = 0, last = 1;  // shares of the tile's width
     double left = 0, right = 0;  // canvas px
 };
 
-/// A tapestry as it lies in a box of the canvas, which is as high as the strip is drawn. Lent: the tapestry
+/// A tapestry's place in a box of the canvas: its strip is as high as the box. Borrows the tapestry, which
 /// must outlive this.
 class TapestryPlace {
   public:
     /// @pre the tapestry has a level, the box is not empty
     TapestryPlace(const Tapestry& tapestry, const Box& box) : tapestry_(tapestry), box_(box) {}
 
-    /// Of the whole film, canvas px.
+    /// Width of the whole film at a level, canvas px.
     double width(double level) const;
 
     double canvas_x(const TapestryView& view, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_at(const TapestryView& view, double canvas_x) const;
 
-    /// The nearest view that shows no more beside the film than it must.
+    /// The nearest view that shows as little as possible beside the film.
     TapestryView bounded(TapestryView view) const;
 
-    /// The strip goes with a finger. @param by  canvas px to the right
+    /// The view after the strip was moved. @param by  canvas px to the right
     TapestryView moved(const TapestryView& view, double by) const;
 
-    /// Another level, the same moment at a canvas point. Levels that there are not become the nearest.
+    /// The view at another level with the same moment at a canvas point. The level is clamped to those there
+    /// are.
     TapestryView zoomed(const TapestryView& view, double level, double canvas_x) const;
 
-    /// How many levels nearer the strip is once it is so many times as wide, from here.
+    /// Difference of level, from this level on, that makes the strip wider by this factor.
     double levels_for(double level, double factor) const;
 
-    /// All of a level that lies between two canvas points, from left to right.
+    /// The parts of a level's tiles between two canvas points, from left to right.
     std::vector<TilePiece> pieces(const TapestryView& view, std::size_t level, double left,
                                   double right) const;
 
-    /// The same, whole tiles only: with their middles, canvas px. Between two levels with zoom fields these
-    /// are all that may reach in, which is those of a brick's width more.
+    /// The tiles of a level between two canvas points, with their middles, canvas px. Between two levels with
+    /// zoom fields it includes the tiles within a brick's width beyond, which may reach in.
     std::vector<std::pair<TileId, double>> tiles(const TapestryView& view, std::size_t level, double left,
                                                  double right) const;
 
-    /// Where a tile's points are counted from on their way between the levels around the view's, and canvas
-    /// px a px.
+    /// Scale and origin by which a tile's mesh is drawn between the two levels around the view's.
     Placement zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const;
 
-    /// Of a brick, canvas px at a whole level.
+    /// About where the nearest keyframe's picture is drawn for a time: in the upper or in the lower row.
+    /// @param picture  size of the film's upright picture; only its shape counts
+    Box brick(const TapestryView& view, std::chrono::nanoseconds time, Vec2 picture) const;
+
+    /// Width of a brick at a whole level, canvas px.
     double brick_width() const { return scale() * tapestry_.brick_width; }
 
     const Box& box() const { return box_; }
 
-    double most_level() const { return static_cast<double>(tapestry_.levels.size() - 1); }
+    double max_level() const { return static_cast<double>(tapestry_.levels.size() - 1); }
 
   private:
-    bool goes_over(const TapestryView& view, std::size_t level) const;
+    bool is_zooming(const TapestryView& view, std::size_t level) const;
     double strip_x(double level, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_of(double level, double x) const;
 

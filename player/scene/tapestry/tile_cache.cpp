@@ -10,62 +10,65 @@ namespace vitrine::player {
 
 namespace {
 
-/// Takes each tile once, in order, until there are enough.
-class Order {
+/// A list of tiles in which each stands once, of limited length.
+class TileList {
   public:
-    explicit Order(std::size_t most) : most_(most) {}
+    explicit TileList(std::size_t max_tiles) : max_tiles_(max_tiles) {}
 
+    /// Appends the tiles not listed yet, the nearest to `from` first; those behind it, seen in the direction
+    /// of motion, count twice their distance.
+    /// @param tiles  with their middles, canvas px
     void add(std::vector<std::pair<TileId, double>> tiles, double from, double direction) {
-        const auto way = [&](double x) {
+        const auto distance = [&](double x) {
             const bool is_ahead = (x - from) * direction >= 0;
             return std::abs(x - from) * (is_ahead ? 1 : 2);
         };
-        std::ranges::stable_sort(tiles, {}, [&](const auto& tile) { return way(tile.second); });
+        std::ranges::stable_sort(tiles, {}, [&](const auto& tile) { return distance(tile.second); });
         for (const auto& [tile, x] : tiles)
-            if (order_.size() < most_ && known_.insert(tile).second) order_.push_back(tile);
+            if (list_.size() < max_tiles_ && known_.insert(tile).second) list_.push_back(tile);
     }
 
-    std::vector<TileId> take() { return std::move(order_); }
+    std::vector<TileId> take_list() { return std::move(list_); }
 
   private:
-    std::size_t most_;
+    std::size_t max_tiles_;
     std::set<TileId> known_;
-    std::vector<TileId> order_;
+    std::vector<TileId> list_;
 };
 
 }  // namespace
 
 std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView& view, double direction,
-                                 std::size_t most) {
+                                 std::size_t max_tiles) {
     const Box& box = place.box();
     const double middle = (box.min.x + box.max.x) / 2;
     const auto coarse = static_cast<std::size_t>(view.level);
-    const auto last = static_cast<std::size_t>(place.most_level());
+    const auto last = static_cast<std::size_t>(place.max_level());
     const std::size_t fine = std::min(last, view.level > static_cast<double>(coarse) ? coarse + 1 : coarse);
-    Order order(most);
-    const double reach = place.brick_width();  // a zoom needs so much more
+    TileList list(max_tiles);
+    const double reach = place.brick_width();  // that a zoom shows beyond the view
     for (const std::size_t level : {coarse, fine})
-        order.add(place.tiles(view, level, box.min.x, box.max.x), middle, 0);
-    order.add(place.tiles({.centre = view.centre, .level = 0}, 0, box.min.x, box.max.x), middle, 0);
+        list.add(place.tiles(view, level, box.min.x, box.max.x), middle, 0);
+    list.add(place.tiles({.centre = view.centre, .level = 0}, 0, box.min.x, box.max.x), middle, 0);
     for (const std::size_t level : {coarse, fine})
-        order.add(place.tiles(view, level, box.min.x - box.width(), box.max.x + box.width()), middle,
-                  direction);
+        list.add(place.tiles(view, level, box.min.x - box.width(), box.max.x + box.width()), middle,
+                 direction);
     for (const std::size_t level : {std::min(fine + 1, last), coarse > 0 ? coarse - 1 : 0}) {
         const TapestryView there =
             place.bounded({.centre = view.centre, .level = static_cast<double>(level)});
-        order.add(place.tiles(there, level, box.min.x - reach, box.max.x + reach), middle, direction);
+        list.add(place.tiles(there, level, box.min.x - reach, box.max.x + reach), middle, direction);
     }
     const TapestryView here{.centre = view.centre, .level = std::round(view.level)};
-    order.add(place.tiles(here, std::min(fine + 1, last), box.min.x - reach, box.max.x + reach), middle, 0);
-    return order.take();
+    list.add(place.tiles(here, std::min(fine + 1, last), box.min.x - reach, box.max.x + reach), middle, 0);
+    return list.take_list();
 }
 
-void TileCache::wish(std::span<const TileId> wanted) {
+void TileCache::set_wanted(std::span<const TileId> wanted) {
     ++turn_;
     wanted_.assign(wanted.begin(),
-                   wanted.begin() + static_cast<std::ptrdiff_t>(std::min(most_, wanted.size())));
+                   wanted.begin() + static_cast<std::ptrdiff_t>(std::min(max_tiles_, wanted.size())));
     for (const TileId& tile : wanted_)
-        if (const auto found = tiles_.find(tile); found != tiles_.end()) found->second = turn_;
+        if (const auto found = tiles_.find(tile); found != tiles_.end()) found->second.turn = turn_;
 }
 
 std::vector<TileId> TileCache::missing() const {
@@ -75,24 +78,33 @@ std::vector<TileId> TileCache::missing() const {
     return missing;
 }
 
-std::vector<TileId> TileCache::add(const TileId& tile) {
+std::vector<TileId> TileCache::add(const TileId& tile, TileZooms zooms) {
     const bool is_wanted = std::ranges::find(wanted_, tile) != wanted_.end();
-    if (!is_wanted) return {tile};
-    tiles_[tile] = turn_;
+    if (!is_wanted) {
+        tiles_.erase(tile);
+        return {tile};
+    }
+    tiles_[tile] = {.turn = turn_, .zooms = std::move(zooms)};
     std::vector<TileId> gone;
-    while (tiles_.size() > most_) {
+    while (tiles_.size() > max_tiles_) {
         const auto oldest =
-            std::ranges::min_element(tiles_, {}, [](const auto& entry) { return entry.second; });
+            std::ranges::min_element(tiles_, {}, [](const auto& entry) { return entry.second.turn; });
         gone.push_back(oldest->first);
         tiles_.erase(oldest);
     }
     return gone;
 }
 
+std::shared_ptr<const ZoomMesh> TileCache::zoom(const TileId& tile, bool is_to_finer) const {
+    const auto found = tiles_.find(tile);
+    if (found == tiles_.end()) return nullptr;
+    return is_to_finer ? found->second.zooms.to_finer : found->second.zooms.to_coarser;
+}
+
 std::vector<TileId> TileCache::clear() {
     std::vector<TileId> all;
     all.reserve(tiles_.size());
-    for (const auto& [tile, turn] : tiles_)
+    for (const auto& [tile, entry] : tiles_)
         all.push_back(tile);
     tiles_.clear();
     return all;

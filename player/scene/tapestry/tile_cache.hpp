@@ -5,49 +5,66 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace vitrine::player {
 
-/// Which tiles shall be there, the most urgent first: what is seen; the coarsest level, which stands in for
-/// what is not there yet; what lies beside the view, rather where it goes to; what is seen of the
-/// neighbouring levels. Source: Video Tapestries 4.2, "in a small neighborhood of the user's current position
-/// in the x direction and in scale space".
-/// @param direction  > 0: the view goes to the right, < 0: to the left, 0: it rests
-/// @param most       tiles
+/// Lists the tiles to be loaded, the most urgent first: those in view; the coarsest level, which stands in
+/// for tiles that are not there yet; those beside the view, first in the direction of its motion; those in
+/// view on the neighbouring levels. Source: Video Tapestries 4.2, "in a small neighborhood of the user's
+/// current position in the x direction and in scale space".
+/// @param direction  > 0: the view moves to the right, < 0: to the left, 0: it rests
+/// @param max_tiles  at most so many are listed
 std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView& view, double direction,
-                                 std::size_t most);
+                                 std::size_t max_tiles);
 
-/// Which tiles are there, bounded: the one least recently wanted gives way.
+/// How a tile is drawn between its own level and the next ones; a tile without meshes is drawn at its own
+/// only.
+struct TileZooms {
+    std::shared_ptr<const ZoomMesh> to_coarser;  // shared with the frames under way
+    std::shared_ptr<const ZoomMesh> to_finer;    // likewise
+};
+
+/// The tiles that are loaded, a bounded number: the one least recently wanted is dropped first.
 class TileCache {
   public:
-    /// @param most  tiles, >= 1
-    explicit TileCache(std::size_t most) : most_(most) {}
+    /// @param max_tiles  >= 1
+    explicit TileCache(std::size_t max_tiles) : max_tiles_(max_tiles) {}
 
-    /// What shall be there now, the most urgent first; at most as many as there is room for count.
-    void wish(std::span<const TileId> wanted);
+    /// Sets which tiles are wanted now, the most urgent first; those beyond max_tiles() are ignored.
+    void set_wanted(std::span<const TileId> wanted);
 
-    /// What is wished and not there, the most urgent first.
+    /// The wanted tiles that are not loaded, the most urgent first.
     std::vector<TileId> missing() const;
 
-    /// A tile has come. What has to give way for it; it itself where nobody wants it any more.
-    std::vector<TileId> add(const TileId& tile);
+    /// Adds a tile that has been loaded.
+    /// @return the tiles dropped for it; the tile itself if it is not wanted any more
+    std::vector<TileId> add(const TileId& tile, TileZooms zooms = {});
 
     bool has(const TileId& tile) const { return tiles_.contains(tile); }
 
+    /// The mesh of a loaded tile; nullptr if it has none.
+    std::shared_ptr<const ZoomMesh> zoom(const TileId& tile, bool is_to_finer) const;
+
     std::size_t size() const { return tiles_.size(); }
 
-    std::size_t most() const { return most_; }
+    std::size_t max_tiles() const { return max_tiles_; }
 
-    /// All that there is, which is no more from here on.
+    /// Drops all tiles and returns them.
     std::vector<TileId> clear();
 
   private:
-    std::size_t most_;
+    struct Entry {
+        std::uint64_t turn = 0;  // the call of set_wanted() that wanted the tile last
+        TileZooms zooms;
+    };
+
+    std::size_t max_tiles_;
     std::uint64_t turn_ = 0;
     std::vector<TileId> wanted_;
-    std::map<TileId, std::uint64_t> tiles_;  // the turn when each was wanted last
+    std::map<TileId, Entry> tiles_;
 };
 
 }  // namespace vitrine::player

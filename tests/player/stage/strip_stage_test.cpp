@@ -252,7 +252,7 @@ TEST_CASE("while one zooms, a point of a tile is where its two places say") {
     zoomed.pinch(0.5);
     const Picture between = zoomed.picture();
     const TapestryShow& strip = zoomed.strip->strip();
-    const TapestryPlace place(strip.tapestry(), strip.box());
+    const TapestryPlace place = strip.place();
     // Red is the column of both strips; half of it from each at growth 1/2 is as 1 to 2.
     const auto time = strip.tapestry().time_at(0, 100);
     const int x = static_cast<int>(place.canvas_x(strip.view(), time));
@@ -367,10 +367,11 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     StripStage strip(theatre.tapestry(), {320, 180}, {.first_source = 1});
     std::size_t most = 0;
     std::chrono::nanoseconds now = 0s;
-    for (std::size_t before = 0; strip.strip().tiles() < 4; now += 16ms) {  // those of the test's timeout
+    for (std::size_t before = 0; strip.strip().tile_count() < 4;
+         now += 16ms) {  // those of the test's timeout
         strip.step(now, theatre.renderer);
-        most = std::max(most, strip.strip().tiles() - before);
-        before = strip.strip().tiles();
+        most = std::max(most, strip.strip().tile_count() - before);
+        before = strip.strip().tile_count();
     }
     CHECK(most <= StripStage::most_uploads);
 }

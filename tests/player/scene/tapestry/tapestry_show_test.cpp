@@ -32,7 +32,7 @@ struct House {
     TapestryStep step() {
         TapestryStep step = strip.step(now);
         for (const TileId& tile : step.missing) {
-            tiles.insert(strip.source_of(tile));
+            tiles.insert(strip.sources().tile(tile));
             strip.tile_ready(tile);
         }
         for (const SourceId source : step.retired) {
@@ -54,13 +54,9 @@ struct House {
         return last;
     }
 
-    double x(std::chrono::nanoseconds time) const {
-        return TapestryPlace(strip.tapestry(), strip.box()).canvas_x(strip.view(), time);
-    }
+    double x(std::chrono::nanoseconds time) const { return strip.place().canvas_x(strip.view(), time); }
 
-    std::chrono::nanoseconds time_at(double x) const {
-        return TapestryPlace(strip.tapestry(), strip.box()).time_at(strip.view(), x);
-    }
+    std::chrono::nanoseconds time_at(double x) const { return strip.place().time_at(strip.view(), x); }
 };
 
 }  // namespace
@@ -105,7 +101,7 @@ TEST_CASE("what a frame says is covered is covered, by the strip and by the film
             const Frame frame = house.step().frame;
             for (const Box& box : frame.covered) {
                 ++covered;
-                playing += box == house.strip.preview();
+                playing += box == tapestry_boxes({640, 360}, {160, 90}).preview;
                 double reached = box.min.x;
                 for (const DrawItem& item : frame.items) {
                     const Box drawn = bounding_box(item.cell->parts[0]);
@@ -210,13 +206,13 @@ TEST_CASE("a tap plays the film from there above the strip and in place, and a l
     };
     const auto above = find(house.playing[0].source);
     REQUIRE(above != step.frame.items.end());
-    CHECK(bounding_box(above->cell->parts[0]).max.y < house.strip.box().min.y);
+    CHECK(bounding_box(above->cell->parts[0]).max.y < house.strip.place().box().min.y);
     CHECK(above->local > 400ms);
     const auto in_place = find(house.playing[1].source);
     REQUIRE(in_place != step.frame.items.end());
-    CHECK(bounding_box(in_place->cell->parts[0]).min.y >= house.strip.box().min.y);
-    CHECK(bounding_box(in_place->cell->parts[0]).max.y <= house.strip.box().max.y);
-    const auto line = find(house.strip.mark());
+    CHECK(bounding_box(in_place->cell->parts[0]).min.y >= house.strip.place().box().min.y);
+    CHECK(bounding_box(in_place->cell->parts[0]).max.y <= house.strip.place().box().max.y);
+    const auto line = find(house.strip.sources().mark());
     REQUIRE(line != step.frame.items.end());
     const Box at = bounding_box(line->cell->parts[0]);
     CHECK((at.min.x + at.max.x) / 2 == doctest::Approx(house.x(time + above->local)).epsilon(0.01));
@@ -253,10 +249,11 @@ TEST_CASE("a steady pan never comes to a tile that is not there, though each tak
             strip.tile_ready(coming.front().first);
             coming.pop_front();
         }
-        const TapestryPlace place(strip.tapestry(), strip.box());
+        const TapestryPlace place = strip.place();
         const auto level = static_cast<std::size_t>(std::lround(strip.view().level));
         for (const auto& [tile, middle] : place.tiles(strip.view(), level, 0, 640))
-            if (std::ranges::count(done.frame.items, strip.source_of(tile), &DrawItem::source) == 0) ++missed;
+            if (std::ranges::count(done.frame.items, strip.sources().tile(tile), &DrawItem::source) == 0)
+                ++missed;
         now += frame_time;
     };
     for (int k = 0; k < 3; ++k) {
@@ -327,7 +324,7 @@ TEST_CASE("a strip begins where it was asked for, as far as the film's ends allo
     const TapestryStep step = last.step(0s);
     REQUIRE(step.requests.size() == 1);
     CHECK(step.requests[0].shot.begin == 55s);
-    CHECK(TapestryPlace(last.tapestry(), last.box()).canvas_x(last.view(), 60s) == doctest::Approx(200));
+    CHECK(last.place().canvas_x(last.view(), 60s) == doctest::Approx(200));
 }
 
 TEST_CASE("what plays stands at its end until the next shot is ready") {
@@ -342,7 +339,7 @@ TEST_CASE("what plays stands at its end until the next shot is ready") {
     house.readies = false;
     const TapestryStep step = house.run(4s);
     const auto plays = std::ranges::find_if(step.frame.items, [&](const DrawItem& item) {
-        return item.cell && bounding_box(item.cell->parts[0]).max.y < house.strip.box().min.y;
+        return item.cell && bounding_box(item.cell->parts[0]).max.y < house.strip.place().box().min.y;
     });
     REQUIRE(plays != step.frame.items.end());
     CHECK(std::chrono::abs(plays->local - 2s) < 1ms);

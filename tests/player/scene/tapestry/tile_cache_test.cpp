@@ -67,7 +67,7 @@ TEST_CASE("a cache never holds more than it may, and keeps what was wanted last"
     TileCache cache(3);
     for (int k = 0; k < 20; ++k) {
         const std::vector<TileId> wanted{{1, k}, {1, k + 1}};
-        cache.wish(wanted);
+        cache.set_wanted(wanted);
         for (const TileId& tile : cache.missing())
             cache.add(tile);
         CHECK(cache.missing().empty());
@@ -81,8 +81,8 @@ TEST_CASE("a cache never holds more than it may, and keeps what was wanted last"
 
 TEST_CASE("a tile that comes when nobody wants it any more is not kept") {
     TileCache cache(8);
-    cache.wish(std::vector<TileId>{{0, 1}});
-    cache.wish(std::vector<TileId>{{0, 2}});
+    cache.set_wanted(std::vector<TileId>{{0, 1}});
+    cache.set_wanted(std::vector<TileId>{{0, 2}});
     CHECK(cache.add({0, 1}) == std::vector<TileId>{{0, 1}});
     CHECK(cache.size() == 0);
     CHECK(cache.missing() == std::vector<TileId>{{0, 2}});
@@ -90,6 +90,6 @@ TEST_CASE("a tile that comes when nobody wants it any more is not kept") {
 
 TEST_CASE("what there is no room for is not missing") {
     TileCache cache(2);
-    cache.wish(std::vector<TileId>{{0, 1}, {0, 2}, {0, 3}});
+    cache.set_wanted(std::vector<TileId>{{0, 1}, {0, 2}, {0, 3}});
     CHECK(cache.missing() == std::vector<TileId>{{0, 1}, {0, 2}});
 }

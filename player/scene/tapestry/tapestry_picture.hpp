@@ -1,0 +1,50 @@
+#pragma once
+
+#include "player/scene/frame.hpp"
+#include "player/scene/tapestry/tapestry_preview.hpp"
+#include "player/scene/tapestry/tapestry_view.hpp"
+#include "player/scene/tapestry/tile_cache.hpp"
+
+#include <chrono>
+
+namespace vitrine::player {
+
+/// The parts of the canvas that a tapestry uses, canvas px.
+struct TapestryBoxes {
+    Vec2 canvas;
+    Box strip;    // below
+    Box preview;  // above it, in the shape of the film's picture
+};
+
+/// @param picture  size of the film's upright picture; only its shape counts
+TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture);
+
+/// Numbers the sources of one tapestry from `first` on.
+struct TapestrySources {
+    SourceId first = 0;
+
+    /// A picture of one white pixel, with which lines are drawn.
+    SourceId mark() const { return first; }
+
+    SourceId tile(const TileId& tile) const;
+
+    /// Those of the parts of the film that play are numbered from here on.
+    SourceId film() const;
+};
+
+/// What a frame of a tapestry is drawn from. Lent for the call.
+struct DrawnTapestry {
+    const Tapestry& tapestry;
+    const TileCache& tiles;
+    const TapestryPreview& preview;
+    TapestryView view;
+    TapestryBoxes boxes;
+    TapestrySources sources;
+};
+
+/// Draws the strip, what plays in place, the preview above it, and a line in the strip at what the preview
+/// shows. Between two levels it draws the meshes of the zoom fields where the film has them; else one level
+/// fades into the other. Where tiles are missing the coarsest level shows.
+Frame tapestry_frame(const DrawnTapestry& drawn, std::chrono::nanoseconds now);
+
+}  // namespace vitrine::player

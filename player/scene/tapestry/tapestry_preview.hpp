@@ -1,0 +1,106 @@
+#pragma once
+
+#include "player/scene/shot_request.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// What must be known of a film to play parts of it.
+struct PreviewedFilm {
+    std::string path;  // relative to the media root
+    std::chrono::nanoseconds duration{0};
+    Vec2 picture;             // size of the upright picture, px; only its shape counts
+    std::vector<Shot> shots;  // as the film's record has them; none: they are not known
+};
+
+/// A part of the film, half-open [begin, end).
+struct FilmSpan {
+    std::chrono::nanoseconds begin{0};
+    std::chrono::nanoseconds end{0};
+
+    std::chrono::nanoseconds length() const { return end - begin; }
+};
+
+/// A part of the film that plays in a loop.
+struct PlayingSpan {
+    SourceId source = 0;
+    FilmSpan span;
+    std::optional<std::chrono::nanoseconds> began;  // none: not ready yet; < 0: with the next frame
+    bool continues = false;                         // it comes once the span before it has ended
+};
+
+/// The parts of the film that play beside a tapestry's strip: one in the preview above it, followed by the
+/// next one without a gap, and one in place, within the strip. Each is a source of its own. Knows no clock.
+class TapestryPreview {
+  public:
+    /// @param last_source  its own sources are numbered from there on
+    TapestryPreview(PreviewedFilm film, SourceId last_source);
+
+    const PreviewedFilm& film() const { return film_; }
+
+    /// The film's record has changed: the store may have more of its shots.
+    void set_shots(std::vector<Shot> shots) { film_.shots = std::move(shots); }
+
+    /// Plays the film from here above the strip, as soon as the source is ready.
+    /// @param width  px of the picture
+    void play(std::chrono::nanoseconds from, double width);
+
+    /// The span that plays in place for a tap on this time. It lies within one shot: the next shot belongs
+    /// elsewhere on the strip.
+    FilmSpan span_in_place(std::chrono::nanoseconds from) const;
+
+    void play_in_place(const FilmSpan& span, double width);
+
+    /// Gets the next span of the preview ready in time, and shows it once the one before has ended.
+    void play_on(std::chrono::nanoseconds now, double width);
+
+    /// Closes the preview; a span that was asked for in its place still comes.
+    void stop_preview();
+
+    void stop_in_place();
+
+    /// The canvas has changed: gives up what was asked for at another size.
+    void stop_outdated();
+
+    void stop_all();
+
+    void source_ready(SourceId source);
+    void source_failed(SourceId source);
+
+    /// Spans whose sources are ready begin to play with this frame.
+    void start_ready(std::chrono::nanoseconds now);
+
+    /// The span above the strip; none: the preview is closed.
+    const std::optional<PlayingSpan>& above() const { return above_; }
+
+    /// Time since the span above began. It stops just before the span's end if another span follows.
+    /// @pre the span above has begun
+    std::chrono::nanoseconds time_above(std::chrono::nanoseconds now) const;
+
+    const std::optional<PlayingSpan>& in_place() const { return in_place_; }
+
+    struct Changes {
+        std::vector<ShotRequest> requests;
+        std::vector<SourceId> retired;
+    };
+
+    /// Removes and returns what has been asked for and retired since the last call.
+    Changes take_changes();
+
+  private:
+    PlayingSpan request(const FilmSpan& wanted, double width);
+    void retire(std::optional<PlayingSpan>& playing);
+
+    PreviewedFilm film_;
+    SourceId last_source_;
+    std::optional<PlayingSpan> above_;
+    std::optional<PlayingSpan> next_above_;  // takes the place of above_ once it is ready
+    std::optional<PlayingSpan> in_place_;
+    Changes changes_;
+};
+
+}  // namespace vitrine::player
