@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
         const bool is_changed =
             !std::equal(shown.begin(), shown.end(), before.begin(), before.end(),
                         [](const auto& a, const auto& b) { return a.shot.source == b.shot.source; });
-        if (!is_changed || wall.is_fading()) continue;
+        if (!is_changed) continue;
         if (!before.empty()) {
             ++changes;
             add(all, before, shown);

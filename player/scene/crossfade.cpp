@@ -1,11 +1,14 @@
 #include "player/scene/crossfade.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
 namespace {
+
+constexpr double max_blended = 0.999;  // the renderer draws opaque items without blending
 
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
     const auto local = std::max(std::chrono::nanoseconds(0), now - placed.began);
@@ -13,7 +16,6 @@ DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds 
             .cell = placed.cell,
             .placement = placed.placement,
             .picture = placed.shot.picture,
-            .slide = slide(placed.shot.shot, local),
             .local = local,
             .alpha = alpha};
 }
@@ -33,30 +35,17 @@ bool is_unchanged(const PlacedShot& placed, std::span<const PlacedShot> old_wall
 
 }  // namespace
 
-ShotRequest request_of(const PlacedShot& placed) {
-    const WallShot& shot = placed.shot;
-    const double scale = std::min(1.0, placed.placement.scale);
-    return {.source = shot.source,
-            .path = shot.key.path,
-            .kind = shot.kind,
-            .shot = shot.shot,
-            .width = std::max(1, static_cast<int>(std::lround(shot.picture.x * scale))),
-            .height = std::max(1, static_cast<int>(std::lround(shot.picture.y * scale)))};
-}
-
-Vec2 slide(const Shot& shot, std::chrono::nanoseconds local) {
-    if (shot.duration().count() <= 0) return {};
-    const std::chrono::nanoseconds in_loop = local % shot.duration();
-    return shot.region.drift * std::chrono::duration<double>(in_loop).count();
-}
-
 double eased(double progress) {
     const double t = std::clamp(progress, 0.0, 1.0);
     return t * t * (3 - 2 * t);
 }
 
-Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
-              double progress, std::chrono::nanoseconds now) {
+Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now) {
+    return crossfade(canvas, wall, {}, 0, now);
+}
+
+Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
+                double progress, std::chrono::nanoseconds now) {
     Frame frame{.canvas = canvas, .time = now};
     const double alpha = eased(progress);
     if (alpha >= 1 || alpha <= 0) {
@@ -78,8 +67,8 @@ Frame compose(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const
     return frame;
 }
 
-Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
-               std::chrono::nanoseconds now) {
+Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
+                   std::chrono::nanoseconds now) {
     Frame frame{.canvas = canvas, .idle = 1, .time = now};
     for (const PlacedShot& placed : wall) {
         if (placed.began == never) continue;
@@ -88,6 +77,18 @@ Frame arriving(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanos
         frame.items.push_back(drawn(placed, passed < whole ? eased(passed / whole) : 1, now));
     }
     return frame;
+}
+
+void fade_in(Frame& frame, std::span<const DrawItem> before, double progress) {
+    const double shown = eased(progress);
+    for (DrawItem& item : frame.items)
+        item.alpha *= shown;
+    frame.idle = 1;
+    std::vector<DrawItem> items(before.begin(), before.end());
+    for (DrawItem& item : items)
+        item.alpha = std::min(item.alpha * (1 - shown), max_blended);
+    items.insert(items.end(), frame.items.begin(), frame.items.end());
+    frame.items = std::move(items);
 }
 
 }  // namespace vitrine::player

@@ -2,6 +2,7 @@
 
 #include "player/layout/edit/edit.hpp"
 #include "player/layout/plan/plan_request.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
 
@@ -9,10 +10,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_way = 1;      // canvas px from what is held to where it shall be
-constexpr double held_size = 0.7;    // of the scale that it was taken with: it needs less room on its way
-constexpr double least_seen = 0.85;  // of what was seen before a step: else what is held waits
-constexpr double worth_of_way = 1;   // share of the canvas seen, for the diagonal between finger and held
+constexpr double min_way = 1;      // canvas px from the held shot to where it is wanted
+constexpr double held_size = 0.7;  // share of the scale that it was taken with: it needs less room on its way
+constexpr double min_seen = 0.85;  // share of what was seen before a step; else the held shot waits
+constexpr double worth_of_way =
+    1;  // share of the canvas seen, for the canvas' diagonal between finger and shot
 
 Vec2 place_of(const LayoutItem& item, const Placement& at) {
     return seat_of(item, at).centre;
@@ -27,26 +29,14 @@ double seen_of(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
-/// Whether a point lies in an outline, by the edges left of it; of any shape.
-bool is_in(std::span<const Vec2> outline, Vec2 point) {
-    bool is_inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2 a = outline[i];
-        const Vec2 b = outline[(i + 1) % outline.size()];
-        if ((a.y > point.y) == (b.y > point.y)) continue;
-        if (point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
-    }
-    return is_inside;
-}
-
-/// The placement at which an item has its centroid at a place.
+/// The placement of a scale that puts an item's centroid at a place.
 Placement about(const LayoutItem& item, const Placement& at, Vec2 place, double scale) {
     const Vec2 centroid = (seat_of(item, at).centre - at.offset) * (1 / at.scale);
     return {scale, place - centroid * scale};
 }
 
-/// Which other item's home is nearest to a place, nearer than that of what is held.
-std::optional<std::size_t> whose_place(const WallState& wall, std::size_t held, Vec2 place) {
+/// The other item whose home is nearest to a place and nearer than the held item's own home; none: no other.
+std::optional<std::size_t> nearest_home(const WallState& wall, std::size_t held, Vec2 place) {
     const auto way = [&](std::size_t i) {
         return length(seat_of(wall.items[i], wall.homes[i]).centre - place);
     };
@@ -59,46 +49,32 @@ std::optional<std::size_t> whose_place(const WallState& wall, std::size_t held, 
 
 }  // namespace
 
-bool is_touched(const PlacedShot& placed, Vec2 point) {
-    const auto is_in_one = [&](const std::vector<Polygon>& outlines) {
-        return std::any_of(outlines.begin(), outlines.end(),
-                           [&](const Polygon& outline) { return is_in(outline, point); });
-    };
-    return placed.cell && (is_in_one(placed.cell->parts) || is_in_one(placed.cell->filler));
-}
-
-void Drag::forget() {
+void Drag::let_go() {
     finger_.reset();
-    held_ = 0;
+    held_.reset();
 }
 
-std::optional<std::pair<SourceId, Placement>> Drag::held() const {
-    if (held_ == 0) return std::nullopt;
-    return std::pair{held_, home_};
-}
-
-std::optional<std::vector<Placement>> Drag::step(std::span<const PlacedShot> wall, Vec2 canvas) {
+std::optional<std::vector<Placement>> Drag::next_placements(std::span<const PlacedShot> wall, Vec2 canvas) {
     if (!finger_) has_tried_ = false;
     if (finger_ && !has_tried_) take_hold(wall);
-    if (!is_holding()) return std::nullopt;
-    const auto held = std::find_if(wall.begin(), wall.end(),
-                                   [&](const PlacedShot& placed) { return placed.shot.source == held_; });
-    if (held == wall.end() || !finger_) {
-        held_ = 0;
+    if (!held_) return std::nullopt;
+    const PlacedShot* held = find_source(wall, held_->source);
+    if (held == nullptr || !finger_) {
+        held_.reset();
         return settled(standing_wall(wall, canvas), rules_).placements;
     }
     const Vec2 wish = *finger_ + grip_;
-    if (length(wish - place_of(*held)) < least_way) return std::nullopt;
-    const auto item = static_cast<std::size_t>(held - wall.begin());
+    if (length(wish - place_of(*held)) < min_way) return std::nullopt;
+    const auto item = static_cast<std::size_t>(held - wall.data());
     WallState standing = standing_wall(wall, canvas);
-    standing.placements[item] =
-        about(wall[item].shot.item, standing.placements[item], place_of(wall[item]), home_.scale * held_size);
+    standing.placements[item] = about(wall[item].shot.item, standing.placements[item], place_of(wall[item]),
+                                      held_->home.scale * held_size);
     return making_way(standing, item, wish).placements;
 }
 
-/// The step after which most is seen and what is held is nearest to the finger: the others make way where
-/// they were, or where they are, or the one whose place is taken changes to the place that what is held came
-/// from.
+/// Tries several steps and takes the one after which most is seen and the held shot is nearest to the finger.
+/// The others make way from their homes or from where they are; or the one whose place is taken changes to
+/// the place that the held shot came from.
 WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
@@ -106,14 +82,14 @@ WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) c
                               wall.homes[i].scale);
     std::vector<WallState> tries{wall, here};
     for (const WallState& before : {wall, here}) {
-        const auto other = whose_place(before, held, wish);
+        const auto other = nearest_home(before, held, wish);
         if (!other) continue;
         tries.push_back(before);
         tries.back().homes[*other] = tries.back().placements[*other] =
             about(wall.items[*other], wall.homes[*other], place_of(wall.items[held], before.homes[held]),
                   wall.homes[*other].scale);
     }
-    const double enough = seen_of(wall) * least_seen;
+    const double enough = seen_of(wall) * min_seen;
     const auto worth = [&](const WallState& after) {
         const double way = length(wish - place_of(after.items[held], after.placements[held]));
         return seen_of(after) - worth_of_way * way / length(after.canvas);
@@ -131,10 +107,9 @@ void Drag::take_hold(std::span<const PlacedShot> wall) {
     has_tried_ = true;
     homes_.clear();
     for (const PlacedShot& placed : wall) {
-        if (!is_touched(placed, from_)) continue;
-        held_ = placed.shot.source;
+        if (!is_at(placed, from_)) continue;
+        held_ = Held{.source = placed.shot.source, .home = placed.placement};
         grip_ = place_of(placed) - from_;
-        home_ = placed.placement;
     }
     for (const PlacedShot& placed : wall)
         homes_[placed.shot.source] = placed.placement;

@@ -1,52 +1,49 @@
 #pragma once
 
 #include "player/layout/edit/wall_state.hpp"
-#include "player/scene/crossfade.hpp"
+#include "player/scene/wall_shot.hpp"
 
 #include <map>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace vitrine::player {
 
-/// Whether a shot shows this canvas point.
-bool is_touched(const PlacedShot& placed, Vec2 point);
-
-/// A finger on the wall, and the shot that it holds. What is held follows it, the others make way and go back
-/// once it has passed; where it is lifted all settles.
-/// Source: Dynamic Media Assemblage, chapter 4 and fig. 4.1.
+/// A shot of the wall that a finger holds. It follows the finger; the others make way, and go back once it
+/// has passed. When the finger is lifted all settle. Source: Dynamic Media Assemblage, chapter 4 and
+/// fig. 4.1.
 class Drag {
   public:
+    /// The shot that is held, and where it stood when it was taken.
+    struct Held {
+        SourceId source = 0;
+        Placement home;
+    };
+
     explicit Drag(const EditRules& rules) : rules_(rules) {}
 
-    /// Where the finger is and where it came down, canvas px.
-    void touch(Vec2 finger, Vec2 from) {
+    /// @param finger, from  where the finger is and where it came down, canvas px
+    void follow_finger(Vec2 finger, Vec2 from) {
         finger_ = finger;
         from_ = from;
     }
 
-    /// The finger is lifted.
-    void lift() { finger_.reset(); }
+    void lift_finger() { finger_.reset(); }
 
-    /// What is held is gone.
-    void forget();
+    /// The held shot leaves the wall.
+    void let_go();
 
-    /// Whether a shot is held, or was dropped and has not been settled yet.
-    bool is_holding() const { return held_ != 0; }
+    /// True while a finger is down, or a shot was dropped and has not settled yet.
+    bool is_active() const { return finger_ || held_; }
 
-    /// Whether a finger is there, or a shot is held still.
-    bool is_wanted() const { return finger_ || is_holding(); }
-
-    /// What is held, and where it stood when it was taken; none: nothing.
-    std::optional<std::pair<SourceId, Placement>> held() const;
+    const std::optional<Held>& held() const { return held_; }
 
     /// The next step of the wall after the finger.
     /// @param wall    as it stands, with cells
     /// @param canvas  px
     /// @return        one placement for each shot of the wall; none: nothing is to be moved
-    std::optional<std::vector<Placement>> step(std::span<const PlacedShot> wall, Vec2 canvas);
+    std::optional<std::vector<Placement>> next_placements(std::span<const PlacedShot> wall, Vec2 canvas);
 
   private:
     void take_hold(std::span<const PlacedShot> wall);
@@ -56,11 +53,10 @@ class Drag {
     EditRules rules_;
     std::optional<Vec2> finger_;
     Vec2 from_;
-    bool has_tried_ = false;               // to take hold where the finger came down
-    SourceId held_ = 0;                    // 0: nothing
-    Vec2 grip_;                            // from the finger to the centroid of the region held, canvas px
-    Placement home_;                       // of what is held, when it was taken
-    std::map<SourceId, Placement> homes_;  // when it was taken
+    bool has_tried_ = false;  // to take hold where the finger came down
+    std::optional<Held> held_;
+    Vec2 grip_;                            // from the finger to the centroid of the held I-Region, canvas px
+    std::map<SourceId, Placement> homes_;  // of all shots, when the shot was taken
 };
 
 }  // namespace vitrine::player

@@ -9,9 +9,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double most_growth = 2.5;    // of the scale
-constexpr double wished_share = 0.62;  // of the canvas' width or height, for the region
-constexpr double softness = 2;         // of the scale that the wall itself allows: it is to be looked at
+constexpr double max_growth = 2.5;     // factor of the scale
+constexpr double wished_share = 0.62;  // share of the canvas' width or height that the I-Region is to take
+constexpr double softness = 2;  // factor of the largest scale that the wall allows: it is to be looked at
 
 std::vector<SourceId> sources_of(std::span<const PlacedShot> wall) {
     std::vector<SourceId> sources;
@@ -39,8 +39,8 @@ void Enlargement::hold(SourceId source) {
     is_held_ = true;
 }
 
-std::optional<std::vector<Placement>> Enlargement::step(std::span<const PlacedShot> wall, Vec2 canvas,
-                                                        std::chrono::nanoseconds now) {
+std::optional<std::vector<Placement>>
+Enlargement::next_placements(std::span<const PlacedShot> wall, Vec2 canvas, std::chrono::nanoseconds now) {
     if (large_ != 0 && sources_ != sources_of(wall)) wish_ = large_ = 0;  // there is no way back any more
     if (large_ != 0 && !is_held_ && now - since_ >= patience_) wish_ = 0;
     if (wish_ == large_) return std::nullopt;
@@ -69,8 +69,8 @@ std::optional<std::vector<Placement>> Enlargement::enlarge(std::span<const Place
     standing.pinned.assign(wall.size(), false);
     const Polygon region = placed_region(wall[item].shot.item, wall[item].placement);
     const Box box = bounding_box(region);
-    const double growth = std::clamp(wished_share * std::min(canvas.x / box.width(), canvas.y / box.height()),
-                                     1.0, most_growth);
+    const double growth =
+        std::clamp(wished_share * std::min(canvas.x / box.width(), canvas.y / box.height()), 1.0, max_growth);
     EditRules rules = rules_;
     rules.max_scale *= softness;
     large_ = wish_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/edit/wall_state.hpp"
-#include "player/scene/crossfade.hpp"
+#include "player/scene/wall_shot.hpp"
 
 #include <chrono>
 #include <optional>
@@ -10,33 +10,32 @@
 
 namespace vitrine::player {
 
-/// A shot of the wall that is large because somebody looks at it. It grows about its place, the others make
-/// way; by itself, after a while, all goes back to where it was.
-/// Source: Dynamic Media Assemblage, chapter 4, "resizing"; the way back is ours.
+/// A shot of the wall that is large because somebody looks at it. It grows about its place and the others
+/// make way; after a while all go back to where they were. Source: Dynamic Media Assemblage, chapter 4,
+/// "resizing"; the way back is ours.
 class Enlargement {
   public:
-    /// @param patience  after which what was tapped goes back
+    /// @param patience  after which a tapped shot goes back
     Enlargement(const EditRules& rules, std::chrono::nanoseconds patience)
         : rules_(rules), patience_(patience) {}
 
-    /// This shot shall be large, for a while; where it is already it goes back.
+    /// Enlarges this shot for a while; if it is large already it goes back.
     void toggle(SourceId source);
 
-    /// This one shall be large until end().
+    /// Enlarges this shot until end().
     void hold(SourceId source);
 
-    /// Nothing shall be.
     void end() { wish_ = 0; }
 
-    /// Whether a shot is large, or is to be.
+    /// True while a shot is large, or is to be.
     bool is_on() const { return large_ != 0 || wish_ != 0; }
 
-    /// The next change of the wall to what is wished.
+    /// The next change of the wall towards what is wished.
     /// @param wall    as it stands
     /// @param canvas  px
     /// @return        one placement for each shot of the wall; none: nothing is to be moved
-    std::optional<std::vector<Placement>> step(std::span<const PlacedShot> wall, Vec2 canvas,
-                                               std::chrono::nanoseconds now);
+    std::optional<std::vector<Placement>> next_placements(std::span<const PlacedShot> wall, Vec2 canvas,
+                                                          std::chrono::nanoseconds now);
 
   private:
     std::vector<Placement> go_back();
@@ -46,10 +45,10 @@ class Enlargement {
     std::chrono::nanoseconds patience_;
     SourceId wish_ = 0;                  // 0: none
     SourceId large_ = 0;                 // 0: none
-    bool is_held_ = false;               // no patience ends it
-    std::chrono::nanoseconds since_{0};  // that it is large
-    std::vector<SourceId> sources_;      // of the wall then
-    std::vector<Placement> before_;      // one a source
+    bool is_held_ = false;               // it stays large however long it takes
+    std::chrono::nanoseconds since_{0};  // when it became large
+    std::vector<SourceId> sources_;      // of the wall at that time
+    std::vector<Placement> before_;      // one for each of these sources
 };
 
 }  // namespace vitrine::player

@@ -1,7 +1,7 @@
 #include "player/scene/panning_wall.hpp"
 
-#include "player/layout/layout.hpp"
-#include "player/scene/transition.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,15 +97,7 @@ std::vector<WallShot> PanningWall::next_shots(std::size_t count) {
     while (newcomers_.size() < count) {
         const auto key = next_key();
         if (!key) break;
-        const MediaRecord& record = *files_.at(key->path);
-        const Shot& shot = record.shots.at(static_cast<std::size_t>(key->shot));
-        newcomers_.push_back(
-            {.source = ++last_source_,
-             .key = *key,
-             .kind = record.kind,
-             .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
-             .item = layout_item(record, shot),
-             .shot = shot});
+        newcomers_.push_back(wall_shot(*files_.at(key->path), *key, ++last_source_, 0));
     }
     return newcomers_;
 }
@@ -198,7 +190,7 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     std::vector<PlacedShot> seen;
     for (const Shown& shown : shots_)
         if (is_in_view(shown) && shown.source == Source::ready) seen.push_back(shown.placed);
-    step.frame = compose(canvas_, seen, {}, 0, now);
+    step.frame = standing_frame(canvas_, seen, now);
     step.frame.view = {view_ - base_, 0};
     return step;
 }

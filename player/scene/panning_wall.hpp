@@ -1,9 +1,9 @@
 #pragma once
 
 #include "player/layout/plan/ribbon.hpp"
-#include "player/scene/crossfade.hpp"
 #include "player/scene/show.hpp"
-#include "player/scene/wall_slots.hpp"
+#include "player/scene/show_files.hpp"
+#include "player/scene/wall_shot.hpp"
 
 #include <map>
 #include <string>

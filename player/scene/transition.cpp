@@ -1,10 +1,10 @@
 #include "player/scene/transition.hpp"
 
-#include "player/layout/plan/plan_request.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <map>
 
 namespace vitrine::player {
 
@@ -12,20 +12,9 @@ namespace {
 
 using Shots = std::vector<PlacedShot>;
 
-constexpr double smaller = 0.93;          // per try, of a last shot that is in the way
-constexpr double least_remainder = 0.55;  // of its scale: below it fades out first
-constexpr double clearance = 1.0 / 64;    // canvas px
-
-const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source) {
-    const auto found = std::find_if(wall.begin(), wall.end(),
-                                    [&](const PlacedShot& placed) { return placed.shot.source == source; });
-    return found == wall.end() ? nullptr : &*found;
-}
-
-bool has_slot(std::span<const PlacedShot> wall, int slot) {
-    return std::any_of(wall.begin(), wall.end(),
-                       [&](const PlacedShot& placed) { return placed.shot.slot == slot; });
-}
+constexpr double shrinking = 0.93;      // factor per try, for a last shot that is in the way
+constexpr double min_remainder = 0.55;  // share of its scale; a shot that had to be smaller fades out first
+constexpr double clearance = 1.0 / 64;  // canvas px
 
 bool is_free(const LayoutItem& item, const Placement& at, std::span<const PlacedShot> others) {
     return std::all_of(others.begin(), others.end(), [&](const PlacedShot& other) {
@@ -35,38 +24,39 @@ bool is_free(const LayoutItem& item, const Placement& at, std::span<const Placed
     });
 }
 
-/// Where a slot's last shot waits for its next one among those that have moved; none: it would be too small.
+/// The place where a slot's last shot waits for its next one among the shots that have moved; none: it would
+/// be too small.
 std::optional<Placement> making_room(const PlacedShot& last, std::span<const PlacedShot> moved) {
     const Vec2 place = seat_of(last.shot.item, last.placement).centre;
     const Vec2 centroid = (place - last.placement.offset) * (1 / last.placement.scale);
     double factor = 1;
     Placement at = last.placement;
-    while (factor >= least_remainder) {
+    while (factor >= min_remainder) {
         if (is_free(last.shot.item, at, moved)) return at;
-        factor *= smaller;
+        factor *= shrinking;
         const double scale = last.placement.scale * factor;
         at = {scale, place - centroid * scale};
     }
     return std::nullopt;
 }
 
-/// What stays on the wall while others come and go, before and after it has moved.
-struct Staying {
+/// The shots that stay while others come and go, before and after they have moved.
+struct StayingShots {
     Shots before;
     Shots after;
 };
 
-Staying staying(std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming) {
+StayingShots staying_shots(std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming) {
     Shots moved;
     for (const PlacedShot& placed : incoming)
         if (find_source(shown, placed.shot.source) != nullptr) moved.push_back(placed);
-    Staying staying;
+    StayingShots staying;
     for (const PlacedShot& placed : shown) {
         PlacedShot after = placed;
         if (const PlacedShot* same = find_source(incoming, placed.shot.source)) {
             after.placement = same->placement;
         } else {
-            if (!has_slot(incoming, placed.shot.slot)) continue;
+            if (find_slot(incoming, placed.shot.slot) == nullptr) continue;
             const auto room = making_room(placed, moved);
             if (!room) continue;
             after.placement = *room;
@@ -77,7 +67,7 @@ Staying staying(std::span<const PlacedShot> shown, std::span<const PlacedShot> i
     return staying;
 }
 
-std::optional<Motion> motion_of(const Staying& staying, Vec2 canvas) {
+std::optional<Motion> motion_of(const StayingShots& staying, Vec2 canvas) {
     std::vector<LayoutItem> items;
     std::vector<Placement> from;
     std::vector<Placement> to;
@@ -91,30 +81,13 @@ std::optional<Motion> motion_of(const Staying& staying, Vec2 canvas) {
 
 }  // namespace
 
-void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style) {
-    std::vector<LayoutItem> items;
-    Layout layout{.canvas = canvas};
-    for (const PlacedShot& placed : wall) {
-        items.push_back(placed.shot.item);
-        layout.placements.push_back(placed.placement);
-    }
-    std::map<int, LayoutGroup> groups;
-    for (std::size_t i = 0; i < wall.size(); ++i)
-        if (wall[i].group != PlanItem::no_group) groups[wall[i].group].items.push_back(i);
-    for (auto& [name, group] : groups)
-        if (group.items.size() > 1) layout.groups.push_back(std::move(group));
-    std::vector<Cell> made = cells(items, layout, style);
-    for (std::size_t i = 0; i < wall.size(); ++i)
-        wall[i].cell = std::make_shared<const Cell>(std::move(made[i]));
-}
-
 std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
                             std::span<const PlacedShot> incoming, const TransitionStyle& style) {
     const Shots first(shown.begin(), shown.end());
     const Shots last(incoming.begin(), incoming.end());
     std::vector<Act> fade{{.from = first, .to = last, .duration = style.crossfade}};
     if (style.motion.count() <= 0 || first.empty() || last.empty()) return fade;
-    Staying stays = staying(shown, incoming);
+    StayingShots stays = staying_shots(shown, incoming);
     const auto motion = motion_of(stays, canvas);
     if (!motion || motion->kind == Motion::Kind::still) return fade;
     std::vector<Act> acts;
@@ -143,24 +116,25 @@ std::chrono::nanoseconds duration_of(std::span<const Act> acts) {
     return sum;
 }
 
-Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec2 canvas,
-                 const CellStyle& style, std::chrono::nanoseconds now) {
-    assert(!acts.empty());
+Frame transition_frame(Vec2 canvas, const TransitionTime& time, const CellStyle& style,
+                       std::chrono::nanoseconds now) {
+    assert(!time.acts.empty());
+    std::chrono::nanoseconds passed = time.passed;
     std::size_t at = 0;
-    while (at + 1 < acts.size() && passed >= acts[at].duration)
-        passed -= acts[at++].duration;
-    const Act& act = acts[at];
+    while (at + 1 < time.acts.size() && passed >= time.acts[at].duration)
+        passed -= time.acts[at++].duration;
+    const Act& act = time.acts[at];
     const double progress = act.duration.count() > 0 ? std::chrono::duration<double>(passed) /
                                                            std::chrono::duration<double>(act.duration)
                                                      : 1;
-    if (!act.motion) return compose(canvas, act.from, act.to, progress, now);
+    if (!act.motion) return crossfade(canvas, act.from, act.to, progress, now);
     Shots moving = act.from;
     const std::vector<Placement> placements =
         placements_at(*act.motion, act.is_even ? progress : eased(progress));
     for (std::size_t i = 0; i < moving.size(); ++i)
         moving[i].placement = placements[i];
     give_cells(moving, canvas, style);
-    return compose(canvas, moving, {}, 0, now);
+    return standing_frame(canvas, moving, now);
 }
 
 }  // namespace vitrine::player

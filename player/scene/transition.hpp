@@ -1,7 +1,9 @@
 #pragma once
 
+#include "player/layout/cells/cells.hpp"
 #include "player/layout/edit/motion.hpp"
-#include "player/scene/crossfade.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/wall_shot.hpp"
 
 #include <chrono>
 #include <optional>
@@ -10,16 +12,15 @@
 
 namespace vitrine::player {
 
-/// How a wall becomes another.
 struct TransitionStyle {
     std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
     std::chrono::nanoseconds motion =
-        std::chrono::milliseconds(250);  // of one stage; 0: nothing moves, all fades
+        std::chrono::milliseconds(250);  // of one stage; 0: all fades, nothing moves
     CellStyle cells;
-    bool is_even = false;  // moves at one speed, as what follows a finger does
+    bool is_even = false;  // shots move at one speed, as those that follow a finger do
 };
 
-/// A part of a transition: `from` moves, or `to` fades in over it.
+/// One part of a transition: `from` moves, or `to` fades in over it.
 struct Act {
     std::vector<PlacedShot> from;
     std::vector<PlacedShot> to;
@@ -28,21 +29,24 @@ struct Act {
     bool is_even = false;  // else moves begin and end slowly
 };
 
-/// Gives each shot its cell of a layout of these shots alone.
-void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style);
-
-/// From one wall to the next: what leaves without a successor fades out, then what stays moves to its new
-/// place so that no region is covered at any moment, then what is new fades in; a slot's last shot gives room
-/// to what moves and stays until its next one has faded in. Where nothing moves, or there is no way: one
-/// crossfade.
+/// The acts that lead from one wall to the next. First the shots that leave without a successor fade out;
+/// then the shots that stay move to their new places, so that no I-Region is covered at any moment; then the
+/// new shots fade in. A slot's last shot gives room to those that move, and stays until its next one has
+/// faded in. If nothing moves, or no such motion is found, there is one crossfade.
 /// @param shown, incoming  both on this canvas, with cells
 std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
                             std::span<const PlacedShot> incoming, const TransitionStyle& style);
 
 std::chrono::nanoseconds duration_of(std::span<const Act> acts);
 
-/// The picture at a time since the first act began. @pre there are acts
-Frame picture_of(std::span<const Act> acts, std::chrono::nanoseconds passed, Vec2 canvas,
-                 const CellStyle& style, std::chrono::nanoseconds now);
+/// The acts of one transition and the time since the first of them began.
+struct TransitionTime {
+    std::span<const Act> acts;  // at least one
+    std::chrono::nanoseconds passed{0};
+};
+
+/// The frame at this time of a transition.
+Frame transition_frame(Vec2 canvas, const TransitionTime& time, const CellStyle& style,
+                       std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "player/scene/crossfade.hpp"
-#include "player/scene/drag.hpp"
-#include "player/scene/enlargement.hpp"
 #include "player/scene/show.hpp"
-#include "player/scene/transition.hpp"
+#include "player/scene/wall_change.hpp"
 #include "player/scene/wall_slots.hpp"
+#include "player/scene/wall_sources.hpp"
+#include "player/scene/wall_touch.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -21,46 +21,47 @@ struct WallSettings {
     bool nests = false;                                            // the files of a folder stand together
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
     EditRules touch;                                               // by which a finger moves shots
-    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // after which what was tapped goes back
+    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // after which a tapped shot goes back
 };
 
 /// The number of the folder under the media root that a file lies in, as PlanItem::group.
-/// @param folders  those known; a new one is added
+/// @param folders  the folders known so far; a new one is added
 int folder_number(const std::string& path, std::map<std::string, int>& folders);
 
-/// The wall from wish to picture. What the slots wants is planned; once its layout is there its
-/// sources are asked for; once they are ready and the shot that goes has had its time, the old wall, which
-/// plays on, moves and fades into the new one; then the sources that are not on it any more retire. One such
-/// change at a time; a wish that changes before its fade has begun is replaced. The first wall waits for none
-/// but its first source: its shots fade in over the idle picture, each when it is ready.
+/// The wall on the screen over time. WallSlots decides which shots are to be shown. The wall has them laid
+/// out, asks for their sources, and once these are ready and the shot that leaves has had its time, moves and
+/// fades from the old wall, which plays on, to the new one; then it retires the sources that are not needed
+/// any more. One change at a time (WallChange): before its fade has begun it is replaced when the slots
+/// change again. The first wall waits for its first source only; its shots fade in over the idle picture,
+/// each when it is ready.
 ///
-/// A change moves what stays as little as can be. Where that leaves much more of the canvas to waste than
-/// walls that are laid out anew do, the change is laid out anew.
+/// A change moves the shots that stay as little as possible. If that leaves much more of the canvas empty
+/// than a wall that is laid out anew, it is laid out anew.
 class Wall final : public Show {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);
 
-    /// Another screen mode: the same shots are laid out anew.
+    /// The screen mode has changed: the same shots are laid out anew.
     void set_canvas(Vec2 canvas) override;
 
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
-    /// What a finger drags follows it; what it taps grows, and goes back by itself; what it holds is large
-    /// until it is let go; what it flicks out of the canvas leaves, and the next shot comes. Nothing else
-    /// changes before all has settled again. Folders that stand together cannot be touched.
+    /// Moves, enlarges or dismisses the touched shot (WallTouch). Until the wall has settled again no other
+    /// change begins. Folders that stand together cannot be touched.
     void handle_gesture(const Gesture& gesture) override;
 
     std::optional<ShotKey> shot_at(Vec2 point) const override;
 
-    /// A layout of a plan of this wall, in the order of its items; of an outdated plan it is ignored. For the
-    /// first wall also those before the last are taken: while that is made its sources get ready.
+    /// Takes the layout of a plan of this wall, in the order of its items; ignores that of an outdated plan.
+    /// For the first wall also takes layouts that are not final: while a better one is made its sources get
+    /// ready.
     /// @pre one placement for each item of the plan
     void set_layout(const Layout& layout) override;
 
-    void source_ready(SourceId source) override;
+    void source_ready(SourceId source) override { sources_.set_ready(source); }
 
-    /// Its file gives way to another; what is on the wall of it stays until the other is ready.
+    /// The source's file gives way to another; its shots stay on the wall until the others are ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
     void set_controls(const ShowControls& controls) override { slots_.set_controls(controls); }
@@ -72,70 +73,32 @@ class Wall final : public Show {
 
     std::vector<SlotShot> standing() const override;
 
-    bool is_fading() const { return incoming_ && incoming_->fade_began.has_value(); }
-
-    /// Whether the first wall comes, each shot when it is ready.
-    bool is_arriving() const { return is_fading() && shown_.empty(); }
-
-    /// What is on the wall without what fades in.
+    /// The shots that stand, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }
 
   private:
-    enum class Source { asked, ready, failed };
-
-    struct Incoming {
-        std::uint64_t generation = 0;
-        Vec2 canvas;  // px
-        std::vector<PlacedShot> wall;
-        bool has_layout = false;
-        bool is_final = false;         // the layout: no better one follows
-        bool is_anew = false;          // laid out without regard to where things stand
-        std::vector<PlacedShot> calm;  // the same shots where they moved little, if that left much empty
-        bool wants_sources = false;    // of another size than asked for, or not asked for yet
-        bool is_by_hand = false;
-        std::optional<std::chrono::nanoseconds> pace;     // by hand: of its one act; none: the usual style
-        std::optional<std::chrono::nanoseconds> waiting;  // for the sources since
-        std::optional<std::chrono::nanoseconds> fade_began;
-        std::vector<Act> acts;  // of the transition, once it has begun
-    };
-
-    void end_fade(std::chrono::nanoseconds now);
-    void let_arrive(std::chrono::nanoseconds now);
-    bool has_arrived(std::chrono::nanoseconds now) const;
-    void follow_store();
-    void follow_hand(std::chrono::nanoseconds now);
-    void change_by_hand(std::vector<PlacedShot> wall, std::optional<std::chrono::nanoseconds> pace);
-    void dismiss(std::chrono::nanoseconds now);
-    const PlacedShot* touched(Vec2 point) const;
-    bool leaves(const Gesture& flick) const;
-    std::optional<WallPlan> follow_assemblage();
-    std::optional<WallPlan> ask_anew();
-    void choose_layout();
-    WallPlan begin_change(const std::vector<WallShot>& wanted);
-    PlanItem plan_item(const WallShot& shot) const;
-    void prepare(WallStep& step, std::chrono::nanoseconds now);
-    bool is_ready() const;
-    void give_up_waiting(std::chrono::nanoseconds now);
-    std::vector<Act> acts() const;
-    void begin_fade(std::chrono::nanoseconds now);
-    std::vector<SourceId> retire();
-    Frame picture(std::chrono::nanoseconds now) const;
+    void end_change(std::chrono::nanoseconds now);
+    void follow_touch(std::chrono::nanoseconds now);
+    std::optional<WallPlan> follow_slots();
+    void wait_for_sources(std::chrono::nanoseconds now);
+    void advance_arrival(std::chrono::nanoseconds now);
+    void give_up_pending(std::chrono::nanoseconds now);
+    void tell_appeared();
 
     WallSettings settings_;
     Vec2 canvas_;
     WallSlots slots_;
-    Drag drag_;
-    Enlargement enlargement_;
-    SourceId dismissed_ = 0;          // to leave; 0: none
+    WallTouch touch_;
+    WallSources sources_;
     std::map<int, Seat> left_seats_;  // of slots whose shots were dismissed
     std::vector<PlacedShot> shown_;
-    std::optional<Incoming> incoming_;
     Vec2 shown_canvas_;  // that shown_ was laid out for
+    std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
-    double usual_waste_ = 1;  // of walls laid out anew
+    double usual_waste_ = 1;  // share of the canvas, of the last wall that was laid out anew
     std::uint64_t generation_ = 0;
-    std::map<SourceId, Source> sources_;  // those not retired
-    std::vector<ShotRequest> restored_;   // of sources asked for, whose shot the store has got since
+    std::vector<ShotRequest>
+        restored_;  // for sources whose shots the store has got since they were asked for
 };
 
 }  // namespace vitrine::player

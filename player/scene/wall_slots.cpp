@@ -1,7 +1,5 @@
 #include "player/scene/wall_slots.hpp"
 
-#include "player/layout/layout.hpp"
-
 #include <algorithm>
 
 namespace vitrine::player {
@@ -238,17 +236,9 @@ std::optional<ShotKey> WallSlots::next_for(const Slot& slot) {
 }
 
 void WallSlots::put(Slot& slot, const ShotKey& key) {
-    const MediaRecord& record = *files_.at(key.path);
-    const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
     slot.shown.reset();
     slot.ahead = {};
-    slot.shot = WallShot{.source = ++last_source_,
-                         .slot = static_cast<int>(&slot - slots_.data()),
-                         .key = key,
-                         .kind = record.kind,
-                         .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
-                         .item = layout_item(record, shot),
-                         .shot = shot};
+    slot.shot = wall_shot(*files_.at(key.path), key, ++last_source_, static_cast<int>(&slot - slots_.data()));
 }
 
 bool WallSlots::is_on_wall(const ShotKey& key) const {

@@ -6,6 +6,7 @@
 #include "player/scene/shot_rotation.hpp"
 #include "player/scene/show_controls.hpp"
 #include "player/scene/show_files.hpp"
+#include "player/scene/wall_shot.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -29,19 +30,6 @@ struct SlotSettings {
     std::chrono::nanoseconds retry_after =
         std::chrono::seconds(60);  // before a file that failed is tried again
     SourceId last_source = 0;      // its own are numbered from there on: apart from those of other walls
-};
-
-/// A shot that has a place on the wall, with all that showing it takes: it outlives its record.
-struct WallShot {
-    SourceId source = 0;
-    int slot = 0;
-    ShotKey key;
-    MediaKind kind = MediaKind::photo;
-    Vec2 picture;  // size of the upright picture, source px
-    LayoutItem item;
-    Shot shot;
-
-    friend bool operator==(const WallShot&, const WallShot&) = default;
 };
 
 /// What is on the wall: a fixed number of slots, each with a shot that after its time makes room for the

@@ -32,7 +32,7 @@ std::vector<SourceId> sources(const Frame& frame) {
 
 TEST_CASE("a wall that stands is drawn once and opaque, without the idle picture") {
     const std::vector<PlacedShot> wall{placed(1), placed(2)};
-    const Frame frame = compose({1280, 720}, wall, {}, 0, 3s);
+    const Frame frame = crossfade({1280, 720}, wall, {}, 0, 3s);
     CHECK(sources(frame) == std::vector<SourceId>{1, 2});
     CHECK(frame.items[0].alpha == 1);
     CHECK(frame.items[1].alpha == 1);
@@ -45,36 +45,36 @@ TEST_CASE("a wall that stands is drawn once and opaque, without the idle picture
 }
 
 TEST_CASE("nothing on the wall is the idle picture") {
-    CHECK(compose({1280, 720}, {}, {}, 0, 0s).idle == 1);
-    CHECK(compose({1280, 720}, {}, {}, 0.5, 0s).idle == 1);
-    CHECK(compose({1280, 720}, {}, {}, 1, 0s).items.empty());
+    CHECK(crossfade({1280, 720}, {}, {}, 0, 0s).idle == 1);
+    CHECK(crossfade({1280, 720}, {}, {}, 0.5, 0s).idle == 1);
+    CHECK(crossfade({1280, 720}, {}, {}, 1, 0s).items.empty());
 }
 
 TEST_CASE("the new wall fades in over the old one, which is drawn whole") {
     const std::vector<PlacedShot> old_wall{placed(1), placed(2)};
     const std::vector<PlacedShot> new_wall{placed(3), placed(4)};
-    const Frame frame = compose({1280, 720}, old_wall, new_wall, 0.25, 0s);
+    const Frame frame = crossfade({1280, 720}, old_wall, new_wall, 0.25, 0s);
     CHECK(sources(frame) == std::vector<SourceId>{1, 2, 3, 4});
     CHECK(frame.items[0].alpha == 1);
     CHECK(frame.items[1].alpha == 1);
     CHECK(frame.items[2].alpha == doctest::Approx(0.15625));  // 3/16 - 2/64
     CHECK(frame.items[3].alpha == frame.items[2].alpha);
     CHECK(frame.idle == 0);
-    CHECK(sources(compose({1280, 720}, old_wall, new_wall, 1, 0s)) == std::vector<SourceId>{3, 4});
+    CHECK(sources(crossfade({1280, 720}, old_wall, new_wall, 1, 0s)) == std::vector<SourceId>{3, 4});
 }
 
 TEST_CASE("what stays as it is is drawn once during a transition, what moves twice") {
     const std::vector<PlacedShot> old_wall{placed(1), placed(2)};
     const std::vector<PlacedShot> new_wall{placed(1), placed(2, 0s, 1.5)};
-    CHECK(sources(compose({1280, 720}, old_wall, new_wall, 0.5, 0s)) == std::vector<SourceId>{1, 2, 2});
+    CHECK(sources(crossfade({1280, 720}, old_wall, new_wall, 0.5, 0s)) == std::vector<SourceId>{1, 2, 2});
 }
 
 TEST_CASE("between the idle picture and a wall only the wall changes its opacity") {
     const std::vector<PlacedShot> wall{placed(1)};
-    const Frame coming = compose({1280, 720}, {}, wall, 0.25, 0s);
+    const Frame coming = crossfade({1280, 720}, {}, wall, 0.25, 0s);
     CHECK(coming.idle == 1);
     CHECK(coming.items.at(0).alpha == doctest::Approx(0.15625));
-    const Frame going = compose({1280, 720}, wall, {}, 0.25, 0s);
+    const Frame going = crossfade({1280, 720}, wall, {}, 0.25, 0s);
     CHECK(going.idle == 1);
     CHECK(going.items.at(0).alpha == doctest::Approx(0.84375));
 }
@@ -82,21 +82,21 @@ TEST_CASE("between the idle picture and a wall only the wall changes its opacity
 TEST_CASE(
     "the shots of a first wall come over the idle picture until all are there, each since it appeared") {
     std::vector<PlacedShot> wall{placed(1, 10s), placed(2, 11s), placed(3, never)};
-    const Frame coming = arriving({1280, 720}, wall, 2s, 11500ms);
+    const Frame coming = fade_in_each({1280, 720}, wall, 2s, 11500ms);
     CHECK(coming.idle == 1);
     REQUIRE(coming.items.size() == 2);
     CHECK(coming.items[0].alpha == doctest::Approx(0.84375));
     CHECK(coming.items[0].local == 1500ms);
     CHECK(coming.items[1].alpha == doctest::Approx(0.15625));
-    CHECK(arriving({1280, 720}, wall, 0s, 12s).items[1].alpha == 1);
+    CHECK(fade_in_each({1280, 720}, wall, 0s, 12s).items[1].alpha == 1);
 }
 
 TEST_CASE("frames look alike as long as nothing but time differs") {
     const std::vector<PlacedShot> wall{placed(1), placed(2)};
-    const Frame frame = compose({1280, 720}, wall, {}, 0, 1s);
-    Frame later = compose({1280, 720}, wall, {}, 0, 1s + 4s);  // a loop
+    const Frame frame = crossfade({1280, 720}, wall, {}, 0, 1s);
+    Frame later = crossfade({1280, 720}, wall, {}, 0, 1s + 4s);  // a loop
     CHECK(looks_alike(frame, later));
-    CHECK_FALSE(looks_alike(frame, compose({1280, 720}, std::span(wall).first(1), {}, 0, 1s)));
+    CHECK_FALSE(looks_alike(frame, crossfade({1280, 720}, std::span(wall).first(1), {}, 0, 1s)));
     const auto differs = [&](auto change) {
         Frame other = frame;
         change(other);
@@ -112,22 +112,23 @@ TEST_CASE("frames look alike as long as nothing but time differs") {
     CHECK(differs([](Frame& f) { f.items[1].alpha = 0.5; }));
 }
 
-TEST_CASE("a shot slides along its drift from the time it appeared, anew in each loop") {
+TEST_CASE("a shot plays from the time on when it appeared") {
     const std::vector<PlacedShot> wall{placed(1, 20s)};
-    const auto slide_at = [&](std::chrono::nanoseconds now) {
-        return compose({1280, 720}, wall, {}, 0, now).items.at(0).slide;
-    };
-    CHECK(slide_at(20s) == Vec2{0, 0});
-    CHECK(slide_at(21500ms) == Vec2{18, -12});
-    CHECK(slide_at(24s) == Vec2{0, 0});
-    CHECK(slide_at(29s) == Vec2{12, -8});
-    CHECK(compose({1280, 720}, wall, {}, 0, 29s).items.at(0).local == 9s);
+    CHECK(standing_frame({1280, 720}, wall, 29s).items.at(0).local == 9s);
+    CHECK(standing_frame({1280, 720}, wall, 19s).items.at(0).local == 0s);
 }
 
-TEST_CASE("a photo does not slide") {
-    Shot still{.region = middle()};
-    still.region.drift = {100, 100};
-    CHECK(slide(still, 5s) == Vec2{0, 0});
+TEST_CASE("a frame that fades in lets what was there before fade out") {
+    Frame frame{.canvas = {1280, 720}, .items = {{.source = 1}}};
+    const std::vector<DrawItem> before{{.source = 2}};
+    Frame coming = frame;
+    fade_in(coming, before, 0.25);
+    CHECK(coming.idle == 1);
+    CHECK(sources(coming) == std::vector<SourceId>{2, 1});
+    CHECK(coming.items[0].alpha == doctest::Approx(0.84375));
+    CHECK(coming.items[1].alpha == doctest::Approx(0.15625));
+    fade_in(frame, {}, 0.25);
+    CHECK(sources(frame) == std::vector<SourceId>{1});
 }
 
 TEST_CASE("easing starts and ends slowly and stays in [0, 1]") {

@@ -2,7 +2,7 @@
 
 #include "player/layout/pack/energy.hpp"
 #include "player/layout/plan/plan.hpp"
-#include "player/scene/transition.hpp"
+#include "player/scene/wall_cells.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
 #include <doctest/doctest.h>
@@ -44,8 +44,8 @@ double share_seen(const std::vector<PlacedShot>& wall) {
 }
 
 /// One step; true where something moved. Checks what must hold after every one.
-bool step(Drag& hand, std::vector<PlacedShot>& wall) {
-    const auto placements = hand.step(wall, canvas);
+bool step(Drag& drag, std::vector<PlacedShot>& wall) {
+    const auto placements = drag.next_placements(wall, canvas);
     if (!placements) return false;
     REQUIRE(placements->size() == wall.size());
     std::vector<LayoutItem> items;
@@ -63,8 +63,8 @@ bool step(Drag& hand, std::vector<PlacedShot>& wall) {
     return true;
 }
 
-void touch(Drag& hand, Vec2 at) {
-    hand.touch(at, at);
+void touch(Drag& drag, Vec2 at) {
+    drag.follow_finger(at, at);
 }
 
 }  // namespace
@@ -75,24 +75,24 @@ TEST_CASE("what is held follows the finger across the wall, and settles at its s
     const double scale = wall[0].placement.scale;
     const Vec2 from = place(wall[0]);
     const Vec2 to{canvas.x - from.x, canvas.y - from.y};
-    Drag hand({.budget = 20'000});
+    Drag drag({.budget = 20'000});
     for (int k = 0; k <= 12; ++k) {
-        hand.touch(from + (to - from) * (k / 12.0), from);
-        step(hand, wall);
+        drag.follow_finger(from + (to - from) * (k / 12.0), from);
+        step(drag, wall);
         CHECK(share_seen(wall) > 0.5 * seen);
     }
     for (int k = 0; k < 4; ++k)
-        step(hand, wall);
+        step(drag, wall);
     CHECK(length(place(wall[0]) - to) < 0.1 * length(canvas));
     CHECK(wall[0].placement.scale < 0.9 * scale);
-    hand.lift();
-    CHECK(hand.is_holding());
-    CHECK(step(hand, wall));
-    CHECK_FALSE(hand.is_holding());
+    drag.lift_finger();
+    CHECK(drag.held());
+    CHECK(step(drag, wall));
+    CHECK_FALSE(drag.held());
     CHECK(wall[0].placement.scale > 0.85 * scale);
     CHECK(length(place(wall[0]) - to) < 0.2 * length(canvas));
     CHECK(share_seen(wall) > 0.8 * seen);
-    CHECK_FALSE(hand.step(wall, canvas));
+    CHECK_FALSE(drag.next_placements(wall, canvas));
 }
 
 TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the canvas") {
@@ -100,36 +100,36 @@ TEST_CASE("a finger that goes anywhere never makes regions overlap or leave the 
     std::uniform_real_distribution<double> share(-0.2, 1.2);
     for (const int count : {1, 2, 7}) {
         std::vector<PlacedShot> wall = packed_wall(count);
-        Drag hand({.budget = 10'000});
+        Drag drag({.budget = 10'000});
         for (int k = 0; k < 40; ++k) {
             if (k % 9 == 8)
-                hand.lift();
+                drag.lift_finger();
             else
-                touch(hand, {share(engine) * canvas.x, share(engine) * canvas.y});
-            step(hand, wall);
+                touch(drag, {share(engine) * canvas.x, share(engine) * canvas.y});
+            step(drag, wall);
         }
     }
 }
 
 TEST_CASE("a finger that rests moves nothing, and none at all neither") {
     std::vector<PlacedShot> wall = packed_wall(5);
-    Drag hand({});
-    CHECK_FALSE(hand.step(wall, canvas));
-    touch(hand, place(wall[2]));
-    CHECK_FALSE(hand.step(wall, canvas));
-    CHECK(hand.is_holding());
+    Drag drag({});
+    CHECK_FALSE(drag.next_placements(wall, canvas));
+    touch(drag, place(wall[2]));
+    CHECK_FALSE(drag.next_placements(wall, canvas));
+    CHECK(drag.held());
     Drag empty({});
     touch(empty, {10, 10});
-    CHECK_FALSE(empty.step({}, canvas));
+    CHECK_FALSE(empty.next_placements({}, canvas));
 }
 
 TEST_CASE("a shot that leaves the wall leaves the hand") {
     std::vector<PlacedShot> wall = packed_wall(5);
-    Drag hand({.budget = 10'000});
-    touch(hand, place(wall[4]));
-    hand.step(wall, canvas);
-    REQUIRE(hand.is_holding());
+    Drag drag({.budget = 10'000});
+    touch(drag, place(wall[4]));
+    drag.next_placements(wall, canvas);
+    REQUIRE(drag.held());
     wall.pop_back();
-    step(hand, wall);
-    CHECK_FALSE(hand.is_holding());
+    step(drag, wall);
+    CHECK_FALSE(drag.held());
 }

@@ -1,6 +1,7 @@
 #include "player/scene/transition.hpp"
 
 #include "player/layout/pack/energy.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,11 +41,11 @@ TEST_CASE("what stays moves first, then the new one fades in") {
     REQUIRE(acts.size() == 2);
     CHECK(acts[0].motion);
     CHECK(duration_of(acts) == 950ms);
-    const Frame moving = picture_of(acts, 125ms, canvas, {}, 0s);
+    const Frame moving = transition_frame(canvas, {.acts = acts, .passed = 125ms}, {}, 0s);
     CHECK(moving.items.size() == 2);
     CHECK(moving.items[0].placement.offset.y == doctest::Approx(25));
     CHECK(moving.items[0].alpha == 1);
-    const Frame fading = picture_of(acts, 600ms, canvas, {}, 0s);
+    const Frame fading = transition_frame(canvas, {.acts = acts, .passed = 600ms}, {}, 0s);
     CHECK(fading.items[0].placement == last[0].placement);
     CHECK(fading.items.back().source == 3);
     CHECK(fading.items.back().alpha == doctest::Approx(0.5));
@@ -66,7 +67,7 @@ TEST_CASE("a slot's last shot makes room for what moves until its next one is th
     REQUIRE(acts[0].motion);
     CHECK(acts[1].from[1].placement.scale < 1);
     for (int k = 0; k <= 20; ++k) {
-        const Frame frame = picture_of(acts, k * 12ms, canvas, {}, 0s);
+        const Frame frame = transition_frame(canvas, {.acts = acts, .passed = k * 12ms}, {}, 0s);
         std::vector<Placement> placements;
         std::vector<LayoutItem> items;
         for (const DrawItem& item : frame.items) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "player/layout/cells/cells.hpp"
+#include "player/scene/wall_shot.hpp"
+
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// Gives each shot its cell in a layout of these shots alone. Shots of one group form one cell group.
+void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style);
+
+/// Share of the canvas on which no I-Region is seen, plus the share on which no shot has pixels at all.
+/// @pre each shot has a cell
+double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
+
+/// True if the shot's cell contains this canvas point.
+bool is_at(const PlacedShot& placed, Vec2 point);
+
+/// The shot that is seen at a canvas point; nullptr if there is none.
+const PlacedShot* find_shot_at(std::span<const PlacedShot> wall, Vec2 point);
+
+}  // namespace vitrine::player

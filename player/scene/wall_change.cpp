@@ -1,0 +1,100 @@
+#include "player/scene/wall_change.hpp"
+
+#include "player/scene/crossfade.hpp"
+#include "player/scene/wall_cells.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace vitrine::player {
+
+using Phase = WallChange::Phase;
+using std::chrono::nanoseconds;
+
+void lay_out(WallChange& change, const Layout& layout, const CellStyle& style) {
+    assert(layout.placements.size() == change.wall.size());
+    for (std::size_t i = 0; i < change.wall.size(); ++i)
+        change.wall[i].placement = layout.placements[i];
+    give_cells(change.wall, change.canvas, style);
+    change.acts.clear();
+    change.is_final = layout.is_final;
+    // The sources of a first layout that is not final are asked for at once, those of the next ones at the
+    // last.
+    if (layout.is_final || !change.waiting_since) change.phase = Phase::laid_out;
+}
+
+void choose_layout(WallChange& change, double worth) {
+    if (change.calm.empty()) return;
+    const double waste = wasted_share(change.wall, change.canvas);
+    if (wasted_share(change.calm, change.canvas) < waste + worth)
+        change.wall = std::exchange(change.calm, {});
+}
+
+void reject_layout(WallChange& change) {
+    change.calm = change.wall;
+    change.phase = Phase::wasteful;
+}
+
+WallPlan plan_anew(WallChange& change, std::uint64_t generation) {
+    change.phase = Phase::planned;
+    change.generation = generation;
+    WallPlan plan{.generation = generation, .canvas = change.canvas};
+    for (const PlacedShot& placed : change.calm)
+        plan.items.push_back({.item = placed.shot.item});
+    return plan;
+}
+
+std::vector<ShotRequest> ask_for_sources(WallChange& change, WallSources& sources, nanoseconds now) {
+    if (!change.waiting_since) change.waiting_since = now;
+    change.phase = Phase::waiting;
+    return sources.request(change.wall);
+}
+
+bool is_ready(const WallChange& change, const WallSources& sources, bool is_first) {
+    const auto is_there = [&](const PlacedShot& placed) { return sources.is_ready(placed); };
+    if (!change.is_final) return false;
+    return is_first ? std::ranges::any_of(change.wall, is_there) : std::ranges::all_of(change.wall, is_there);
+}
+
+nanoseconds prepare_acts(WallChange& change, std::span<const PlacedShot> shown, TransitionStyle style) {
+    if (change.pace) {
+        style.motion = style.crossfade = *change.pace;
+        style.is_even = true;
+    }
+    if (change.acts.empty()) change.acts = transition(change.canvas, shown, change.wall, style);
+    return duration_of(change.acts);
+}
+
+void begin_fade(WallChange& change, std::span<const PlacedShot> shown, nanoseconds now) {
+    Act& last = change.acts.back();
+    const nanoseconds appears = now + duration_of(change.acts) - last.duration;
+    change.began = now;
+    change.phase = shown.empty() ? Phase::arriving : Phase::fading;
+    for (PlacedShot& placed : change.wall) {
+        const PlacedShot* same = find_source(shown, placed.shot.source);
+        placed.began = shown.empty() ? never : same != nullptr ? same->began : appears;
+    }
+    if (!last.motion) last.to = change.wall;
+}
+
+void let_arrive(WallChange& change, const WallSources& sources, nanoseconds now) {
+    for (PlacedShot& placed : change.wall)
+        if (placed.began == never && sources.is_ready(placed)) placed.began = now;
+}
+
+bool has_ended(const WallChange& change, const WallSources& sources, nanoseconds crossfade, nanoseconds now) {
+    if (change.phase == Phase::fading) return now - change.began >= duration_of(change.acts);
+    return std::ranges::all_of(change.wall, [&](const PlacedShot& placed) {
+        return placed.began == never ? sources.has_failed(placed) : now - placed.began >= crossfade;
+    });
+}
+
+Frame change_frame(const WallChange& change, const TransitionStyle& style, nanoseconds now) {
+    if (change.phase == Phase::arriving)
+        return fade_in_each(change.canvas, change.wall, style.crossfade, now);
+    return transition_frame(change.canvas, {.acts = change.acts, .passed = now - change.began}, style.cells,
+                            now);
+}
+
+}  // namespace vitrine::player

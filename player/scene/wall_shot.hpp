@@ -1,0 +1,58 @@
+#pragma once
+
+#include "base/state/record.hpp"
+#include "player/layout/cells/cells.hpp"
+#include "player/layout/plan/plan_request.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/shot_request.hpp"
+#include "player/scene/shot_rotation.hpp"
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// A shot that has a slot on the wall, with all that is needed to show it: it outlives its record.
+struct WallShot {
+    SourceId source = 0;
+    int slot = 0;
+    ShotKey key;
+    MediaKind kind = MediaKind::photo;
+    Vec2 picture;  // size of the upright picture, source px
+    LayoutItem item;
+    Shot shot;
+
+    friend bool operator==(const WallShot&, const WallShot&) = default;
+};
+
+/// @param key  of a shot of this record
+WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
+
+/// A shot at its place on the canvas.
+struct PlacedShot {
+    WallShot shot;
+    Placement placement;
+    std::shared_ptr<const Cell> cell;   // shared with the frames under way
+    std::chrono::nanoseconds began{0};  // when it first appeared; `never`: it has not yet
+    int group = PlanItem::no_group;     // shots of one group stand together
+};
+
+constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();
+
+/// The request for a shot's source at its present size: no more pixels than are shown.
+ShotRequest request_of(const PlacedShot& placed);
+
+/// The shot with this source; nullptr if the wall has none.
+const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source);
+
+/// The shot in this slot; nullptr if the wall has none.
+const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot);
+
+/// Takes over where the store has the shots by now.
+/// @param known  the shots as their records have them now
+/// @return       requests for the shots whose place in the store has changed
+std::vector<ShotRequest> update_stored(std::span<PlacedShot> wall, std::span<const WallShot> known);
+
+}  // namespace vitrine::player

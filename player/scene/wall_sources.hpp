@@ -1,0 +1,41 @@
+#pragma once
+
+#include "player/scene/wall_shot.hpp"
+
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// The sources that a wall has asked for and not retired, and what became of each.
+class WallSources {
+  public:
+    /// Asks for the sources of these shots, each in its present size.
+    std::vector<ShotRequest> request(std::span<const PlacedShot> wall);
+
+    void set_ready(SourceId source);
+    void set_failed(SourceId source);
+
+    bool is_ready(const PlacedShot& placed) const { return is(placed, State::ready); }
+
+    bool has_failed(const PlacedShot& placed) const { return is(placed, State::failed); }
+
+    /// The sources of these shots that are neither ready nor failed.
+    std::vector<SourceId> pending(std::span<const PlacedShot> wall) const;
+
+    /// Retires all sources but these and returns them.
+    std::vector<SourceId> retire_all_but(const std::set<SourceId>& kept);
+
+  private:
+    enum class State { pending, ready, failed };
+
+    bool is(const PlacedShot& placed, State state) const { return states_.at(placed.shot.source) == state; }
+
+    void set_state(SourceId source, State state);
+
+    std::map<SourceId, State> states_;
+};
+
+}  // namespace vitrine::player

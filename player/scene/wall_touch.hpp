@@ -1,0 +1,61 @@
+#pragma once
+
+#include "player/input/gesture.hpp"
+#include "player/layout/edit/wall_state.hpp"
+#include "player/scene/drag.hpp"
+#include "player/scene/enlargement.hpp"
+#include "player/scene/wall_shot.hpp"
+
+#include <chrono>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// A small change of the wall that follows a touch.
+struct TouchedWall {
+    std::vector<PlacedShot> wall;  // its cells are outdated
+    std::optional<std::chrono::nanoseconds>
+        pace;  // duration of the change, which is one act; none: the usual
+};
+
+/// A shot that was flicked out of the canvas.
+struct DismissedShot {
+    SourceId source = 0;
+    int slot = 0;
+    Seat seat;         // the place that it was taken from
+    TouchedWall rest;  // the wall without it
+};
+
+/// The visitors' touches on the shots of a wall. A finger drags a shot; a tap enlarges it for a while; a long
+/// touch enlarges it until it is let go; a flick beyond the edge of the canvas dismisses it.
+class WallTouch {
+  public:
+    /// @param idle  after which a tapped shot goes back
+    WallTouch(const EditRules& rules, std::chrono::nanoseconds idle)
+        : drag_(rules), enlargement_(rules, idle) {}
+
+    /// @param wall  as it stands, with cells
+    void handle_gesture(const Gesture& gesture, std::span<const PlacedShot> wall, Vec2 canvas);
+
+    /// Enlarged shots go back: the wall has changed otherwise.
+    void end_enlargement() { enlargement_.end(); }
+
+    /// True while a finger moves a shot, a shot is large, or one is to be dismissed.
+    bool is_active() const { return drag_.is_active() || enlargement_.is_on() || dismissed_ != 0; }
+
+    /// Removes and returns the shot to be dismissed; none: nobody flicked one that is on the wall.
+    std::optional<DismissedShot> take_dismissed(std::span<const PlacedShot> wall);
+
+    /// The next small change of the wall; none: nothing is to be moved.
+    std::optional<TouchedWall> next_wall(std::span<const PlacedShot> wall, Vec2 canvas,
+                                         std::chrono::nanoseconds now);
+
+  private:
+    Drag drag_;
+    Enlargement enlargement_;
+    SourceId dismissed_ = 0;  // 0: none
+};
+
+}  // namespace vitrine::player
