@@ -10,13 +10,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double ahead = 0.3;  // screens before the view at which sources are asked for
-constexpr auto longest_step = std::chrono::milliseconds(100);  // that the view moves on after a pause
-
-bool can_be_shown(const MediaRecord& record) {
-    return record.state == MediaState::ready && record.width > 0 && record.height > 0 &&
-           !record.shots.empty();
-}
+constexpr double ahead = 0.3;  // screens right of the view, where sources are asked for
+constexpr auto max_step = std::chrono::milliseconds(100);  // that the view makes up for after a pause
 
 Box bounds_of(const Cell& cell) {
     Box bounds;
@@ -34,9 +29,8 @@ Box bounds_of(const Cell& cell) {
 PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
     : settings_(settings),
       canvas_(canvas),
-      rotation_(settings.order, settings.seed),
-      ribbon_{.screen = canvas},
-      last_source_(settings.last_source) {}
+      coming_(settings.order, settings.seed, settings.last_source),
+      ribbon_{.screen = canvas} {}
 
 void PanningWall::set_canvas(Vec2 canvas) {
     if (canvas == canvas_) return;
@@ -51,21 +45,15 @@ void PanningWall::set_canvas(Vec2 canvas) {
 }
 
 void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
-    files_.clear();
-    for (const RecordList::Record& record : records)
-        if (can_be_shown(*record)) files_.emplace(record->path, record);
-    std::vector<const MediaRecord*> known;
-    for (const auto& [path, record] : files_)
-        known.push_back(record.get());
-    rotation_.set_files(known, hints);
+    coming_.set_files(records, hints);
 }
 
-/// Forgets what has passed, and what has not come yet and is gone.
+/// Drops the shots that have passed, and those that have not come yet and whose files are gone.
 void PanningWall::drop_passed() {
     const double right = view_ + canvas_.x * (1 + ahead);
     for (std::size_t i = shots_.size(); i-- > 0;) {
         const Shown& shown = shots_[i];
-        const bool is_gone = !files_.contains(shown.placed.shot.key.path) && shown.left > right &&
+        const bool is_gone = !coming_.has_file(shown.placed.shot.key.path) && shown.left > right &&
                              shown.source == Source::unasked;
         if (shown.source != Source::retired && !is_gone) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
@@ -81,34 +69,14 @@ bool PanningWall::is_on_wall(const ShotKey& key) const {
     });
 }
 
-std::optional<ShotKey> PanningWall::next_key() {
-    const auto fits = [&](const ShotKey& key) {
-        return !is_on_wall(key) && std::none_of(newcomers_.begin(), newcomers_.end(),
-                                                [&](const WallShot& shot) { return shot.key == key; });
-    };
-    if (auto key = rotation_.next_shot(fits)) return key;
-    rotation_.restart_finished([&](const ShotKey& key) { return is_on_wall(key); });
-    if (auto key = rotation_.next_shot(fits)) return key;
-    return rotation_.next_shot([](const ShotKey&) { return true; });
-}
-
-std::vector<WallShot> PanningWall::next_shots(std::size_t count) {
-    newcomers_.clear();
-    while (newcomers_.size() < count) {
-        const auto key = next_key();
-        if (!key) break;
-        newcomers_.push_back(wall_shot(*files_.at(key->path), *key, ++last_source_, 0));
-    }
-    return newcomers_;
-}
-
 std::optional<WallPlan> PanningWall::extend() {
-    if (extension_ || files_.empty()) return std::nullopt;
+    if (extension_ || coming_.is_empty()) return std::nullopt;
     if (!ribbon_.items.empty() && view_ + canvas_.x < ribbon_.firm - canvas_.x) return std::nullopt;
     drop_passed();
+    const std::size_t count = wanted_newcomers(ribbon_, static_cast<std::size_t>(settings_.items_a_screen));
+    newcomers_ = coming_.next_shots(count, [&](const ShotKey& key) { return is_on_wall(key); });
     std::vector<LayoutItem> items;
-    for (const WallShot& shot :
-         next_shots(wanted_newcomers(ribbon_, static_cast<std::size_t>(settings_.items_a_screen))))
+    for (const WallShot& shot : newcomers_)
         items.push_back(shot.item);
     extension_ = extension(ribbon_, items, {});
     return WallPlan{.generation = ++generation_,
@@ -121,7 +89,7 @@ void PanningWall::set_layout(const Layout& layout) {
     ribbon_ = extended(ribbon_, *extension_, layout);
     extension_.reset();
     for (const WallShot& shot : newcomers_)
-        shots_.push_back({.placed = {.shot = shot}});
+        shots_.push_back({.placed = {.shot = shot, .began = never}});
     base_ = std::floor(view_);
     std::vector<PlacedShot> wall;
     for (std::size_t i = 0; i < shots_.size(); ++i) {
@@ -152,16 +120,15 @@ bool PanningWall::is_in_view(const Shown& shown) const {
     return shown.right > view_ && shown.left < view_ + canvas_.x;
 }
 
-/// The view goes on while all that is in it is ready.
+/// Moves the view on, if all shots in it are ready.
 void PanningWall::advance(std::chrono::nanoseconds now) {
     const std::chrono::nanoseconds passed =
-        std::min<std::chrono::nanoseconds>(now - last_.value_or(now), longest_step);
+        std::min<std::chrono::nanoseconds>(now - last_.value_or(now), max_step);
     last_ = now;
     for (Shown& shown : shots_) {
         if (!is_in_view(shown)) continue;
         if (shown.source == Source::unasked || shown.source == Source::asked) return;
-        if (!shown.has_begun) shown.placed.began = now;
-        shown.has_begun = true;
+        if (shown.placed.began == never) shown.placed.began = now;
     }
     if (is_paused_) return;
     const double step = settings_.speed * std::chrono::duration<double>(passed).count();

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "player/layout/plan/ribbon.hpp"
+#include "player/scene/panning_shots.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
 
-#include <map>
-#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -17,12 +16,12 @@ struct PanSettings {
     int items_a_screen = 12;
     double speed = 30;  // canvas px a second
     CellStyle cells;
-    SourceId last_source = 0;  // its own are numbered from there on: apart from those of other walls
+    SourceId last_source = 0;  // its own sources are numbered from there on, apart from those of other walls
 };
 
-/// A wall that passes slowly by, for more shots than fit. What comes is laid out ahead of the view, its
-/// sources are asked for shortly before they come into it, and retire once they have left it; nothing in view
-/// ever moves against its neighbours. The view waits for sources that are late.
+/// A wall that passes slowly by, for more shots than fit on the screen. Shots are laid out ahead of the view;
+/// their sources are asked for shortly before they come into view, and retire once they have left it. Nothing
+/// in view ever moves against its neighbours. The view waits for sources that are late.
 class PanningWall final : public Show {
   public:
     PanningWall(Vec2 canvas, const PanSettings& settings);
@@ -34,14 +33,14 @@ class PanningWall final : public Show {
     void source_ready(SourceId source) override;
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
-    /// A wall that is paused stands; it has no turns and nothing to pin.
+    /// A paused wall stands still; it has no turns and no pins.
     void set_controls(const ShowControls& controls) override { is_paused_ = controls.is_paused; }
 
     WallStep step(std::chrono::nanoseconds now) override;
     std::size_t count() const override;
     std::vector<SlotShot> standing() const override;
 
-    /// Left edge of what is seen, px from where the wall began.
+    /// Left edge of the view, px from where the wall began.
     double view() const { return view_; }
 
   private:
@@ -50,13 +49,10 @@ class PanningWall final : public Show {
     struct Shown {
         PlacedShot placed;  // in px from base_
         Source source = Source::unasked;
-        bool has_begun = false;
         double left = 0, right = 0;  // of the cell, ribbon px
     };
 
     void drop_passed();
-    std::vector<WallShot> next_shots(std::size_t count);
-    std::optional<ShotKey> next_key();
     bool is_on_wall(const ShotKey& key) const;
     std::optional<WallPlan> extend();
     bool is_in_view(const Shown& shown) const;
@@ -65,11 +61,10 @@ class PanningWall final : public Show {
 
     PanSettings settings_;
     Vec2 canvas_;
-    std::map<std::string, RecordList::Record> files_;
-    ShotRotation rotation_;
+    PanningShots coming_;
     Ribbon ribbon_;
     std::vector<Shown> shots_;    // one an item of the ribbon
-    std::vector<SourceId> left_;  // of a wall that was given up
+    std::vector<SourceId> left_;  // by a wall that was given up; to be retired
     std::optional<RibbonExtension> extension_;
     std::vector<WallShot> newcomers_;  // of the extension
     double view_ = 0;                  // ribbon px
@@ -77,7 +72,6 @@ class PanningWall final : public Show {
     std::optional<std::chrono::nanoseconds> last_;
     bool is_paused_ = false;
     std::uint64_t generation_ = 0;
-    SourceId last_source_;
 };
 
 }  // namespace vitrine::player

@@ -16,7 +16,7 @@ struct ShotRequest {
     int width = 0;  // px that the upright picture shall have: what it is shown at, at most its own
     int height = 0;
 
-    friend bool operator==(const ShotRequest&, const ShotRequest&) = default;
+    bool operator==(const ShotRequest&) const = default;
 };
 
 }  // namespace vitrine::player

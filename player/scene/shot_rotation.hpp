@@ -5,6 +5,7 @@
 #include "player/scene/show_files.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <deque>
 #include <functional>
 #include <map>
@@ -12,7 +13,6 @@
 #include <random>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace vitrine::player {
@@ -22,11 +22,7 @@ struct ShotKey {
     std::string path;
     int shot = 0;  // index into MediaRecord::shots
 
-    friend bool operator==(const ShotKey&, const ShotKey&) = default;
-
-    friend bool operator<(const ShotKey& a, const ShotKey& b) {
-        return std::tie(a.path, a.shot) < std::tie(b.path, b.shot);
-    }
+    auto operator<=>(const ShotKey&) const = default;
 };
 
 /// Whose turn it is: each shot once before any of its file comes again, new files first. Of files that come

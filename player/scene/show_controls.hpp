@@ -13,7 +13,7 @@ struct ShowControls {
     std::set<std::string> files;  // pinned: brought onto the wall, where they stay
     std::set<int> slots;          // pinned: keep the shot that they have
 
-    friend bool operator==(const ShowControls&, const ShowControls&) = default;
+    bool operator==(const ShowControls&) const = default;
 };
 
 }  // namespace vitrine::player

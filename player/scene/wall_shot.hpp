@@ -24,7 +24,7 @@ struct WallShot {
     LayoutItem item;
     Shot shot;
 
-    friend bool operator==(const WallShot&, const WallShot&) = default;
+    bool operator==(const WallShot&) const = default;
 };
 
 /// @param key  of a shot of this record

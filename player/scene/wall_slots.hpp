@@ -3,7 +3,7 @@
 #include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
-#include "player/scene/shot_rotation.hpp"
+#include "player/scene/shot_chooser.hpp"
 #include "player/scene/show_controls.hpp"
 #include "player/scene/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
@@ -23,55 +23,51 @@ struct SlotSettings {
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
     FilmShow film = FilmShow::side_by_side;
-    std::chrono::nanoseconds dwell = std::chrono::seconds(20);      // that a shot stays at least
-    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // stay, where whole loops would take more
-    std::chrono::nanoseconds spacing = std::chrono::seconds(3);     // between two changes of turn
-    std::chrono::nanoseconds lead = std::chrono::seconds(4);        // that the next shot is chosen early
-    std::chrono::nanoseconds retry_after =
-        std::chrono::seconds(60);  // before a file that failed is tried again
-    SourceId last_source = 0;      // its own are numbered from there on: apart from those of other walls
+    std::chrono::nanoseconds dwell = std::chrono::seconds(20);        // that a shot stays at least
+    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);    // where whole loops would take more
+    std::chrono::nanoseconds spacing = std::chrono::seconds(3);       // between two changes of turn
+    std::chrono::nanoseconds lead = std::chrono::seconds(4);          // that the next shot is chosen early
+    std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // for a file that failed
+    SourceId last_source = 0;  // its own sources are numbered from there on, apart from those of other walls
 };
 
-/// What is on the wall: a fixed number of slots, each with a shot that after its time makes room for the
-/// next in the same place.
-/// Source: Dynamic Media Assemblage, chapter 4 ("we simply substitute the old shot with the new shot in the
-/// same position"). Beyond: whose turn it is, one slot at a time, following a catalogue that changes.
+/// The shots on a wall: a fixed number of slots, each with a shot that after its time makes room for the next
+/// one in the same place. ShotChooser decides which comes next. Source: Dynamic Media Assemblage, chapter 4
+/// ("we simply substitute the old shot with the new shot in the same position"). Beyond it: whose turn it is,
+/// one slot at a time, following a catalogue that changes.
 ///
-/// Each shot comes once before any comes again but in its own file's only place, new files first; no shot
-/// stands twice. As long as shots of
-/// other files wait a file stands once; a film alone fills all slots with its shots in time order, which then
-/// leave one after the other. Where all files fit on the wall, none ever leaves it altogether.
+/// If all files fit on the wall, none ever leaves it altogether. The shots of a film alone on the wall leave
+/// one after the other.
 class WallSlots {
   public:
     explicit WallSlots(const SlotSettings& settings);
 
-    /// Everything there is. What is gone or no longer ready leaves at once, a file that changed is loaded
-    /// anew in its slots, free slots are filled.
-    /// @param hints  of some of them: how long they stay, how often they come
+    /// Sets the files there are. Files that are gone or not ready any more leave at once, a file that changed
+    /// is loaded anew in its slots, free slots are filled.
+    /// @param hints  how long files stay and how often they come
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
-    /// A turn that is asked for is taken whatever else is wished; a file that is pinned and not on the wall
-    /// takes the next one.
+    /// A turn that is asked for is taken whatever else holds; a file that is pinned and not on the wall takes
+    /// the next one.
     void set_controls(const ShowControls& controls);
 
-    /// At most one shot whose time is nearly over makes room, so that the next can be got ready; free slots
-    /// are filled.
+    /// Replaces at most one shot whose time is nearly over, so that the next one can be got ready; fills free
+    /// slots.
     void advance(std::chrono::nanoseconds now);
 
-    /// When the last shot that made room shall be gone; none: as soon as may be.
+    /// The time at which the last replaced shot leaves; none: as soon as possible.
     std::optional<std::chrono::nanoseconds> due() const { return due_; }
 
-    /// From then on the time of this shot counts.
+    /// The time of this shot counts from now on.
     void shot_appeared(SourceId source, std::chrono::nanoseconds now);
 
-    /// The file is avoided until it changes or some time has passed; its slots go to others.
+    /// Avoids the file until it changes or `retry_after` has passed; its slots go to others.
     void source_failed(SourceId source, std::chrono::nanoseconds now);
 
-    /// The shot leaves now for the next one; where there is none, it and its file do not come back for a
-    /// while.
+    /// Replaces the shot now; if there is no next one, its file is avoided for `retry_after`.
     void dismiss_shot(SourceId source, std::chrono::nanoseconds now);
 
-    /// What is to be shown, in the order of the slots; free slots are left out.
+    /// The shots to be shown, in the order of the slots, without free slots.
     std::vector<WallShot> shots() const;
 
   private:
@@ -89,23 +85,20 @@ class WallSlots {
 
     bool is_pinned(const Slot& slot) const;
     const std::string* pinned_and_missing() const;
-    std::optional<ShotKey> take_pinned(const std::string& path);
-    void follow_changes(const std::map<std::string, RecordList::Record>& before);
-    void fill();
-    void spread(const std::vector<Slot*>& filled);
-    std::chrono::nanoseconds leaves(const Turn& turn, std::chrono::nanoseconds earliest) const;
-    std::vector<Turn> turns(std::chrono::nanoseconds until);
-    std::chrono::nanoseconds stay(const WallShot& shot) const;
-    std::optional<ShotKey> next_for(const Slot& slot);
-    void put(Slot& slot, const ShotKey& key);
-    bool is_on_wall(const ShotKey& key) const;
+    void follow_changes(const WallFiles& before);
+    void fill_slots();
+    void spread_leaving(const std::vector<Slot*>& filled);
+    std::chrono::nanoseconds leaving_time(const Turn& turn, std::chrono::nanoseconds earliest) const;
+    std::vector<Turn> due_turns(std::chrono::nanoseconds until);
+    std::chrono::nanoseconds time_to_stay(const WallShot& shot) const;
+    std::optional<ShotKey> choose_shot(const Slot& slot);
+    void put_shot(Slot& slot, const ShotKey& key);
     long count_on_wall(const std::string& path) const;
 
     SlotSettings settings_;
-    std::map<std::string, RecordList::Record> files_;  // what can be shown
+    WallFiles files_;
     ShowHints hints_;
-    std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when
-    ShotRotation rotation_;
+    ShotChooser chooser_;
     std::vector<Slot> slots_;
     SourceId last_source_;
     ShowControls controls_;

@@ -27,7 +27,8 @@ bool contains(const Box& box, Vec2 point) {
 
 TapestryShow::TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings)
     : tapestry_(std::move(tapestry)),
-      settings_(settings),
+      sources_{settings.first_source},
+      patience_(settings.patience),
       boxes_(tapestry_boxes(canvas, picture)),
       motion_({.centre = settings.first_seen}, settings.pace),
       tiles_(max_tiles(tapestry_, settings.max_tile_bytes)),
@@ -35,8 +36,8 @@ TapestryShow::TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const T
                 .duration = tapestry_.duration,
                 .picture = picture,
                 .shots = settings.shots},
-               sources().film()) {
-    if (settings_.plays_at_once) preview_.play(settings_.first_seen, boxes_.preview.width());
+               sources_.film()) {
+    if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());
 }
 
 void TapestryShow::set_canvas(Vec2 canvas) {
@@ -92,7 +93,7 @@ void TapestryShow::play_in_place(double canvas_x) {
 
 void TapestryShow::tile_ready(const TileId& tile, TileZooms zooms) {
     for (const TileId& gone : tiles_.add(tile, std::move(zooms)))
-        retired_tiles_.push_back(sources().tile(gone));
+        retired_tiles_.push_back(sources_.tile(gone));
 }
 
 std::vector<SourceId> TapestryShow::close() {
@@ -101,8 +102,8 @@ std::vector<SourceId> TapestryShow::close() {
     for (const SourceId tile : std::exchange(retired_tiles_, {}))
         retired.push_back(tile);
     for (const TileId& tile : tiles_.clear())
-        retired.push_back(sources().tile(tile));
-    retired.push_back(sources().mark());
+        retired.push_back(sources_.tile(tile));
+    retired.push_back(sources_.mark());
     return retired;
 }
 
@@ -120,7 +121,7 @@ void TapestryShow::play_by_itself(nanoseconds now) {
 
 TapestryStep TapestryShow::step(nanoseconds now) {
     if (!touched_) touched_ = now;
-    if (settings_.patience && now - *touched_ >= *settings_.patience) is_over_ = true;
+    if (patience_ && now - *touched_ >= *patience_) is_over_ = true;
     const TapestryPlace here = place();
     motion_.advance(now, here);
     tiles_.set_wanted(wanted_tiles(here, view(), motion_.direction(), tiles_.max_tiles()));
@@ -132,7 +133,7 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                               .preview = preview_,
                               .view = view(),
                               .boxes = boxes_,
-                              .sources = sources()};
+                              .sources = sources_};
     TapestryPreview::Changes changes = preview_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
                       .missing = tiles_.missing(),

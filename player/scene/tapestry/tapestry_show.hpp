@@ -73,7 +73,7 @@ class TapestryShow {
     /// called.
     bool is_over() const { return is_over_; }
 
-    TapestrySources sources() const { return {settings_.first_source}; }
+    const TapestrySources& sources() const { return sources_; }
 
     const TapestryView& view() const { return motion_.view(); }
 
@@ -91,7 +91,8 @@ class TapestryShow {
     void play_by_itself(std::chrono::nanoseconds now);
 
     Tapestry tapestry_;
-    TapestrySettings settings_;
+    TapestrySources sources_;
+    std::optional<std::chrono::nanoseconds> patience_;  // as TapestrySettings
     TapestryBoxes boxes_;
     TapestryMotion motion_;
     TileCache tiles_;

@@ -20,7 +20,7 @@ struct TapestryView {
     std::chrono::nanoseconds centre{0};  // time in the film that is in the middle
     double level = 0;                    // in [0, levels - 1]; a whole number: that level alone
 
-    friend bool operator==(const TapestryView&, const TapestryView&) = default;
+    bool operator==(const TapestryView&) const = default;
 };
 
 struct TileId {
@@ -28,7 +28,7 @@ struct TileId {
     int tile = 0;
 
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
-    friend auto operator<=>(const TileId&, const TileId&) = default;
+    auto operator<=>(const TileId&) const = default;
 };
 
 /// A part of a tile and its place on the canvas.

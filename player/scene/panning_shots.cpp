@@ -1,0 +1,35 @@
+#include "player/scene/panning_shots.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace vitrine::player {
+
+void PanningShots::set_files(const RecordList& records, const ShowHints& hints) {
+    files_ = wall_files(records);
+    std::vector<const MediaRecord*> known;
+    for (const auto& [path, record] : files_)
+        known.push_back(record.get());
+    rotation_.set_files(known, hints);
+}
+
+std::vector<WallShot> PanningShots::next_shots(std::size_t count,
+                                               const std::function<bool(const ShotKey&)>& is_on_wall) {
+    std::vector<WallShot> shots;
+    const auto is_new = [&](const ShotKey& key) {
+        return !is_on_wall(key) && std::ranges::find(shots, key, &WallShot::key) == shots.end();
+    };
+    while (shots.size() < count) {
+        std::optional<ShotKey> key = rotation_.next_shot(is_new);
+        if (!key) {
+            rotation_.restart_finished(is_on_wall);
+            key = rotation_.next_shot(is_new);
+        }
+        if (!key) key = rotation_.next_shot([](const ShotKey&) { return true; });
+        if (!key) break;
+        shots.push_back(wall_shot(*files_.at(key->path), *key, ++last_source_, 0));
+    }
+    return shots;
+}
+
+}  // namespace vitrine::player
