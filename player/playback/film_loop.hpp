@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/media/decode_chain.hpp"
-#include "player/layout/plan/mailbox.hpp"
+#include "base/system/mailbox.hpp"
 #include "player/playback/film_feed.hpp"
 #include "player/playback/film_stream.hpp"
 #include "player/playback/loop_seeker.hpp"

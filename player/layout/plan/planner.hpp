@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/plan/mailbox.hpp"
+#include "base/system/mailbox.hpp"
 #include "player/layout/plan/plan.hpp"
 
 #include <atomic>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace vitrine::player {
+namespace vitrine {
 
 /// Thread-safe. Hands values from one thread to another. Only the newest value is kept.
 template <typename T> class Mailbox {
@@ -24,4 +24,4 @@ template <typename T> class Mailbox {
     std::optional<T> value_;  // guarded by mutex_
 };
 
-}  // namespace vitrine::player
+}  // namespace vitrine
