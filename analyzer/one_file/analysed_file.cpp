@@ -1,6 +1,6 @@
 #include "analyzer/one_file/analysed_file.hpp"
 
-#include "analyzer/video/frame_reader.hpp"
+#include "analyzer/film/frame_reader.hpp"
 #include "base/media/colour.hpp"
 #include "base/state/catalogue.hpp"
 #include "base/state/media_error.hpp"

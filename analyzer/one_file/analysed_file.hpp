@@ -1,8 +1,8 @@
 #pragma once
 
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/store/store_place.hpp"
-#include "analyzer/video/frame_source.hpp"
 #include "base/settings/settings.hpp"
 #include "base/state/record.hpp"
 

@@ -1,7 +1,7 @@
 #include "analyzer/one_file/analyze.hpp"
 
+#include "analyzer/film/shot_detector.hpp"
 #include "analyzer/saliency/sample_store.hpp"
-#include "analyzer/video/shot_detector.hpp"
 #include "base/state/media_error.hpp"
 
 #include <utility>
@@ -25,7 +25,7 @@ class Sampler {
           stage_(image_saliency_stage(settings.image, settings.saliency_model)) {}
 
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
-    void push(const VideoFrame& frame, SampleStore& into) {
+    void push(const FilmFrame& frame, SampleStore& into) {
         if (count_ == 0 || frame.time >= due_) {
             into.push(sample(frame));
             due_ = frame.time + nanoseconds(std::chrono::seconds(1)) / settings_.samples_per_second;
@@ -34,7 +34,7 @@ class Sampler {
     }
 
   private:
-    Sample sample(const VideoFrame& frame) {
+    Sample sample(const FilmFrame& frame) {
         const nanoseconds interval = frame.time - before_.time;
         const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= max_interval;
         if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
@@ -58,7 +58,7 @@ class Sampler {
     bool keeps_pictures_;
     std::unique_ptr<FaceDetector> faces_;
     std::unique_ptr<ImageSaliencyStage> stage_;
-    VideoFrame before_;
+    FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
     std::vector<Face> last_faces_;
@@ -100,7 +100,7 @@ class ShotWriter {
 };
 
 /// Tests if a frame can follow another: frames of a broken stream may repeat a time or change their size.
-bool follows(const VideoFrame& frame, const VideoFrame& last) {
+bool follows(const FilmFrame& frame, const FilmFrame& last) {
     return frame.time > last.time && frame.picture.size() == last.picture.size();
 }
 
@@ -120,7 +120,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
                        .width = info.width,
                        .height = info.height,
                        .duration = info.duration};
-    std::optional<VideoFrame> frame = source.next();
+    std::optional<FilmFrame> frame = source.next();
     if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
     Sampler sampler(settings, static_cast<bool>(observer));
     ShotWriter writer(record, settings, observer, grown);
@@ -134,7 +134,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     detector.push(*frame);
     nanoseconds interval{0};
     nanoseconds last_time = frame->time;
-    for (VideoFrame last = *frame; (frame = source.next());) {
+    for (FilmFrame last = *frame; (frame = source.next());) {
         if (!follows(*frame, last)) continue;
         for (const DetectedShot& shot : detector.push(*frame))
             writer.close(shot, size);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/shot_region.hpp"
-#include "analyzer/video/frame_source.hpp"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analyzer/explain/sheet.hpp"
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
-#include "analyzer/video/frame_source.hpp"
 
 #include <functional>
 #include <memory>

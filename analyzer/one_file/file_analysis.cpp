@@ -34,14 +34,14 @@ namespace {
 class ObservedSource : public FrameSource {
   public:
     ObservedSource(FrameSource& source, std::function<void()> before,
-                   std::function<void(const VideoFrame&)> with)
+                   std::function<void(const FilmFrame&)> with)
         : source_(source), before_(std::move(before)), with_(std::move(with)) {}
 
     const MediaInfo& info() const override { return source_.info(); }
 
-    std::optional<VideoFrame> next() override {
+    std::optional<FilmFrame> next() override {
         before_();
-        std::optional<VideoFrame> frame = source_.next();
+        std::optional<FilmFrame> frame = source_.next();
         if (frame) with_(*frame);
         return frame;
     }
@@ -49,7 +49,7 @@ class ObservedSource : public FrameSource {
   private:
     FrameSource& source_;  // outlives this
     std::function<void()> before_;
-    std::function<void(const VideoFrame&)> with_;
+    std::function<void(const FilmFrame&)> with_;
 };
 
 /// The record of a film that broke off; the last shot ends where the damage begins, or earlier.
@@ -101,7 +101,7 @@ class FileAnalysis {
         begin_outputs(source->info());
         ObservedSource observed(
             *source, [this] { report_places(); },
-            [this](const VideoFrame& frame) {
+            [this](const FilmFrame& frame) {
                 if (thumbnail_) thumbnail_->add_frame(frame);
                 if (frames_) frames_->saw(frame);
             });
@@ -197,7 +197,7 @@ bool write_thumbnail(const fs::path& file, const Settings& settings) {
     const AnalysedFile analysed(file, settings);
     Thumbnail thumbnail(analysed.thumbnail());
     const std::unique_ptr<FrameSource> source = analysed.open();
-    while (const std::optional<VideoFrame> frame = source->next()) {
+    while (const std::optional<FilmFrame> frame = source->next()) {
         if (frame->time < record->shots.front().begin) continue;
         thumbnail.add_frame(*frame);
         break;

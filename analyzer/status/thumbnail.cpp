@@ -32,7 +32,7 @@ struct Free {
 };
 
 /// The region as it lies in this frame, thumbnail px.
-std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, const VideoFrame& frame,
+std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, const FilmFrame& frame,
                                cv::Size size) {
     constexpr int shift = 16;  // of cv::polylines: fractions of px
     const double seconds = std::chrono::duration<double>(frame.time - shot.begin).count();
@@ -72,20 +72,20 @@ std::string jpeg(const cv::Mat& bgr) {
 
 }  // namespace
 
-void Thumbnail::add_frame(const VideoFrame& frame) {
+void Thumbnail::add_frame(const FilmFrame& frame) {
     if (is_written_ || frame.picture.empty() || frames_.size() >= max_frames) return;
     if (!frames_.empty() && frame.time < frames_.back().time + between_frames) return;
     const int side = std::max(frame.picture.cols, frame.picture.rows);
     const double scale = std::min(1.0, static_cast<double>(max_side) / side);
-    VideoFrame small{.picture = {}, .time = frame.time};
+    FilmFrame small{.picture = {}, .time = frame.time};
     cv::resize(frame.picture, small.picture, {}, scale, scale, cv::INTER_AREA);
     frames_.push_back(std::move(small));
 }
 
 /// The first kept frame of the shot.
-const VideoFrame* Thumbnail::frame_of(const Shot& shot) const {
+const FilmFrame* Thumbnail::frame_of(const Shot& shot) const {
     const auto found =
-        std::ranges::find_if(frames_, [&](const VideoFrame& frame) { return frame.time >= shot.begin; });
+        std::ranges::find_if(frames_, [&](const FilmFrame& frame) { return frame.time >= shot.begin; });
     return found == frames_.end() || (shot.end > shot.begin && found->time >= shot.end) ? nullptr : &*found;
 }
 
@@ -93,7 +93,7 @@ void Thumbnail::write(const MediaRecord& record) {
     if (is_written_ || record.shots.empty() || record.width <= 0 || record.height <= 0) return;
     is_written_ = true;
     const Shot& shot = record.shots.front();
-    const VideoFrame* frame = frame_of(shot);
+    const FilmFrame* frame = frame_of(shot);
     if (frame == nullptr) return;
     cv::Mat picture = frame->picture.clone();
     draw(picture, outline(record, shot, *frame, picture.size()));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/video/video_frame.hpp"
+#include "analyzer/film/film_frame.hpp"
 #include "base/state/record.hpp"
 
 #include <filesystem>
@@ -16,17 +16,17 @@ class Thumbnail {
     explicit Thumbnail(std::filesystem::path file) : file_(std::move(file)) {}
 
     /// Frames of the file come in the order of time.
-    void add_frame(const VideoFrame& frame);
+    void add_frame(const FilmFrame& frame);
 
     /// Draws the first shot; further calls do nothing. A full disk is no reason to fail.
     /// @param record  with that shot
     void write(const MediaRecord& record);
 
   private:
-    const VideoFrame* frame_of(const Shot& shot) const;
+    const FilmFrame* frame_of(const Shot& shot) const;
 
     std::filesystem::path file_;
-    std::vector<VideoFrame> frames_;
+    std::vector<FilmFrame> frames_;
     bool is_written_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/video/frame_source.hpp"
+#include "analyzer/film/frame_source.hpp"
 
 #include <optional>
 

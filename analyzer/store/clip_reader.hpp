@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/film/frame_times.hpp"
 #include "analyzer/store/clip_form.hpp"
-#include "analyzer/video/frame_times.hpp"
 #include "base/media/decode_chain.hpp"
 #include "base/media/tone_map.hpp"
 

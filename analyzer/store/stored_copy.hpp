@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/store/store_place.hpp"
-#include "analyzer/video/frame_source.hpp"
 #include "base/state/stored_shot.hpp"
 
 #include <optional>

@@ -1,12 +1,12 @@
 #include "analyzer/tapestry/weave_file.hpp"
 
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "analyzer/tapestry/weave/strip_zoom.hpp"
 #include "analyzer/tapestry/weave/threads.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "base/state/media_error.hpp"
 #include "base/state/record.hpp"
 #include "base/system/atomic_file.hpp"
@@ -146,7 +146,7 @@ class Weaving {
         if (auto film = film_of_kept()) return std::move(*film);
         const auto source = opened(request_, settings_);
         KeptFrames frames(request_.directory, request_.most_bytes > 0 ? request_.most_bytes : no_limit);
-        while (const std::optional<VideoFrame> frame = source->next())
+        while (const std::optional<FilmFrame> frame = source->next())
             frames.saw(*frame);
         frames.finish(source->info().duration, content_);
         if (auto film = film_of_kept()) return std::move(*film);

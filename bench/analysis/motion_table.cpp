@@ -2,8 +2,8 @@
 // outline in every frame, real ones of the media folder and drawn ones, and films whose subjects are labelled
 // in a few frames.
 
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/one_file/analyze.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "bench/analysis/made_takes.hpp"
 #include "bench/analysis/region_score.hpp"
 #include "bench/analysis/tables.hpp"
@@ -141,8 +141,8 @@ class TimedSource : public FrameSource {
 
     const MediaInfo& info() const override { return source_->info(); }
 
-    std::optional<VideoFrame> next() override {
-        std::optional<VideoFrame> frame = source_->next();
+    std::optional<FilmFrame> next() override {
+        std::optional<FilmFrame> frame = source_->next();
         if (frame) times_.push_back(frame->time);
         return frame;
     }

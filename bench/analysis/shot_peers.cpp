@@ -44,7 +44,7 @@ std::vector<Suspicion> scdet_scores(const std::string& path) {
     return scores;
 }
 
-void AdaptiveDetector::push(const VideoFrame& frame) {
+void AdaptiveDetector::push(const FilmFrame& frame) {
     cv::Mat hsv;
     cv::cvtColor(frame.picture, hsv, cv::COLOR_BGR2HSV);
     double change = 0;

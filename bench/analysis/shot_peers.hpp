@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/video/frame_features.hpp"
+#include "analyzer/film/frame_features.hpp"
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ std::vector<Suspicion> scdet_scores(const std::string& path);
 /// mean over two frames before and two after; 0 where the change itself is below 15.
 class AdaptiveDetector {
   public:
-    void push(const VideoFrame& frame);
+    void push(const FilmFrame& frame);
 
     std::vector<Suspicion> finish() const;
 

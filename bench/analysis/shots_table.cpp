@@ -3,8 +3,8 @@
 // detector and a plain histogram, each at the threshold that suits these very films best; they name no kinds,
 // so that what they report within a gradual transition counts as finding it.
 
-#include "analyzer/video/frame_reader.hpp"
-#include "analyzer/video/transition_detector.hpp"
+#include "analyzer/film/frame_reader.hpp"
+#include "analyzer/film/transition_detector.hpp"
 #include "bench/analysis/shot_peers.hpp"
 #include "bench/analysis/tables.hpp"
 #include "bench/analysis/transition_score.hpp"
@@ -75,7 +75,7 @@ class Reader {
     void detect() {
         const double process = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
         const double start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
-        for (const VideoFrame& frame : frames_)
+        for (const FilmFrame& frame : frames_)
             std::ranges::copy(detector_.push(features_of(frame)), std::back_inserter(film_.found));
         const double seconds = cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
         film_.detect_seconds += seconds;
@@ -85,7 +85,7 @@ class Reader {
     void ask_peers() {
         const double process = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
         const double start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
-        for (const VideoFrame& frame : frames_) {
+        for (const FilmFrame& frame : frames_) {
             adaptive_.push(frame);
             histogram_.push(features_of(frame));
         }
@@ -95,7 +95,7 @@ class Reader {
 
     Film& film_;  // outlives the reader
     std::unique_ptr<FrameSource> source_;
-    std::vector<VideoFrame> frames_;
+    std::vector<FilmFrame> frames_;
     TransitionDetector detector_;
     AdaptiveDetector adaptive_;
     HistogramDetector histogram_;

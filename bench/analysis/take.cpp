@@ -1,7 +1,7 @@
 #include "bench/analysis/take.hpp"
 
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/one_file/analyze.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "bench/analysis/region_score.hpp"
 
 #include <fmt/format.h>
@@ -50,11 +50,11 @@ TakeSource::TakeSource(const Take& take)
             .height = take.frames.front().rows,
             .duration = frame_time(take, take.frames.size())} {}
 
-std::optional<VideoFrame> TakeSource::next() {
+std::optional<FilmFrame> TakeSource::next() {
     if (count_ == take_.frames.size()) return std::nullopt;
     const cv::Mat& frame = take_.frames[count_];
     const double scale = std::min(1.0, AnalysisSettings{}.frame_size / static_cast<double>(info_.width));
-    VideoFrame result{.time = frame_time(take_, count_++)};
+    FilmFrame result{.time = frame_time(take_, count_++)};
     cv::resize(frame, result.picture, {}, scale, scale, cv::INTER_AREA);
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
-#include "analyzer/video/frame_source.hpp"
 
 #include <filesystem>
 #include <string>
@@ -27,7 +27,7 @@ class TakeSource : public FrameSource {
 
     const MediaInfo& info() const override { return info_; }
 
-    std::optional<VideoFrame> next() override;
+    std::optional<FilmFrame> next() override;
 
   private:
     const Take& take_;  // outlives the source

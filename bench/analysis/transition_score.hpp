@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/video/transition.hpp"
+#include "analyzer/film/transition.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 // What the tapestry of a film costs and how good it is, in processor time; ratios are within one run.
 //   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS]
 
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "bench/tapestry/measures.hpp"
 
 #include <CLI/CLI.hpp>

@@ -2,10 +2,10 @@
 // synthesised, in processor time.
 //   zoom_bench FILM... [--pictures DIR]
 
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "analyzer/tapestry/weave/strip_zoom.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "bench/tapestry/measures.hpp"
 
 #include <CLI/CLI.hpp>

@@ -33,7 +33,7 @@ cv::Rect cut_to(cv::Size frame, cv::Size brick) {
     return {{(frame.width - part.width) / 2, (frame.height - part.height) / 2}, part};
 }
 
-CandidateEntry entry_of(const VideoFrame& frame) {
+CandidateEntry entry_of(const FilmFrame& frame) {
     cv::Mat small;
     cv::resize(frame.picture, small, {FrameSignature::width, FrameSignature::height}, 0, 0, cv::INTER_AREA);
     CandidateEntry entry{.time_ns = frame.time.count()};
@@ -64,7 +64,7 @@ void CandidateWriter::append(const void* data, std::size_t bytes) {
     written_ += written;
 }
 
-void CandidateWriter::push(const VideoFrame& frame) {
+void CandidateWriter::push(const FilmFrame& frame) {
     if (last_.count() < 0) {
         frame_ = frame.picture.size();
         brick_ = brick_for(frame_);

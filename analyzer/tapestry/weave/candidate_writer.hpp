@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/film/film_frame.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"
-#include "analyzer/video/video_frame.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class CandidateWriter {
 
     /// Frames that do not come after the last, or have another size, are of a broken stream and passed over.
     /// @throws std::system_error where there is no room
-    void push(const VideoFrame& frame);
+    void push(const FilmFrame& frame);
 
     bool is_empty() const { return entries_.empty(); }
 

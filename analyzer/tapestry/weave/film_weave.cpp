@@ -106,7 +106,7 @@ Film film_of(UniqueFd frames, FaceDetector* faces) {
 
 Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* faces) {
     CandidateWriter writer(nameless_file(directory));
-    while (const std::optional<VideoFrame> frame = source.next())
+    while (const std::optional<FilmFrame> frame = source.next())
         writer.push(*frame);
     if (writer.is_empty()) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
     return film_of(writer.finish(source.info().duration, {}), faces);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "analyzer/film/frame_source.hpp"
 #include "analyzer/tapestry/synthesis/keyframes.hpp"
 #include "analyzer/tapestry/synthesis/weave.hpp"
 #include "analyzer/tapestry/weave/candidates.hpp"
 #include "analyzer/tapestry/weave/weave_plan.hpp"
-#include "analyzer/video/frame_source.hpp"
 #include "base/state/tapestry.hpp"
 
 #include <filesystem>

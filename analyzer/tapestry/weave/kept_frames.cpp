@@ -47,7 +47,7 @@ void KeptFrames::give_up() {
     fs::remove(unfinished(file_in(directory_)), ignored);
 }
 
-void KeptFrames::saw(const VideoFrame& frame) {
+void KeptFrames::saw(const FilmFrame& frame) {
     if (!writer_) return;
     try {
         writer_->push(frame);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analyzer/film/film_frame.hpp"
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
-#include "analyzer/video/video_frame.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -22,7 +22,7 @@ class KeptFrames {
     /// Leaves no half file behind.
     ~KeptFrames();
 
-    void saw(const VideoFrame& frame);
+    void saw(const FilmFrame& frame);
 
     /// From now on they are there, and whole.
     void finish(std::chrono::nanoseconds duration, const FilmContent& content);

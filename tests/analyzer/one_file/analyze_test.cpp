@@ -22,10 +22,10 @@ class DrawnFilm : public FrameSource {
 
     const MediaInfo& info() const override { return info_; }
 
-    std::optional<VideoFrame> next() override {
+    std::optional<FilmFrame> next() override {
         if (next_ == count_) return std::nullopt;
         const int i = next_++;
-        return VideoFrame{.picture = draw_(i), .time = milliseconds(40) * i};
+        return FilmFrame{.picture = draw_(i), .time = milliseconds(40) * i};
     }
 
   private:

@@ -1,12 +1,12 @@
 #include "analyzer/one_file/file_analysis.hpp"
 
 #include "analyzer/explain/canvas.hpp"
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
-#include "analyzer/video/frame_reader.hpp"
 #include "base/state/tapestry.hpp"
-#include "tests/analyzer/video/drawn_film.hpp"
+#include "tests/analyzer/film/drawn_film.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>

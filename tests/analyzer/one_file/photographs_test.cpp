@@ -1,5 +1,5 @@
+#include "analyzer/film/frame_reader.hpp"
 #include "analyzer/one_file/analyze.hpp"
-#include "analyzer/video/frame_reader.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-VideoFrame frame(const cv::Scalar& bgr, std::chrono::nanoseconds time = 0s) {
+FilmFrame frame(const cv::Scalar& bgr, std::chrono::nanoseconds time = 0s) {
     return {.picture = cv::Mat(180, 320, CV_8UC3, bgr), .time = time};
 }
 

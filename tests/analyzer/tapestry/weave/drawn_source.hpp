@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/video/frame_source.hpp"
+#include "analyzer/film/frame_source.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -21,10 +21,10 @@ class DrawnSource : public FrameSource {
 
     const MediaInfo& info() const override { return info_; }
 
-    std::optional<VideoFrame> next() override {
+    std::optional<FilmFrame> next() override {
         if (next_ == frames_) return std::nullopt;
-        VideoFrame frame{.picture = cv::Mat(size_, CV_8UC3, cv::Scalar::all(0)),
-                         .time = std::chrono::milliseconds(100) * next_};
+        FilmFrame frame{.picture = cv::Mat(size_, CV_8UC3, cv::Scalar::all(0)),
+                        .time = std::chrono::milliseconds(100) * next_};
         if (!is_black_) {
             const int scene = next_ / 40;
             frame.picture.setTo(cv::Scalar(scene * 70 % 256, 120, 60));

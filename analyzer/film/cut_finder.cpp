@@ -1,0 +1,118 @@
+#include "analyzer/film/cut_finder.hpp"
+
+#include "analyzer/film/block_motion.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr double least_step = 4;     // grey levels that the picture changes by at any cut
+constexpr double above_third = 1.4;  // times the third largest step around: two more may be a flash's
+constexpr double above_median = 3;   // times the median step around
+constexpr milliseconds around{240};
+constexpr std::size_t around_frames = 4;  // at least so many, where frames are rare
+
+constexpr double least_unexplained = .09;  // at a cut
+constexpr double above_next = 3;           // times what is unexplained close by
+constexpr double above_busier = 2;         // with a calm side
+constexpr double most_of_all = .75;
+constexpr double above_next_if_unlike = 1.2;
+constexpr milliseconds close_by{80};
+constexpr double clear_step =
+    6;  // times the steps around: a change of colours only, which motion cannot explain
+
+// An abrupt change to a picture that may be seen again soon, or that shows the same from elsewhere.
+constexpr milliseconds longest_blink{140};
+constexpr milliseconds longest_flash{250};
+constexpr double flash_light = 20;  // grey levels that a flash is brighter
+constexpr double least_left = .05;  // unexplained
+constexpr double least_area = .4;
+constexpr double abrupt = 6;    // times what is unexplained close by
+constexpr double lasting = .5;  // of what is unexplained at once
+
+constexpr double noise = .006;  // unexplained anyway
+
+bool is_around(const FeatureWindow& window, std::size_t frame, std::size_t other) {
+    const std::size_t frames = other > frame ? other - frame : frame - other;
+    return frames <= around_frames || std::chrono::abs(window.time(other) - window.time(frame)) <= around;
+}
+
+// How much a frame's step stands out among those around it: 1 at the threshold.
+double prominence(const FeatureWindow& window, std::size_t frame) {
+    std::vector<double> steps;
+    for (std::size_t i = frame; i > window.first() + 1 && is_around(window, frame, i - 1); --i)
+        steps.push_back(window.step_at(i - 1));
+    for (std::size_t i = frame + 1; i < window.end() && is_around(window, frame, i); ++i)
+        steps.push_back(window.step_at(i));
+    std::ranges::sort(steps, std::greater<>());
+    const double third = steps.size() > 2 ? steps[2] : 0;
+    const double median = steps.empty() ? 0 : steps[steps.size() / 2];
+    return window.step_at(frame) / std::max({above_third * third, above_median * median, least_step});
+}
+
+Unexplained unexplained_at(const FeatureWindow& window, std::size_t frame) {
+    return unexplained(window.at(frame - 1), window.at(frame));
+}
+
+// The most that is unexplained from one frame to the next close by, on either side.
+struct Beside {
+    double before = noise;
+    double after = noise;
+};
+
+Beside beside(const FeatureWindow& window, std::size_t frame) {
+    Beside most;
+    for (std::size_t i = std::max(window.back(frame - 1, close_by), window.first()) + 1; i < frame; ++i)
+        most.before = std::max(most.before, unexplained_at(window, i).share + noise);
+    const std::size_t last = std::max(window.ahead(frame, close_by), window.ahead(frame, milliseconds{1}));
+    for (std::size_t i = frame + 1; i <= last; ++i)
+        most.after = std::max(most.after, unexplained_at(window, i).share + noise);
+    return most;
+}
+
+// Whether so much is unexplained as long as a flash can last, before and after.
+bool lasts(const FeatureWindow& window, std::size_t frame, double left) {
+    const auto unlike = [&](std::size_t before, std::size_t after) {
+        return unexplained(window.at(before), window.at(after)).share > lasting * left;
+    };
+    const auto time = window.time(frame);
+    const double brighter = window.at(frame).mean - window.at(frame - 1).mean;
+    const milliseconds after = brighter > flash_light ? longest_flash : longest_blink;
+    const milliseconds before = brighter < -flash_light ? longest_flash : longest_blink;
+    for (std::size_t i = frame + 1; i < window.end() && window.time(i) - time < after; ++i)
+        if (!unlike(frame - 1, i)) return false;
+    for (std::size_t i = frame - 1; i > window.first() && time - window.time(i) < before; --i)
+        if (!unlike(i - 1, frame)) return false;
+    return true;
+}
+
+}  // namespace
+
+bool is_cut(const FeatureWindow& window, std::size_t frame) {
+    if (frame <= window.first() || frame >= window.end() || window.step_at(frame) < least_step) return false;
+    const double stands_out = prominence(window, frame);
+    if (stands_out < 1) return false;
+    const Unexplained left = unexplained_at(window, frame);
+    if (left.share < least_left) return stands_out > clear_step && is_new_take(window, frame - 1, frame);
+    const auto [before, after] = beside(window, frame);
+    const double busier = std::max(before, after);
+    const double calmer = std::min(before, after);
+    const bool is_abrupt = left.share > abrupt * busier && left.share > least_left && left.area > least_area;
+    if (is_abrupt && lasts(window, frame, left.share)) return true;
+    if (left.share < least_unexplained)
+        return stands_out > clear_step && is_new_take(window, frame - 1, frame);
+    if (left.share < above_next_if_unlike * busier) return false;
+    const TakeChange change = take_change(window, frame - 1, frame);
+    if (change == TakeChange::clear) return true;
+    const bool is_clear_here =
+        left.share > above_next * busier ||
+        (left.area > most_of_all && left.share > above_busier * busier && left.share > abrupt * calmer);
+    return change == TakeChange::likely && is_clear_here && left.area > least_area;
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,143 @@
+#include "analyzer/film/dissolve_finder.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::array windows{milliseconds{160}, milliseconds{240}, milliseconds{320}, milliseconds{480},
+                             milliseconds{640}, milliseconds{960}, milliseconds{1280}};
+constexpr std::size_t least_frames = 4;     // of a window
+constexpr std::size_t most_looked_at = 32;  // frames of a window
+constexpr double least_energy = 150;        // mean square of D, grey levels squared
+constexpr double alike = .6;                // NCC of both ends
+constexpr double least_difference = .15;    // colour difference of both ends
+constexpr double uneven = .18;              // largest deviation from even growth
+constexpr double most_residue = .05;        // energy beside D, share of D's
+constexpr double even = .1;                 // deviation of what nothing but a dissolve grows like
+constexpr double most_residue_if_even = .17;
+constexpr milliseconds least_if_even{320};
+constexpr double unlike = .2;  // NCC of ends that no motion explains: both shots may move then
+constexpr double most_residue_if_unlike = .10;
+constexpr milliseconds quiet{320};  // without a window, a dissolve is over
+
+// Bars that move in from above and below are no dissolve: what lies there does not count.
+constexpr std::size_t row = 3 * FrameFeatures::signature_width;
+constexpr std::size_t first_place = 3 * row;
+constexpr std::size_t end_place = (FrameFeatures::signature_height - 3) * row;
+constexpr double places = end_place - first_place;
+
+double mean_product(const FrameFeatures& a, const FrameFeatures& b) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = first_place; i < end_place; ++i)
+        sum += std::uint32_t{a.signature[i]} * b.signature[i];
+    return sum / places;
+}
+
+double mean_of(const FrameFeatures& a) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = first_place; i < end_place; ++i)
+        sum += a.signature[i];
+    return sum / places;
+}
+
+double correlation(const FrameFeatures& a, const FrameFeatures& b) {
+    const double ma = mean_of(a);
+    const double mb = mean_of(b);
+    const double spread = std::sqrt((mean_product(a, a) - ma * ma) * (mean_product(b, b) - mb * mb));
+    return spread > 1 ? (mean_product(a, b) - ma * mb) / spread : 0;
+}
+
+// The share and residue of one frame on the line from s to e, by products of signatures only:
+// with g = f_t - f_s: a = <g, D> / <D, D>, residue = (<g, g> - a^2 <D, D>) / <D, D>.
+struct Line {
+    double share = 0;
+    double residue = 0;
+};
+
+class Ends {
+  public:
+    Ends(const FrameFeatures& start, const FrameFeatures& end)
+        : start_(start),
+          end_(end),
+          start_start_(mean_product(start, start)),
+          start_end_(mean_product(start, end)),
+          energy_(start_start_ - 2 * start_end_ + mean_product(end, end)) {}
+
+    double energy() const { return energy_; }
+
+    Line line(const FrameFeatures& frame) const {
+        const double frame_start = mean_product(frame, start_);
+        const double along = mean_product(frame, end_) - frame_start - start_end_ + start_start_;
+        const double squared = mean_product(frame, frame) - 2 * frame_start + start_start_;
+        const double share = along / energy_;
+        return {.share = share, .residue = squared / energy_ - share * share};
+    }
+
+  private:
+    const FrameFeatures& start_;
+    const FrameFeatures& end_;
+    double start_start_;
+    double start_end_;
+    double energy_;
+};
+
+bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t last) {
+    const FrameFeatures& start = window.at(first);
+    const FrameFeatures& end = window.at(last);
+    const double likeness = correlation(start, end);
+    if (likeness >= alike) return false;
+    const Ends ends(start, end);
+    if (ends.energy() <= least_energy || colour_difference(start, end) <= least_difference) return false;
+    const std::size_t step = std::max<std::size_t>(1, (last - first) / most_looked_at);
+    const auto length = std::chrono::duration<double>(end.time - start.time).count();
+    double residue = 0;
+    double unevenness = 0;
+    int looked_at = 0;
+    for (std::size_t i = first + step; i < last; i += step, ++looked_at) {
+        const Line line = ends.line(window.at(i));
+        const double due = std::chrono::duration<double>(window.time(i) - start.time).count() / length;
+        unevenness = std::max(unevenness, std::abs(line.share - due));
+        if (unevenness >= uneven) return false;
+        residue += line.residue;
+    }
+    const double most = unevenness < even && end.time - start.time >= least_if_even ? most_residue_if_even
+                        : likeness < unlike                                         ? most_residue_if_unlike
+                                                                                    : most_residue;
+    return looked_at > 0 && residue / looked_at < most;
+}
+
+}  // namespace
+
+std::optional<Transition> DissolveFinder::push(const FeatureWindow& window, std::size_t frame,
+                                               std::size_t since) {
+    std::size_t first = frame;
+    std::optional<std::size_t> longest;
+    for (const milliseconds length : windows) {
+        while (first > window.first() && first > since && window.time(frame) - window.time(first) < length)
+            --first;
+        if (window.time(frame) - window.time(first) < length || frame - first < least_frames) continue;
+        if (is_dissolve(window, first, frame)) longest = first;
+    }
+    if (!longest) return open_ && window.time(frame) - open_->end > quiet ? finish() : std::nullopt;
+    const Transition found{window.time(*longest), window.time(frame), ShotEnd::dissolve};
+    if (!open_) open_ = found;
+    open_->begin = std::min(open_->begin, found.begin);
+    open_->end = found.end;
+    return std::nullopt;
+}
+
+std::optional<Transition> DissolveFinder::finish() {
+    return std::exchange(open_, std::nullopt);
+}
+
+std::optional<std::chrono::nanoseconds> DissolveFinder::open_since() const {
+    return open_ ? std::optional(open_->begin) : std::nullopt;
+}
+
+}  // namespace vitrine::analyzer

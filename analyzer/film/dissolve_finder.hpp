@@ -1,0 +1,34 @@
+#pragma once
+
+#include "analyzer/film/feature_window.hpp"
+#include "analyzer/film/transition.hpp"
+
+#include <optional>
+
+namespace vitrine::analyzer {
+
+/// Finds dissolves: stretches over which the picture moves in a straight line from one picture to an unlike
+/// one.
+///
+/// For frames s..e with signatures f, D = f_e - f_s and a_t = <f_t - f_s, D> / |D|^2 must grow evenly from 0
+/// to 1 while hardly anything is left beside D. A pan moves evenly as well, but between alike pictures: hence
+/// the normalised cross-correlation of both ends. Windows of several lengths end at each frame; those that
+/// overlap are one dissolve. Whether motion explains the change after all is asked by TransitionDetector.
+class DissolveFinder {
+  public:
+    /// Looks at the windows that end with `frame`.
+    /// @param since  no window may begin before this frame: the last transition
+    /// @return       a dissolve that is over for good
+    std::optional<Transition> push(const FeatureWindow& window, std::size_t frame, std::size_t since);
+
+    /// The dissolve still open.
+    std::optional<Transition> finish();
+
+    /// Where the open dissolve began.
+    std::optional<std::chrono::nanoseconds> open_since() const;
+
+  private:
+    std::optional<Transition> open_;
+};
+
+}  // namespace vitrine::analyzer

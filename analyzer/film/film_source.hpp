@@ -1,0 +1,50 @@
+#pragma once
+
+#include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/frame_times.hpp"
+#include "base/media/colour.hpp"
+#include "base/media/decode_chain.hpp"
+#include "base/media/tone_map.hpp"
+
+#include <gst/video/video.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace vitrine::analyzer {
+
+/// Limits of a film.
+constexpr int max_film_side = 16'384;                 // px
+constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
+
+/// The frames of a film, decoded as fast as they are asked for.
+class FilmSource : public FrameSource {
+  public:
+    /// @param background  what shows through where the film is transparent
+    /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits
+    FilmSource(const std::string& path, int analysis_size, Colour background = {});
+
+    const MediaInfo& info() const override { return info_; }
+
+    std::optional<FilmFrame> next() override;
+
+  private:
+    void read_geometry(int analysis_size);
+    FilmFrame frame_of(GstSample* sample, std::chrono::nanoseconds time) const;
+    void finish();
+
+    DecodeChain chain_;
+    GstPtr<GstElement> sink_;
+    Colour background_;
+    MediaInfo info_;
+    GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
+    std::optional<ToneMap> tones_;  // of an HDR film
+    cv::Size coded_size_;           // of the small picture before it is turned
+    bool extent_known_ = false;     // the container said how long it is in bytes
+    bool ended_ = false;
+    std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet
+    FrameTimes times_;
+};
+
+}  // namespace vitrine::analyzer

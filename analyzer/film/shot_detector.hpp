@@ -1,0 +1,41 @@
+#pragma once
+
+#include "analyzer/film/film_frame.hpp"
+#include "base/state/record.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// A stretch of one take, half-open [begin, end) in stream time. What lies between two shots is transition.
+struct DetectedShot {
+    std::chrono::nanoseconds begin{0};
+    std::chrono::nanoseconds end{0};
+    ShotEnd ends_with = ShotEnd::end;
+
+    friend bool operator==(const DetectedShot&, const DetectedShot&) = default;
+};
+
+/// Finds cuts, dissolves and fades in a stream of frames with bounded memory.
+/// Source: Dynamic Media Assemblage 3.1 (Lienhart's colour histogram differences).
+class ShotDetector {
+  public:
+    ShotDetector();
+    ~ShotDetector();
+    ShotDetector(const ShotDetector&) = delete;
+    ShotDetector& operator=(const ShotDetector&) = delete;
+
+    /// @param frame  later than the one before, of the same size
+    /// @return       the shots that this frame shows to be over, in time order; mostly none
+    std::vector<DetectedShot> push(const FilmFrame& frame);
+
+    /// The shots still open. @param end  when the last frame's time is over
+    std::vector<DetectedShot> finish(std::chrono::nanoseconds end);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,98 @@
+#include "analyzer/film/take_change.hpp"
+
+#include "analyzer/film/block_motion.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::array looked_back{milliseconds{0}, milliseconds{150}, milliseconds{400}};
+constexpr std::array looked_ahead{milliseconds{0}, milliseconds{130}, milliseconds{300}, milliseconds{600},
+                                  longest_return};
+constexpr double explained = .07;     // as much is left of one scene, moved
+constexpr double same = .11;          // geometric mean of what is left and of the colour difference
+constexpr double other_colours = .6;  // colour difference of what is no one scene, however much is explained
+constexpr double clearly_unlike = .25;  // what is left of it as well, where nobody need ask how abrupt it was
+constexpr milliseconds longest_flash{250};
+constexpr double flash_light = 20;  // grey levels that a flash is brighter
+constexpr double flash_rest = .4;   // of that, where it is over
+constexpr double explained_if_flash = .2;
+constexpr double same_if_flash = .25;
+constexpr int enough_alike = 3;  // pairs of pictures: one may be alike by chance
+constexpr double plain = 4;      // deviation of a picture of one colour, which tells nothing
+
+constexpr std::size_t least_steps = 4;  // that a gradual change is looked at in
+constexpr milliseconds step_length{80};
+
+}  // namespace
+
+namespace {
+
+// Whether the light goes up here and down again soon, or went up shortly before and goes down here.
+bool is_in_flash(const FeatureWindow& window, std::size_t before, std::size_t after) {
+    const double brighter = window.at(after).mean - window.at(before).mean;
+    if (std::abs(brighter) < flash_light) return false;
+    const double dark = std::min(window.at(after).mean, window.at(before).mean);
+    const double limit = dark + flash_rest * std::abs(brighter);
+    if (brighter > 0) {
+        for (std::size_t i = after; i <= window.ahead(after, longest_flash); ++i)
+            if (window.at(i).mean < limit) return true;
+        return false;
+    }
+    for (std::size_t i = window.back(before, longest_flash); i <= before; ++i)
+        if (window.at(i).mean < limit) return true;
+    return false;
+}
+
+}  // namespace
+
+TakeChange take_change(const FeatureWindow& window, std::size_t before, std::size_t after) {
+    bool is_clear = true;
+    int alike = 0;
+    const bool is_flash = is_in_flash(window, before, after);
+    const double most_left = is_flash ? explained_if_flash : explained;
+    const double most_same = is_flash ? same_if_flash : same;
+    for (const milliseconds back : looked_back) {
+        const FrameFeatures& earlier = window.at(window.back(before, back));
+        for (const milliseconds ahead : looked_ahead) {
+            const FrameFeatures& later = window.at(window.ahead(after, ahead));
+            if (earlier.deviation < plain && later.deviation < plain) continue;
+            const double colours = colour_difference(earlier, later);
+            const double left = unexplained(earlier, later).share;
+            is_clear = is_clear && colours > other_colours && left > clearly_unlike;
+            if (colours > other_colours) continue;
+            if ((left < most_left || std::sqrt(left * colours) < most_same) && ++alike == enough_alike)
+                return TakeChange::none;
+        }
+    }
+    return is_clear ? TakeChange::clear : TakeChange::likely;
+}
+
+GradualChange gradual_change(const FeatureWindow& window, std::size_t first, std::size_t last) {
+    const Unexplained ends = unexplained(window.at(first), window.at(last));
+    const auto length = static_cast<std::size_t>((window.time(last) - window.time(first)) / step_length);
+    const std::size_t steps = std::min(std::max(length, least_steps), last - first);
+    double on_way = 0;
+    double change = 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const Unexplained step = unexplained(window.at(first + (last - first) * i / steps),
+                                             window.at(first + (last - first) * (i + 1) / steps));
+        on_way += step.share;
+        change += step.still;
+    }
+    return {.share = ends.share,
+            .area = ends.area,
+            .unmoved = change > 0 ? on_way / change : 1,
+            .on_way = ends.share > 0 ? on_way / ends.share : 1};
+}
+
+bool is_new_take(const FeatureWindow& window, std::size_t before, std::size_t after) {
+    return take_change(window, before, after) != TakeChange::none;
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "analyzer/film/feature_window.hpp"
+#include "analyzer/film/transition.hpp"
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Finds wipes: an edge that runs evenly over the whole picture and leaves another picture behind.
+///
+/// Each place of the picture changes most when the edge passes it. In a wipe these times lie in one plane
+/// over the picture, t = a x + b y + c, whatever moves in either shot. A thing that passes close by runs over
+/// the picture as well, but leaves the same picture behind; a pan is explained by motion.
+class WipeFinder {
+  public:
+    /// Looks at the windows that are due with `frame`.
+    /// @param since  no wipe may begin before this frame: the last transition
+    std::optional<Transition> push(const FeatureWindow& window, std::size_t frame, std::size_t since);
+
+  private:
+    static constexpr std::size_t windows = 4;
+    static constexpr std::size_t places = FrameFeatures::signature_width * FrameFeatures::signature_height;
+    using Changes = std::array<std::uint16_t, places>;
+    struct Passing;
+
+    static Changes changes(const FrameFeatures& before, const FrameFeatures& after);
+    void remember(const FeatureWindow& window, std::size_t frame);
+    std::vector<Passing> passings(const FeatureWindow& window, std::size_t first, std::size_t last) const;
+    std::optional<Transition> wipe_in(const FeatureWindow& window, std::size_t first, std::size_t last) const;
+
+    std::array<std::chrono::nanoseconds, windows> due_{};  // when each window is looked at next
+    std::deque<Changes> changes_;  // of the last frames: what changed and stayed so for a frame at least
+    std::size_t end_ = 0;          // one past the frame of the last of them
+    Changes over_two_{};           // from the frame before the last to the one after it
+};
+
+}  // namespace vitrine::analyzer
