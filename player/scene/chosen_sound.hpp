@@ -18,15 +18,16 @@ struct AudibleShot {
     std::chrono::nanoseconds end{0};
     std::optional<StoredSound> stored;
     std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
-    double area = 0;                    // of its picture on the wall, canvas px squared
+    double area = 0;                    // area of its picture on the wall, canvas px squared
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 };
 
-/// Which one of several is heard, for two at once are understood by nobody: the one that is heard already,
-/// unless another is at least twice as large, as one that a visitor has tapped; else the largest.
-/// @param heard  the source that is heard
-/// @return none of those given: nothing
+/// Chooses the one film to be heard, as nobody understands two at once: keeps
+/// the current one unless another is at least twice as large, as one that a
+/// visitor has tapped; else the largest.
+/// @param heard  the source that is heard now
+/// @return nullptr if no shot is given
 const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
 
 }  // namespace vitrine::player

@@ -14,32 +14,35 @@ namespace vitrine::player {
 /// Names a playing shot for as long as it is on the wall; never used twice.
 using SourceId = std::uint64_t;
 
-/// One cell of the picture to be drawn, plain data.
+/// One cell of a frame, plain data.
 struct DrawItem {
     SourceId source = 0;
-    std::shared_ptr<const Cell> cell;  // shared: a layout's cells are drawn in many frames
-    std::shared_ptr<const ZoomMesh>
-        zoom;                           // in place of a cell: canvas = scale * strip px + offset; shared, too
-    double share = 0;                   // of the way between both places of its points
-    Placement placement;                // canvas = source px * scale + offset, at the shot's begin
-    Vec2 picture;                       // size of the upright source picture, source px
-    Vec2 slide;                         // drift * time into the shot, source px: the texel at canvas point u
-                                        // is (u - offset) / scale + slide
-    std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
-    double alpha = 1;                   // over what was drawn before it
+    std::shared_ptr<const Cell> cell;      // shared by all frames of a layout
+    std::shared_ptr<const ZoomMesh> zoom;  // in place of a cell: canvas = scale * strip px + offset; shared
+    double share = 0;                      // of the way between both places of the mesh's points, [0, 1]
+    Placement placement;                   // canvas = source px * scale + offset, at the shot's begin
+    Vec2 picture;                          // size of the upright source picture, source px
+    Vec2 slide;                            // drift * time into the shot, source px: the texel at canvas
+                                           // point u is (u - offset) / scale + slide
+    std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
+    double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
 };
 
-/// Everything that one screen refresh shows: drawn in order, testable without GL.
+/// Everything that one refresh of a screen shows, in the order of drawing;
+/// testable without GL.
 struct Frame {
     Vec2 canvas;  // px
-    Vec2 view;    // the canvas point that is shown at the top left, px: a wall that is wider passes by
+    Vec2 view;    // canvas point at the top left, px: a wall wider than the screen
+                  // passes by
     std::vector<DrawItem> items;
-    std::vector<Box> covered;          // canvas px: what items cover whole, if all can be drawn
+    std::vector<Box> covered;          // canvas px: boxes that the items cover whole, if
+                                       // all can be drawn
     double idle = 0;                   // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };
 
-/// Whether both are the same picture where the sources' pictures are: all but the times.
+/// True if both look the same as long as the sources' pictures are the same:
+/// they may differ in times only.
 bool looks_alike(const Frame& a, const Frame& b);
 
 }  // namespace vitrine::player

@@ -16,12 +16,14 @@ struct PanSettings {
     int items_a_screen = 12;
     double speed = 30;  // canvas px a second
     CellStyle cells;
-    SourceId last_source = 0;  // its own sources are numbered from there on, apart from those of other walls
+    SourceId last_source = 0;  // its own sources are numbered from there on, apart
+                               // from those of other walls
 };
 
-/// A wall that passes slowly by, for more shots than fit on the screen. Shots are laid out ahead of the view;
-/// their sources are asked for shortly before they come into view, and retire once they have left it. Nothing
-/// in view ever moves against its neighbours. The view waits for sources that are late.
+/// A wall that passes slowly by, for more shots than fit on the screen. Shots
+/// are laid out ahead of the view; their sources are asked for shortly before
+/// they come into view, and retire once they have left it. Nothing in view ever
+/// moves against its neighbours. The view waits for sources that are late.
 class PanningWall final : public Show {
   public:
     PanningWall(Vec2 canvas, const PanSettings& settings);

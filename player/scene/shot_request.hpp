@@ -7,13 +7,14 @@
 
 namespace vitrine::player {
 
-/// Asks for a shot to be made ready for showing, or for one that plays to change its size.
+/// Asks for a shot's source, or for another size of one that plays.
 struct ShotRequest {
     SourceId source = 0;
     std::string path;  // relative to the media root
     MediaKind kind = MediaKind::photo;
     Shot shot;
-    int width = 0;  // px that the upright picture shall have: what it is shown at, at most its own
+    int width = 0;  // px of the upright picture: as large as it is shown, at most
+                    // its own size
     int height = 0;
 
     bool operator==(const ShotRequest&) const = default;

@@ -77,8 +77,9 @@ void ShotRotation::append(std::vector<ShotKey> again, const Fits& is_on_wall, co
     waiting_.insert(waiting_.end(), again.begin(), again.end());
 }
 
-/// As often as its file comes, each turn as far along its part of the round as the shot in the order.
-/// @param left  turns that it still has
+/// Each shot as often as its file comes; each turn is as far along its part of
+/// the round as the shot is in the order.
+/// @param left  turns that a shot still has
 std::vector<ShotKey> ShotRotation::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
     std::vector<std::pair<double, const ShotKey*>> places;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -110,7 +111,7 @@ std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
     return keys;
 }
 
-/// Each file keeps the places it drew, and fills them in time order.
+/// Each file keeps the places it drew, but fills them in time order.
 void ShotRotation::keep_time_order(std::vector<ShotKey>& keys) const {
     std::map<std::string, std::vector<int>> shots;
     for (const ShotKey& key : keys)

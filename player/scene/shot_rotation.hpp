@@ -25,30 +25,32 @@ struct ShotKey {
     auto operator<=>(const ShotKey&) const = default;
 };
 
-/// Whose turn it is: each shot once before any of its file comes again, new files first. Of files that come
-/// more often each shot has so many turns in a round, evenly spread over it.
+/// The order in which shots take their turns: each shot once before any of its
+/// file repeats, new files first. A shot of a file that repeats has several
+/// turns in a round, evenly spread over it.
 class ShotRotation {
   public:
     using Fits = std::function<bool(const ShotKey&)>;
 
     ShotRotation(ShotOrder order, std::uint64_t seed) : order_(order), engine_(seed) {}
 
-    /// What there is to show. Shots that are gone lose their turn; the first shot of a file that was not
-    /// there before is next, its others come last.
-    /// @param hints  of some of them: how often they come
+    /// Sets the files there are. Shots that are gone lose their turn; the first
+    /// shot of a new file is next, its other shots come last.
+    /// @param hints  how often files come
     void set_files(std::span<const MediaRecord* const> files, const ShowHints& hints = {});
 
-    /// Takes the first shot that fits off the round.
+    /// Removes and returns the first shot of the round that fits; none: no shot
+    /// fits.
     std::optional<ShotKey> next_shot(const Fits& fits);
 
-    /// Whether anything left fits.
     bool has_shot(const Fits& fits) const { return std::any_of(waiting_.begin(), waiting_.end(), fits); }
 
-    /// The files of which nothing is left begin anew, their shots on the wall last.
+    /// Appends all shots of the files that have no turn left, those on the wall
+    /// last.
     /// @param only  the one file that may; empty: all
     void restart_finished(const Fits& is_on_wall, const std::string& only = "");
 
-    /// Everything but what waits still begins anew, what is on the wall last.
+    /// Appends all shots that have no turn left, those on the wall last.
     void restart_all(const Fits& is_on_wall);
 
   private:

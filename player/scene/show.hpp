@@ -16,29 +16,31 @@
 
 namespace vitrine::player {
 
-/// What is to be laid out.
+/// A layout that is asked for.
 struct WallPlan {
     std::uint64_t generation = 0;  // to be handed back with the layout
     Vec2 canvas;                   // px
-    std::vector<PlanItem> items;   // each where it stands now, or with the seat of its slot's last shot
+    std::vector<PlanItem> items;   // each where it stands now, or with the seat of
+                                   // its slot's last shot
 };
 
-/// What is to be done in this frame, beside drawing it.
+/// The work of one frame, beside drawing it.
 struct WallStep {
     Frame frame;
-    std::optional<WallPlan> plan;       // replaces a plan still under way
-    std::vector<ShotRequest> requests;  // new sources, or another size for one that plays
-    std::vector<SourceId> retired;      // not in this frame and never again
+    std::optional<WallPlan> plan;       // replaces a plan under way
+    std::vector<ShotRequest> requests;  // new sources, or other sizes of those that play
+    std::vector<SourceId> retired;      // not in this frame, and never again
 };
 
-/// A shot and where it stands.
+/// A shot on the wall and its slot.
 struct SlotShot {
-    int slot = 0;  // of a wall that pans counted from the left, and different soon
+    int slot = 0;  // on a panning wall the position from the left, which changes
+                   // as it moves
     ShotKey key;
 };
 
-/// What is on the screen, from wish to picture. Knows no clock: events are told to it, step() says what
-/// follows.
+/// Something that a stage shows over time: a wall or a panning wall. Knows no
+/// clock: it is told of events, and step() returns what follows.
 class Show {
   public:
     Show() = default;
@@ -48,17 +50,17 @@ class Show {
     Show& operator=(Show&&) = default;
     virtual ~Show() = default;
 
-    /// Another screen mode.
+    /// The screen mode has changed.
     virtual void set_canvas(Vec2 canvas) = 0;
 
-    /// @param hints  how some of them are shown
+    /// @param hints  how long files stay and how often they come
     virtual void set_catalogue(const RecordList& records, const ShowHints& hints) = 0;
 
-    /// Nothing is said of any of them.
+    /// Sets files without hints.
     void set_catalogue(const RecordList& records) { set_catalogue(records, {}); }
 
-    /// A layout of a plan of this show, in the order of its items; of an outdated plan it is ignored. It may
-    /// be final, or another follows.
+    /// Takes the layout of a plan of this show, in the order of its items;
+    /// ignores that of an outdated plan. It may be final, or another one follows.
     /// @pre one placement for each item of the plan
     virtual void set_layout(const Layout& layout) = 0;
 
@@ -66,22 +68,25 @@ class Show {
 
     virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
 
-    /// What a visitor does, canvas px. A show that cannot be touched ignores it.
+    /// Follows a visitor's gesture, canvas px. A show that cannot be touched
+    /// ignores it.
     virtual void handle_gesture(const Gesture& /*gesture*/) {}
 
-    /// The shot that is seen at a canvas point; none: none, or one that cannot be touched.
+    /// The shot that is seen at a canvas point; none: no shot, or the show cannot
+    /// be touched.
     virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
-    /// What holds from now on; a show that has no turns ignores what concerns them.
+    /// Sets the operator's controls. A show without turns ignores those of turns
+    /// and pins.
     virtual void set_controls(const ShowControls& /*controls*/) {}
 
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;
 
-    /// How many shots are on the screen.
+    /// Number of shots on the screen.
     virtual std::size_t count() const = 0;
 
-    /// Each of them.
+    /// The shots on the screen.
     virtual std::vector<SlotShot> standing() const { return {}; }
 };
 

@@ -28,43 +28,50 @@ struct SlotSettings {
     std::chrono::nanoseconds spacing = std::chrono::seconds(3);       // between two changes of turn
     std::chrono::nanoseconds lead = std::chrono::seconds(4);          // that the next shot is chosen early
     std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // for a file that failed
-    SourceId last_source = 0;  // its own sources are numbered from there on, apart from those of other walls
+    SourceId last_source = 0;  // its own sources are numbered from there on, apart
+                               // from those of other walls
 };
 
-/// The shots on a wall: a fixed number of slots, each with a shot that after its time makes room for the next
-/// one in the same place. ShotChooser decides which comes next. Source: Dynamic Media Assemblage, chapter 4
-/// ("we simply substitute the old shot with the new shot in the same position"). Beyond it: whose turn it is,
-/// one slot at a time, following a catalogue that changes.
+/// The shots on a wall: a fixed number of slots, each with a shot that after
+/// its time makes room for the next one in the same place. ShotChooser decides
+/// which comes next. Source: Dynamic Media Assemblage, chapter 4
+/// ("we simply substitute the old shot with the new shot in the same
+/// position"). Beyond it: whose turn it is, one slot at a time, following a
+/// catalogue that changes.
 ///
-/// If all files fit on the wall, none ever leaves it altogether. The shots of a film alone on the wall leave
-/// one after the other.
+/// If all files fit on the wall, none ever leaves it altogether. The shots of a
+/// film alone on the wall leave one after the other.
 class WallSlots {
   public:
     explicit WallSlots(const SlotSettings& settings);
 
-    /// Sets the files there are. Files that are gone or not ready any more leave at once, a file that changed
-    /// is loaded anew in its slots, free slots are filled.
+    /// Sets the files there are. Files that are gone or not ready any more leave
+    /// at once, a file that changed is loaded anew in its slots, free slots are
+    /// filled.
     /// @param hints  how long files stay and how often they come
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
-    /// A turn that is asked for is taken whatever else holds; a file that is pinned and not on the wall takes
-    /// the next one.
+    /// A turn that is asked for is taken whatever else holds; a file that is
+    /// pinned and not on the wall takes the next one.
     void set_controls(const ShowControls& controls);
 
-    /// Replaces at most one shot whose time is nearly over, so that the next one can be got ready; fills free
-    /// slots.
+    /// Replaces at most one shot whose time is nearly over, so that the next one
+    /// can be got ready; fills free slots.
     void advance(std::chrono::nanoseconds now);
 
-    /// The time at which the last replaced shot leaves; none: as soon as possible.
+    /// The time at which the last replaced shot leaves; none: as soon as
+    /// possible.
     std::optional<std::chrono::nanoseconds> due() const { return due_; }
 
     /// The time of this shot counts from now on.
     void shot_appeared(SourceId source, std::chrono::nanoseconds now);
 
-    /// Avoids the file until it changes or `retry_after` has passed; its slots go to others.
+    /// Avoids the file until it changes or `retry_after` has passed; its slots go
+    /// to others.
     void source_failed(SourceId source, std::chrono::nanoseconds now);
 
-    /// Replaces the shot now; if there is no next one, its file is avoided for `retry_after`.
+    /// Replaces the shot now; if there is no next one, its file is avoided for
+    /// `retry_after`.
     void dismiss_shot(SourceId source, std::chrono::nanoseconds now);
 
     /// The shots to be shown, in the order of the slots, without free slots.

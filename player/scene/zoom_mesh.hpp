@@ -8,7 +8,8 @@
 
 namespace vitrine::player {
 
-/// A tile on its way between two levels: drawn at any moment from where its points are in both.
+/// A tile on its way between two levels. Each point is drawn between its places
+/// in both levels.
 struct ZoomMesh {
     struct Vertex {
         float coarse_x = 0;  // in the coarser level, px from `coarse_origin`
@@ -17,12 +18,12 @@ struct ZoomMesh {
         float fine_y = 0;
         float u = 0;  // of the tile's picture, [0, 1]
         float v = 0;
-        float growth = 0;  // px of the coarser strip a px of the finer one; < 0: it is drawn whole
+        float growth = 0;  // px of the coarser strip per px of the finer one; < 0: drawn whole
     };
 
     std::vector<Vertex> vertices;
     std::vector<std::uint16_t> triangles;  // triples of vertices
-    bool is_whole = false;                 // nothing of it lets through what is below
+    bool is_whole = false;                 // it is opaque
     double coarse_origin = 0;              // px of the coarser strip
     double fine_origin = 0;
     double coarse_left = 0;  // px of the strip between which all of it lies
@@ -31,14 +32,16 @@ struct ZoomMesh {
     double fine_right = 0;
 };
 
-/// @param left          where the tile begins, px of its strip
-/// @param is_to_finer   it is of the coarser level, and drawn whole; else of the finer one, which is drawn
-/// over
-///                      it: everywhere as much of it as it has of the width by then
+/// @param left          left edge of the tile, px of its strip
+/// @param is_to_finer   true: the tile is of the coarser level, and drawn
+/// whole; false: of the finer one, which is drawn
+///                      over it, everywhere with the share that it has of the
+///                      width by then
 ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer);
 
-/// How much of a finer level's tile is seen over the coarser one's where it has this growth, in [0, 1]. What
-/// both show goes over evenly; what is new, and came out of nothing, is all that there is to be seen.
+/// Opacity, in [0, 1], of a finer level's tile over the coarser one's at a
+/// point of this growth. Where both levels show the same they blend evenly;
+/// where the finer one shows something new (growth < 0) it is opaque.
 /// @param share  of the way from the coarser level to the finer one
 double zoom_coverage(double growth, double share);
 
