@@ -153,28 +153,18 @@ void Stage::carry_out(const WallStep& step, Renderer& renderer) {
 }
 
 void Stage::take_layout() {
-    std::optional<Layout> layout = planner_.pop_layout();
-    if (!layout || layout->generation != asked_) return;
-    take_layout(std::move(*layout));
-}
-
-void Stage::take_layout(Layout layout) {
-    layout.generation = planned_.generation;
-    show_->set_layout(layout);
+    if (const std::optional<Layout> layout = planner_.pop_layout()) show_->set_layout(*layout);
 }
 
 /// Has a wall laid out: at once where the clock waits anyway, else by the planner's thread.
 void Stage::ask(const WallPlan& wall) {
     PlanRequest request = plan_request(settings_, wall.canvas);
     request.items = wall.items;
-    planned_ = wall;
-    if (!options_.await_sources) {
-        asked_ = planner_.request_layout(std::move(request));
-        return;
-    }
+    if (!options_.await_sources) return planner_.request_layout(std::move(request), wall.generation);
     Layout layout = plan(request);
+    layout.generation = wall.generation;
     layout.is_final = true;
-    take_layout(std::move(layout));
+    show_->set_layout(layout);
 }
 
 Picture Stage::picture(int longest, Renderer& renderer) const {

@@ -120,7 +120,6 @@ class Stage {
     WallStep next_step(Renderer& renderer);
     void carry_out(const WallStep& step, Renderer& renderer);
     void take_layout();
-    void take_layout(Layout layout);
     void ask(const WallPlan& wall);
     void note_film(const ShotRequest& request);
     void draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
@@ -142,9 +141,7 @@ class Stage {
     Frame behind_;                       // what was shown before the strip
     std::chrono::nanoseconds came_{0};   // when the strip or the wall came, with a fade
     bool fades_ = false;
-    double pinched_ = 1;       // by how much, on the wall
-    WallPlan planned_;         // the plan last asked for
-    std::uint64_t asked_ = 0;  // what the planner calls it
+    double pinched_ = 1;  // by how much, on the wall
     Planner planner_;
     std::vector<Screen*> screens_;
     Frame frame_;                         // the last

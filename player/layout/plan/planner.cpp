@@ -17,16 +17,14 @@ Planner::~Planner() {
     thread_.join();
 }
 
-std::uint64_t Planner::request_layout(PlanRequest request) {
-    std::uint64_t generation = 0;
+void Planner::request_layout(PlanRequest request, std::uint64_t generation) {
     {
-        const std::lock_guard lock(mutex_);  // two callers keep the order of their generations
-        generation = ++newest_;
+        const std::lock_guard lock(mutex_);
+        newest_ = generation;
         jobs_.put({std::move(request), generation});
         has_news_ = true;
     }
     wake_.notify_one();
-    return generation;
 }
 
 std::optional<Layout> Planner::pop_layout() {

@@ -28,8 +28,9 @@ class Planner {
     /// Gives up what is being planned and joins.
     ~Planner();
 
-    /// @return the generation of all layouts of this request; greater than all before
-    std::uint64_t request_layout(PlanRequest request);
+    /// @param generation  that the request's layouts will bear: the caller's own number, greater than all
+    ///                    before
+    void request_layout(PlanRequest request, std::uint64_t generation);
 
     /// Removes and returns the best layout of the newest request; none: no new one since the last call. The
     /// last layout of a request is marked `is_final`; the layouts before it are free of overlap too, but
