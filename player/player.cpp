@@ -186,7 +186,7 @@ void Player::tick() {
     if (!can_draw(display_->screens(), is_late)) return tick_.arm(busy_pause);
     handle_input(time);
     look_at_files(time);
-    stages_->handle_sources(sources_->update());
+    sources_->update();
     stages_->show(time, display_->renderer(), display_->has_old_picture() && time < old_picture_patience);
     play_sound(time);
     take_wall_picture(time);

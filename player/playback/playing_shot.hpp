@@ -4,6 +4,7 @@
 #include "player/playback/governor.hpp"
 #include "player/playback/media_places.hpp"
 #include "player/playback/shot_source.hpp"
+#include "player/playback/source_events.hpp"
 #include "player/playback/watchdog.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
@@ -17,13 +18,6 @@
 #include <vector>
 
 namespace vitrine::player {
-
-/// News of a source: it is ready, or it has failed. Each is told once.
-struct SourceEvent {
-    SourceId source = 0;
-    std::optional<std::string> failure;  // in plain words; none: the source is ready
-    std::string unstored;  // the file of the media folder that it is read from; empty: the store
-};
 
 /// A source as it stands now, for reports.
 struct SourceState {

@@ -62,7 +62,7 @@ std::vector<SourceEvent> SourcePool::update() {
     start_waiting(events);
     read_one_photo_anew();
     open_one_clip();
-    return events;
+    return listeners_.deliver(std::move(events));
 }
 
 void SourcePool::advance(Frame& frame) {

@@ -49,9 +49,14 @@ class SourcePool {
     /// Retires every source and returns the ids of those that were being read or played.
     std::vector<SourceId> retire_all();
 
+    /// From now on update() and wait_until_ready() tell the listener the news of its owner's sources, for as
+    /// long as the listener exists.
+    void listen(std::weak_ptr<const SourceListener> listener) { listeners_.add(std::move(listener)); }
+
     /// Starts the sources that wait, as far as there is room, and destroys those that have ended; to be
     /// called once a frame. Photos of another size than asked for since are read anew once nothing waits, one
     /// after the other.
+    /// @return the news of sources that nobody listens to
     std::vector<SourceEvent> update();
 
     /// Takes every source of the frame to its item's time, and each item's slide to the very picture. Where
@@ -66,7 +71,8 @@ class SourcePool {
     /// False: not within `patience`.
     bool wait_for(const Frame& frame, std::chrono::nanoseconds patience);
 
-    /// Waits until every source that was requested is ready or has failed, and returns the news of each.
+    /// Waits until every source that was requested is ready or has failed, and returns the news of those that
+    /// nobody listens to.
     std::vector<SourceEvent> wait_until_ready(std::chrono::nanoseconds patience);
 
     /// Pictures that were due and not there, of all sources so far.
@@ -88,6 +94,7 @@ class SourcePool {
     PoolState pool_;  // before its shots, which refer to it
     Governor governor_;
     std::chrono::nanoseconds judged_{0};  // when the governor was asked last
+    SourceEvents listeners_;
     std::deque<ShotRequest> waiting_;
     std::map<SourceId, PlayingShot> playing_;
 };

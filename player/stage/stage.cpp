@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr auto idle_period = 100ms;       // from one look of the idle picture to the next: it moves slowly
 constexpr auto still_period = 1s;         // a picture that a card lost in silence is back by then
+constexpr auto source_patience = 10s;     // that a picture paced by its sources waits for one of them
 constexpr int most_settling_steps = 100;  // each gives up on a file at least
 
 std::unique_ptr<Show> make_show(const Settings& settings, Vec2 canvas, SourceId last_source) {
@@ -46,7 +47,12 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
     : settings_(settings),
       options_(std::move(options)),
       sources_(sources),
-      show_(make_show(settings, canvas_, options_.number << number_bits)) {}
+      show_(make_show(settings, canvas_, sources_of(options_.number))),
+      listener_(std::make_shared<const SourceListener>(
+          SourceListener{.owner = options_.number,
+                         .call = [this](const SourceEvent& event) { handle_source_event(event); }})) {
+    sources_.listen(listener_);
+}
 
 void Stage::set_catalogue(const RecordList& records, const ShowHints& hints) {
     records_ = records.in_folder(options_.folder);
@@ -86,11 +92,7 @@ Vec2 Stage::canvas_point(const Screen& screen, Vec2 share) const {
     return vitrine::player::canvas_point(screen.width(), screen.height(), view, canvas_, share);
 }
 
-bool Stage::owns(SourceId source) const {
-    return source >> number_bits == options_.number;
-}
-
-void Stage::tell(const SourceEvent& event) {
+void Stage::handle_source_event(const SourceEvent& event) {
     if (!event.failure) {
         if (!event.unstored.empty())
             log::info("not in the store, played from the media folder: '{}'", event.unstored);
@@ -128,9 +130,9 @@ WallStep Stage::next_step(Renderer& renderer) {
     WallStep step = one_step(renderer);
     carry_out(step, renderer);
     for (int i = 0;
-         options_.await_sources && i < most_settling_steps && (step.plan || !step.requests.empty()); ++i) {
+         options_.awaits_sources && i < most_settling_steps && (step.plan || !step.requests.empty()); ++i) {
         // The clock stands still until the layout and the sources are there.
-        options_.await_sources();
+        sources_.wait_until_ready(source_patience);
         step = one_step(renderer);
         carry_out(step, renderer);
     }
@@ -160,7 +162,7 @@ void Stage::take_layout() {
 void Stage::ask(const WallPlan& wall) {
     PlanRequest request = plan_request(settings_, wall.canvas);
     request.items = wall.items;
-    if (!options_.await_sources) return planner_.request_layout(std::move(request), wall.generation);
+    if (!options_.awaits_sources) return planner_.request_layout(std::move(request), wall.generation);
     Layout layout = plan(request);
     layout.generation = wall.generation;
     layout.is_final = true;
@@ -183,7 +185,7 @@ Picture Stage::picture(int longest, Renderer& renderer) const {
 }
 
 void Stage::draw(Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
-    if (options_.await_sources) sources_.wait_for(frame, source_patience);
+    if (options_.awaits_sources) sources_.wait_for(frame, source_patience);
     sources_.advance(frame);
     const bool is_new = upload(frame, renderer);
     const bool is_idle = frame.idle > 0 || std::ranges::any_of(frame.items, [&](const DrawItem& item) {

@@ -14,7 +14,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,15 +23,11 @@
 
 namespace vitrine::player {
 
-/// That a picture paced by its sources waits for one of them.
-constexpr std::chrono::nanoseconds source_patience = std::chrono::seconds(10);
-
 struct StageOptions {
-    std::uint64_t number = 0;  // tells its sources from those of other stages
+    std::uint64_t number = 0;  // the owner of its sources, another for each stage
     std::string folder;        // below the media folder; empty: all of it
 
-    /// Where the clock waits for the sources: has the stages told of those that are ready or failed.
-    std::function<void()> await_sources;  // empty: it does not wait
+    bool awaits_sources = false;  // the clock stands still until the layout and the sources are there
 };
 
 /// One wall and the screens that show it. Its canvas is that of the largest screen; each other one shows the
@@ -64,16 +59,11 @@ class Stage {
 
     std::span<Screen* const> screens() const { return screens_; }
 
-    bool owns(SourceId source) const;
-
     /// What a visitor does, canvas px, times since the player's start.
     void take(const InputEvent& event) { gestures_.take(event); }
 
     /// The canvas point that is seen at a place of one of its screens, given as a share of that screen.
     Vec2 canvas_point(const Screen& screen, Vec2 share) const;
-
-    /// @pre owns(event.source)
-    void tell(const SourceEvent& event);
 
     /// One picture on every screen that can take one and does not show it already.
     /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
@@ -106,8 +96,7 @@ class Stage {
     std::vector<SlotShot> standing() const { return show_->standing(); }
 
   private:
-    static constexpr int number_bits = 48;  // of a source's number within its stage
-
+    void handle_source_event(const SourceEvent& event);
     void set_canvas(Vec2 canvas);
     void take_gestures(std::chrono::nanoseconds now);
     bool opens_folder(const Gesture& gesture) const;
@@ -153,6 +142,7 @@ class Stage {
     Frame drawn_;                                               // as of the last picture
     std::uint64_t picture_ = 0;                                 // counts those that differ
     std::map<const Screen*, std::uint64_t> shown_;              // which one each screen has
+    std::shared_ptr<const SourceListener> listener_;            // shared: its pool calls it while it exists
 };
 
 }  // namespace vitrine::player

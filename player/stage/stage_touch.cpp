@@ -85,8 +85,8 @@ void Stage::show_strip(const std::filesystem::path& directory,
 }
 
 void Stage::show_strip(const std::filesystem::path& directory, StripStageOptions options) {
-    options.first_source = (options_.number << number_bits) | strip_bit;
-    options.awaits_tiles = static_cast<bool>(options_.await_sources);
+    options.first_source = sources_of(options_.number) | strip_bit;
+    options.awaits_tiles = options_.awaits_sources;
     strip_ = std::make_unique<StripStage>(directory, canvas_, std::move(options));
     came_ = time_;
     fades_ = true;

@@ -22,9 +22,7 @@ void Stages::make_anew() {
         number_of_[output] = number_of_folder.emplace(folder, number_of_folder.size()).first->second;
     stages_.resize(number_of_folder.size());
     for (const auto& [folder, i] : number_of_folder) {
-        StageOptions options{.number = i, .folder = folder, .await_sources = {}};
-        if (awaits_sources_)
-            options.await_sources = [this] { handle_sources(sources_.wait_until_ready(source_patience)); };
+        const StageOptions options{.number = i, .folder = folder, .awaits_sources = awaits_sources_};
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
         stages_[i]->set_controls(controls_);
     }
@@ -61,12 +59,6 @@ void Stages::handle_input(const Screen& screen, InputEvent event) {
     };
     std::visit(place, event);
     stage.take(event);
-}
-
-void Stages::handle_sources(const std::vector<SourceEvent>& events) {
-    for (const SourceEvent& event : events)
-        for (const auto& stage : stages_)
-            if (stage->owns(event.source)) stage->tell(event);
 }
 
 void Stages::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {

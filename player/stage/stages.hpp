@@ -35,8 +35,6 @@ class Stages {
     /// @param event  its places are shares of the screen
     void handle_input(const Screen& screen, InputEvent event);
 
-    void handle_sources(const std::vector<SourceEvent>& events);
-
     /// Draws one picture on every screen that can take one.
     /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
     void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);

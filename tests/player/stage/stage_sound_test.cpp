@@ -41,15 +41,9 @@ struct Theatre {
     Theatre() {
         write_sounding_film(folder.path / "a.mp4");
         write_sounding_film(folder.path / "sound b.mp4");
-        stage.emplace(settings, StageOptions{.number = 0, .folder = {}, .await_sources = [this] { await(); }},
-                      sources);
+        stage.emplace(settings, StageOptions{.number = 0, .folder = {}, .awaits_sources = true}, sources);
         stage->set_catalogue(std::vector{record_of("a.mp4"), record_of("sound b.mp4")},
                              {{"sound b.mp4", {.sound = true}}});
-    }
-
-    void await() {
-        for (const SourceEvent& event : sources.wait_until_ready(60s))
-            stage->tell(event);
     }
 
     void show(std::chrono::nanoseconds time) {

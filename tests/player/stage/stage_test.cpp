@@ -94,17 +94,10 @@ struct Theatre {
         : settings(std::move(wanted)), display({.screens = screens}, {}, 30) {
         write_photo(directory.path / "a/red.png", red);
         write_photo(directory.path / "b/blue.png", blue);
-        StageOptions options{.number = 3, .folder = folder, .await_sources = [this] { await(); }};
+        StageOptions options{.number = 3, .folder = folder, .awaits_sources = true};
         stage = std::make_unique<Stage>(settings, options, sources);
         const std::vector<MediaRecord> records{record_of("a/red.png"), record_of("b/blue.png")};
         stage->set_catalogue(records);
-    }
-
-    void await() {
-        for (const SourceEvent& event : sources.wait_until_ready(10s)) {
-            REQUIRE(stage->owns(event.source));
-            stage->tell(event);
-        }
     }
 
     void show_all(std::chrono::nanoseconds now) {

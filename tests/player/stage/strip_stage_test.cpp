@@ -71,20 +71,13 @@ struct Theatre {
         settings.layout.max_enlargement = 100;
         settings.input.idle = 20s;
         stage = std::make_unique<Stage>(
-            settings, StageOptions{.number = 3, .folder = {}, .await_sources = [this] { await(); }}, sources);
+            settings, StageOptions{.number = 3, .folder = {}, .awaits_sources = true}, sources);
         stage->set_catalogue(std::vector<MediaRecord>{grey_photo()});
         const auto screens = display.screens();
         stage->set_screens({screens.begin(), screens.end()}, 0s);
     }
 
     std::filesystem::path tapestry() const { return directory.path / "tapestry" / record_id("grey.png"); }
-
-    void await() {
-        for (const SourceEvent& event : sources.wait_until_ready(10s)) {
-            REQUIRE(stage->owns(event.source));
-            stage->tell(event);
-        }
-    }
 
     void play(std::chrono::nanoseconds duration) {
         for (const auto end = now + duration; now < end; now += 100ms)
