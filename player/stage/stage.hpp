@@ -9,7 +9,7 @@
 #include "player/render/renderer.hpp"
 #include "player/scene/chosen_sound.hpp"
 #include "player/scene/show.hpp"
-#include "player/stage/strip_stage.hpp"
+#include "player/stage/tapestry_playback.hpp"
 
 #include <chrono>
 #include <cstdint>

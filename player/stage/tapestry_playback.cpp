@@ -1,4 +1,4 @@
-#include "player/stage/strip_stage.hpp"
+#include "player/stage/tapestry_playback.hpp"
 
 #include "base/system/log.hpp"
 
