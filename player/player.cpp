@@ -7,12 +7,16 @@
 #include "player/display/console.hpp"
 #include "player/display/display.hpp"
 #include "player/display/display_kinds.hpp"
+#include "player/display/screen.hpp"
 #include "player/display_session.hpp"
 #include "player/input/input_devices.hpp"
 #include "player/playback/hardware_decoders.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/playback/sound/wall_sound.hpp"
 #include "player/player_service.hpp"
+#include "player/render/renderer.hpp"
+#include "player/scene/chosen_sound.hpp"
+#include "player/scene/show.hpp"
 #include "player/settings_change.hpp"
 #include "player/stage/stage_settings.hpp"
 #include "player/stage/stages.hpp"
@@ -44,8 +48,9 @@ WallContent content_of(const Stages& stages, const SourcePool& sources) {
     WallContent content{.folders = {}, .files = {}, .open = sources.open_files()};
     for (const auto& stage : stages.all()) {
         if (stage->screens().empty()) continue;
-        content.folders.push_back({.folder = stage->folder(), .opened = stage->opened_folder()});
-        for (const SlotShot& shot : stage->standing())
+        content.folders.push_back(
+            {.folder = stage->files().folder(), .opened = stage->files().opened_folder()});
+        for (const SlotShot& shot : stage->wall().standing())
             content.files.insert(shot.key.path);
     }
     return content;
@@ -144,7 +149,7 @@ PlayerActions Player::actions() {
 
 void Player::begin_stages() {
     give_files();
-    if (options_.tapestry) stages_->first().show_strip(*options_.tapestry, std::nullopt);
+    if (options_.tapestry) stages_->first().show_tapestry(*options_.tapestry, std::nullopt);
 }
 
 void Player::run() {
@@ -202,7 +207,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
     if (options_.rehearsal) {
         if (options_.rehearsal->advance(time)) files_->apply_filters();
         for (const InputEvent& event : options_.rehearsal->next_touches())
-            stages_->first().take(event);
+            stages_->first().handle_input(event);
     }
     visitors_->hand_out(display_->screens(), start_, [this](const Screen& screen, InputEvent event) {
         stages_->handle_input(screen, std::move(event));
@@ -225,7 +230,7 @@ void Player::play_sound(std::chrono::nanoseconds time) {
 void Player::take_wall_picture(std::chrono::nanoseconds time) {
     const Stage& stage = stages_->first();
     if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
-    wall_picture_->take(stage.picture(WallPicture::longest_side, display_->renderer()));
+    wall_picture_->take(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
 }
 
 /// @throws SettingsError; the settings then stay as they are

@@ -11,6 +11,8 @@
 #include "player/display_session.hpp"
 #include "player/frame_clock.hpp"
 #include "player/playback/source_pool.hpp"
+#include "player/scene/show.hpp"
+#include "player/stage/show_modes.hpp"
 #include "player/stage/stages.hpp"
 
 #include <fmt/format.h>
@@ -185,8 +187,8 @@ std::vector<OutputPicture> PlayerService::screenshots() const {
 }
 
 void PlayerService::require_turns() const {
-    if (view_.settings.layout.mode == WallMode::pan)
-        throw std::runtime_error("a wall that passes by (layout.mode = \"pan\") has no turns and no slots");
+    if (!show_mode(view_.settings).has_turns)
+        throw std::runtime_error("this kind of wall (layout.mode) has no turns and no slots");
 }
 
 CommandAnswer PlayerService::next() {

@@ -18,11 +18,11 @@ GestureRules gesture_rules(Vec2 canvas) {
     return {.slop = std::max(3.0, side / 60), .fast = side * 0.9};
 }
 
-void Gestures::take(const InputEvent& event) {
+void Gestures::handle_input(const InputEvent& event) {
     std::visit([this](const auto& one) { follow(one); }, event);
 }
 
-std::vector<Gesture> Gestures::meant(std::chrono::nanoseconds now) {
+std::vector<Gesture> Gestures::next_gestures(std::chrono::nanoseconds now) {
     look_for_hold(now);
     return std::exchange(meant_, {});
 }

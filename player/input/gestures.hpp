@@ -30,11 +30,11 @@ class Gestures {
     /// For a finger that comes down from now on.
     void set_rules(const GestureRules& rules) { rules_ = rules; }
 
-    void take(const InputEvent& event);
+    void handle_input(const InputEvent& event);
 
     /// What has been meant since the last call, in order.
     /// @param now  not before the last event
-    std::vector<Gesture> meant(std::chrono::nanoseconds now);
+    std::vector<Gesture> next_gestures(std::chrono::nanoseconds now);
 
     /// Whether a finger touches.
     bool is_touched() const { return !fingers_.empty(); }

@@ -25,27 +25,6 @@ CellStyle cell_style(const Settings& settings) {
                 settings.layout.cells == CellMethod::sampled ? settings.layout.sample_spacing : 0};
 }
 
-WallSettings wall_settings(const Settings& settings) {
-    return {.slots = slot_settings(settings),
-            .transition = {.crossfade = settings.show.crossfade,
-                           .motion = settings.show.motion,
-                           .cells = cell_style(settings)},
-            .nests = settings.layout.folders == FolderMode::nested,
-            .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
-                      .clearance = settings.layout.clearance,
-                      .max_scale = settings.layout.max_enlargement},
-            .idle = settings.input.idle};
-}
-
-PanSettings pan_settings(const Settings& settings) {
-    const SlotSettings slots = slot_settings(settings);
-    return {.order = slots.order,
-            .seed = slots.seed,
-            .items_a_screen = slots.count,
-            .speed = settings.show.pan_speed,
-            .cells = cell_style(settings)};
-}
-
 SourceOptions source_options(const Settings& settings, bool keeps_time) {
     return {.background = colour_named(settings.show.background).value_or(Colour{}),
             .keeps_time = keeps_time};

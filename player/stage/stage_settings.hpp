@@ -5,8 +5,7 @@
 #include "player/playback/media_places.hpp"
 #include "player/playback/shot_source.hpp"
 #include "player/render/view.hpp"
-#include "player/scene/panning_wall.hpp"
-#include "player/scene/wall.hpp"
+#include "player/scene/wall_slots.hpp"
 
 namespace vitrine::player {
 
@@ -14,8 +13,6 @@ namespace vitrine::player {
 
 SlotSettings slot_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
-WallSettings wall_settings(const Settings& settings);
-PanSettings pan_settings(const Settings& settings);
 
 /// @param keeps_time  pictures are shown at their time, late or not, instead of each exactly
 SourceOptions source_options(const Settings& settings, bool keeps_time);

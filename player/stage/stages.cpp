@@ -1,7 +1,11 @@
 #include "player/stage/stages.hpp"
 
 #include "base/settings/output_words.hpp"
+#include "base/settings/settings.hpp"
 #include "base/system/log.hpp"
+#include "player/display/screen.hpp"
+#include "player/scene/chosen_sound.hpp"
+#include "player/scene/show.hpp"
 
 #include <fmt/format.h>
 
@@ -58,7 +62,7 @@ void Stages::handle_input(const Screen& screen, InputEvent event) {
         if constexpr (requires { one.at; }) one.at = stage.canvas_point(screen, one.at);
     };
     std::visit(place, event);
-    stage.take(event);
+    stage.handle_input(event);
 }
 
 void Stages::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
@@ -83,25 +87,25 @@ std::vector<AudibleShot> Stages::audible() const {
 std::size_t Stages::count() const {
     std::size_t count = 0;
     for (const auto& stage : stages_)
-        count += stage->count();
+        count += stage->wall().count();
     return count;
 }
 
 std::vector<SlotShot> Stages::standing() const {
     std::vector<SlotShot> shots;
     for (const auto& stage : stages_)
-        for (SlotShot& shot : stage->standing())
+        for (SlotShot& shot : stage->wall().standing())
             shots.push_back(std::move(shot));
     return shots;
 }
 
 void Stages::log_counts() {
     for (const auto& stage : stages_) {
-        const auto [logged, is_new] = logged_.try_emplace(stage->folder(), 0);
-        if (logged->second == stage->count()) continue;
-        logged->second = stage->count();
+        const auto [logged, is_new] = logged_.try_emplace(stage->files().folder(), 0);
+        if (logged->second == stage->wall().count()) continue;
+        logged->second = stage->wall().count();
         log::info("wall of {} {}{}", logged->second, logged->second == 1 ? "item" : "items",
-                  stage->folder().empty() ? "" : fmt::format(" of '{}'", stage->folder()));
+                  stage->files().folder().empty() ? "" : fmt::format(" of '{}'", stage->files().folder()));
     }
 }
 

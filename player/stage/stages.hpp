@@ -14,6 +14,8 @@
 
 namespace vitrine::player {
 
+struct SlotShot;
+
 /// The stages of a player, one for each folder that has an output of its own and one for all other outputs.
 /// Logs.
 class Stages {

@@ -9,8 +9,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int tile_bits = 32;           // of its number, below its level
-constexpr double rows_of_bricks = 1.5;  // that a strip is high: two, at three quarters of their height
+constexpr int tile_bits = 32;  // of its number, below its level
+constexpr double rows_of_bricks =
+    1.5;  // of a tapestry's height: two rows, each three quarters of a brick apart
 constexpr std::array<std::byte, 4> white{std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
 
 std::uint64_t number_of(const TileId& tile) {
@@ -21,15 +22,16 @@ TileId tile_of(std::uint64_t number) {
     return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
 }
 
-/// Its film is the one that the record names, wherever it was when it was woven.
-TapestryShow strip_of(const std::filesystem::path& directory, Vec2 canvas, const StripStageOptions& options) {
+/// The film is played from where its record says, wherever it was when the tapestry was woven.
+TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
+                     const TapestryPlaybackOptions& options) {
     Tapestry tapestry = read_tapestry(directory);
     if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
     Vec2 picture{static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
     TapestrySettings settings{.first_source = options.first_source,
                               .patience = options.patience,
                               .shots = {},
-                              .plays_at_once = options.film.has_value(),
+                              .plays_at_once = options.film != nullptr,
                               .first_seen = options.first_seen};
     if (options.film) {
         tapestry.path = options.film->path;
@@ -51,40 +53,41 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
     return tapestry.bytes == film.bytes && tapestry.mtime_ns == film.mtime_ns;
 }
 
-StripStage::StripStage(std::filesystem::path directory, Vec2 canvas, StripStageOptions options)
+TapestryPlayback::TapestryPlayback(std::filesystem::path directory, Vec2 canvas,
+                                   TapestryPlaybackOptions options)
     : directory_(std::move(directory)),
       options_(std::move(options)),
-      strip_(strip_of(directory_, canvas, options_)) {}
+      show_(show_of(directory_, canvas, options_)) {}
 
-void StripStage::set_catalogue(const RecordList& records) {
+void TapestryPlayback::set_catalogue(const RecordList& records) {
     if (!options_.film) return;
     const RecordList::Record film = records.find(options_.film->path);
-    if (!film || !is_woven_from(strip_.tapestry(), *film)) return strip_.end();
-    strip_.set_shots(film->shots);
+    if (!film || !is_woven_from(show_.tapestry(), *film)) return show_.end();
+    show_.set_shots(film->shots);
 }
 
-WallStep StripStage::step(std::chrono::nanoseconds now, Renderer& renderer) {
+WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer) {
     if (!std::exchange(has_mark_, true))
-        renderer.upload(strip_.sources().mark(),
+        renderer.upload(show_.sources().mark(),
                         {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
-    TapestryStep step = strip_.step(now);
+    TapestryStep step = show_.step(now);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
     if (give_tiles(step.missing, renderer) && options_.awaits_tiles) {
-        step = strip_.step(now);
+        step = show_.step(now);
         done.retired.insert(done.retired.end(), step.retired.begin(), step.retired.end());
     }
     done.frame = std::move(step.frame);
     return done;
 }
 
-/// True: tiles have come.
-bool StripStage::give_tiles(const std::vector<TileId>& missing, Renderer& renderer) {
+/// Gives the renderer tiles that have been read. True: there were some.
+bool TapestryPlayback::give_tiles(const std::vector<TileId>& missing, Renderer& renderer) {
     if (options_.awaits_tiles) {
         for (const TileFile& file : files(missing))
             give(load_tile(file), renderer);
         return !missing.empty();
     }
-    const std::vector<LoadedTile> loaded = loader_.take(most_uploads);
+    const std::vector<LoadedTile> loaded = loader_.take(max_uploads);
     for (const LoadedTile& tile : loaded)
         give(tile, renderer);
     if (missing != asked_) loader_.want(files(missing));
@@ -92,9 +95,9 @@ bool StripStage::give_tiles(const std::vector<TileId>& missing, Renderer& render
     return !loaded.empty();
 }
 
-std::vector<TileFile> StripStage::files(const std::vector<TileId>& tiles) {
+std::vector<TileFile> TapestryPlayback::files(const std::vector<TileId>& tiles) {
     std::vector<TileFile> files;
-    const Tapestry& tapestry = strip_.tapestry();
+    const Tapestry& tapestry = show_.tapestry();
     const auto zoom = [&](const TileId& tile, bool is_to_finer) {
         const std::size_t finer = tile.level + (is_to_finer ? 1 : 0);
         if (finer >= tapestry.levels.size() || !tapestry.levels[finer].has_zoom) return std::string();
@@ -109,7 +112,7 @@ std::vector<TileFile> StripStage::files(const std::vector<TileId>& tiles) {
     return files;
 }
 
-void StripStage::give(const LoadedTile& loaded, Renderer& renderer) {
+void TapestryPlayback::give(const LoadedTile& loaded, Renderer& renderer) {
     const TileId tile = tile_of(loaded.number);
     if (loaded.sample.pixels.empty()) {
         unreadable_.insert(tile);
@@ -117,15 +120,15 @@ void StripStage::give(const LoadedTile& loaded, Renderer& renderer) {
                      directory_.string());
         return;
     }
-    renderer.upload(strip_.sources().tile(tile), loaded.sample);
-    const double left = static_cast<double>(tile.tile) * strip_.tapestry().tile_width;
-    strip_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
+    renderer.upload(show_.sources().tile(tile), loaded.sample);
+    const double left = static_cast<double>(tile.tile) * show_.tapestry().tile_width;
+    show_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
                              .to_finer = mesh_of(loaded.to_finer, left, true)});
 }
 
-void StripStage::forget_uploads() {
+void TapestryPlayback::forget_uploads() {
     has_mark_ = false;
-    strip_.forget_tiles();
+    show_.forget_tiles();
 }
 
 }  // namespace vitrine::player

@@ -15,51 +15,51 @@
 
 namespace vitrine::player {
 
-struct StripStageOptions {
-    SourceId first_source = 0;                         // as TapestrySettings
-    std::optional<std::chrono::nanoseconds> patience;  // likewise
-    bool awaits_tiles = false;                         // every picture is whole, however long it takes
-    std::optional<MediaRecord> film;                   // what is known of it; none: nothing
-    std::chrono::nanoseconds first_seen{0};            // as TapestrySettings
+struct TapestryPlaybackOptions {
+    SourceId first_source = 0;                         // its sources are numbered from there on
+    std::optional<std::chrono::nanoseconds> patience;  // without a touch, until it is over; none: it never is
+    bool awaits_tiles = false;                         // every frame is whole, however long its tiles take
+    RecordList::Record film;                           // none: nothing is known of the film
+    std::chrono::nanoseconds first_seen{0};            // film time in the middle of the first view
 };
 
-/// Whether a tapestry is of the film as it is now.
+/// True: the tapestry was woven from the film as it is now.
 bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 
-/// A film's strip with its tiles: read in the background, and given to the renderer a few a frame, so that
-/// neither reading nor uploading holds a frame up.
-class StripStage {
+/// Shows a film's tapestry with its tiles. They are read in the background and given to the renderer a few a
+/// frame, so that neither reading nor uploading holds a frame up.
+class TapestryPlayback {
   public:
     /// @param directory  of the tapestry
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
-    StripStage(std::filesystem::path directory, Vec2 canvas, StripStageOptions options);
+    TapestryPlayback(std::filesystem::path directory, Vec2 canvas, TapestryPlaybackOptions options);
 
-    void set_canvas(Vec2 canvas) { strip_.set_canvas(canvas); }
+    void set_canvas(Vec2 canvas) { show_.set_canvas(canvas); }
 
-    void take(const Gesture& gesture) { strip_.handle_gesture(gesture); }
+    void handle_gesture(const Gesture& gesture) { show_.handle_gesture(gesture); }
 
-    void source_ready(SourceId source) { strip_.source_ready(source); }
+    void source_ready(SourceId source) { show_.source_ready(source); }
 
-    void source_failed(SourceId source) { strip_.source_failed(source); }
+    void source_failed(SourceId source) { show_.source_failed(source); }
 
-    /// What is known of the files is another: where it is another film by now, the strip is over.
+    /// Follows the record of its film. Where the film has changed, the tapestry is over.
     void set_catalogue(const RecordList& records);
 
-    bool is_over() const { return strip_.is_over(); }
+    bool is_over() const { return show_.is_over(); }
 
-    /// The next picture; tiles that it needs are given to the renderer.
+    /// The next frame. The tiles that it needs are given to the renderer.
     WallStep step(std::chrono::nanoseconds now, Renderer& renderer);
 
     /// Another renderer is used from now on.
     void forget_uploads();
 
-    /// It is given up: the sources that it used.
-    std::vector<SourceId> close() { return strip_.close(); }
+    /// Ends it. @return the sources that it used
+    std::vector<SourceId> close() { return show_.close(); }
 
-    const TapestryShow& strip() const { return strip_; }
+    const TapestryShow& show() const { return show_; }
 
-    /// Tiles given to the renderer in one frame, at most, unless they are awaited.
-    static constexpr std::size_t most_uploads = 2;
+    /// Tiles that the renderer is given in one frame, unless they are awaited.
+    static constexpr std::size_t max_uploads = 2;
 
   private:
     std::vector<TileFile> files(const std::vector<TileId>& tiles);
@@ -67,11 +67,11 @@ class StripStage {
     void give(const LoadedTile& tile, Renderer& renderer);
 
     std::filesystem::path directory_;
-    StripStageOptions options_;
-    TapestryShow strip_;
-    std::set<TileId> unreadable_;
-    std::vector<TileId> asked_;
-    bool has_mark_ = false;
+    TapestryPlaybackOptions options_;
+    TapestryShow show_;
+    std::set<TileId> unreadable_;  // tiles that are not asked for again
+    std::vector<TileId> asked_;    // tiles that the loader was told of last
+    bool has_mark_ = false;        // the renderer has the white picture that lines are drawn with
     TileLoader loader_;
 };
 

@@ -1,8 +1,11 @@
 #include "player/stage/wall_picture.hpp"
 
 #include "base/system/log.hpp"
+#include "player/display/memory_target.hpp"
+#include "player/render/renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -27,6 +30,21 @@ bool write_jpeg(const Picture& picture, const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+Picture picture_of(const Frame& frame, int max_side, Renderer& renderer) {
+    const double scale = max_side / std::max(frame.canvas.x, frame.canvas.y);
+    const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround(side * scale))); };
+    MemoryTarget target(pixels(frame.canvas.x), pixels(frame.canvas.y));
+    target.make_current();
+    renderer.aim(target.width(), target.height(),
+                 letterboxed(target.width(), target.height(), {}, frame.canvas));
+    renderer.draw(frame);
+    Picture picture{.width = target.width(), .height = target.height(), .pixels = {}};
+    target.read(GL_RGBA, [&](std::span<const std::byte> row) {
+        picture.pixels.insert(picture.pixels.end(), row.begin(), row.end());
+    });
+    return picture;
+}
 
 bool WallPicture::is_due(const Frame& frame, std::chrono::nanoseconds now) {
     std::vector<SourceId> sources;

@@ -11,11 +11,16 @@
 
 namespace vitrine::player {
 
+class Renderer;
+
+/// A frame as a small picture. @param max_side  px of the picture's longest side
+Picture picture_of(const Frame& frame, int max_side, Renderer& renderer);
+
 /// A small picture of the wall for those who drop files, STATE/wall.jpg: now and then, and a moment after
 /// other shots are on it. It is written by a thread of its own, as disks may take long. Logs.
 class WallPicture {
   public:
-    static constexpr int longest_side = 960;  // px
+    static constexpr int max_side = 960;  // px
 
     static constexpr std::chrono::seconds first{3};
 

@@ -28,8 +28,8 @@ Contact up(int finger, std::chrono::nanoseconds time) {
 std::vector<Gesture> meant(const std::vector<InputEvent>& events, std::chrono::nanoseconds now,
                            Gestures gestures = Gestures()) {
     for (const InputEvent& event : events)
-        gestures.take(event);
-    return gestures.meant(now);
+        gestures.handle_input(event);
+    return gestures.next_gestures(now);
 }
 
 std::vector<Kind> kinds(const std::vector<Gesture>& gestures) {
@@ -69,12 +69,12 @@ TEST_CASE("three taps are one double tap") {
 
 TEST_CASE("a finger that stays holds after half a second, and not before") {
     Gestures gestures;
-    gestures.take(down(0, {100, 50}, 1s));
-    CHECK(gestures.meant(1499ms).empty());
-    CHECK(kinds(gestures.meant(1500ms)) == Kinds{Kind::hold});
-    CHECK(gestures.meant(3s).empty());
-    gestures.take(up(0, 4s));
-    CHECK(kinds(gestures.meant(4s)) == Kinds{Kind::release});
+    gestures.handle_input(down(0, {100, 50}, 1s));
+    CHECK(gestures.next_gestures(1499ms).empty());
+    CHECK(kinds(gestures.next_gestures(1500ms)) == Kinds{Kind::hold});
+    CHECK(gestures.next_gestures(3s).empty());
+    gestures.handle_input(up(0, 4s));
+    CHECK(kinds(gestures.next_gestures(4s)) == Kinds{Kind::release});
 }
 
 TEST_CASE("a finger that moves drags from where it came down, and drops where it rests") {

@@ -58,8 +58,8 @@ TEST_CASE("what a rehearsal names is meant") {
         Gestures gestures;
         rehearsal.advance(20s);
         for (const InputEvent& event : rehearsal.next_touches())
-            gestures.take(event);
-        return gestures.meant(20s);
+            gestures.handle_input(event);
+        return gestures.next_gestures(20s);
     };
     using Kind = Gesture::Kind;
     CHECK(meant("1 tap 5 6").back().kind == Kind::tap);

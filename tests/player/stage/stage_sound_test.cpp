@@ -1,5 +1,10 @@
+#include "base/settings/settings.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/playback/sound/wall_sound.hpp"
+#include "player/playback/source_pool.hpp"
+#include "player/render/renderer.hpp"
+#include "player/scene/show.hpp"
+#include "player/scene/show_controls.hpp"
 #include "player/stage/stage.hpp"
 #include "tests/player/playback/numbered_film.hpp"
 #include "tests/player/playback/sound/sounding_film.hpp"
@@ -88,10 +93,10 @@ TEST_CASE("a film whose name says so is heard in time with its picture, and noth
     WallSound sound({.media = theatre.folder.path.string(), .store = {}}, recorder.sink());
     for (auto time = 0s; time < 5s; time += 1s)
         theatre.show(time);
-    REQUIRE(theatre.stage->standing().at(0).key.path == "a.mp4");
+    REQUIRE(theatre.stage->wall().standing().at(0).key.path == "a.mp4");
     CHECK(theatre.stage->audible().empty());
     int next = 5;
-    for (; theatre.stage->standing().at(0).key.path == "a.mp4" && next < 60; ++next)
+    for (; theatre.stage->wall().standing().at(0).key.path == "a.mp4" && next < 60; ++next)
         theatre.show(std::chrono::seconds(next));
     theatre.show(std::chrono::seconds(next));
     REQUIRE(theatre.stage->audible().size() == 1);

@@ -1,6 +1,9 @@
 #include "player/stage/stage.hpp"
 
+#include "base/settings/settings.hpp"
 #include "player/display/offscreen_display.hpp"
+#include "player/playback/source_pool.hpp"
+#include "player/render/renderer.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -89,8 +92,8 @@ class CountingScreen final : public Screen {
 
 /// A red and a blue photo, in folders of their own, and one wall that takes turns with them.
 struct Theatre {
-    explicit Theatre(const std::vector<ScreenSize>& screens,
-                     Settings wanted = one_photo_at_a_time(), const std::string& folder = "")
+    explicit Theatre(const std::vector<ScreenSize>& screens, Settings wanted = one_photo_at_a_time(),
+                     const std::string& folder = "")
         : settings(std::move(wanted)), display({.screens = screens}, {}, 30) {
         write_photo(directory.path / "a/red.png", red);
         write_photo(directory.path / "b/blue.png", blue);

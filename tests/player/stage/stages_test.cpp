@@ -1,6 +1,10 @@
 #include "player/stage/stages.hpp"
 
+#include "base/settings/settings.hpp"
 #include "player/display/offscreen_display.hpp"
+#include "player/playback/source_pool.hpp"
+#include "player/scene/chosen_sound.hpp"
+#include "player/scene/show.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
 #include <doctest/doctest.h>
@@ -30,10 +34,10 @@ TEST_CASE("the screen of an output with a folder goes to the stage of that folde
     stages.set_screens(screens, 0s);
     REQUIRE(stages.first().screens().size() == 2);
     CHECK(stages.first().screens()[1]->name() == "offscreen-3");
-    CHECK(stages.first().folder().empty());
+    CHECK(stages.first().files().folder().empty());
     REQUIRE(stages.all()[1]->screens().size() == 1);
     CHECK(stages.all()[1]->screens()[0]->name() == "offscreen-2");
-    CHECK(stages.all()[1]->folder() == "lobby");
+    CHECK(stages.all()[1]->files().folder() == "lobby");
 
     stages.set_screens({}, 1s);
     CHECK(stages.first().screens().empty());

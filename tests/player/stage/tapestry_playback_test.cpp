@@ -1,8 +1,10 @@
 #include "player/stage/tapestry_playback.hpp"
 
+#include "base/settings/settings.hpp"
 #include "base/system/atomic_file.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/display/offscreen_screen.hpp"
+#include "player/playback/source_pool.hpp"
 #include "player/stage/stage.hpp"
 #include "tests/player/scene/tapestry/drawn_tapestry.hpp"
 #include "tests/temporary_directory.hpp"
@@ -85,8 +87,8 @@ struct Theatre {
     }
 
     void tap(Vec2 at) {
-        stage->take(Contact{.kind = Contact::Kind::down, .at = at, .time = now});
-        stage->take(Contact{.kind = Contact::Kind::up, .at = at, .time = now + 50ms});
+        stage->handle_input(Contact{.kind = Contact::Kind::down, .at = at, .time = now});
+        stage->handle_input(Contact{.kind = Contact::Kind::up, .at = at, .time = now + 50ms});
         now += 100ms;
     }
 
@@ -141,7 +143,7 @@ struct Projector {
     Renderer renderer{320, 180};
 };
 
-/// A strip of striped tiles, with zoom fields between the first levels or without.
+/// A tapestry of striped tiles, with zoom fields between the first levels or without.
 struct Cinema {
     Cinema(Projector& shown_by, SourceId first, bool has_zoom) : projector(shown_by) {
         Tapestry tapestry = drawn_tapestry(3);
@@ -159,13 +161,13 @@ struct Cinema {
             tapestry.levels[1].has_zoom = true;
         }
         write_tapestry(directory.path, tapestry);
-        strip.emplace(directory.path, Vec2{320, 180},
-                      StripStageOptions{.first_source = first, .awaits_tiles = true, .film = {}});
+        playback.emplace(directory.path, Vec2{320, 180},
+                         TapestryPlaybackOptions{.first_source = first, .awaits_tiles = true, .film = {}});
     }
 
     Picture picture(std::chrono::nanoseconds later = 16ms) {
         now += later;
-        frame = strip->step(now, projector.renderer).frame;
+        frame = playback->step(now, projector.renderer).frame;
         projector.screen.begin_frame();
         projector.renderer.draw(frame);
         projector.screen.present(now);
@@ -174,23 +176,23 @@ struct Cinema {
 
     /// So much nearer, about a place.
     void pinch(double levels) {
-        const Tapestry& tapestry = strip->strip().tapestry();
+        const Tapestry& tapestry = playback->show().tapestry();
         const double ratio = 1.0 * tapestry.levels[1].width / tapestry.levels[0].width;
-        strip->take({.kind = Gesture::Kind::pinch,
-                     .at = {150, 140},
-                     .from = {150, 140},
-                     .factor = std::pow(ratio, levels)});
+        playback->handle_gesture({.kind = Gesture::Kind::pinch,
+                                  .at = {150, 140},
+                                  .from = {150, 140},
+                                  .factor = std::pow(ratio, levels)});
     }
 
     Projector& projector;  // outlives this
     TemporaryDirectory directory;
-    std::optional<StripStage> strip;
+    std::optional<TapestryPlayback> playback;
     std::chrono::nanoseconds now = 0s;
     Frame frame;
 };
 
-/// The greatest difference of a channel on the strip, without the film's begin and end: there the edge of the
-/// still one is smoothed.
+/// The greatest difference of a channel on the tapestry, without the film's begin and end: there the edge of
+/// the still one is smoothed.
 int difference(const Picture& a, const Picture& b) {
     int most = 0;
     for (std::size_t y = 112; y < 167; ++y)
@@ -228,11 +230,12 @@ TEST_CASE("a zoom begins and ends with the levels themselves, to the bit, and is
     const auto nearly = both(0.5 - 2e-7);
     CHECK(shows_zoom(zoomed.frame));
     for (Cinema* cinema : {&zoomed, &faded})
-        cinema->strip->take({.kind = Gesture::Kind::pinch_end, .at = {150, 140}, .from = {150, 140}});
+        cinema->playback->handle_gesture(
+            {.kind = Gesture::Kind::pinch_end, .at = {150, 140}, .from = {150, 140}});
     zoomed.picture();
     faded.picture();
     const Picture fine = zoomed.picture(700ms);
-    CHECK(zoomed.strip->strip().view().level == 1);
+    CHECK(zoomed.playback->show().view().level == 1);
     CHECK_FALSE(shows_zoom(zoomed.frame));
     CHECK(difference(fine, nearly.first) <= 2);
     CHECK(difference(fine, faded.picture(700ms)) == 0);
@@ -244,21 +247,21 @@ TEST_CASE("while one zooms, a point of a tile is where its two places say") {
     zoomed.picture();
     zoomed.pinch(0.5);
     const Picture between = zoomed.picture();
-    const TapestryShow& strip = zoomed.strip->strip();
-    const TapestryPlace place = strip.place();
-    // Red is the column of both strips; half of it from each at growth 1/2 is as 1 to 2.
-    const auto time = strip.tapestry().time_at(0, 100);
-    const int x = static_cast<int>(place.canvas_x(strip.view(), time));
+    const TapestryShow& show = zoomed.playback->show();
+    const TapestryPlace place = show.place();
+    // Red is the column of both levels; half of it from each at growth 1/2 is as 1 to 2.
+    const auto time = show.tapestry().time_at(0, 100);
+    const int x = static_cast<int>(place.canvas_x(show.view(), time));
     const double coarse = 100 * 255.0 / 2000;
-    const double fine = strip.tapestry().x_at(1, time) * 255.0 / 2000;
-    const double share = strip.view().level;
+    const double fine = show.tapestry().x_at(1, time) * 255.0 / 2000;
+    const double share = show.view().level;
     const double seen = zoom_coverage(0.5, share);
     const std::size_t pixel = (std::size_t{140} * 320 + static_cast<std::size_t>(x)) * 4;
     CHECK(std::to_integer<int>(between.pixels[pixel]) ==
           doctest::Approx((1 - seen) * coarse + seen * fine).epsilon(0.12));
 }
 
-TEST_CASE("two taps on a film open its strip; the wheel goes through its levels, a key back to the wall") {
+TEST_CASE("two taps on a film open its tapestry; the wheel goes through its levels, a key back to the wall") {
     Theatre theatre;
     theatre.play(2s);
     REQUIRE(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
@@ -270,18 +273,18 @@ TEST_CASE("two taps on a film open its strip; the wheel goes through its levels,
     CHECK_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 
     for (const std::size_t level : {1U, 2U, 3U}) {
-        theatre.stage->take(Wheel{.notches = 1, .at = {160, 140}, .time = theatre.now});
+        theatre.stage->handle_input(Wheel{.notches = 1, .at = {160, 140}, .time = theatre.now});
         theatre.play(1s);
         CHECK(is_near(theatre.picture(), 160, 140, colours.at(level)));
     }
-    theatre.stage->take(Wheel{.notches = -1, .at = {160, 140}, .time = theatre.now});
+    theatre.stage->handle_input(Wheel{.notches = -1, .at = {160, 140}, .time = theatre.now});
     theatre.play(400ms);
     CHECK_FALSE(is_near(theatre.picture(), 160, 140, colours[3]));  // between both
     CHECK_FALSE(is_near(theatre.picture(), 160, 140, colours[2]));
     theatre.play(1s);
     CHECK(is_near(theatre.picture(), 160, 140, colours[2]));
 
-    theatre.stage->take(KeyPress{.key = Key::back, .time = theatre.now});
+    theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
     theatre.play(2s);
     CHECK(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
 }
@@ -299,7 +302,7 @@ TEST_CASE("the tapestry of a film that has changed is not shown") {
     CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 }
 
-TEST_CASE("a strip gives way to the wall when its film changes") {
+TEST_CASE("a tapestry gives way to the wall when its film changes") {
     Theatre theatre;
     theatre.play(2s);
     theatre.tap({160, 90});
@@ -316,7 +319,7 @@ TEST_CASE("a strip gives way to the wall when its film changes") {
     CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 }
 
-TEST_CASE("a strip that nobody touches gives way to the wall") {
+TEST_CASE("a tapestry that nobody touches gives way to the wall") {
     Theatre theatre;
     theatre.play(2s);
     theatre.tap({160, 90});
@@ -334,7 +337,7 @@ TEST_CASE(
     theatre.play(1s);
     theatre.tap({160, 90});
     theatre.tap({160, 90});
-    theatre.stage->take(KeyPress{.key = Key::nearer, .time = theatre.now});
+    theatre.stage->handle_input(KeyPress{.key = Key::nearer, .time = theatre.now});
     theatre.play(2s);
     const auto columns = [&](const Rgb& colour) {
         const Picture picture = theatre.picture();
@@ -357,19 +360,18 @@ TEST_CASE(
 
 TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     Theatre theatre;
-    StripStage strip(theatre.tapestry(), {320, 180}, {.first_source = 1});
+    TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
     std::size_t most = 0;
     std::chrono::nanoseconds now = 0s;
-    for (std::size_t before = 0; strip.strip().tile_count() < 4;
-         now += 16ms) {  // those of the test's timeout
-        strip.step(now, theatre.renderer);
-        most = std::max(most, strip.strip().tile_count() - before);
-        before = strip.strip().tile_count();
+    for (std::size_t before = 0; tapestry.show().tile_count() < 4; now += 16ms) {  // those of the test's timeout
+        tapestry.step(now, theatre.renderer);
+        most = std::max(most, tapestry.show().tile_count() - before);
+        before = tapestry.show().tile_count();
     }
-    CHECK(most <= StripStage::most_uploads);
+    CHECK(most <= TapestryPlayback::max_uploads);
 }
 
 TEST_CASE("a directory without a tapestry is named") {
     const TemporaryDirectory directory;
-    CHECK_THROWS_WITH(StripStage(directory.path, {320, 180}, {}), doctest::Contains("index.json"));
+    CHECK_THROWS_WITH(TapestryPlayback(directory.path, {320, 180}, {}), doctest::Contains("index.json"));
 }

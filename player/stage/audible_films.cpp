@@ -1,19 +1,10 @@
-#include "player/stage/stage.hpp"
-
-#include <algorithm>
-
-// What of a stage may be heard.
+#include "player/stage/audible_films.hpp"
 
 namespace vitrine::player {
 
-void Stage::set_controls(const ShowControls& controls) {
-    is_paused_ = controls.is_paused;
-    show_->set_controls(controls);
-}
-
-void Stage::note_film(const ShotRequest& request) {
+void AudibleFilms::note(const ShotRequest& request, const RecordList& records) {
     if (request.kind != MediaKind::film) return;
-    const RecordList::Record record = records_.find(request.path);
+    const RecordList::Record record = records.find(request.path);
     films_[request.source] = {.source = request.source,
                               .path = request.path,
                               .begin = request.shot.begin,
@@ -21,14 +12,13 @@ void Stage::note_film(const ShotRequest& request) {
                               .stored = record ? record->sound : std::nullopt};
 }
 
-std::vector<AudibleShot> Stage::audible() const {
+std::vector<AudibleShot> AudibleFilms::shots(const Frame& frame, const ShowHints& hints) const {
     std::vector<AudibleShot> shots;
-    if (is_paused_ || screens_.empty()) return shots;
-    for (const DrawItem& item : frame_.items) {
+    for (const DrawItem& item : frame.items) {
         const auto film = films_.find(item.source);
         if (film == films_.end()) continue;
-        const auto hints = hints_.find(film->second.path);
-        if (hints == hints_.end() || !hints->second.sound.value_or(false)) continue;
+        const auto said = hints.find(film->second.path);
+        if (said == hints.end() || !said->second.sound.value_or(false)) continue;
         AudibleShot& shot = shots.emplace_back(film->second);
         const Vec2 size = item.picture * item.placement.scale;
         shot.area = size.x * size.y;

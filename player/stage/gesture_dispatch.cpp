@@ -1,0 +1,70 @@
+#include "player/stage/gesture_dispatch.hpp"
+
+#include <array>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double parted_enough = 1.25;  // factor of a pinch that opens a tapestry
+
+/// The folder below the media folder that a shot lies in; empty: none.
+std::string top_folder(const std::optional<ShotKey>& shot) {
+    const std::size_t slash = shot ? shot->path.find('/') : std::string::npos;
+    return slash == std::string::npos ? "" : shot->path.substr(0, slash);
+}
+
+}  // namespace
+
+void GestureDispatch::dispatch(std::chrono::nanoseconds now) {
+    using Handler = bool (GestureDispatch::*)(const Gesture&);
+    // In the order in which they are asked. The first that handles the gesture is the last that sees it.
+    static constexpr std::array<Handler, 4> handlers{
+        &GestureDispatch::give_to_tapestry, &GestureDispatch::open_tapestry,
+        &GestureDispatch::open_or_close_folder, &GestureDispatch::give_to_wall};
+    if (gestures_.is_touched()) touched_ = now;
+    for (const Gesture& gesture : gestures_.next_gestures(now)) {
+        touched_ = now;
+        for (const Handler handler : handlers)
+            if ((this->*handler)(gesture)) break;
+    }
+    if (files_.has_open_folder() && now - touched_ >= settings_.input.idle) look_into("");
+}
+
+bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
+    if (shows_.tapestry() == nullptr) return false;
+    shows_.tapestry()->handle_gesture(gesture);
+    return true;
+}
+
+/// Two fingers that part on a film, or two taps on it, open its tapestry where there is one.
+bool GestureDispatch::open_tapestry(const Gesture& gesture) {
+    parted_ = gesture.kind == Gesture::Kind::pinch ? parted_ * gesture.factor : 1;
+    if (gesture.kind != Gesture::Kind::double_tap && parted_ < parted_enough) return false;
+    const std::optional<ShotKey> shot = shows_.wall().shot_at(gesture.at);
+    if (!shot) return false;
+    const RecordList::Record film = files_.all().find(shot->path);
+    return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->shot));
+}
+
+/// A tap on a folder whose files stand together opens it; a tap into an open folder, or a key, closes it.
+bool GestureDispatch::open_or_close_folder(const Gesture& gesture) {
+    if (settings_.layout.folders != FolderMode::nested) return false;
+    const bool is_tap = gesture.kind == Gesture::Kind::tap;
+    const bool is_key = gesture.kind == Gesture::Kind::key;
+    if (!is_tap && !(is_key && files_.has_open_folder())) return false;
+    look_into(files_.has_open_folder() ? "" : top_folder(shows_.wall().shot_at(gesture.at)));
+    return true;
+}
+
+bool GestureDispatch::give_to_wall(const Gesture& gesture) {
+    shows_.wall().handle_gesture(gesture);
+    return true;
+}
+
+void GestureDispatch::look_into(const std::string& folder) {
+    files_.open(folder);
+    shows_.set_files(files_);
+}
+
+}  // namespace vitrine::player

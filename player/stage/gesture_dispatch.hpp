@@ -1,0 +1,43 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/input/gestures.hpp"
+#include "player/stage/show_switch.hpp"
+#include "player/stage/stage_files.hpp"
+
+#include <chrono>
+
+namespace vitrine::player {
+
+/// Takes each gesture of a visitor to the part of the stage that handles it: a tapestry, the opening of a
+/// tapestry or a folder, or the wall.
+class GestureDispatch {
+  public:
+    /// @param settings, shows, files  outlive this
+    GestureDispatch(const Settings& settings, ShowSwitch& shows, StageFiles& files)
+        : settings_(settings), shows_(shows), files_(files) {}
+
+    void set_canvas(Vec2 canvas) { gestures_.set_rules(gesture_rules(canvas)); }
+
+    /// @param event  canvas px; its time is since the player's start
+    void handle_input(const InputEvent& event) { gestures_.handle_input(event); }
+
+    /// Has every gesture since the last call handled; closes a folder that nobody has touched for long.
+    void dispatch(std::chrono::nanoseconds now);
+
+  private:
+    bool give_to_tapestry(const Gesture& gesture);
+    bool open_tapestry(const Gesture& gesture);
+    bool open_or_close_folder(const Gesture& gesture);
+    bool give_to_wall(const Gesture& gesture);
+    void look_into(const std::string& folder);
+
+    const Settings& settings_;  // outlive this
+    ShowSwitch& shows_;         // outlives this
+    StageFiles& files_;         // outlive this
+    Gestures gestures_;
+    double parted_ = 1;  // factor of the pinch that goes on
+    std::chrono::nanoseconds touched_{0};
+};
+
+}  // namespace vitrine::player

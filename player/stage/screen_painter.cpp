@@ -1,0 +1,96 @@
+#include "player/stage/screen_painter.hpp"
+
+#include "base/system/log.hpp"
+#include "player/stage/stage_settings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto idle_period = 100ms;  // between two frames with the idle picture, which moves slowly
+constexpr auto still_period = 1s;  // between two equal frames: a picture that a card lost in silence is back
+
+/// Part of the frame is the idle picture: it is asked for, or a source has no picture yet.
+bool shows_idle(const Frame& frame, const Renderer& renderer) {
+    return frame.idle > 0 ||
+           std::ranges::any_of(frame.items, [&](const DrawItem& item) { return !renderer.has(item.source); });
+}
+
+}  // namespace
+
+void ScreenPainter::set_screens(std::vector<Screen*> screens) {
+    if (screens != screens_) shown_.clear();
+    screens_ = std::move(screens);
+}
+
+View ScreenPainter::view_on(const Screen& screen) const {
+    return view_of(settings_, screen.width(), screen.height());
+}
+
+Vec2 ScreenPainter::largest_canvas() const {
+    const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
+    const Screen& largest = **std::ranges::max_element(screens_, {}, area);
+    return canvas_size(largest.width(), largest.height(), view_on(largest));
+}
+
+Vec2 ScreenPainter::canvas_point(const Screen& screen, Vec2 canvas, Vec2 share) const {
+    const View view = letterboxed(screen.width(), screen.height(), view_on(screen), canvas);
+    return vitrine::player::canvas_point(screen.width(), screen.height(), view, canvas, share);
+}
+
+void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer,
+                          bool waits_for_wall) {
+    const bool is_new = upload(frame, renderer);
+    const bool is_idle = shows_idle(frame, renderer);
+    number(frame, is_new, is_idle);
+    if (waits_for_wall && is_idle) return;
+    for (Screen* screen : screens_) {
+        std::uint64_t& shown = shown_[screen];
+        if (!screen->is_ready() || (shown == number_ && !screen->wants_picture())) continue;
+        shown = number_;
+        screen->begin_frame();
+        draw(frame, *screen, renderer);
+        screen->present(now);
+    }
+}
+
+/// Gives the renderer the newest pictures. True: any of them is new.
+bool ScreenPainter::upload(const Frame& frame, Renderer& renderer) {
+    bool is_new = false;
+    for (const DrawItem& item : frame.items) {
+        const std::optional<Sample> sample = sources_.sample(item.source);
+        if (!sample || uploaded_[item.source] == sample->owner) continue;
+        if (!uploaded_[item.source]) log::debug("source {} appears", item.source);
+        if (const auto why = renderer.upload(item.source, *sample))
+            log::warning("source {} is copied to the graphics card from now on: {}", item.source, *why);
+        uploaded_[item.source] = sample->owner;
+        is_new = true;
+    }
+    return is_new;
+}
+
+/// The frame gets a number of its own where it does not look like the last one, or that is long ago.
+void ScreenPainter::number(const Frame& frame, bool is_new, bool is_idle) {
+    const std::chrono::nanoseconds period = is_idle ? idle_period : still_period;
+    if (!is_new && looks_alike(frame, drawn_) && frame.time - drawn_.time < period) return;
+    drawn_ = frame;
+    ++number_;
+}
+
+void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) const {
+    renderer.aim(screen.width(), screen.height(),
+                 letterboxed(screen.width(), screen.height(), view_on(screen), frame.canvas));
+    renderer.draw(frame);
+}
+
+void ScreenPainter::forget(SourceId source, Renderer& renderer) {
+    renderer.forget(source);
+    uploaded_.erase(source);
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,52 @@
+#include "player/stage/show_modes.hpp"
+
+#include "player/scene/panning_wall.hpp"
+#include "player/scene/wall.hpp"
+#include "player/stage/stage_settings.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace vitrine::player {
+
+namespace {
+
+std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
+    WallSettings wall{.slots = slot_settings(settings),
+                      .transition = {.crossfade = settings.show.crossfade,
+                                     .motion = settings.show.motion,
+                                     .cells = cell_style(settings)},
+                      .nests = settings.layout.folders == FolderMode::nested,
+                      .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
+                                .clearance = settings.layout.clearance,
+                                .max_scale = settings.layout.max_enlargement},
+                      .idle = settings.input.idle};
+    wall.slots.last_source = last_source;
+    return std::make_unique<Wall>(canvas, wall);
+}
+
+std::unique_ptr<Show> make_panning_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
+    const SlotSettings slots = slot_settings(settings);
+    return std::make_unique<PanningWall>(canvas, PanSettings{.order = slots.order,
+                                                             .seed = slots.seed,
+                                                             .items_a_screen = slots.count,
+                                                             .speed = settings.show.pan_speed,
+                                                             .cells = cell_style(settings),
+                                                             .last_source = last_source});
+}
+
+const std::array<ShowMode, 2>& show_modes() {
+    static const std::array<ShowMode, 2> modes{
+        {{.mode = WallMode::fit, .has_turns = true, .make = make_wall},
+         {.mode = WallMode::pan, .has_turns = false, .make = make_panning_wall}}};
+    return modes;
+}
+
+}  // namespace
+
+const ShowMode& show_mode(const Settings& settings) {
+    const auto found = std::ranges::find(show_modes(), settings.layout.mode, &ShowMode::mode);
+    return found == show_modes().end() ? show_modes().front() : *found;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,118 @@
+#include "player/stage/show_switch.hpp"
+
+#include "base/state/tapestry.hpp"
+#include "base/system/log.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/stage/show_modes.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // of the numbers of a tapestry's sources
+
+/// Nearly opaque, so that the items below are drawn too: an opaque item may be taken for covering them.
+constexpr double max_alpha_behind = 0.999;
+
+}  // namespace
+
+ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool awaits_tiles)
+    : settings_(settings),
+      owner_(owner),
+      awaits_tiles_(awaits_tiles),
+      wall_(show_mode(settings).make(settings, canvas_, sources_of(owner))) {}
+
+void ShowSwitch::set_canvas(Vec2 canvas) {
+    canvas_ = canvas;
+    wall_->set_canvas(canvas);
+    if (tapestry_) tapestry_->set_canvas(canvas);
+}
+
+void ShowSwitch::set_files(const StageFiles& files) {
+    wall_->set_catalogue(files.shown(), files.hints());
+    if (tapestry_) tapestry_->set_catalogue(files.all());
+}
+
+void ShowSwitch::handle_source_event(const SourceEvent& event) {
+    if (!event.failure) {
+        if (!event.unstored.empty())
+            log::info("not in the store, played from the media folder: '{}'", event.unstored);
+        if (tapestry_) tapestry_->source_ready(event.source);
+        return wall_->source_ready(event.source);
+    }
+    log::warning("not shown for now: {}", *event.failure);
+    if (tapestry_) tapestry_->source_failed(event.source);
+    wall_->source_failed(event.source, time_);
+}
+
+WallStep ShowSwitch::step(Renderer& renderer) {
+    return tapestry_ ? tapestry_->step(time_, renderer) : wall_->step(time_);
+}
+
+void ShowSwitch::fade(Frame& frame) {
+    if (!tapestry_) wall_frame_ = frame;
+    if (!has_switched_ || time_ - switched_ >= settings_.show.crossfade) return;
+    const double shown = eased(std::chrono::duration<double>(time_ - switched_) /
+                               std::chrono::duration<double>(settings_.show.crossfade));
+    for (DrawItem& item : frame.items)
+        item.alpha *= shown;
+    frame.idle = 1;
+    if (!tapestry_) return;
+    std::vector<DrawItem> items = wall_frame_.items;
+    for (DrawItem& item : items)
+        item.alpha = std::min(item.alpha * (1 - shown), max_alpha_behind);
+    items.insert(items.end(), frame.items.begin(), frame.items.end());
+    frame.items = std::move(items);
+}
+
+bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
+    const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
+    std::error_code error;
+    if (!std::filesystem::exists(directory / "index.json", error)) return false;
+    try {
+        if (!is_woven_from(read_tapestry(directory), *film)) {
+            log::info("no tapestry of '{}': the film has changed since it was woven", film->path);
+            return false;
+        }
+        show_tapestry(directory, {.patience = settings_.input.idle,
+                                  .film = film,
+                                  .first_seen = shot < film->shots.size() ? film->shots[shot].begin : 0ns});
+    } catch (const std::exception& failure) {
+        log::warning("no tapestry of '{}': {}", film->path, failure.what());
+        return false;
+    }
+    return true;
+}
+
+void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryPlaybackOptions options) {
+    options.first_source = sources_of(owner_) | tapestry_bit;
+    options.awaits_tiles = awaits_tiles_;
+    tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, std::move(options));
+    switched_ = time_;
+    has_switched_ = true;
+    log::info("tapestry of '{}'", tapestry_->show().tapestry().path);
+}
+
+std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
+    if (!tapestry_ || !tapestry_->is_over()) return {};
+    std::vector<SourceId> retired = tapestry_->close();
+    tapestry_.reset();
+    wall_frame_ = {};
+    away_ += time_ - switched_;
+    time_ = switched_;
+    has_switched_ = true;
+    return retired;
+}
+
+void ShowSwitch::forget_uploads() {
+    if (tapestry_) tapestry_->forget_uploads();
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/settings/settings.hpp"
+#include "player/layout/plan/planner.hpp"
+#include "player/scene/show.hpp"
+
+#include <optional>
+
+namespace vitrine::player {
+
+/// Has the plans of a show laid out as the settings say: by a thread, or at once where the clock waits for
+/// the layout anyway. A layout bears the generation of the show's plan.
+class WallPlanner {
+  public:
+    /// @param settings    outlive this
+    /// @param is_at_once  request_layout() returns when the layout is there
+    WallPlanner(const Settings& settings, bool is_at_once) : settings_(settings), is_at_once_(is_at_once) {}
+
+    /// Replaces a plan whose layout is still being made.
+    void request_layout(const WallPlan& wall);
+
+    /// Removes and returns the best layout of the newest plan; none: no better one since the last call.
+    std::optional<Layout> pop_layout();
+
+  private:
+    const Settings& settings_;  // outlive this
+    bool is_at_once_;
+    std::optional<Layout> made_at_once_;
+    Planner planner_;
+};
+
+}  // namespace vitrine::player
