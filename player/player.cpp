@@ -74,8 +74,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
         sound_ = std::make_unique<WallSound>(media_places(settings), alsa_sink(settings.output.sound));
     if (!settings.status.folder.empty() && !options.rehearsal)
         wall_picture_ = std::make_unique<WallPicture>(state / "wall.jpg");
-    visitors_ =
-        std::make_unique<Visitors>(loop_, display_->traits().has_terminal ? settings.input.devices : "none");
+    input_devices_ = std::make_unique<InputDevices>(
+        loop_, display_->traits().has_terminal ? settings.input.devices : "none");
     service_ = std::make_unique<PlayerService>(loop_, view(), actions());
     begin_stages();
     // While the display is opened, which takes a tenth of a second, the first wall is laid out for the size
@@ -103,11 +103,11 @@ std::vector<EventLoop::Source> Player::watch_signals() {
         }
     });
     watch(Console::leave_signal, [this] {
-        visitors_->leave();
+        input_devices_->suspend();
         display_->leave_terminal();
     });
     watch(Console::enter_signal, [this] {
-        visitors_->come_back();
+        input_devices_->resume();
         display_->return_to_terminal();
     });
     return signals;
@@ -209,9 +209,9 @@ void Player::handle_input(std::chrono::nanoseconds time) {
         for (const InputEvent& event : options_.rehearsal->next_touches())
             stages_->first().handle_input(event);
     }
-    visitors_->hand_out(display_->screens(), start_, [this](const Screen& screen, InputEvent event) {
-        stages_->handle_input(screen, std::move(event));
-    });
+    input_devices_->deliver_input(
+        display_->screens(), start_,
+        [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, std::move(event)); });
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {

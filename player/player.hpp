@@ -19,7 +19,7 @@ class PlayerService;
 class SourcePool;
 class Stages;
 class VisibleFiles;
-class Visitors;
+class InputDevices;
 class WallPicture;
 class WallSound;
 struct PlayerActions;
@@ -82,7 +82,7 @@ class Player {
     std::unique_ptr<WallSound> sound_;           // none: there is no device for it
     std::unique_ptr<WallPicture> wall_picture_;  // none: there is no status page
     std::unique_ptr<PlayerService> service_;
-    std::unique_ptr<Visitors> visitors_;
+    std::unique_ptr<InputDevices> input_devices_;
     FrameClock clock_;
     EventLoop::Clock::time_point start_;
     EventLoop::Source tick_;

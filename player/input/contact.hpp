@@ -7,22 +7,22 @@
 
 namespace vitrine::player {
 
-/// What became of one finger, or of a mouse whose button is held.
+/// A change of one finger on the panel, or of a mouse whose button is held.
 struct Contact {
-    enum class Kind { down, move, up, cancel };  // cancel: it was no finger after all
+    enum class Kind { down, move, up, cancel };  // cancel: the panel takes the finger back, it was none
 
     Kind kind = Kind::down;
-    int finger = 0;  // tells those apart that touch at the same time
-    Vec2 at;         // canvas px; of `up` and `cancel` not used
+    int finger = 0;  // number among the fingers that touch at the same time
+    Vec2 at;         // canvas px; not used by `up` and `cancel`
     std::chrono::nanoseconds time{0};
 
     friend bool operator==(const Contact&, const Contact&) = default;
 };
 
-/// A mouse wheel.
+/// A turn of a mouse wheel.
 struct Wheel {
     double notches = 0;  // > 0: away from the hand
-    Vec2 at;             // of the pointer, canvas px
+    Vec2 at;             // the pointer, canvas px
     std::chrono::nanoseconds time{0};
 
     friend bool operator==(const Wheel&, const Wheel&) = default;
@@ -37,7 +37,7 @@ struct KeyPress {
     friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
-/// What a visitor's hands do. Times are of one clock and never go back.
+/// Input of a visitor. All times are of one clock and never go back.
 using InputEvent = std::variant<Contact, Wheel, KeyPress>;
 
 }  // namespace vitrine::player

@@ -8,8 +8,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_spread = 1;       // px between two fingers
-constexpr std::size_t most_fingers = 2;  // of more the others are a palm
+constexpr double min_spread = 1;        // px between two fingers
+constexpr std::size_t max_fingers = 2;  // further ones are a palm
 
 }  // namespace
 
@@ -19,19 +19,19 @@ GestureRules gesture_rules(Vec2 canvas) {
 }
 
 void Gestures::handle_input(const InputEvent& event) {
-    std::visit([this](const auto& one) { follow(one); }, event);
+    std::visit([this](const auto& one) { handle(one); }, event);
 }
 
 std::vector<Gesture> Gestures::next_gestures(std::chrono::nanoseconds now) {
-    look_for_hold(now);
-    return std::exchange(meant_, {});
+    recognise_hold(now);
+    return std::exchange(gestures_, {});
 }
 
-void Gestures::follow(const Contact& contact) {
-    look_for_hold(contact.time);
+void Gestures::handle(const Contact& contact) {
+    recognise_hold(contact.time);
     switch (contact.kind) {
     case Contact::Kind::down:
-        return come_down(contact);
+        return put_down(contact);
     case Contact::Kind::move:
         return move(contact);
     case Contact::Kind::up:
@@ -40,25 +40,25 @@ void Gestures::follow(const Contact& contact) {
     }
 }
 
-void Gestures::follow(const Wheel& wheel) {
-    meant_.push_back({.kind = Gesture::Kind::wheel,
-                      .at = wheel.at,
-                      .from = wheel.at,
-                      .factor = std::pow(rules_.notch, wheel.notches)});
+void Gestures::handle(const Wheel& wheel) {
+    gestures_.push_back({.kind = Gesture::Kind::wheel,
+                         .at = wheel.at,
+                         .from = wheel.at,
+                         .factor = std::pow(rules_.notch, wheel.notches)});
 }
 
-void Gestures::follow(const KeyPress& press) {
-    meant_.push_back({.kind = Gesture::Kind::key, .key = press.key});
+void Gestures::handle(const KeyPress& press) {
+    gestures_.push_back({.kind = Gesture::Kind::key, .key = press.key});
 }
 
-void Gestures::come_down(const Contact& contact) {
-    if (fingers_.size() >= most_fingers || fingers_.contains(contact.finger)) return;
+void Gestures::put_down(const Contact& contact) {
+    if (fingers_.size() >= max_fingers || fingers_.contains(contact.finger)) return;
     const Finger finger{
         .from = contact.at, .at = contact.at, .since = contact.time, .trail = {{contact.at, contact.time}}};
     if (fingers_.empty()) {
         state_ = State::pressed;
     } else if (state_ != State::over) {
-        end(fingers_.begin()->second, contact.time, false);
+        end_hold_or_drag(fingers_.begin()->second, contact.time, false);
         state_ = State::pinching;
     }
     fingers_.emplace(contact.finger, finger);
@@ -74,77 +74,77 @@ void Gestures::move(const Contact& contact) {
     finger.trail.push_back({contact.at, contact.time});
     while (finger.trail.size() > 2 && contact.time - finger.trail.front().time > rules_.trail)
         finger.trail.pop_front();
-    if (state_ == State::pinching) return move_two();
-    if (state_ != State::over) move_one(finger, before);
+    if (state_ == State::pinching) return pinch();
+    if (state_ != State::over) drag(finger, before);
 }
 
-void Gestures::move_one(Finger& finger, Vec2 before) {
+void Gestures::drag(Finger& finger, Vec2 before) {
     if (state_ != State::dragging) {
         if (length(finger.at - finger.from) < rules_.slop) return;
         state_ = State::dragging;
         before = finger.from;
     }
-    meant_.push_back(
+    gestures_.push_back(
         {.kind = Gesture::Kind::drag, .at = finger.at, .from = finger.from, .moved = finger.at - before});
 }
 
-void Gestures::move_two() {
+void Gestures::pinch() {
     const Vec2 before = std::exchange(middle_, middle());
     const double apart = std::exchange(spread_, spread());
-    meant_.push_back({.kind = Gesture::Kind::pinch,
-                      .at = middle_,
-                      .from = fingers_.begin()->second.from,
-                      .moved = middle_ - before,
-                      .factor = spread_ / apart});
+    gestures_.push_back({.kind = Gesture::Kind::pinch,
+                         .at = middle_,
+                         .from = fingers_.begin()->second.from,
+                         .moved = middle_ - before,
+                         .factor = spread_ / apart});
 }
 
 void Gestures::lift(const Contact& contact) {
     const auto found = fingers_.find(contact.finger);
     if (found == fingers_.end()) return;
     if (state_ == State::pinching)
-        meant_.push_back({.kind = Gesture::Kind::pinch_end, .at = middle_, .from = middle_});
+        gestures_.push_back({.kind = Gesture::Kind::pinch_end, .at = middle_, .from = middle_});
     else if (state_ == State::pressed && contact.kind == Contact::Kind::up)
         tap(found->second, contact.time);
     else
-        end(found->second, contact.time, contact.kind == Contact::Kind::up);
+        end_hold_or_drag(found->second, contact.time, contact.kind == Contact::Kind::up);
     fingers_.erase(found);
     state_ = fingers_.empty() ? State::idle : State::over;
 }
 
 void Gestures::tap(const Finger& finger, std::chrono::nanoseconds time) {
     Gesture gesture{.kind = Gesture::Kind::tap, .at = finger.at, .from = finger.from};
-    meant_.push_back(gesture);
+    gestures_.push_back(gesture);
     const bool is_second = tapped_ && finger.since - tapped_->time <= rules_.twice &&
                            length(finger.at - tapped_->at) <= 3 * rules_.slop;
     tapped_ = Point{finger.at, time};
     if (!is_second) return;
     tapped_.reset();
     gesture.kind = Gesture::Kind::double_tap;
-    meant_.push_back(gesture);
+    gestures_.push_back(gesture);
 }
 
-/// A finger that held or dragged does so no more.
-void Gestures::end(const Finger& finger, std::chrono::nanoseconds time, bool may_flick) {
+/// The finger does not hold or drag any more.
+void Gestures::end_hold_or_drag(const Finger& finger, std::chrono::nanoseconds time, bool may_flick) {
     if (state_ == State::holding)
-        meant_.push_back({.kind = Gesture::Kind::release, .at = finger.at, .from = finger.from});
+        gestures_.push_back({.kind = Gesture::Kind::release, .at = finger.at, .from = finger.from});
     if (state_ != State::dragging) return;
     const Vec2 speed = velocity(finger, time);
     const bool is_flick = may_flick && length(speed) >= rules_.fast;
-    meant_.push_back({.kind = is_flick ? Gesture::Kind::flick : Gesture::Kind::drop,
-                      .at = finger.at,
-                      .from = finger.from,
-                      .velocity = is_flick ? speed : Vec2{}});
+    gestures_.push_back({.kind = is_flick ? Gesture::Kind::flick : Gesture::Kind::drop,
+                         .at = finger.at,
+                         .from = finger.from,
+                         .velocity = is_flick ? speed : Vec2{}});
 }
 
-void Gestures::look_for_hold(std::chrono::nanoseconds now) {
+void Gestures::recognise_hold(std::chrono::nanoseconds now) {
     if (state_ != State::pressed) return;
     const Finger& finger = fingers_.begin()->second;
     if (now - finger.since < rules_.hold) return;
     state_ = State::holding;
-    meant_.push_back({.kind = Gesture::Kind::hold, .at = finger.at, .from = finger.from});
+    gestures_.push_back({.kind = Gesture::Kind::hold, .at = finger.at, .from = finger.from});
 }
 
-/// Of the last moment before `now`; a finger that has come to rest since has none.
+/// The speed in the last moment before `now`, px a second; 0 of a finger that has come to rest since.
 Vec2 Gestures::velocity(const Finger& finger, std::chrono::nanoseconds now) const {
     if (now - finger.trail.back().time > rules_.trail) return {};
     const double passed =
@@ -161,8 +161,8 @@ Vec2 Gestures::middle() const {
 }
 
 double Gestures::spread() const {
-    if (fingers_.size() < most_fingers) return least_spread;
-    return std::max(least_spread, length(fingers_.begin()->second.at - fingers_.rbegin()->second.at));
+    if (fingers_.size() < max_fingers) return min_spread;
+    return std::max(min_spread, length(fingers_.begin()->second.at - fingers_.rbegin()->second.at));
 }
 
 }  // namespace vitrine::player

@@ -9,38 +9,46 @@
 
 namespace vitrine::player {
 
-/// From when on a contact means something. Lengths canvas px.
+/// Limits from which on a contact means something. Lengths in canvas px.
 struct GestureRules {
-    double slop = 12;   // that a finger moves without meaning it
-    double fast = 600;  // a second, of a flick
-    std::chrono::nanoseconds hold = std::chrono::milliseconds(500);
-    std::chrono::nanoseconds twice = std::chrono::milliseconds(350);  // between two taps that are one
-    std::chrono::nanoseconds trail = std::chrono::milliseconds(80);   // of a finger that its speed is told by
-    double notch = 1.25;                                              // factor of the wheel
+    double slop = 12;   // way that a finger may tremble before it drags
+    double fast = 600;  // px a second from which on a lifted finger flicks
+    std::chrono::nanoseconds hold = std::chrono::milliseconds(500);   // a resting finger holds from then on
+    std::chrono::nanoseconds twice = std::chrono::milliseconds(350);  // between the taps of a double tap
+    std::chrono::nanoseconds trail =
+        std::chrono::milliseconds(80);  // last way of a finger that gives its speed
+    double notch = 1.25;                // factor of one notch of the wheel
 };
 
-/// The rules for a canvas of this size: a finger covers the same share of every panel.
+/// The rules for a canvas of this size, px: a finger covers the same share of every panel.
 GestureRules gesture_rules(Vec2 canvas);
 
-/// Makes gestures of contacts. Knows no clock: it is told the time.
+/// Recognises gestures in a visitor's input. Knows no clock: the time is passed in.
 class Gestures {
   public:
     explicit Gestures(const GestureRules& rules = {}) : rules_(rules) {}
 
-    /// For a finger that comes down from now on.
+    /// The rules hold for fingers that come down from now on.
     void set_rules(const GestureRules& rules) { rules_ = rules; }
 
     void handle_input(const InputEvent& event);
 
-    /// What has been meant since the last call, in order.
+    /// The gestures since the last call, in order.
     /// @param now  not before the last event
     std::vector<Gesture> next_gestures(std::chrono::nanoseconds now);
 
-    /// Whether a finger touches.
+    /// True: a finger touches the panel.
     bool is_touched() const { return !fingers_.empty(); }
 
   private:
-    enum class State { idle, pressed, holding, dragging, pinching, over };  // over: until all are lifted
+    enum class State {
+        idle,
+        pressed,
+        holding,
+        dragging,
+        pinching,
+        over
+    };  // over: nothing more until all are lifted
 
     struct Point {
         Vec2 at;
@@ -54,17 +62,17 @@ class Gestures {
         std::deque<Point> trail;
     };
 
-    void follow(const Contact& contact);
-    void follow(const Wheel& wheel);
-    void follow(const KeyPress& press);
-    void come_down(const Contact& contact);
+    void handle(const Contact& contact);
+    void handle(const Wheel& wheel);
+    void handle(const KeyPress& press);
+    void put_down(const Contact& contact);
     void move(const Contact& contact);
-    void move_one(Finger& finger, Vec2 before);
-    void move_two();
+    void drag(Finger& finger, Vec2 before);
+    void pinch();
     void lift(const Contact& contact);
     void tap(const Finger& finger, std::chrono::nanoseconds time);
-    void end(const Finger& finger, std::chrono::nanoseconds time, bool may_flick);
-    void look_for_hold(std::chrono::nanoseconds now);
+    void end_hold_or_drag(const Finger& finger, std::chrono::nanoseconds time, bool may_flick);
+    void recognise_hold(std::chrono::nanoseconds now);
     Vec2 velocity(const Finger& finger, std::chrono::nanoseconds now) const;
     Vec2 middle() const;
     double spread() const;
@@ -72,10 +80,10 @@ class Gestures {
     GestureRules rules_;
     State state_ = State::idle;
     std::map<int, Finger> fingers_;
-    Vec2 middle_;        // of two fingers, when last looked at
-    double spread_ = 1;  // likewise
-    std::optional<Point> tapped_;
-    std::vector<Gesture> meant_;
+    Vec2 middle_;                  // between two fingers, as of the last contact
+    double spread_ = 1;            // px between them, likewise
+    std::optional<Point> tapped_;  // the last tap, if it may become a double tap
+    std::vector<Gesture> gestures_;
 };
 
 }  // namespace vitrine::player

@@ -11,9 +11,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t most_events = 4096;  // kept while no picture is shown; more are of a broken panel
+constexpr std::size_t max_events = 4096;  // kept while no frame is shown; more come from a broken panel
 
-/// The event with its time since the player's start.
+/// The event with its time counted from the player's start.
 InputEvent counted_from(InputEvent event, std::chrono::nanoseconds start) {
     std::visit([&](auto& one) { one.time -= start; }, event);
     return event;
@@ -21,7 +21,7 @@ InputEvent counted_from(InputEvent event, std::chrono::nanoseconds start) {
 
 }  // namespace
 
-Visitors::Visitors(EventLoop& loop, const std::string& devices) {
+InputDevices::InputDevices(EventLoop& loop, const std::string& devices) {
     if (devices == "none") return;
     try {
         touch_ = std::make_unique<Touch>(devices);
@@ -33,11 +33,11 @@ Visitors::Visitors(EventLoop& loop, const std::string& devices) {
     }
 }
 
-/// A panel that cannot be read any more is no reason to show nothing.
-void Visitors::read() {
+/// The wall goes on without input where the devices cannot be read any more.
+void InputDevices::read() {
     try {
-        std::vector<PanelEvent> events = touch_->events();
-        if (events_.size() + events.size() <= most_events)
+        std::vector<PanelEvent> events = touch_->read_events();
+        if (events_.size() + events.size() <= max_events)
             events_.insert(events_.end(), events.begin(), events.end());
     } catch (const std::exception& error) {
         log::warning("input: no more: {}", error.what());
@@ -45,26 +45,26 @@ void Visitors::read() {
         return;
     }
     for (const std::string& news : touch_->take_news())
-        if (news != std::exchange(told_, news)) log::info("input: {}", news);
+        if (news != std::exchange(logged_, news)) log::info("input: {}", news);
 }
 
-void Visitors::hand_out(std::span<Screen* const> screens, EventLoop::Clock::time_point start,
-                        const std::function<void(const Screen&, InputEvent)>& take) {
+void InputDevices::deliver_input(std::span<Screen* const> screens, EventLoop::Clock::time_point start,
+                                 const Call& call) {
     for (const PanelEvent& event : std::exchange(events_, {})) {
         if (screens.empty()) continue;
         const auto named = std::ranges::find_if(
             screens, [&](const Screen* screen) { return screen->name() == event.output; });
-        take(named == screens.end() ? *screens.front() : **named,
+        call(named == screens.end() ? *screens.front() : **named,
              counted_from(event.event, start.time_since_epoch()));
     }
 }
 
-void Visitors::leave() {
-    if (touch_) touch_->leave();
+void InputDevices::suspend() {
+    if (touch_) touch_->suspend();
 }
 
-void Visitors::come_back() {
-    if (touch_) touch_->come_back();
+void InputDevices::resume() {
+    if (touch_) touch_->resume();
 }
 
 }  // namespace vitrine::player

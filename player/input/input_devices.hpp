@@ -13,32 +13,36 @@
 
 namespace vitrine::player {
 
-/// Those who touch the wall: reads their devices in the event loop, and says on which screen they do what.
-/// Where there are no devices, or no right to them, it says so once and does nothing.
-class Visitors {
+/// Reads the visitors' input devices in the event loop, and says on which screen each input is. Where there
+/// are no devices, or no right to open them, it logs that once and does nothing.
+class InputDevices {
   public:
-    /// @param devices  as the setting input.devices
     /// @param loop     outlives this
-    Visitors(EventLoop& loop, const std::string& devices);
+    /// @param devices  as the setting input.devices
+    InputDevices(EventLoop& loop, const std::string& devices);
 
-    /// What was done since the last call.
-    /// @param screens  those there are; a device that names none belongs to the first
-    /// @param start    of the player, that the events' times count from
-    /// @param take     gets places as shares of the screen, as PanelEvent
-    void hand_out(std::span<Screen* const> screens, EventLoop::Clock::time_point start,
-                  const std::function<void(const Screen&, InputEvent)>& take);
+    using Call = std::function<void(const Screen&, InputEvent)>;
 
-    /// Another terminal is in front, ours is again.
-    void leave();
-    void come_back();
+    /// Hands on the input since the last call.
+    /// @param screens  all there are; a device that names none of them belongs to the first
+    /// @param start    of the player; the events' times count from there
+    /// @param call     gets places as shares of the screen, as in PanelEvent
+    void deliver_input(std::span<Screen* const> screens, EventLoop::Clock::time_point start,
+                       const Call& call);
+
+    /// Leaves the devices to other programs: another terminal is in front.
+    void suspend();
+
+    /// Opens the devices again: our terminal is in front.
+    void resume();
 
   private:
     void read();
 
-    std::unique_ptr<Touch> touch_;  // none: nobody can touch
+    std::unique_ptr<Touch> touch_;  // none: there is no input
     EventLoop::Source readable_;
-    std::vector<PanelEvent> events_;
-    std::string told_;  // last complaint
+    std::vector<PanelEvent> events_;  // since the last delivery
+    std::string logged_;              // the last line about a device
 };
 
 }  // namespace vitrine::player

@@ -22,9 +22,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int pointer_finger = -1;         // of a mouse whose button is held; slots count from 0
+constexpr int pointer_finger = -1;         // a mouse whose button is held; slots count from 0
 constexpr Vec2 pointer_reach{1920, 1080};  // px that a mouse moves for a panel's width and height
-constexpr double notch_angle = 120;        // what libinput counts a notch as
+constexpr double notch_angle = 120;        // libinput's unit for one notch
 constexpr std::array<std::pair<unsigned, Key>, 15> keys{{{KEY_LEFT, Key::left},
                                                          {KEY_RIGHT, Key::right},
                                                          {KEY_UP, Key::nearer},
@@ -45,7 +45,7 @@ std::chrono::nanoseconds time_of(std::uint64_t microseconds) {
     return std::chrono::microseconds(microseconds);
 }
 
-/// Called by libinput, from C: throws nothing. The flags are libinput's; whoever is in the group may open.
+/// Called by libinput, from C: throws nothing. The flags are libinput's.
 int open_device(const char* path, int flags, void* refused) {
     const int fd = ::open(path, flags | O_CLOEXEC);
     if (fd >= 0) return fd;
@@ -61,7 +61,7 @@ void close_device(int fd, void* /*refused*/) {
 constexpr libinput_interface devices_interface{.open_restricted = open_device,
                                                .close_restricted = close_device};
 
-/// What libinput has to say of each device is said by us, once.
+/// Drops libinput's own lines: the player logs each device once itself.
 void ignore_log(libinput* /*context*/, libinput_log_priority /*priority*/, const char* /*format*/,
                 va_list /*arguments*/) {}
 
@@ -72,14 +72,14 @@ struct Touch::Context {
 
     void open_seat();
     void open_paths(const std::string& devices);
-    void take(libinput_event* event);
-    void take_device(libinput_device* device, bool is_added);
-    void take_touch(libinput_event_touch* touch, libinput_event_type type, const std::string& output);
-    void take_pointer(libinput_event_pointer* pointer, libinput_event_type type, const std::string& output);
-    void take_wheel(libinput_event_pointer* pointer, const std::string& output);
-    void take_key(libinput_event_keyboard* press, const std::string& output);
+    void handle_event(libinput_event* event);
+    void handle_device(libinput_device* device, bool is_added);
+    void handle_touch(libinput_event_touch* touch, libinput_event_type type, const std::string& output);
+    void handle_pointer(libinput_event_pointer* pointer, libinput_event_type type, const std::string& output);
+    void handle_wheel(libinput_event_pointer* pointer, const std::string& output);
+    void handle_key(libinput_event_keyboard* press, const std::string& output);
     int finger_of(libinput_event_touch* touch);
-    void tell_refusals();
+    void report_refusals();
 
     std::map<int, int> refused;  // errno -> devices that could not be opened
     Handle<udev, &udev_unref> rules;
@@ -118,7 +118,7 @@ void Touch::Context::open_paths(const std::string& devices) {
             news.push_back(fmt::format("'{}' cannot be used", path));
 }
 
-void Touch::Context::take(libinput_event* event) {
+void Touch::Context::handle_event(libinput_event* event) {
     const libinput_event_type type = libinput_event_get_type(event);
     libinput_device* device = libinput_event_get_device(event);
     const char* name = libinput_device_get_output_name(device);
@@ -126,34 +126,34 @@ void Touch::Context::take(libinput_event* event) {
     switch (type) {
     case LIBINPUT_EVENT_DEVICE_ADDED:
     case LIBINPUT_EVENT_DEVICE_REMOVED:
-        return take_device(device, type == LIBINPUT_EVENT_DEVICE_ADDED);
+        return handle_device(device, type == LIBINPUT_EVENT_DEVICE_ADDED);
     case LIBINPUT_EVENT_TOUCH_DOWN:
     case LIBINPUT_EVENT_TOUCH_MOTION:
     case LIBINPUT_EVENT_TOUCH_UP:
     case LIBINPUT_EVENT_TOUCH_CANCEL:
-        return take_touch(libinput_event_get_touch_event(event), type, output);
+        return handle_touch(libinput_event_get_touch_event(event), type, output);
     case LIBINPUT_EVENT_POINTER_MOTION:
     case LIBINPUT_EVENT_POINTER_MOTION_ABSOLUTE:
     case LIBINPUT_EVENT_POINTER_BUTTON:
-        return take_pointer(libinput_event_get_pointer_event(event), type, output);
+        return handle_pointer(libinput_event_get_pointer_event(event), type, output);
     case LIBINPUT_EVENT_POINTER_SCROLL_WHEEL:
-        return take_wheel(libinput_event_get_pointer_event(event), output);
+        return handle_wheel(libinput_event_get_pointer_event(event), output);
     case LIBINPUT_EVENT_KEYBOARD_KEY:
-        return take_key(libinput_event_get_keyboard_event(event), output);
+        return handle_key(libinput_event_get_keyboard_event(event), output);
     default:
         return;
     }
 }
 
-/// A device that goes lifts its fingers: libinput tells that by events of their own.
-void Touch::Context::take_device(libinput_device* device, bool is_added) {
+/// Events of their own lift the fingers of a device that goes.
+void Touch::Context::handle_device(libinput_device* device, bool is_added) {
     news.push_back(fmt::format("{} '{}'", is_added ? "found" : "gone:", libinput_device_get_name(device)));
     if (is_added && libinput_device_config_tap_get_finger_count(device) > 0)
         libinput_device_config_tap_set_enabled(device, LIBINPUT_CONFIG_TAP_ENABLED);
     if (!is_added) std::erase_if(fingers, [&](const auto& entry) { return entry.first.first == device; });
 }
 
-/// A number for a finger of a device that no other finger has now.
+/// The number of a device's finger. No other finger has it at the same time.
 int Touch::Context::finger_of(libinput_event_touch* touch) {
     libinput_device* device = libinput_event_get_device(libinput_event_touch_get_base_event(touch));
     const std::pair key{device, libinput_event_touch_get_slot(touch)};
@@ -165,8 +165,8 @@ int Touch::Context::finger_of(libinput_event_touch* touch) {
     return number;
 }
 
-void Touch::Context::take_touch(libinput_event_touch* touch, libinput_event_type type,
-                                const std::string& output) {
+void Touch::Context::handle_touch(libinput_event_touch* touch, libinput_event_type type,
+                                  const std::string& output) {
     Contact contact{.finger = finger_of(touch), .time = time_of(libinput_event_touch_get_time_usec(touch))};
     if (type == LIBINPUT_EVENT_TOUCH_DOWN || type == LIBINPUT_EVENT_TOUCH_MOTION) {
         contact.kind = type == LIBINPUT_EVENT_TOUCH_DOWN ? Contact::Kind::down : Contact::Kind::move;
@@ -179,8 +179,8 @@ void Touch::Context::take_touch(libinput_event_touch* touch, libinput_event_type
     events.push_back({output, contact});
 }
 
-void Touch::Context::take_pointer(libinput_event_pointer* moved, libinput_event_type type,
-                                  const std::string& output) {
+void Touch::Context::handle_pointer(libinput_event_pointer* moved, libinput_event_type type,
+                                    const std::string& output) {
     Contact contact{.finger = pointer_finger, .time = time_of(libinput_event_pointer_get_time_usec(moved))};
     if (type == LIBINPUT_EVENT_POINTER_BUTTON) {
         if (libinput_event_pointer_get_button(moved) != BTN_LEFT) return;
@@ -201,7 +201,7 @@ void Touch::Context::take_pointer(libinput_event_pointer* moved, libinput_event_
     events.push_back({output, contact});
 }
 
-void Touch::Context::take_wheel(libinput_event_pointer* turned, const std::string& output) {
+void Touch::Context::handle_wheel(libinput_event_pointer* turned, const std::string& output) {
     constexpr auto axis = LIBINPUT_POINTER_AXIS_SCROLL_VERTICAL;
     if (libinput_event_pointer_has_axis(turned, axis) == 0) return;
     const double notches = -libinput_event_pointer_get_scroll_value_v120(turned, axis) / notch_angle;
@@ -210,7 +210,7 @@ void Touch::Context::take_wheel(libinput_event_pointer* turned, const std::strin
                                     .time = time_of(libinput_event_pointer_get_time_usec(turned))}});
 }
 
-void Touch::Context::take_key(libinput_event_keyboard* press, const std::string& output) {
+void Touch::Context::handle_key(libinput_event_keyboard* press, const std::string& output) {
     if (libinput_event_keyboard_get_key_state(press) != LIBINPUT_KEY_STATE_PRESSED) return;
     const unsigned code = libinput_event_keyboard_get_key(press);
     const auto known = std::ranges::find_if(keys, [&](const auto& entry) { return entry.first == code; });
@@ -219,7 +219,7 @@ void Touch::Context::take_key(libinput_event_keyboard* press, const std::string&
                                        .time = time_of(libinput_event_keyboard_get_time_usec(press))}});
 }
 
-void Touch::Context::tell_refusals() {
+void Touch::Context::report_refusals() {
     for (const auto& [error, count] : std::exchange(refused, {}))
         news.push_back(fmt::format("{} {} cannot be opened: {}", count, count == 1 ? "device" : "devices",
                                    std::strerror(error)));
@@ -233,17 +233,17 @@ int Touch::event_fd() const {
     return libinput_get_fd(context_->input.get());
 }
 
-std::vector<PanelEvent> Touch::events() {
+std::vector<PanelEvent> Touch::read_events() {
     libinput* input = context_->input.get();
     if (const int result = libinput_dispatch(input); result < 0) {
         errno = -result;
         throw_errno("read input devices");
     }
     while (libinput_event* event = libinput_get_event(input)) {
-        context_->take(event);
+        context_->handle_event(event);
         libinput_event_destroy(event);
     }
-    context_->tell_refusals();
+    context_->report_refusals();
     return std::exchange(context_->events, {});
 }
 
@@ -251,12 +251,12 @@ std::vector<std::string> Touch::take_news() {
     return std::exchange(context_->news, {});
 }
 
-void Touch::leave() {
+void Touch::suspend() {
     libinput_suspend(context_->input.get());
 }
 
-void Touch::come_back() {
-    (void)libinput_resume(context_->input.get());  // devices that are refused are told of by events()
+void Touch::resume() {
+    (void)libinput_resume(context_->input.get());  // read_events() reports devices that are refused
 }
 
 }  // namespace vitrine::player

@@ -9,19 +9,19 @@
 
 namespace vitrine::player {
 
-/// An event of a device. Places are shares of the panel, (0, 0) its top left and (1, 1) its bottom right as
-/// its pixels lie, whatever way it is hung.
+/// An input of one device. Places are shares of the panel: (0, 0) is its top left and (1, 1) its bottom right
+/// as its pixels lie, whichever way it is hung.
 struct PanelEvent {
-    std::string output;  // that the device belongs to, by udev's WL_OUTPUT; empty: not said
-    InputEvent event;    // times since the machine's start
+    std::string output;  // the device's output by udev's WL_OUTPUT; empty: not said
+    InputEvent event;    // its time counts from the machine's start
 };
 
-/// Touch panels, mice, tablets and keyboards, over libinput and without a session of anybody's: the devices
-/// are opened by who is in the group `input`. They come and go at any time.
+/// Reads touch panels, mice, tablets and keyboards over libinput, without a user's session: a member of the
+/// group `input` may open the devices. Devices come and go at any time.
 class Touch {
   public:
     /// @param devices  "auto": all of seat0, as udev says; else device nodes, separated by commas
-    /// @throws std::runtime_error where there can be no input
+    /// @throws std::runtime_error where udev or libinput cannot be used
     explicit Touch(const std::string& devices);
     Touch(const Touch&) = delete;
     Touch& operator=(const Touch&) = delete;
@@ -29,17 +29,18 @@ class Touch {
     Touch& operator=(Touch&&) = delete;
     ~Touch();
 
-    /// To be polled for POLLIN, then events() called.
+    /// To be polled for POLLIN; then read_events() is to be called.
     int event_fd() const;
 
-    std::vector<PanelEvent> events();
+    /// The input since the last call. @throws std::system_error where the devices cannot be read any more
+    std::vector<PanelEvent> read_events();
 
-    /// What has become of the devices since the last call, in plain words for the log.
+    /// Lines for the log: devices that came, went or cannot be opened since the last call.
     std::vector<std::string> take_news();
 
-    /// The devices are left to others until come_back(): another terminal is in front.
-    void leave();
-    void come_back();
+    /// Leaves the devices to other programs until resume().
+    void suspend();
+    void resume();
 
   private:
     struct Context;
