@@ -230,7 +230,7 @@ void Player::play_sound(std::chrono::nanoseconds time) {
 void Player::take_wall_picture(std::chrono::nanoseconds time) {
     const Stage& stage = stages_->first();
     if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
-    wall_picture_->take(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
+    wall_picture_->write(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
 }
 
 /// @throws SettingsError; the settings then stay as they are

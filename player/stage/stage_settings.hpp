@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-// What the settings mean to the player's stages.
+// Translates the settings into those of the stages' parts.
 
 SlotSettings slot_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 
-/// @param keeps_time  pictures are shown at their time, late or not, instead of each exactly
+/// @param keeps_time  pictures are shown at their time and late ones are skipped; else each is shown
 SourceOptions source_options(const Settings& settings, bool keeps_time);
 
 MediaPlaces media_places(const Settings& settings);
@@ -22,7 +22,7 @@ MediaPlaces media_places(const Settings& settings);
 /// How a canvas lies on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);
 
-/// All of a request but its items.
+/// A request without its items.
 PlanRequest plan_request(const Settings& settings, Vec2 canvas);
 
 }  // namespace vitrine::player

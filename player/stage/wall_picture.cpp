@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto interval = 30s;     // between two pictures of the same shots
-constexpr auto after_change = 2s;  // the change has ended by then
+constexpr auto after_change = 2s;  // until a change of shots has ended
 constexpr auto rest = 8s;          // between two pictures of any shots
 
 bool write_jpeg(const Picture& picture, const std::filesystem::path& file) {
@@ -60,12 +60,12 @@ bool WallPicture::is_due(const Frame& frame, std::chrono::nanoseconds now) {
     return true;
 }
 
-void WallPicture::take(Picture picture) {
+void WallPicture::write(Picture picture) {
     if (written_.valid() && written_.wait_for(0s) != std::future_status::ready) return;
     if (written_.valid() && !written_.get() && !std::exchange(has_complained_, true))
         log::warning("the picture of the wall cannot be written: '{}'", file_.string());
-    if (picture.pixels == taken_) return;
-    taken_ = picture.pixels;
+    if (picture.pixels == pixels_) return;
+    pixels_ = picture.pixels;
     written_ = std::async(std::launch::async, write_jpeg, std::move(picture), file_);
 }
 

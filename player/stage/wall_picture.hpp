@@ -16,8 +16,8 @@ class Renderer;
 /// A frame as a small picture. @param max_side  px of the picture's longest side
 Picture picture_of(const Frame& frame, int max_side, Renderer& renderer);
 
-/// A small picture of the wall for those who drop files, STATE/wall.jpg: now and then, and a moment after
-/// other shots are on it. It is written by a thread of its own, as disks may take long. Logs.
+/// Writes STATE/wall.jpg, a small picture of the wall for the operators: every half minute, and a moment
+/// after other shots have come. A thread of its own writes, as a disk may take long. Logs.
 class WallPicture {
   public:
     static constexpr int max_side = 960;  // px
@@ -26,19 +26,19 @@ class WallPicture {
 
     explicit WallPicture(std::filesystem::path file) : file_(std::move(file)) {}
 
-    /// Whether a picture of this frame is wanted.
+    /// True: a picture of this frame is to be written.
     /// @param now  never goes back
     bool is_due(const Frame& frame, std::chrono::nanoseconds now);
 
-    /// Nothing happens where it is the last one again, or that is still being written.
-    void take(Picture picture);
+    /// Writes the picture, unless it equals the last one or the last one is still being written.
+    void write(Picture picture);
 
   private:
     std::filesystem::path file_;
-    std::vector<SourceId> sources_;  // on the wall when last asked
+    std::vector<SourceId> sources_;  // on the wall at the last is_due()
     std::chrono::nanoseconds next_ = first;
-    std::chrono::nanoseconds earliest_ = first;  // that a change may bring it forward to
-    std::vector<std::byte> taken_;               // pixels of the last one
+    std::chrono::nanoseconds earliest_ = first;  // no picture comes before, whatever changes
+    std::vector<std::byte> pixels_;              // of the last picture
     bool has_complained_ = false;
     std::future<bool> written_;  // last: its thread ends before the rest
 };

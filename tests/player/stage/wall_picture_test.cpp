@@ -44,10 +44,10 @@ TEST_CASE("it is a JPEG that is there as a whole, and where it cannot be written
     const std::filesystem::path file = state.path / "wall.jpg";
     {
         WallPicture wall(file);
-        wall.take(grey(90));
+        wall.write(grey(90));
     }
     CHECK(read_file(file).starts_with("\xff\xd8\xff"));
     CHECK_FALSE(std::filesystem::exists(unfinished(file)));
     WallPicture elsewhere(state.path / "none/wall.jpg");  // no reason to stop
-    elsewhere.take(grey(90));
+    elsewhere.write(grey(90));
 }
