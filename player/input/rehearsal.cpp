@@ -40,16 +40,143 @@ std::chrono::nanoseconds time_of(const InputEvent& event) {
     return std::visit([](const auto& one) { return one.time; }, event);
 }
 
-Vec2 place(std::istream& words, const char* complaint) {
-    Vec2 place;
-    if (!(words >> place.x >> place.y)) throw std::runtime_error(complaint);
-    return place;
+/// The rest of a line behind its word.
+struct Arguments {
+    std::istream& words;
+    std::chrono::nanoseconds time{0};  // of the event
+    const char* usage = "";            // the text of the error where an argument is missing
+
+    double number() {
+        double number = 0;
+        if (!(words >> number)) throw std::runtime_error(usage);
+        return number;
+    }
+
+    Vec2 place() {
+        const double x = number();
+        return {x, number()};
+    }
+
+    std::chrono::nanoseconds duration() { return seconds(number()); }
+};
+
+/// A finger that comes down, moves and is lifted.
+struct Stroke {
+    int finger = 0;
+    Vec2 from;
+    Vec2 to;
+    std::chrono::nanoseconds time{0};  // of the first contact
+    std::chrono::nanoseconds duration{0};
+    std::chrono::nanoseconds rest{0};  // before the finger is lifted
+};
+
+using Input = std::vector<InputEvent>;
+
+Input contacts(const Stroke& stroke) {
+    Input events;
+    Contact contact{
+        .kind = Contact::Kind::down, .finger = stroke.finger, .at = stroke.from, .time = stroke.time};
+    events.emplace_back(contact);
+    contact.kind = Contact::Kind::move;
+    const bool moves = stroke.from != stroke.to;
+    for (std::chrono::nanoseconds passed = sampling; moves && passed <= stroke.duration; passed += sampling) {
+        const double share =
+            std::chrono::duration<double>(passed) / std::chrono::duration<double>(stroke.duration);
+        contact.at = stroke.from + (stroke.to - stroke.from) * share;
+        contact.time = stroke.time + passed;
+        events.emplace_back(contact);
+    }
+    contact.at = stroke.to;
+    contact.time = stroke.time + stroke.duration;
+    if (moves) events.emplace_back(contact);
+    contact.kind = Contact::Kind::up;
+    contact.time += stroke.rest;
+    events.emplace_back(contact);
+    return events;
 }
 
-double number(std::istream& words, const char* complaint) {
-    double number = 0;
-    if (!(words >> number)) throw std::runtime_error(complaint);
-    return number;
+Input tap(Arguments& arguments) {
+    const Vec2 at = arguments.place();
+    return contacts({.from = at, .to = at, .time = arguments.time, .duration = tap_time});
+}
+
+Input hold(Arguments& arguments) {
+    const Vec2 at = arguments.place();
+    return contacts({.from = at, .to = at, .time = arguments.time, .duration = arguments.duration()});
+}
+
+Input drag(Arguments& arguments) {
+    const Vec2 from = arguments.place();
+    const Vec2 to = arguments.place();
+    return contacts({.from = from,
+                     .to = to,
+                     .time = arguments.time,
+                     .duration = arguments.duration(),
+                     .rest = rest_time});
+}
+
+Input flick(Arguments& arguments) {
+    const Vec2 from = arguments.place();
+    const Vec2 to = arguments.place();
+    return contacts({.from = from, .to = to, .time = arguments.time, .duration = flick_time});
+}
+
+/// The fingers lie beside each other.
+Input pinch(Arguments& arguments) {
+    const Vec2 at = arguments.place();
+    const double factor = arguments.number();
+    if (!(factor >= 0.01 && factor <= 100)) throw std::runtime_error("a pinch is by 0.01 to 100");
+    const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
+    const Vec2 last = first * factor;
+    Stroke stroke{.from = at - first,
+                  .to = at - last,
+                  .time = arguments.time,
+                  .duration = arguments.duration(),
+                  .rest = rest_time};
+    Input events = contacts(stroke);
+    stroke.finger = 1;
+    stroke.from = at + first;
+    stroke.to = at + last;
+    const Input second = contacts(stroke);
+    events.insert(events.end(), second.begin(), second.end());
+    return events;
+}
+
+Input wheel(Arguments& arguments) {
+    const Vec2 at = arguments.place();
+    return {Wheel{.notches = arguments.number(), .at = at, .time = arguments.time}};
+}
+
+Input key(Arguments& arguments) {
+    std::string name;
+    arguments.words >> name;
+    for (const auto& [known, key] : keys)
+        if (name == known) return {KeyPress{.key = key, .time = arguments.time}};
+    throw std::runtime_error(arguments.usage);
+}
+
+/// A word that stands for input of a visitor.
+struct InputWord {
+    const char* word;
+    const char* usage;
+    Input (*read)(Arguments& arguments);
+};
+
+constexpr std::array<InputWord, 7> input_words{{
+    {"tap", "a tap is somewhere, 'X Y'", tap},
+    {"hold", "a hold is somewhere for how many seconds, 'X Y SECONDS'", hold},
+    {"drag", "a drag is from where to where in how many seconds, 'X Y X Y SECONDS'", drag},
+    {"flick", "a flick is from where to where, 'X Y X Y'", flick},
+    {"pinch", "a pinch is about a place, by how much and in how many seconds, 'X Y FACTOR SECONDS'", pinch},
+    {"wheel", "a wheel turns somewhere by how many notches, 'X Y NOTCHES'", wheel},
+    {"key", "a key is one of left, right, nearer, farther, select, back", key},
+}};
+
+std::string all_words() {
+    std::string words = "add, remove";
+    for (const InputWord& word : input_words)
+        words += fmt::format(", {}", word.word);
+    return words + ", clock";
 }
 
 std::chrono::local_seconds clock_time(std::istringstream& words) {
@@ -91,14 +218,14 @@ void Rehearsal::read_line(const std::string& line) {
     if (!(words >> at >> what)) throw std::runtime_error("it must begin with a time in seconds and an event");
     const std::chrono::nanoseconds time = seconds(at);
     if (what == "add" || what == "remove") return read_file(words, time, what == "add");
-    if (what == "tap" || what == "hold" || what == "drag" || what == "flick")
-        return read_stroke(words, time, what);
-    if (what == "pinch") return read_pinch(words, time);
-    if (what == "wheel") return read_wheel(words, time);
-    if (what == "key") return read_key(words, time);
     if (what == "clock") return clocks_.push_back({.time = time, .shows = clock_time(words)});
-    throw std::runtime_error(
-        "an event is one of add, remove, tap, hold, drag, flick, pinch, wheel, key, clock");
+    const auto known =
+        std::ranges::find_if(input_words, [&](const InputWord& word) { return word.word == what; });
+    if (known == input_words.end())
+        throw std::runtime_error(fmt::format("an event is one of {}", all_words()));
+    Arguments arguments{.words = words, .time = time, .usage = known->usage};
+    const Input input = known->read(arguments);
+    touches_.insert(touches_.end(), input.begin(), input.end());
 }
 
 void Rehearsal::read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added) {
@@ -106,78 +233,6 @@ void Rehearsal::read_file(std::istream& words, std::chrono::nanoseconds time, bo
     const std::string path(std::istreambuf_iterator<char>(words), {});
     if (path.empty()) throw std::runtime_error("the file is not named");
     files_.push_back({.time = time, .path = path, .is_added = is_added});
-}
-
-void Rehearsal::read_stroke(std::istream& words, std::chrono::nanoseconds time, const std::string& what) {
-    if (what == "tap") {
-        const Vec2 at = place(words, "a tap is somewhere, 'X Y'");
-        return add_stroke({.from = at, .to = at, .time = time, .duration = tap_time});
-    }
-    if (what == "hold") {
-        constexpr auto complaint = "a hold is somewhere for how many seconds, 'X Y SECONDS'";
-        const Vec2 at = place(words, complaint);
-        const auto duration = seconds(number(words, complaint));
-        return add_stroke({.from = at, .to = at, .time = time, .duration = duration});
-    }
-    constexpr auto complaint = "a drag is from where to where in how many seconds, 'X Y X Y SECONDS'";
-    const Vec2 from = place(words, complaint);
-    const Vec2 to = place(words, complaint);
-    if (what == "flick") return add_stroke({.from = from, .to = to, .time = time, .duration = flick_time});
-    const auto duration = seconds(number(words, complaint));
-    add_stroke({.from = from, .to = to, .time = time, .duration = duration, .rest = rest_time});
-}
-
-/// The fingers lie beside each other.
-void Rehearsal::read_pinch(std::istream& words, std::chrono::nanoseconds time) {
-    constexpr auto complaint =
-        "a pinch is about a place, by how much and in how many seconds, 'X Y FACTOR SECONDS'";
-    const Vec2 at = place(words, complaint);
-    const double factor = number(words, complaint);
-    if (!(factor >= 0.01 && factor <= 100)) throw std::runtime_error("a pinch is by 0.01 to 100");
-    const std::chrono::nanoseconds duration = seconds(number(words, complaint));
-    const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
-    const Vec2 last = first * factor;
-    Stroke stroke{.from = at - first, .to = at - last, .time = time, .duration = duration, .rest = rest_time};
-    add_stroke(stroke);
-    stroke.finger = 1;
-    stroke.from = at + first;
-    stroke.to = at + last;
-    add_stroke(stroke);
-}
-
-void Rehearsal::read_wheel(std::istream& words, std::chrono::nanoseconds time) {
-    constexpr auto complaint = "a wheel turns somewhere by how many notches, 'X Y NOTCHES'";
-    const Vec2 at = place(words, complaint);
-    touches_.emplace_back(Wheel{.notches = number(words, complaint), .at = at, .time = time});
-}
-
-void Rehearsal::read_key(std::istream& words, std::chrono::nanoseconds time) {
-    std::string name;
-    words >> name;
-    for (const auto& [known, key] : keys)
-        if (name == known) return void(touches_.emplace_back(KeyPress{.key = key, .time = time}));
-    throw std::runtime_error("a key is one of left, right, nearer, farther, select, back");
-}
-
-void Rehearsal::add_stroke(const Stroke& stroke) {
-    Contact contact{
-        .kind = Contact::Kind::down, .finger = stroke.finger, .at = stroke.from, .time = stroke.time};
-    touches_.emplace_back(contact);
-    contact.kind = Contact::Kind::move;
-    const bool moves = stroke.from != stroke.to;
-    for (std::chrono::nanoseconds passed = sampling; moves && passed <= stroke.duration; passed += sampling) {
-        const double share =
-            std::chrono::duration<double>(passed) / std::chrono::duration<double>(stroke.duration);
-        contact.at = stroke.from + (stroke.to - stroke.from) * share;
-        contact.time = stroke.time + passed;
-        touches_.emplace_back(contact);
-    }
-    contact.at = stroke.to;
-    contact.time = stroke.time + stroke.duration;
-    if (moves) touches_.emplace_back(contact);
-    contact.kind = Contact::Kind::up;
-    contact.time += stroke.rest;
-    touches_.emplace_back(contact);
 }
 
 bool Rehearsal::advance(std::chrono::nanoseconds now) {

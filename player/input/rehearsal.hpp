@@ -48,16 +48,6 @@ class Rehearsal {
         bool is_added = false;  // else removed
     };
 
-    /// A finger that comes down, moves and is lifted.
-    struct Stroke {
-        int finger = 0;
-        Vec2 from;
-        Vec2 to;
-        std::chrono::nanoseconds time{0};  // of the first contact
-        std::chrono::nanoseconds duration{0};
-        std::chrono::nanoseconds rest{0};  // before the finger is lifted
-    };
-
     struct Clock {
         std::chrono::nanoseconds time{0};
         std::chrono::local_seconds shows{};
@@ -65,16 +55,11 @@ class Rehearsal {
 
     void read_line(const std::string& line);
     void read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added);
-    void read_stroke(std::istream& words, std::chrono::nanoseconds time, const std::string& what);
-    void read_pinch(std::istream& words, std::chrono::nanoseconds time);
-    void read_wheel(std::istream& words, std::chrono::nanoseconds time);
-    void read_key(std::istream& words, std::chrono::nanoseconds time);
-    void add_stroke(const Stroke& stroke);
 
     std::vector<FileEvent> files_;     // in order of time
     std::vector<InputEvent> touches_;  // likewise
-    std::size_t passed_ = 0;           // of files_
-    std::size_t touched_ = 0;          // of touches_
+    std::size_t passed_ = 0;           // number of files_ whose time has come
+    std::size_t touched_ = 0;          // number of touches_ that were handed out
     std::vector<Clock> clocks_;
     std::chrono::nanoseconds now_{0};
 };

@@ -52,8 +52,8 @@ TEST_CASE("the finger of a rehearsal goes evenly from one place to the other, re
     CHECK(contacts(9s).empty());
 }
 
-TEST_CASE("what a rehearsal names is meant") {
-    const auto meant = [](const std::string& script) {
+TEST_CASE("the words of a rehearsal are the gestures that are recognised") {
+    const auto gestures_of = [](const std::string& script) {
         Rehearsal rehearsal(script);
         Gestures gestures;
         rehearsal.advance(20s);
@@ -62,16 +62,16 @@ TEST_CASE("what a rehearsal names is meant") {
         return gestures.next_gestures(20s);
     };
     using Kind = Gesture::Kind;
-    CHECK(meant("1 tap 5 6").back().kind == Kind::tap);
-    CHECK(meant("1 tap 5 6\n1.2 tap 5 6").back().kind == Kind::double_tap);
-    CHECK(meant("1 hold 5 6 1").front().kind == Kind::hold);
-    CHECK(meant("1 drag 5 6 300 6 1").back().kind == Kind::drop);
-    CHECK(meant("1 flick 5 6 300 6").back().kind == Kind::flick);
-    CHECK(meant("1 key back").back().key == Key::back);
-    CHECK(meant("1 wheel 5 6 -1").back().factor < 1);
+    CHECK(gestures_of("1 tap 5 6").back().kind == Kind::tap);
+    CHECK(gestures_of("1 tap 5 6\n1.2 tap 5 6").back().kind == Kind::double_tap);
+    CHECK(gestures_of("1 hold 5 6 1").front().kind == Kind::hold);
+    CHECK(gestures_of("1 drag 5 6 300 6 1").back().kind == Kind::drop);
+    CHECK(gestures_of("1 flick 5 6 300 6").back().kind == Kind::flick);
+    CHECK(gestures_of("1 key back").back().key == Key::back);
+    CHECK(gestures_of("1 wheel 5 6 -1").back().factor < 1);
     for (const double factor : {3.0, 0.5}) {
         double product = 1;
-        for (const Gesture& gesture : meant("1 pinch 300 200 " + std::to_string(factor) + " 0.5"))
+        for (const Gesture& gesture : gestures_of("1 pinch 300 200 " + std::to_string(factor) + " 0.5"))
             product *= gesture.factor;
         CHECK(product == doctest::Approx(factor));
     }
