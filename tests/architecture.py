@@ -156,8 +156,10 @@ class Classes:
                     self.holders.setdefault(other, set()).add(usr)
         self.known_in = {}  # class -> modules with functions that take or return it
         for function in self.functions.values():
+            # Who calls a public function of the class hands the value over, wherever it stands.
+            where = "anybody" if function["holder"] and function["is_public"] else module_of(function["file"])
             for other in function["types"] + function["returns"]:
-                self.known_in.setdefault(other, set()).add(module_of(function["file"]))
+                self.known_in.setdefault(other, set()).add(where)
 
     def is_private_to(self, inner, outer):
         """Whether only `outer` holds `inner`, and nobody beyond its module knows it: state of its own by another name."""
@@ -183,7 +185,7 @@ class Classes:
         return len(self.classes[usr]["methods"]) + functions + sum(len(self.classes[p]["methods"]) for p in parts)
 
     def is_plain(self, usr):
-        return self.classes[usr]["is_record"] and not self.private_parts(usr)
+        return self.classes[usr]["is_record"]
 
 
 def module_of(name):

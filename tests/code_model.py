@@ -8,6 +8,7 @@ import hashlib
 import json
 import os
 import re
+import shlex
 import sys
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
@@ -146,12 +147,12 @@ class Reader:
                     and self.name_in_tree(c.referenced.location) for usr in [self.key_of(c.referenced)]]
         return {"name": self.full_name(cursor), "file": name, "line": cursor.extent.start.line, "lines": lines,
                 "parameters": len(parameters), "types": types, "returns": returned,
-                "holder": self.holder_of(cursor)}
+                "holder": self.holder_of(cursor), "is_public": cursor.access_specifier == AccessSpecifier.PUBLIC}
 
 
 def flags_of(command):
     """The flags of a compile command that decide what the code means."""
-    words = command.split()
+    words = shlex.split(command)
     kept = [word for word in words if word.startswith(("-I", "-D", "-std"))]
     return kept + ["-isystem" + after for word, after in zip(words, words[1:]) if word == "-isystem"]
 

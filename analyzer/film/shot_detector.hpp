@@ -14,7 +14,7 @@ struct DetectedShot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
 
-    friend bool operator==(const DetectedShot&, const DetectedShot&) = default;
+    bool operator==(const DetectedShot&) const = default;
 };
 
 /// Finds cuts, dissolves and fades in a stream of frames with bounded memory.

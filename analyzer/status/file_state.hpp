@@ -26,7 +26,7 @@ struct FileState {
                          // the start); else when this content was first seen
     std::string reason;  // plain words; empty where there is nothing to say
 
-    friend bool operator==(const FileState&, const FileState&) = default;
+    bool operator==(const FileState&) const = default;
 };
 
 /// Files in each state; a state without files may be missing.

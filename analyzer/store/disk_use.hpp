@@ -28,7 +28,7 @@ struct StoredFile {
     std::int64_t used_ns = 0;  // when it was made or last read, since 1970
     bool is_named = false;     // by a record
 
-    friend bool operator==(const StoredFile&, const StoredFile&) = default;
+    bool operator==(const StoredFile&) const = default;
 };
 
 /// The files to remove so that so many bytes become free: first those that no record names, then the others,

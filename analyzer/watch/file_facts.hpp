@@ -12,7 +12,7 @@ struct FileFacts {
     std::uint64_t inode = 0;   // not kept by every network file system
     bool is_readable = true;   // this process may read it
 
-    friend bool operator==(const FileFacts&, const FileFacts&) = default;
+    bool operator==(const FileFacts&) const = default;
 };
 
 /// True where an analysis of the one holds for the other. A record holds no more than this either.

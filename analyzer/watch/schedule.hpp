@@ -54,7 +54,7 @@ struct Action {
     FileFacts facts;           // start and hold: what was seen of the file
     bool is_last_try = false;  // start only: no retry follows a waiting answer
 
-    friend bool operator==(const Action&, const Action&) = default;
+    bool operator==(const Action&) const = default;
 };
 
 /// The end of a child.

@@ -20,7 +20,7 @@ struct WeaveAction {
     Kind kind = Kind::start;
     std::string path;
 
-    friend bool operator==(const WeaveAction&, const WeaveAction&) = default;
+    bool operator==(const WeaveAction&) const = default;
 };
 
 /// Decides which film's tapestry is woven when: one at a time, the newest first, and only while nothing is to

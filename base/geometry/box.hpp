@@ -21,7 +21,7 @@ struct Box {
 
     bool is_empty() const { return max.x <= min.x || max.y <= min.y; }
 
-    friend bool operator==(const Box&, const Box&) = default;
+    bool operator==(const Box&) const = default;
 };
 
 inline Box intersection(const Box& a, const Box& b) {

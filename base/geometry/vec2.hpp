@@ -9,7 +9,7 @@ struct Vec2 {
     double x = 0;
     double y = 0;
 
-    friend bool operator==(const Vec2&, const Vec2&) = default;
+    bool operator==(const Vec2&) const = default;
 };
 
 inline Vec2 operator+(Vec2 a, Vec2 b) {

@@ -10,7 +10,7 @@ struct Period {
     std::optional<std::chrono::local_days> first;
     std::optional<std::chrono::local_days> last;
 
-    friend bool operator==(const Period&, const Period&) = default;
+    bool operator==(const Period&) const = default;
 };
 
 /// A time of the day, [from, to) after midnight, at most 24 h. If `to` is not later than `from`, it is a time
@@ -19,7 +19,7 @@ struct Hours {
     std::chrono::minutes from{0};
     std::chrono::minutes to{0};
 
-    friend bool operator==(const Hours&, const Hours&) = default;
+    bool operator==(const Hours&) const = default;
 };
 
 /// The operator's wishes for a file or folder, from its name or from a folder's `.vitrine.toml`. A missing
@@ -31,7 +31,7 @@ struct Hints {
     std::optional<int> repeat;                  // times as often as others in a round
     std::optional<bool> sound;
 
-    friend bool operator==(const Hints&, const Hints&) = default;
+    bool operator==(const Hints&) const = default;
 
     bool is_scheduled() const { return period || hours; }
 };

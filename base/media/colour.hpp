@@ -13,7 +13,7 @@ struct Colour {
     std::uint8_t green = 0;
     std::uint8_t blue = 0;
 
-    friend bool operator==(const Colour&, const Colour&) = default;
+    bool operator==(const Colour&) const = default;
 };
 
 /// Parses "#rrggbb" with digits of either case. @return  nothing for any other text

@@ -23,7 +23,7 @@ struct ScreenLength {
     double pixels = 0;
     double share = 0;  // of the screen's width or height
 
-    friend bool operator==(const ScreenLength&, const ScreenLength&) = default;
+    bool operator==(const ScreenLength&) const = default;
 };
 
 /// The black margin at each side of a screen that hides its edges, before the screen is turned.
@@ -33,7 +33,7 @@ struct Margins {
     ScreenLength right;
     ScreenLength bottom;
 
-    friend bool operator==(const Margins&, const Margins&) = default;
+    bool operator==(const Margins&) const = default;
 };
 
 /// "24" or "2.5%" for all four sides, "24,0,24,0" for left, top, right and bottom; empty: none.
@@ -46,7 +46,7 @@ struct ModeWish {
     int height = 0;           // px
     double refresh_rate = 0;  // Hz; 0: the fastest of that size
 
-    friend bool operator==(const ModeWish&, const ModeWish&) = default;
+    bool operator==(const ModeWish&) const = default;
 };
 
 struct ModeWishes {

@@ -26,7 +26,7 @@ struct ContentName {
     std::int64_t mtime_ns = 0;
 
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
-    friend auto operator<=>(const ContentName&, const ContentName&) = default;
+    auto operator<=>(const ContentName&) const = default;
 };
 
 ContentName content_name(const MediaRecord& record);
@@ -38,7 +38,7 @@ struct PlayingNote {
     std::set<ContentName> opening;  // opened a few seconds ago
     std::set<ContentName> playing;  // opened earlier
 
-    friend bool operator==(const PlayingNote&, const PlayingNote&) = default;
+    bool operator==(const PlayingNote&) const = default;
 };
 
 /// The points of each content.

@@ -32,7 +32,7 @@ struct IRegion {
     Polygon polygon;  // convex, counter-clockwise, px of the upright picture at the shot's begin
     Vec2 drift;       // px per second, movement of the subject: at time t the region is polygon + drift * t
 
-    friend bool operator==(const IRegion&, const IRegion&) = default;
+    bool operator==(const IRegion&) const = default;
 };
 
 struct Shot {
@@ -44,7 +44,7 @@ struct Shot {
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
-    friend bool operator==(const Shot&, const Shot&) = default;
+    bool operator==(const Shot&) const = default;
 };
 
 /// The facts about one file. The analyzer writes them, the player reads them.
@@ -64,7 +64,7 @@ struct MediaRecord {
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
     std::optional<StoredSound> sound;      // for a film that is to be heard; nothing: not kept
 
-    friend bool operator==(const MediaRecord&, const MediaRecord&) = default;
+    bool operator==(const MediaRecord&) const = default;
 };
 
 /// The part of the picture that every frame of the shot shows once frames are aligned along the drift,

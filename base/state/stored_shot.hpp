@@ -16,7 +16,7 @@ struct StoredShot {
     int height = 0;
     bool is_dropped = false;  // it lost its place to others, or was too large for a place
 
-    friend bool operator==(const StoredShot&, const StoredShot&) = default;
+    bool operator==(const StoredShot&) const = default;
 };
 
 /// The sound of a film in the store, with the times of the film.
@@ -24,7 +24,7 @@ struct StoredSound {
     std::string file;         // in the store: ID/NAME; empty: the film has no sound that can be heard
     bool is_dropped = false;  // it lost its place to others, or was too large for a place
 
-    friend bool operator==(const StoredSound&, const StoredSound&) = default;
+    bool operator==(const StoredSound&) const = default;
 };
 
 /// The name of the folder in the store for one content of one file: 16 hex digits.

@@ -34,7 +34,7 @@ struct FileVisibility {
     Visibility visibility = Visibility::waits_for_turn;
     std::string detail;  // what the filter knows of this file, such as its hours; may be empty
 
-    friend bool operator==(const FileVisibility&, const FileVisibility&) = default;
+    bool operator==(const FileVisibility&) const = default;
 };
 
 /// True: the filters let the file onto the wall.

@@ -25,7 +25,7 @@ struct DirectoryEvent {
     std::filesystem::path directory;  // as given to add()
     std::string name;                 // in that directory, any bytes; empty for self_gone
 
-    friend bool operator==(const DirectoryEvent&, const DirectoryEvent&) = default;
+    bool operator==(const DirectoryEvent&) const = default;
 };
 
 /// Reports the changes in directories that the kernel sees (inotify). It does not see changes that others

@@ -24,7 +24,7 @@ struct ShownFolder {
     std::string folder;  // of the output, below the media folder; empty: all files
     std::string opened;  // a visitor looks into this folder only; empty: into all
 
-    friend bool operator==(const ShownFolder&, const ShownFolder&) = default;
+    bool operator==(const ShownFolder&) const = default;
 };
 
 /// The content of all screens at one moment.
@@ -33,7 +33,7 @@ struct WallContent {
     std::set<std::string> files;       // paths of the files that are shown
     std::set<std::string> open;        // paths of the files that are read or played
 
-    friend bool operator==(const WallContent&, const WallContent&) = default;
+    bool operator==(const WallContent&) const = default;
 };
 
 /// The one list that says which files may be on the wall, and why the others may not. It follows the

@@ -16,7 +16,7 @@ struct Contact {
     Vec2 at;         // canvas px; not used by `up` and `cancel`
     std::chrono::nanoseconds time{0};
 
-    friend bool operator==(const Contact&, const Contact&) = default;
+    bool operator==(const Contact&) const = default;
 };
 
 /// A turn of a mouse wheel.
@@ -25,7 +25,7 @@ struct Wheel {
     Vec2 at;             // the pointer, canvas px
     std::chrono::nanoseconds time{0};
 
-    friend bool operator==(const Wheel&, const Wheel&) = default;
+    bool operator==(const Wheel&) const = default;
 };
 
 enum class Key { left, right, nearer, farther, select, back };
@@ -34,7 +34,7 @@ struct KeyPress {
     Key key = Key::select;
     std::chrono::nanoseconds time{0};
 
-    friend bool operator==(const KeyPress&, const KeyPress&) = default;
+    bool operator==(const KeyPress&) const = default;
 };
 
 /// Input of a visitor. All times are of one clock and never go back.

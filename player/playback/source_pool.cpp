@@ -17,6 +17,13 @@ long count_preparing(const std::map<SourceId, PlayingShot>& shots) {
         shots, [](const auto& entry) { return entry.second.is_preparing() && !entry.second.is_stuck(); });
 }
 
+/// True if one more source may begin. Too many that hang, in opening or in ending, keep all others back.
+bool may_start(const std::map<SourceId, PlayingShot>& playing, std::size_t ending) {
+    const auto stuck =
+        std::ranges::count_if(playing, [](const auto& entry) { return entry.second.is_stuck(); });
+    return count_preparing(playing) < max_preparing && static_cast<std::size_t>(stuck) + ending < max_stuck;
+}
+
 }  // namespace
 
 std::set<std::string> SourcePool::open_files() const {
@@ -126,7 +133,7 @@ std::size_t SourcePool::queue() const {
 }
 
 void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
-    while (!waiting_.empty() && may_start()) {
+    while (!waiting_.empty() && may_start(playing_, pool_.ending.size())) {
         const ShotRequest request = std::move(waiting_.front());
         waiting_.pop_front();
         try {
@@ -135,13 +142,6 @@ void SourcePool::start_waiting(std::vector<SourceEvent>& events) {
             events.push_back({.source = request.source, .failure = error.what()});
         }
     }
-}
-
-bool SourcePool::may_start() const {
-    const auto stuck =
-        std::ranges::count_if(playing_, [](const auto& entry) { return entry.second.is_stuck(); });
-    return count_preparing(playing_) < max_preparing &&
-           static_cast<std::size_t>(stuck) + pool_.ending.size() < max_stuck;
 }
 
 void SourcePool::read_one_photo_anew() {

@@ -86,7 +86,6 @@ class SourcePool {
 
   private:
     void start_waiting(std::vector<SourceEvent>& events);
-    bool may_start() const;
     void read_one_photo_anew();
     void open_one_clip();
     void govern(std::chrono::nanoseconds now);

@@ -53,7 +53,7 @@ void PanningWall::drop_passed() {
     const double right = view_ + canvas_.x * (1 + ahead);
     for (std::size_t i = shots_.size(); i-- > 0;) {
         const Shown& shown = shots_[i];
-        const bool is_gone = !coming_.has_file(shown.placed.shot.key.path) && shown.left > right &&
+        const bool is_gone = !coming_.has_file(shown.placed.shot.key.path) && shown.bounds.min.x > right &&
                              shown.source == Source::unasked;
         if (shown.source != Source::retired && !is_gone) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
@@ -101,8 +101,7 @@ void PanningWall::set_layout(const Layout& layout) {
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const Box bounds = bounds_of(*wall[i].cell);
         shots_[i].placed.cell = wall[i].cell;
-        shots_[i].left = bounds.min.x + base_;
-        shots_[i].right = bounds.max.x + base_;
+        shots_[i].bounds = moved(bounds, {base_, 0});
     }
 }
 
@@ -117,7 +116,7 @@ void PanningWall::source_failed(SourceId source, std::chrono::nanoseconds /*now*
 }
 
 bool PanningWall::is_in_view(const Shown& shown) const {
-    return shown.right > view_ && shown.left < view_ + canvas_.x;
+    return shown.bounds.max.x > view_ && shown.bounds.min.x < view_ + canvas_.x;
 }
 
 /// Moves the view on, if all shots in it are ready.
@@ -139,11 +138,11 @@ void PanningWall::ask_and_retire(WallStep& step) {
     step.retired = std::move(left_);
     left_.clear();
     for (Shown& shown : shots_) {
-        if (shown.source == Source::unasked && shown.left < view_ + canvas_.x * (1 + ahead)) {
+        if (shown.source == Source::unasked && shown.bounds.min.x < view_ + canvas_.x * (1 + ahead)) {
             step.requests.push_back(request_of(shown.placed));
             shown.source = Source::asked;
         }
-        if (shown.right > view_ || shown.source == Source::retired) continue;
+        if (shown.bounds.max.x > view_ || shown.source == Source::retired) continue;
         if (shown.source != Source::unasked) step.retired.push_back(shown.placed.shot.source);
         shown.source = Source::retired;
     }

@@ -51,7 +51,7 @@ class PanningWall final : public Show {
     struct Shown {
         PlacedShot placed;  // in px from base_
         Source source = Source::unasked;
-        double left = 0, right = 0;  // of the cell, ribbon px
+        Box bounds;  // of the cell, ribbon px
     };
 
     void drop_passed();

@@ -16,7 +16,7 @@ struct FilmContent {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
 
-    friend bool operator==(const FilmContent&, const FilmContent&) = default;
+    bool operator==(const FilmContent&) const = default;
 };
 
 struct CandidateEntry {

@@ -16,7 +16,7 @@ struct WeavePlan {
     std::string folder;             // of the tiles, below the index
     std::vector<Keyframes> levels;  // coarsest first, as numbers of the film's candidates
 
-    friend bool operator==(const WeavePlan&, const WeavePlan&) = default;
+    bool operator==(const WeavePlan&) const = default;
 };
 
 /// The plan in a tapestry's folder; nothing where there is none for that film, or it makes no sense.
