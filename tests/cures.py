@@ -43,7 +43,7 @@ CURES = [
     Cure("a file deleted while it plays", "player/scene/wall_slots.cpp",
          "            slot = {};\n", "", "scene_test.wall_slots_test"),
     Cure("a file replaced while it plays", "player/scene/wall_slots.cpp",
-         "            put(slot, key);\n            due_.reset();\n", "", "scene_test.wall_slots_test"),
+         "            put_shot(slot, key);\n            due_.reset();\n", "", "scene_test.wall_slots_test"),
     Cure("a share that hangs", "player/playback/source_pool.cpp",
          "return entry.second.is_preparing() && !entry.second.is_stuck();", "return entry.second.is_preparing();", "playback_test.keeping_time_test"),
     Cure("an empty file", "base/media/media_type.cpp",

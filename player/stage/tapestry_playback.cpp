@@ -123,7 +123,7 @@ void TapestryPlayback::give(const LoadedTile& loaded, Renderer& renderer) {
     renderer.upload(show_.sources().tile(tile), loaded.sample);
     const double left = static_cast<double>(tile.tile) * show_.tapestry().tile_width;
     show_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
-                             .to_finer = mesh_of(loaded.to_finer, left, true)});
+                            .to_finer = mesh_of(loaded.to_finer, left, true)});
 }
 
 void TapestryPlayback::forget_uploads() {

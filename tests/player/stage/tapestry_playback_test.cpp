@@ -363,7 +363,8 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
     std::size_t most = 0;
     std::chrono::nanoseconds now = 0s;
-    for (std::size_t before = 0; tapestry.show().tile_count() < 4; now += 16ms) {  // those of the test's timeout
+    for (std::size_t before = 0; tapestry.show().tile_count() < 4;
+         now += 16ms) {  // those of the test's timeout
         tapestry.step(now, theatre.renderer);
         most = std::max(most, tapestry.show().tile_count() - before);
         before = tapestry.show().tile_count();
