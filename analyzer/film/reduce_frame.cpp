@@ -84,8 +84,16 @@ void average_few_columns(const Sum* sums, std::uint32_t scale, std::uint8_t* to,
     }
 }
 
-template <typename Sum>
-void average_columns(const Sum* sums, int block, int step, std::uint32_t scale, cv::Mat& out, int row) {
+// The blocks side by side in one row of the small picture.
+struct BlockRow {
+    int width = 1;  // columns of a block
+    int step = 1;   // sums from one column to the next
+    std::uint32_t scale = 0;
+};
+
+// The row of blocks comes by value: then no store of the loop can change it.
+template <typename Sum> void average_columns(const Sum* sums, const BlockRow blocks, cv::Mat& out, int row) {
+    const auto [block, step, scale] = blocks;
     auto* to = out.ptr<std::uint8_t>(row);
     if (step == 1 && block == 6) return average_few_columns<6>(sums, scale, to, out.cols);
     if (step == 1 && block == 4) return average_few_columns<4>(sums, scale, to, out.cols);
@@ -112,7 +120,7 @@ cv::Mat average_blocks(const Component& plane, int block_width, int block_height
     const auto scale = static_cast<std::uint32_t>(std::floor(weight * (1 << weight_bits)));
     for (int row = 0; row < out.rows; ++row) {
         add_rows<Sample>(plane, {.first = row * block_height, .count = rows, .step = step}, sums);
-        average_columns(sums.data(), block_width, plane.step, scale, out, row);
+        average_columns(sums.data(), {.width = block_width, .step = plane.step, .scale = scale}, out, row);
     }
     return out;
 }

@@ -21,7 +21,7 @@ struct Ballot {
     std::vector<float> shares_of_run;  // what each value of a run counts
 };
 
-/// Of a value that is not negative; lround() would keep the loop from being vectorised.
+/// The value must not be negative. lround() would keep the loop from being vectorised.
 [[gnu::always_inline]] inline std::uint8_t rounded(float value) {
     constexpr float half = 0.5F;
     const float raised = value + half;
@@ -75,9 +75,9 @@ struct Run {
     return length;
 }
 
-[[gnu::always_inline]] inline void count(Ballot& ballot) {
+/// The votes of the target's own patches: each counts 1.
+[[gnu::always_inline]] inline void add_target_votes(Ballot& ballot) {
     const MatchField& of_target = ballot.matches.of_target();
-    const MatchField& of_source = ballot.matches.of_source();
     std::vector<float> ones(static_cast<std::size_t>(of_target.columns + patch_side), 1);
     for (int y = std::max(0, ballot.first - patch_side + 1); y < std::min(ballot.last, of_target.rows); ++y) {
         for (int x = 0; x < of_target.columns;) {
@@ -93,6 +93,11 @@ struct Run {
             x += run.length;
         }
     }
+}
+
+/// The votes of the source's patches: each counts its weight times Ballot::share.
+[[gnu::always_inline]] inline void add_source_votes(Ballot& ballot) {
+    const MatchField& of_source = ballot.matches.of_source();
     std::vector<float> weights(static_cast<std::size_t>(of_source.columns + patch_side), 0);
     for (int y = 0; y < of_source.rows; ++y) {
         for (int x = 0; x < of_source.columns;) {
@@ -114,6 +119,10 @@ struct Run {
             x += length;
         }
     }
+}
+
+/// Gives each pixel of the band the mean of its votes.
+[[gnu::always_inline]] inline void write_means(Ballot& ballot) {
     for (int y = ballot.first; y < ballot.last; ++y) {
         const float* sums = &ballot.sums[static_cast<std::size_t>(y - ballot.first) * ballot.target.stride()];
         std::uint8_t* pixel = ballot.target.at(0, y);
@@ -121,6 +130,12 @@ struct Run {
             for (int c = 0; c < 3; ++c)
                 pixel[c] = rounded(sums[c] / sums[3]);
     }
+}
+
+[[gnu::always_inline]] inline void count(Ballot& ballot) {
+    add_target_votes(ballot);
+    add_source_votes(ballot);
+    write_means(ballot);
 }
 
 void count_plain(Ballot& ballot) {

@@ -67,9 +67,4 @@ std::string new_tile_folder(const std::filesystem::path& directory);
 Tapestry write_pyramid(const std::filesystem::path& directory, Tapestry tapestry, const Film& film,
                        const WeavePlan& plan, const PyramidSettings& settings, const RunTasks& run);
 
-/// Draws the levels below each other, each around the middle of the one above, with lines from where a
-/// level's part begins and ends to the same times in the level above. Source: Video Tapestries, figure 6.
-cv::Mat drawn_weave(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
-                    const RunTasks& run);
-
 }  // namespace vitrine::analyzer

@@ -40,11 +40,4 @@ class StripZoom {
     std::unique_ptr<ZoomWarp> fine_;
 };
 
-/// The zoom between two levels where the finer one adds most: the coarser level, a quarter, half and three
-/// quarters of the way with one fading into the other, the same moments bent and synthesised, the finer
-/// level.
-///
-/// @param rules  one more than rules.between is a multiple of 4
-cv::Mat drawn_zoom(const LevelPair& pair, const RunTasks& run, const ZoomRules& rules = {});
-
 }  // namespace vitrine::analyzer

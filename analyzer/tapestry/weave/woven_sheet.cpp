@@ -1,4 +1,4 @@
-#include "analyzer/tapestry/weave/film_weave.hpp"
+#include "analyzer/tapestry/weave/woven_sheet.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,4 +1,4 @@
-#include "analyzer/tapestry/weave/strip_zoom.hpp"
+#include "analyzer/tapestry/weave/zoom_sheet.hpp"
 
 #include <opencv2/imgproc.hpp>
 

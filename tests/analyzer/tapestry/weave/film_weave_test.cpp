@@ -1,5 +1,7 @@
 #include "analyzer/tapestry/weave/film_weave.hpp"
 
+#include "analyzer/tapestry/weave/woven_sheet.hpp"
+
 #include "analyzer/tapestry/weave/level_files.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "analyzer/tapestry/weave/threads.hpp"

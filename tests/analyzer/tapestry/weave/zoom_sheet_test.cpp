@@ -1,4 +1,4 @@
-#include "analyzer/tapestry/weave/strip_zoom.hpp"
+#include "analyzer/tapestry/weave/zoom_sheet.hpp"
 #include "tests/analyzer/tapestry/synthesis/drawn_levels.hpp"
 #include "tests/analyzer/tapestry/weave/drawn_source.hpp"
 #include "tests/temporary_directory.hpp"

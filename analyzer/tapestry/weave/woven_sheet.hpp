@@ -1,0 +1,12 @@
+#pragma once
+
+#include "analyzer/tapestry/weave/film_weave.hpp"
+
+namespace vitrine::analyzer {
+
+/// Draws the levels below each other, each around the middle of the one above, with lines from where a
+/// level's part begins and ends to the same times in the level above. Source: Video Tapestries, figure 6.
+cv::Mat drawn_weave(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
+                    const RunTasks& run);
+
+}  // namespace vitrine::analyzer
