@@ -62,7 +62,7 @@ double mean(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<Keyframe> LoadedLevel::bricks(const TileSpan& span) const {
-    const cv::Range window = window_of(brickwork, span.from, span.to);
+    const cv::Range window = window_of(brickwork, span);
     std::vector<Keyframe> seen;
     for (int brick = brickwork.first_at(window.start); brick < brickwork.last_at(window.end); ++brick)
         seen.push_back(keyframes[static_cast<std::size_t>(std::min(brick, brickwork.keyframes - 1))]);
@@ -80,7 +80,7 @@ LoadedLevel loaded(const Film& film, const Keyframes& keyframes) {
 
 cv::Mat bricks_picture(const LoadedLevel& level) {
     const TileSpan all{0, level.brickwork.width()};
-    return brick_window(level.brickwork, level.bricks(all), 0, all.from, all.to, 1).picture.bgr();
+    return brick_window({level.brickwork, level.bricks(all)}, all, 1).picture.bgr();
 }
 
 cv::Mat squeezed(const LoadedLevel& level) {
@@ -109,26 +109,27 @@ cv::Mat filmstrip(const LoadedLevel& level) {
 
 cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
     cv::Mat strip;
-    weave_level(
-        level.brickwork, [&](int k) { return level.keyframes[static_cast<std::size_t>(k)]; },
-        [&](const cv::Mat& columns, const WovenSoFar&) {
-            if (strip.empty())
-                strip = columns.clone();
-            else
-                cv::hconcat(strip, columns, strip);
-        },
-        {.quality = quality});
+    weave_level({.brickwork = level.brickwork,
+                 .keyframe = [&](int k) { return level.keyframes[static_cast<std::size_t>(k)]; }},
+                [&](const cv::Mat& columns, const WovenSoFar&) {
+                    if (strip.empty())
+                        strip = columns.clone();
+                    else
+                        cv::hconcat(strip, columns, strip);
+                },
+                {.quality = quality});
     return strip;
 }
 
 double distance(const LoadedLevel& level, const TileSpan& span, const cv::Mat& strip) {
     constexpr int rounds = 12;
     constexpr int radius = 64;
-    const int first = level.brickwork.first_at(window_of(level.brickwork, span.from, span.to).start);
-    std::vector<Keyframe> bricks = level.bricks(span);
-    for (Keyframe& brick : bricks)
+    BrickSection section{.brickwork = level.brickwork,
+                         .bricks = level.bricks(span),
+                         .first = level.brickwork.first_at(window_of(level.brickwork, span).start)};
+    for (Keyframe& brick : section.bricks)
         brick.faces.clear();
-    const BrickWindow window = brick_window(level.brickwork, bricks, first, span.from, span.to, 1);
+    const BrickWindow window = brick_window(section, span, 1);
     const RunTasks run = run_in_order;
     Synthesis synthesis(window, strip.colRange(span.from, span.to), {}, run);
     synthesis.match_by_place();

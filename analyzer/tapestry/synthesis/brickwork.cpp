@@ -75,17 +75,18 @@ int Brickwork::last_at(int x) const {
     return std::clamp((2 * x + brick.width - 1) / brick.width, 1, bricks());
 }
 
-cv::Range window_of(const Brickwork& brickwork, int from, int to) {
+cv::Range window_of(const Brickwork& brickwork, const TileSpan& tile) {
     const int margin = brickwork.brick.width / 2;
-    return {std::max(0, from - margin), std::min(brickwork.width(), to + margin)};
+    return {std::max(0, tile.from - margin), std::min(brickwork.width(), tile.to + margin)};
 }
 
-BrickWindow brick_window(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, int first, int from,
-                         int to, double scale, const WindowSettings& settings) {
-    const cv::Range range = window_of(brickwork, from, to);
+BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, double scale,
+                         const WindowSettings& settings) {
+    const Brickwork& brickwork = section.brickwork;
+    const cv::Range range = window_of(brickwork, tile);
     const cv::Rect whole = scaled({range.start, 0, range.size(), brickwork.height()}, range.start, scale);
-    const cv::Rect tile = scaled({from, 0, to - from, 1}, range.start, scale);
-    const cv::Range demanded(tile.x, tile.x + tile.width);
+    const cv::Rect small_tile = scaled({tile.from, 0, tile.to - tile.from, 1}, range.start, scale);
+    const cv::Range demanded(small_tile.x, small_tile.x + small_tile.width);
     cv::Mat canvas(whole.size(), CV_8UC3, cv::Scalar::all(0));
     const int columns = whole.width - patch_side + 1;
     const auto patches = as_index(columns) * as_index(whole.height - patch_side + 1);
@@ -97,9 +98,9 @@ BrickWindow brick_window(const Brickwork& brickwork, const std::vector<Keyframe>
                      .reach = half,
                      .time_cost = settings.time_cost * patch_values / (half * half)};
     const auto place = [&](int number) { return scaled(brickwork.place(number), range.start, scale); };
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-        const int number = first + static_cast<int>(i);
-        const Keyframe& keyframe = bricks[i];
+    for (std::size_t i = 0; i < section.bricks.size(); ++i) {
+        const int number = section.first + static_cast<int>(i);
+        const Keyframe& keyframe = section.bricks[i];
         const cv::Rect at = place(number);
         if (number == 1) draw_mirrored(keyframe.picture, place(-1), canvas);
         if (number == brickwork.bricks() - 2) draw_mirrored(keyframe.picture, place(number + 2), canvas);

@@ -36,7 +36,20 @@ struct Keyframe {
     std::vector<cv::Rect> faces;  // px of it
 };
 
-/// A part of the brickwork, made smaller: what a tile is made of.
+/// Bricks one after another, with the brickwork that they are of.
+struct BrickSection {
+    Brickwork brickwork;
+    std::vector<Keyframe> bricks;  // keyframes of the bricks number `first`, `first` + 1 ...
+    int first = 0;
+};
+
+/// The part of a tapestry that is made at once.
+struct TileSpan {
+    int from = 0;  // px of the strip
+    int to = 0;
+};
+
+/// A part of the brickwork, made smaller, of which a tile is made.
 struct BrickWindow {
     PatchImage picture;  // with half bricks at the strip's ends filled by mirrored neighbours
     PatchRules rules;
@@ -47,16 +60,16 @@ struct WindowSettings {
     double time_cost = 400;  // squared grey levels at half a brick further from the keyframe's middle
 };
 
-/// @param bricks   keyframes of the bricks number `first`, `first` + 1 ...: all that lie in the window
-/// @param from,to  the tile, px of the brickwork; the window reaches half a brick further where there is more
+/// @param section  all bricks that lie in the window
+/// @param tile     the window reaches half a brick further where there is more
 /// @param scale    (0, 1]
 /// Patches of the tile have weight, those of the margins may be used and need not. Time costs nothing within
 /// a brick of its own middle, then the square of the distance: eq. 2 with tau(x) straight from keyframe to
 /// keyframe, in units of keyframes.
-BrickWindow brick_window(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, int first, int from,
-                         int to, double scale, const WindowSettings& settings = {});
+BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, double scale,
+                         const WindowSettings& settings = {});
 
-/// Where the window of a tile begins and ends, px of the brickwork.
-cv::Range window_of(const Brickwork& brickwork, int from, int to);
+/// The begin and the end of a tile's window, px of the brickwork.
+cv::Range window_of(const Brickwork& brickwork, const TileSpan& tile);
 
 }  // namespace vitrine::analyzer

@@ -99,14 +99,14 @@ class Joining {
 
 }  // namespace
 
-Islands find_islands(const cv::Mat& coarse, const cv::Mat& fine, const PlaceGuess& to_fine,
-                     const PlaceGuess& to_coarse, const IslandRules& rules, const RunTasks& run) {
+Islands find_islands(const cv::Mat& coarse, const cv::Mat& fine, const PlaceGuesses& guesses,
+                     const IslandRules& rules, const RunTasks& run) {
     const PatchImage target(coarse);
     const PatchImage source(fine);
     const PatchRules patches = rules_for(source);
     PatchMatch matches(source, target, patches);
-    begin_with(matches.of_target(), matches.of_source(), to_fine);
-    begin_with(matches.of_source(), matches.of_target(), to_coarse);
+    begin_with(matches.of_target(), matches.of_source(), guesses.to_fine);
+    begin_with(matches.of_source(), matches.of_target(), guesses.to_coarse);
     matches.refresh(run);
     for (int sweep = 0; sweep < sweeps; ++sweep)
         matches.search(std::max(1, rules.reach >> (2 * sweep)), static_cast<std::uint32_t>(sweep), run);

@@ -11,6 +11,12 @@ namespace vitrine::analyzer {
 /// Where a place of one picture may be found in another, px.
 using PlaceGuess = std::function<cv::Point(cv::Point)>;
 
+/// For each of two pictures a guess of where a place of it is in the other one.
+struct PlaceGuesses {
+    PlaceGuess to_fine;
+    PlaceGuess to_coarse;
+};
+
 struct IslandRules {
     int reach = 48;           // px around the guess, within which the best place is looked for at first
     int most_way_back = 4;    // px by which there and back may miss the begin
@@ -28,12 +34,11 @@ struct Islands {
 /// Patches are matched from the one picture to the other and back; those that come back to where they began
 /// and move as their neighbours do are joined, and what is joined is an island where it is large enough.
 ///
-/// @param coarse, fine         CV_8UC3, at least a patch wide and tall
-/// @param to_fine, to_coarse   where the search begins
+/// @param coarse, fine  CV_8UC3, at least a patch wide and tall
+/// @param guesses       where the search begins
 /// Source: Video Tapestries 4.3, correspondences by Barnes et al. 2009 and coherent regions. Differs: matches
 /// have to hold both ways.
-Islands find_islands(const cv::Mat& coarse, const cv::Mat& fine, const PlaceGuess& to_fine,
-                     const PlaceGuess& to_coarse, const IslandRules& rules = {},
-                     const RunTasks& run = run_in_order);
+Islands find_islands(const cv::Mat& coarse, const cv::Mat& fine, const PlaceGuesses& guesses,
+                     const IslandRules& rules = {}, const RunTasks& run = run_in_order);
 
 }  // namespace vitrine::analyzer

@@ -51,9 +51,8 @@ cv::Mat own_places(cv::Size size, int begin) {
 
 }  // namespace
 
-MovingIslands::MovingIslands(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine)
-    : part_(part), coarse_(coarse), fine_(fine) {
-    const cv::Mat flow = coarse.places(part.part.coarse, 0, 1);
+MovingIslands::MovingIslands(const ZoomPart& part, const ZoomWarps& warps) : part_(part), warps_(warps) {
+    const cv::Mat flow = warps.coarse.places(part.part.coarse, 0, 1);
     const cv::Mat sea_of = sea(flow);
     cv::Mat nearest;
     cv::distanceTransform(sea_of, distance_, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
@@ -109,11 +108,11 @@ void MovingIslands::carry(cv::Mat& places, cv::Mat& share, double moment) const 
 
 KnownPixels MovingIslands::at(double share) const {
     KnownPixels known;
-    cv::Mat places = part_.places_in_coarse(coarse_, share);
+    cv::Mat places = part_.places_in_coarse(warps_.coarse, share);
     carry(places, known.share, share);
     const cv::Mat of_both = bent(grown(1), places) * share;
     known.picture =
-        over(bent(part_.coarse, places), bent(part_.fine, part_.places_in_fine(fine_, share)), of_both);
+        over(bent(part_.coarse, places), bent(part_.fine, part_.places_in_fine(warps_.fine, share)), of_both);
     return known;
 }
 

@@ -16,9 +16,8 @@ struct KnownPixels {
 /// what is around it goes with it as far as it has grown by then.
 class MovingIslands {
   public:
-    /// @param part          outlives this
-    /// @param coarse, fine  the flow, of both strips; outlive this
-    MovingIslands(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine);
+    /// @param part, warps  outlive this
+    MovingIslands(const ZoomPart& part, const ZoomWarps& warps);
 
     /// Both levels' pixels on islands, the coarser one's around them. At 0 they are all there is.
     /// @param share  the moment
@@ -30,8 +29,7 @@ class MovingIslands {
     void carry(cv::Mat& places, cv::Mat& share, double moment) const;
 
     const ZoomPart& part_;
-    const ZoomWarp& coarse_;
-    const ZoomWarp& fine_;
+    const ZoomWarps& warps_;
     cv::Mat distance_;  // CV_32FC1, px of the coarser part's pixels from an island
     cv::Mat ways_;      // CV_32FC2, px that the island's pixel nearest to each goes to the finer level
 };

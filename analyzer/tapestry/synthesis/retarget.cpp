@@ -72,16 +72,15 @@ KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size siz
 /// The tile through all its sizes.
 class Tile {
   public:
-    Tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
-         const TileNeighbours& neighbours, const RetargetSettings& settings, const RunTasks& run)
-        : brickwork_(brickwork),
-          bricks_(bricks),
+    Tile(const BrickSection& section, const TileSpan& span, const TileNeighbours& neighbours,
+         const RetargetSettings& settings, const RunTasks& run)
+        : section_(section),
           span_(span),
           neighbours_(neighbours),
           settings_(settings),
           run_(run),
           plan_(plan_of(settings.quality)),
-          scales_(scales_of(brickwork.brick)) {}
+          scales_(scales_of(section.brickwork.brick)) {}
 
     cv::Mat made() {
         carve();
@@ -91,10 +90,7 @@ class Tile {
     }
 
   private:
-    BrickWindow window(double scale) const {
-        const int first = brickwork_.first_at(window_of(brickwork_, span_.from, span_.to).start);
-        return brick_window(brickwork_, bricks_, first, span_.from, span_.to, scale, settings_.window);
-    }
+    BrickWindow window(double scale) const { return brick_window(section_, span_, scale, settings_.window); }
 
     cv::Size target_size(double scale, double height) const {
         return {static_cast<int>(std::lround((span_.to - span_.from) * scale)),
@@ -109,7 +105,7 @@ class Tile {
     /// At the smallest size: seams go, in agreement with what the neighbours show, then the rest is mended.
     void carve() {
         window_ = std::make_unique<BrickWindow>(window(scales_[0]));
-        const cv::Size size = target_size(scales_[0], tapestry_height(brickwork_));
+        const cv::Size size = target_size(scales_[0], tapestry_height(section_.brickwork));
         CarveInput input = carve_input(*window_, size.width);
         const KnownPart known = known_part(neighbours_, span_.to - span_.from, size);
         if (!known.picture.empty()) give_rows(input, known.picture, known.share.row(0) > 0);
@@ -122,8 +118,8 @@ class Tile {
     void refine(std::size_t size) {
         auto finer_window = std::make_unique<BrickWindow>(window(scales_[size]));
         cv::Mat guess;
-        cv::resize(synthesis_->picture(), guess, target_size(scales_[size], tapestry_height(brickwork_)), 0,
-                   0, cv::INTER_CUBIC);
+        cv::resize(synthesis_->picture(), guess,
+                   target_size(scales_[size], tapestry_height(section_.brickwork)), 0, 0, cv::INTER_CUBIC);
         std::unique_ptr<Synthesis> finer = synthesis(*finer_window, guess);
         finer->match_like(*synthesis_);
         synthesis_ = std::move(finer);
@@ -142,8 +138,7 @@ class Tile {
         }
     }
 
-    const Brickwork& brickwork_;  // all outlive the tile
-    const std::vector<Keyframe>& bricks_;
+    const BrickSection& section_;  // all outlive the tile
     const TileSpan& span_;
     const TileNeighbours& neighbours_;
     const RetargetSettings& settings_;
@@ -175,10 +170,9 @@ int tapestry_height(const Brickwork& brickwork) {
     return static_cast<int>(std::lround(brickwork.height() * kept_height));
 }
 
-cv::Mat retarget_tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
-                      const TileNeighbours& neighbours, const RetargetSettings& settings,
-                      const RunTasks& run) {
-    return Tile(brickwork, bricks, span, neighbours, settings, run).made();
+cv::Mat retarget_tile(const BrickSection& section, const TileSpan& span, const TileNeighbours& neighbours,
+                      const RetargetSettings& settings, const RunTasks& run) {
+    return Tile(section, span, neighbours, settings, run).made();
 }
 
 }  // namespace vitrine::analyzer

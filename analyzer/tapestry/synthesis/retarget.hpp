@@ -23,12 +23,6 @@ inline float neighbour_share(int column, int columns) {
     return std::clamp(2 - 2 * place, 0.F, 1.F);
 }
 
-/// The part of a tapestry that is made at once.
-struct TileSpan {
-    int from = 0;  // px of the strip
-    int to = 0;
-};
-
 /// The tiles of a strip, left to right, each about 500 px wide and beginning tile_overlap px before the last
 /// ends. A strip of up to 1.5 tiles is one.
 std::vector<TileSpan> tile_spans(int strip_width);
@@ -47,12 +41,11 @@ struct RetargetSettings {
 /// One tile of a discrete tapestry: the brickwork 75 % as tall, by bidirectional similarity. Where neighbours
 /// are known their colours are kept: whole at the border, then fading into the tile.
 ///
-/// @param bricks  keyframes of all bricks in window_of(), the first number brickwork.first_at(window's begin)
-/// @return        CV_8UC3, to - from wide
+/// @param section  all bricks in window_of() the tile
+/// @return         CV_8UC3, to - from wide
 /// Source: Video Tapestries 4.2. The result does not depend on how many threads `run` has.
-cv::Mat retarget_tile(const Brickwork& brickwork, const std::vector<Keyframe>& bricks, const TileSpan& span,
-                      const TileNeighbours& neighbours, const RetargetSettings& settings = {},
-                      const RunTasks& run = run_in_order);
+cv::Mat retarget_tile(const BrickSection& section, const TileSpan& span, const TileNeighbours& neighbours,
+                      const RetargetSettings& settings = {}, const RunTasks& run = run_in_order);
 
 int tapestry_height(const Brickwork& brickwork);
 

@@ -115,9 +115,11 @@ Islands ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& 
     const cv::Point fine_begin(part.fine.start, 0);
     IslandRules rules;
     rules.least_area = tapestry_.height * tapestry_.height / height_squares;
-    Islands islands = find_islands(
-        coarse, fine, [&](cv::Point at) { return to_fine(at + coarse_begin) - fine_begin; },
-        [&](cv::Point at) { return to_coarse(at + fine_begin) - coarse_begin; }, rules, run);
+    Islands islands =
+        find_islands(coarse, fine,
+                     {.to_fine = [&](cv::Point at) { return to_fine(at + coarse_begin) - fine_begin; },
+                      .to_coarse = [&](cv::Point at) { return to_coarse(at + fine_begin) - coarse_begin; }},
+                     rules, run);
     const auto nearest = [&](const Grid& grid, cv::Point at) {
         const double gap = static_cast<double>(tapestry_.height) / (rows - 1);
         const int column = std::min(static_cast<int>(std::lround(at.x / double{step})), grid.columns - 1);

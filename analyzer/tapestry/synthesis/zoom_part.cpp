@@ -37,16 +37,16 @@ cv::Mat ZoomPart::places_in_fine(const ZoomWarp& warp, double share) const {
 }
 
 ZoomPart zoom_part(const Tapestry& tapestry, std::size_t finer, const ZoomFlow::Part& part,
-                   const cv::Mat& coarse, const cv::Mat& fine, Islands islands) {
+                   const LevelStrips& strips, Islands islands) {
     const auto fine_x = [&](int x) {
         return static_cast<int>(std::lround(tapestry.x_at(finer, tapestry.time_at(finer - 1, x))));
     };
     ZoomPart made{.part = part,
-                  .coarse = coarse.colRange(part.coarse),
-                  .fine = fine.colRange(part.fine),
+                  .coarse = strips.coarse.colRange(part.coarse),
+                  .fine = strips.fine.colRange(part.fine),
                   .islands = std::move(islands),
                   .used_fine = {fine_x(part.used.start), fine_x(part.used.end)}};
-    if (part.used.end == coarse.cols) made.used_fine.end = fine.cols;
+    if (part.used.end == strips.coarse.cols) made.used_fine.end = strips.fine.cols;
     made.overlap =
         std::min({most_overlap, part.coarse.end - part.used.end, part.fine.end - made.used_fine.end});
     return made;
@@ -59,14 +59,14 @@ ZoomPictures zoom_ends(const ZoomPart& part, int between) {
     return pictures;
 }
 
-ZoomPictures bent_zoom(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine, int between) {
+ZoomPictures bent_zoom(const ZoomPart& part, const ZoomWarps& warps, int between) {
     ZoomPictures pictures = zoom_ends(part, between);
     for (int i = 1; i <= between; ++i) {
         const double share = static_cast<double>(i) / (between + 1);
-        const cv::Mat growths = cv::max(fine.growths(part.columns(share), share), least_growth);
+        const cv::Mat growths = cv::max(warps.fine.growths(part.columns(share), share), least_growth);
         const cv::Mat coverage = share / ((1 - share) * growths + share);
-        pictures[as_index(i)] = over(bent(part.coarse, part.places_in_coarse(coarse, share)),
-                                     bent(part.fine, part.places_in_fine(fine, share)), coverage);
+        pictures[as_index(i)] = over(bent(part.coarse, part.places_in_coarse(warps.coarse, share)),
+                                     bent(part.fine, part.places_in_fine(warps.fine, share)), coverage);
     }
     return pictures;
 }

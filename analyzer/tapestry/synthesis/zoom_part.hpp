@@ -8,6 +8,12 @@
 
 namespace vitrine::analyzer {
 
+/// Two neighbouring levels as a whole: CV_8UC3.
+struct LevelStrips {
+    cv::Mat coarse;
+    cv::Mat fine;
+};
+
 /// A part of two neighbouring levels, px for px.
 struct ZoomPart {
     ZoomFlow::Part part;
@@ -25,9 +31,8 @@ struct ZoomPart {
     cv::Mat places_in_fine(const ZoomWarp& warp, double share) const;
 };
 
-/// @param coarse, fine  CV_8UC3, both strips as a whole
 ZoomPart zoom_part(const Tapestry& tapestry, std::size_t finer, const ZoomFlow::Part& part,
-                   const cv::Mat& coarse, const cv::Mat& fine, Islands islands);
+                   const LevelStrips& strips, Islands islands);
 
 /// A part of the strip on its way from level to level: CV_8UC3, the coarser level first, the finer one last.
 using ZoomPictures = std::vector<cv::Mat>;
@@ -36,9 +41,7 @@ using ZoomPictures = std::vector<cv::Mat>;
 ZoomPictures zoom_ends(const ZoomPart& part, int between);
 
 /// A zoom as a graphics card has it: both levels bent, the finer one drawn over the coarser one.
-///
-/// @param coarse, fine  the flow, of both strips
-ZoomPictures bent_zoom(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine, int between);
+ZoomPictures bent_zoom(const ZoomPart& part, const ZoomWarps& warps, int between);
 
 /// @param places  CV_32FC2, for each pixel where it comes from
 cv::Mat bent(const cv::Mat& picture, const cv::Mat& places);

@@ -27,8 +27,8 @@ Match ZoomSource::match_near(cv::Vec2f pixel) const {
             .y = static_cast<std::int16_t>(corner(pixel[1], picture_.patch_rows()))};
 }
 
-void ZoomSource::carry(const cv::Mat& before, const cv::Mat& places, const cv::Mat& free) {
-    MatchField field(free.cols, free.rows);
+void ZoomSource::carry(const cv::Mat& before, const WantedPatches& wanted) {
+    MatchField field(wanted.is_free.cols, wanted.is_free.rows);
     for (int y = 0; y < field.rows; ++y) {
         for (int x = 0; x < field.columns; ++x) {
             const cv::Point middle(x + half_patch, y + half_patch);
@@ -37,14 +37,14 @@ void ZoomSource::carry(const cv::Mat& before, const cv::Mat& places, const cv::M
                 const auto& was = before.at<cv::Vec2f>(middle);
                 match = matches_.at(corner(was[0], matches_.columns), corner(was[1], matches_.rows));
             }
-            if (match.x < 0) match = match_near(places.at<cv::Vec2f>(middle));
+            if (match.x < 0) match = match_near(wanted.places.at<cv::Vec2f>(middle));
         }
     }
     matches_ = std::move(field);
 }
 
-void ZoomSource::search(const PatchImage& target, const cv::Mat& places, const cv::Mat& free, int radius,
-                        std::uint32_t seed, const RunTasks& run) {
+void ZoomSource::search(const PatchImage& target, const WantedPatches& wanted, int radius, std::uint32_t seed,
+                        const RunTasks& run) {
     PatchMatch matches(picture_, target, rules_);
     MatchField& field = matches.of_target();
     field = std::move(matches_);
@@ -52,11 +52,11 @@ void ZoomSource::search(const PatchImage& target, const cv::Mat& places, const c
     for (int y = 0; y < field.rows; ++y) {
         for (int x = 0; x < field.columns; ++x) {
             Match& match = field.at(x, y);
-            if (free.at<std::uint8_t>(y, x) == 0) {
+            if (wanted.is_free.at<std::uint8_t>(y, x) == 0) {
                 match = {};
                 continue;
             }
-            Match other = match_near(places.at<cv::Vec2f>(y + half_patch, x + half_patch));
+            Match other = match_near(wanted.places.at<cv::Vec2f>(y + half_patch, x + half_patch));
             other.cost = matches.cost(other.x, other.y, x, y, match.cost);
             if (other.cost < match.cost) match = other;
         }

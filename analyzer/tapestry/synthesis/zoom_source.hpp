@@ -9,6 +9,12 @@
 
 namespace vitrine::analyzer {
 
+/// The patches of a picture that need a match in a level.
+struct WantedPatches {
+    cv::Mat places;   // CV_32FC2, for each pixel of the picture where the flow has it in the level
+    cv::Mat is_free;  // CV_8UC1, a patch: 0 where it needs no match
+};
+
 /// One of the levels that a zoom's pictures are synthesised of: its patches, and which of them a picture's
 /// are matched with. Nothing of it must be in the picture: d_complete is off.
 class ZoomSource {
@@ -20,13 +26,11 @@ class ZoomSource {
     /// those of the flow.
     ///
     /// @param before  CV_32FC2, for each pixel where it was in the picture before
-    /// @param places  likewise, where the flow has it in this level
-    /// @param free    CV_8UC1, a patch: 0 where it needs no match
-    void carry(const cv::Mat& before, const cv::Mat& places, const cv::Mat& free);
+    void carry(const cv::Mat& before, const WantedPatches& wanted);
 
     /// One sweep of matching the picture, in which a place of the flow is tried, too.
-    void search(const PatchImage& target, const cv::Mat& places, const cv::Mat& free, int radius,
-                std::uint32_t seed, const RunTasks& run);
+    void search(const PatchImage& target, const WantedPatches& wanted, int radius, std::uint32_t seed,
+                const RunTasks& run);
 
     /// What the matched patches say. @param share  what one that matches exactly counts
     void vote(ZoomVotes& votes, double share, const RunTasks& run) const;

@@ -64,14 +64,12 @@ cv::Mat counted(const ZoomVotes& votes, const KnownPixels& known) {
 /// One part's pictures, from the finer level to the coarser one.
 class Zooming {
   public:
-    Zooming(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine, const ZoomRules& rules,
-            const RunTasks& run)
+    Zooming(const ZoomPart& part, const ZoomWarps& warps, const ZoomRules& rules, const RunTasks& run)
         : part_(part),
-          coarse_warp_(coarse),
-          fine_warp_(fine),
+          warps_(warps),
           rules_(rules),
           run_(run),
-          islands_(part, coarse, fine),
+          islands_(part, warps),
           coarse_(part.coarse),
           fine_(part.fine) {}
 
@@ -99,18 +97,19 @@ class Zooming {
     cv::Mat made_at(double share, const cv::Mat& left) {
         const KnownPixels known = known_at(share, left);
         const cv::Mat free = free_patches(known.share);
-        const cv::Mat back = fine_warp_.places(part_.columns(share), share, before_share_) -
+        const cv::Mat back = warps_.fine.places(part_.columns(share), share, before_share_) -
                              cv::Scalar(part_.columns(before_share_).start, 0);
-        const cv::Mat in_coarse = part_.places_in_coarse(coarse_warp_, share);
-        const cv::Mat in_fine = part_.places_in_fine(fine_warp_, share);
-        coarse_.carry(back, in_coarse, free);
-        fine_.carry(back, in_fine, free);
+        const WantedPatches in_coarse{.places = part_.places_in_coarse(warps_.coarse, share),
+                                      .is_free = free};
+        const WantedPatches in_fine{.places = part_.places_in_fine(warps_.fine, share), .is_free = free};
+        coarse_.carry(back, in_coarse);
+        fine_.carry(back, in_fine);
         cv::Mat picture = over(bent(before_, back), known.picture, known.share);
         for (int round = 0; round < rules_.rounds; ++round) {
             const PatchImage target(picture);
             ++seed_;
-            coarse_.search(target, in_coarse, free, rules_.radius, seed_, run_);
-            fine_.search(target, in_fine, free, rules_.radius, seed_, run_);
+            coarse_.search(target, in_coarse, rules_.radius, seed_, run_);
+            fine_.search(target, in_fine, rules_.radius, seed_, run_);
             ZoomVotes votes(picture.cols, picture.rows);
             coarse_.vote(votes, 1 - share, run_);
             fine_.vote(votes, share, run_);
@@ -120,8 +119,7 @@ class Zooming {
     }
 
     const ZoomPart& part_;  // all outlive this
-    const ZoomWarp& coarse_warp_;
-    const ZoomWarp& fine_warp_;
+    const ZoomWarps& warps_;
     const ZoomRules& rules_;
     const RunTasks& run_;
     MovingIslands islands_;
@@ -134,9 +132,9 @@ class Zooming {
 
 }  // namespace
 
-ZoomPictures synthesised_zoom(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine,
-                              const ZoomPictures& left, const ZoomRules& rules, const RunTasks& run) {
-    return Zooming(part, coarse, fine, rules, run).made(left);
+ZoomPictures synthesised_zoom(const ZoomPart& part, const ZoomWarps& warps, const ZoomPictures& left,
+                              const ZoomRules& rules, const RunTasks& run) {
+    return Zooming(part, warps, rules, run).made(left);
 }
 
 }  // namespace vitrine::analyzer

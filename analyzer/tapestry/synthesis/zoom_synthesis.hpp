@@ -15,14 +15,12 @@ struct ZoomRules {
 /// both levels' patches, each picture out of the one before, beginning with the finer level. Towards the
 /// coarser level islands grow until they are all of it.
 ///
-/// @param coarse, fine  the flow, of both strips
-/// @param left          the last ZoomPart::overlap columns of the part to the left, or empty: the first ones
-///                      agree with them
-/// @return              as wide as ZoomPart::columns(); the first and the last are the levels' own pixels
+/// @param left  the last ZoomPart::overlap columns of the part to the left, or empty: the first ones agree
+///              with them
+/// @return      as wide as ZoomPart::columns(); the first and the last are the levels' own pixels
 /// Source: Video Tapestries 4.3. Differs: the guess is bent as the flow goes, not squeezed; a vote counts
 /// less the worse its patch matches; what no island has reached towards the end fades.
-ZoomPictures synthesised_zoom(const ZoomPart& part, const ZoomWarp& coarse, const ZoomWarp& fine,
-                              const ZoomPictures& left = {}, const ZoomRules& rules = {},
-                              const RunTasks& run = run_in_order);
+ZoomPictures synthesised_zoom(const ZoomPart& part, const ZoomWarps& warps, const ZoomPictures& left = {},
+                              const ZoomRules& rules = {}, const RunTasks& run = run_in_order);
 
 }  // namespace vitrine::analyzer

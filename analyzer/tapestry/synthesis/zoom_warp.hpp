@@ -50,4 +50,14 @@ class ZoomWarp {
     std::vector<Point> points_;  // ZoomField::rows rows of columns_
 };
 
+/// The flow of both levels' strips.
+struct ZoomWarps {
+    /// @param flow  after fill(), of the levels `finer` - 1 and `finer` of `tapestry`
+    ZoomWarps(const ZoomFlow& flow, const Tapestry& tapestry, std::size_t finer)
+        : coarse(flow, tapestry, finer, true), fine(flow, tapestry, finer, false) {}
+
+    ZoomWarp coarse;
+    ZoomWarp fine;
+};
+
 }  // namespace vitrine::analyzer

@@ -64,7 +64,8 @@ void write_level(const fs::path& directory, const Tapestry& tapestry, const Film
     const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
     LevelFiles files(directory, tapestry, number, brickwork);
     weave_level(
-        brickwork, [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); },
+        {.brickwork = brickwork,
+         .keyframe = [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); }},
         [&](const cv::Mat& columns, const WovenSoFar& done) { files.add(columns, done); }, settings, run,
         files.done());
     files.finish();
@@ -90,8 +91,8 @@ cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const Retarget
                     const RunTasks& run) {
     std::vector<cv::Mat> parts;
     weave_level(
-        brickwork_of(keyframes, film.candidates->brick()),
-        [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); },
+        {.brickwork = brickwork_of(keyframes, film.candidates->brick()),
+         .keyframe = [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); }},
         [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); }, settings, run);
     cv::Mat strip;
     cv::hconcat(parts, strip);

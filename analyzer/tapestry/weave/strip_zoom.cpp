@@ -34,18 +34,18 @@ StripZoom::StripZoom(const LevelPair& pair, const RunTasks& run) {
     for (const ZoomFlow::Part& part : flow.parts()) {
         Islands islands =
             flow.match(part, pair.coarse.colRange(part.coarse), pair.fine.colRange(part.fine), run);
-        parts_.push_back(zoom_part(pair.index, 1, part, pair.coarse, pair.fine, std::move(islands)));
+        parts_.push_back(
+            zoom_part(pair.index, 1, part, {.coarse = pair.coarse, .fine = pair.fine}, std::move(islands)));
     }
     flow.fill();
-    coarse_ = std::make_unique<ZoomWarp>(flow, pair.index, 1, true);
-    fine_ = std::make_unique<ZoomWarp>(flow, pair.index, 1, false);
+    warps_ = std::make_unique<ZoomWarps>(flow, pair.index, 1);
 }
 
 ZoomPictures StripZoom::synthesised(const ZoomRules& rules, const RunTasks& run) const {
     ZoomPictures strips;
     ZoomPictures left;
     for (const ZoomPart& part : parts_) {
-        const ZoomPictures pictures = synthesised_zoom(part, *coarse_, *fine_, left, rules, run);
+        const ZoomPictures pictures = synthesised_zoom(part, *warps_, left, rules, run);
         left.clear();
         for (const cv::Mat& picture : pictures)
             left.push_back(picture.colRange(picture.cols - part.overlap, picture.cols));
@@ -57,7 +57,7 @@ ZoomPictures StripZoom::synthesised(const ZoomRules& rules, const RunTasks& run)
 ZoomPictures StripZoom::bent(int between) const {
     ZoomPictures strips;
     for (const ZoomPart& part : parts_)
-        join(part, bent_zoom(part, *coarse_, *fine_, between), strips);
+        join(part, bent_zoom(part, *warps_, between), strips);
     return strips;
 }
 

@@ -24,9 +24,9 @@ class StripZoom {
 
     const std::vector<ZoomPart>& parts() const { return parts_; }
 
-    const ZoomWarp& coarse() const { return *coarse_; }
+    const ZoomWarp& coarse() const { return warps_->coarse; }
 
-    const ZoomWarp& fine() const { return *fine_; }
+    const ZoomWarp& fine() const { return warps_->fine; }
 
     /// Strips as a whole at rules.between moments and at both ends; neighbouring parts agree.
     ZoomPictures synthesised(const ZoomRules& rules, const RunTasks& run) const;
@@ -36,8 +36,7 @@ class StripZoom {
     void join(const ZoomPart& part, const ZoomPictures& pictures, ZoomPictures& strips) const;
 
     std::vector<ZoomPart> parts_;
-    std::unique_ptr<ZoomWarp> coarse_;
-    std::unique_ptr<ZoomWarp> fine_;
+    std::unique_ptr<ZoomWarps> warps_;
 };
 
 }  // namespace vitrine::analyzer

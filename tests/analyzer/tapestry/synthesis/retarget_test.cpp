@@ -17,7 +17,7 @@ bool are_equal(const cv::Mat& a, const cv::Mat& b) {
 cv::Mat made(const Brickwork& brickwork, const std::vector<Keyframe>& bricks,
              const TileNeighbours& neighbours = {}, const RunTasks& run = run_in_order,
              TileQuality quality = TileQuality::on_demand) {
-    return retarget_tile(brickwork, bricks, {0, brickwork.width()}, neighbours, {.quality = quality}, run);
+    return retarget_tile({brickwork, bricks}, {0, brickwork.width()}, neighbours, {.quality = quality}, run);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ TEST_CASE("a level is woven to its end, of one keyframe too") {
         const Brickwork brickwork{.keyframes = keyframes, .brick = {160, 20}};
         int columns = 0;
         weave_level(
-            brickwork, [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); },
+            {brickwork, [&](int k) { return drawn_keyframe(brickwork.brick, static_cast<unsigned>(k)); }},
             [&](const cv::Mat& part, const WovenSoFar&) {
                 CHECK(part.rows == 30);
                 columns += part.cols;
@@ -94,7 +94,7 @@ TEST_CASE("a level that was cut off goes on with the same columns") {
     std::vector<cv::Mat> parts;
     std::vector<WovenSoFar> places;
     weave_level(
-        brickwork, keyframe,
+        {brickwork, keyframe},
         [&](const cv::Mat& part, const WovenSoFar& done) {
             parts.push_back(part.clone());
             places.push_back(done);
@@ -104,7 +104,7 @@ TEST_CASE("a level that was cut off goes on with the same columns") {
     REQUIRE(places[0].tiles == 1);
     std::vector<cv::Mat> rest;
     weave_level(
-        brickwork, keyframe, [&](const cv::Mat& part, const WovenSoFar&) { rest.push_back(part.clone()); },
+        {brickwork, keyframe}, [&](const cv::Mat& part, const WovenSoFar&) { rest.push_back(part.clone()); },
         quick, run_in_order, places[0]);
     REQUIRE(rest.size() == 1);
     CHECK(cv::norm(rest[0], parts[1], cv::NORM_INF) == 0);

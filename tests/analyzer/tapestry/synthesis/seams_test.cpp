@@ -16,10 +16,9 @@ std::vector<Keyframe> bricks_of_the_wall() {
 
 cv::Mat woven(const std::vector<Keyframe>& bricks) {
     std::vector<cv::Mat> parts;
-    weave_level(
-        wall, [&](int k) { return bricks[static_cast<std::size_t>(k)]; },
-        [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); },
-        {.quality = TileQuality::on_demand});
+    weave_level({wall, [&](int k) { return bricks[static_cast<std::size_t>(k)]; }},
+                [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); },
+                {.quality = TileQuality::on_demand});
     cv::Mat strip;
     cv::hconcat(parts, strip);
     return strip;
@@ -27,7 +26,7 @@ cv::Mat woven(const std::vector<Keyframe>& bricks) {
 
 /// The bricks side by side, as tall as the tapestry.
 cv::Mat squeezed(const std::vector<Keyframe>& bricks) {
-    cv::Mat strip = brick_window(wall, bricks, 0, 0, wall.width(), 1).picture.bgr();
+    cv::Mat strip = brick_window({wall, bricks}, {0, wall.width()}, 1).picture.bgr();
     cv::resize(strip, strip, {wall.width(), tapestry_height(wall)}, 0, 0, cv::INTER_AREA);
     return strip;
 }

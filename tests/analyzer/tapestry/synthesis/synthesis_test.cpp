@@ -101,7 +101,7 @@ TEST_CASE("the energy is that of equations 1 and 2, to the letter") {
     std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
     bricks[1].faces = {{4, 3, 5, 5}};
     const WindowSettings settings;
-    const BrickWindow window = brick_window(brickwork, bricks, 0, 0, brickwork.width(), 1, settings);
+    const BrickWindow window = brick_window({brickwork, bricks}, {0, brickwork.width()}, 1, settings);
     cv::Mat squeezed;
     cv::resize(window.picture.bgr(), squeezed, {brickwork.width(), 18}, 0, 0, cv::INTER_AREA);
     Synthesis synthesis(window, squeezed, {}, in_order);
@@ -114,7 +114,7 @@ TEST_CASE("the energy is that of equations 1 and 2, to the letter") {
 TEST_CASE("no round makes the energy rise, and the search comes near the best matches") {
     const Brickwork brickwork{.keyframes = 4, .brick = {26, 20}};
     const std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
-    const BrickWindow window = brick_window(brickwork, bricks, 0, 0, brickwork.width(), 1);
+    const BrickWindow window = brick_window({brickwork, bricks}, {0, brickwork.width()}, 1);
     cv::Mat squeezed;
     cv::resize(window.picture.bgr(), squeezed, {brickwork.width(), 30}, 0, 0, cv::INTER_AREA);
     Synthesis synthesis(window, squeezed, {}, in_order);
@@ -136,7 +136,7 @@ TEST_CASE("no round makes the energy rise, and the search comes near the best ma
 TEST_CASE("patches that cross from one keyframe to another are not used") {
     const Brickwork brickwork{.keyframes = 2, .brick = {20, 14}};
     std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
-    const BrickWindow window = brick_window(brickwork, bricks, 0, 0, brickwork.width(), 1);
+    const BrickWindow window = brick_window({brickwork, bricks}, {0, brickwork.width()}, 1);
     const int columns = window.picture.patch_columns();
     for (int y = 0; y < window.picture.patch_rows(); ++y) {
         for (int x = 0; x < columns; ++x) {

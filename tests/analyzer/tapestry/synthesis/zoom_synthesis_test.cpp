@@ -28,29 +28,25 @@ struct Zoomed : DrawnLevels {
             .coarse = {0, coarse.cols}, .fine = {0, fine.cols}, .used = {0, coarse.cols}};
         islands = flow.match(all, coarse, fine);
         flow.fill();
-        part = zoom_part(tapestry, 1, all, coarse, fine, islands);
-        to_finer = std::make_unique<ZoomWarp>(flow, tapestry, 1, true);
-        to_coarser = std::make_unique<ZoomWarp>(flow, tapestry, 1, false);
+        part = zoom_part(tapestry, 1, all, {coarse, fine}, islands);
+        warps = std::make_unique<ZoomWarps>(flow, tapestry, 1);
     }
 
-    ZoomPictures synthesised() const {
-        return synthesised_zoom(part, *to_finer, *to_coarser, {}, {.between = between});
-    }
+    ZoomPictures synthesised() const { return synthesised_zoom(part, *warps, {}, {.between = between}); }
 
-    ZoomPictures bent() const { return bent_zoom(part, *to_finer, *to_coarser, between); }
+    ZoomPictures bent() const { return bent_zoom(part, *warps, between); }
 
     /// The strip `i` pictures on, at the moment of another one.
     cv::Mat carried(const ZoomPictures& pictures, std::size_t from, std::size_t to) const {
         const double step = 1.0 / (between + 1);
-        const cv::Mat places = to_coarser->places({0, pictures[to].cols}, step * static_cast<double>(to),
+        const cv::Mat places = warps->fine.places({0, pictures[to].cols}, step * static_cast<double>(to),
                                                   step * static_cast<double>(from));
         return vitrine::analyzer::bent(pictures[from], places);
     }
 
     Islands islands;
     ZoomPart part;
-    std::unique_ptr<ZoomWarp> to_finer;
-    std::unique_ptr<ZoomWarp> to_coarser;
+    std::unique_ptr<ZoomWarps> warps;
 };
 
 }  // namespace
@@ -109,9 +105,8 @@ TEST_CASE("what is synthesised is of the levels' patches, where a flow bends the
         return matches.energy();
     };
     constexpr int more = 15;  // in small steps
-    const ZoomPictures synthesised =
-        synthesised_zoom(zoomed.part, *zoomed.to_finer, *zoomed.to_coarser, {}, {.between = more});
-    const ZoomPictures bent = bent_zoom(zoomed.part, *zoomed.to_finer, *zoomed.to_coarser, more);
+    const ZoomPictures synthesised = synthesised_zoom(zoomed.part, *zoomed.warps, {}, {.between = more});
+    const ZoomPictures bent = bent_zoom(zoomed.part, *zoomed.warps, more);
     CHECK(strangeness(synthesised[(more + 1) / 4]) < 0.9 * strangeness(bent[(more + 1) / 4]));
 }
 
@@ -125,18 +120,18 @@ TEST_CASE("parts beside each other agree where they meet") {
         part.place -= cv::Scalar(shift, 0);
         return part;
     };
-    const ZoomPart left = zoom_part(zoomed.tapestry, 1, first, zoomed.coarse, zoomed.fine,
+    const ZoomPart left = zoom_part(zoomed.tapestry, 1, first, {zoomed.coarse, zoomed.fine},
                                     islands(first.coarse, first.fine.start));
-    const ZoomPart right = zoom_part(zoomed.tapestry, 1, second, zoomed.coarse, zoomed.fine,
+    const ZoomPart right = zoom_part(zoomed.tapestry, 1, second, {zoomed.coarse, zoomed.fine},
                                      islands(second.coarse, second.fine.start));
     REQUIRE(left.overlap == 45);
     REQUIRE(right.overlap == 0);
     const ZoomRules rules{.between = 3};
-    const ZoomPictures pictures = synthesised_zoom(left, *zoomed.to_finer, *zoomed.to_coarser, {}, rules);
+    const ZoomPictures pictures = synthesised_zoom(left, *zoomed.warps, {}, rules);
     ZoomPictures shared;
     for (const cv::Mat& picture : pictures)
         shared.push_back(picture.colRange(picture.cols - left.overlap, picture.cols));
-    const ZoomPictures beside = synthesised_zoom(right, *zoomed.to_finer, *zoomed.to_coarser, shared, rules);
+    const ZoomPictures beside = synthesised_zoom(right, *zoomed.warps, shared, rules);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         CHECK(left.columns(0.25 * static_cast<double>(i)).end - left.overlap ==
               right.columns(0.25 * static_cast<double>(i)).start);
