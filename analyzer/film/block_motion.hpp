@@ -4,7 +4,7 @@
 
 namespace vitrine::analyzer {
 
-/// What of a picture no motion from an earlier one explains.
+/// The part of a picture that no motion from an earlier one explains.
 struct Unexplained {
     double share =
         0;  // about 0 for two views of one scene, also of a moving one; about .2 to 1 for unlike pictures

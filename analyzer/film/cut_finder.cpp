@@ -42,7 +42,7 @@ bool is_around(const FeatureWindow& window, std::size_t frame, std::size_t other
     return frames <= around_frames || std::chrono::abs(window.time(other) - window.time(frame)) <= around;
 }
 
-// How much a frame's step stands out among those around it: 1 at the threshold.
+// The prominence of a frame's step among the steps around it: 1 at the threshold.
 double prominence(const FeatureWindow& window, std::size_t frame) {
     std::vector<double> steps;
     for (std::size_t i = frame; i > window.first() + 1 && is_around(window, frame, i - 1); --i)
@@ -75,7 +75,7 @@ Beside beside(const FeatureWindow& window, std::size_t frame) {
     return most;
 }
 
-// Whether so much is unexplained as long as a flash can last, before and after.
+// Says if so much stays unexplained as long as a flash can last, before and after.
 bool lasts(const FeatureWindow& window, std::size_t frame, double left) {
     const auto unlike = [&](std::size_t before, std::size_t after) {
         return unexplained(window.at(before), window.at(after)).share > lasting * left;

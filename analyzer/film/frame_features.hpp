@@ -8,7 +8,8 @@
 
 namespace vitrine::analyzer {
 
-/// What shot detection keeps of a frame: enough to compare it with any other, small enough to keep seconds.
+/// The features of a frame that shot detection keeps: enough to compare it with any other, small enough to
+/// keep seconds.
 struct FrameFeatures {
     static constexpr std::size_t bins = 8;              // a colour channel
     static constexpr std::size_t signature_width = 32;  // px

@@ -33,7 +33,7 @@ constexpr milliseconds step_length{80};
 
 namespace {
 
-// Whether the light goes up here and down again soon, or went up shortly before and goes down here.
+// Says if the light goes up here and down again soon, or went up shortly before and goes down here.
 bool is_in_flash(const FeatureWindow& window, std::size_t before, std::size_t after) {
     const double brighter = window.at(after).mean - window.at(before).mean;
     if (std::abs(brighter) < flash_light) return false;

@@ -17,7 +17,7 @@ enum class TakeChange { none, likely, clear };
 /// @param after   the first frame after it
 TakeChange take_change(const FeatureWindow& window, std::size_t before, std::size_t after);
 
-/// How a picture turned into another one between two frames.
+/// The kind of change from one picture to another between two frames.
 struct GradualChange {
     double share = 0;    // unexplained between both ends
     double area = 0;     // share of the picture in which something is
@@ -27,7 +27,7 @@ struct GradualChange {
 
 GradualChange gradual_change(const FeatureWindow& window, std::size_t first, std::size_t last);
 
-/// Whether take_change() is likely or clear.
+/// Says if take_change() is likely or clear.
 bool is_new_take(const FeatureWindow& window, std::size_t before, std::size_t after);
 
 }  // namespace vitrine::analyzer

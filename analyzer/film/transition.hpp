@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// What lies between two shots, half-open in stream time: a cut is empty, [t, t) with t the new shot's first
+/// The time between two shots, half-open in stream time: a cut is empty, [t, t) with t the new shot's first
 /// frame; a dissolve or fade holds the frames that belong to neither shot.
 struct Transition {
     std::chrono::nanoseconds begin{0};

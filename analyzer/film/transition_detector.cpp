@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds touching{60};  // a cut so near a fade's end
 
 constexpr std::chrono::milliseconds longest_flash{400};  // to white or black and back
 
-// What a dissolve leaves unexplained, see GradualChange.
+// Bounds of the share that a dissolve leaves unexplained, see GradualChange.
 constexpr double least_left = .12;
 constexpr double least_area = .55;  // a thing that passes, or bars that move in, fill less
 constexpr double least_unmoved = .25;

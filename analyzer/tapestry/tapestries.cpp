@@ -61,7 +61,7 @@ class Unused {
     bool is_there_ = false;
 };
 
-/// What is found last goes first: without its index a tapestry is none.
+/// Removes the index first: without its index a tapestry is none.
 void remove_tapestry(const fs::path& folder) {
     std::error_code ignored;  // it is tried again at the next sweep
     fs::remove(folder / "index.json", ignored);

@@ -12,7 +12,7 @@
 
 namespace vitrine::analyzer {
 
-/// What the daemon knows of the tapestries: a folder a film, named as its record is. Weaving children put in;
+/// The daemon's list of tapestries: a folder a film, named as its record is. Weaving children put in;
 /// it takes out what no film has any more, and what goes beyond the bounds, the one that was looked at
 /// longest ago first. That is noted in its folder, so that it is not woven again while its film is the same.
 class Tapestries {

@@ -5,7 +5,7 @@
 
 namespace vitrine::analyzer {
 
-/// How far the tapestry of one content of a film has come.
+/// The progress of the tapestry of one content of a film.
 enum class TapestryState {
     lacking,   // it is still to be woven, or to be woven on
     complete,  // all of its levels are there
@@ -18,7 +18,7 @@ TapestryState tapestry_state(const std::filesystem::path& folder, std::uint64_t 
 /// Notes that the tapestry of that content is not woven again. @throws std::system_error
 void note_dropped(const std::filesystem::path& folder, std::uint64_t bytes, std::int64_t mtime_ns);
 
-/// Of all that tapestries may take, what one of them may, and its film's frames.
+/// The share of all tapestries' bytes that one of them may take, and its film's frames.
 constexpr std::uint64_t tapestry_share(std::uint64_t max_bytes) {
     constexpr int most_parts = 4;
     return max_bytes / most_parts;

@@ -101,7 +101,7 @@ class Weaving {
         return in_words(levels);
     }
 
-    /// What took time stays in the folder until the tapestry is complete: frames, plan, tiles.
+    /// Keeps all that took time in the folder until the tapestry is complete: frames, plan, tiles.
     std::string on() {
         const fs::path& directory = request_.directory;
         fs::create_directories(directory);

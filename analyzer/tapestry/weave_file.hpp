@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// What is asked of one weaving.
+/// The options of one weaving.
 struct WeaveRequest {
     std::filesystem::path file;
     std::filesystem::path directory;  // for the pyramid; empty: none

@@ -1,4 +1,4 @@
-// What the tapestry of a film costs and how good it is, in processor time; ratios are within one run.
+// Measures the cost of a film's tapestry and its quality, in processor time; ratios are within one run.
 //   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS]
 
 #include "analyzer/film/frame_reader.hpp"

@@ -11,8 +11,7 @@
 
 namespace vitrine::analyzer {
 
-/// How badly each frame is shown by another, in a band along the diagonal; what lies outside the band is
-/// `far()`.
+/// The cost of showing each frame by another, in a band along the diagonal; outside the band it is `far()`.
 class Affinity {
   public:
     /// @param frames  of the film

@@ -85,8 +85,8 @@ class Carver {
         loss_[at(x, y)] = input.given.at<std::uint8_t>(y, x) == CarveInput::stays ? never : 0;
     }
 
-    /// What it costs to come to each pixel of a column: along its row, from the row above, from the one
-    /// below.
+    /// Computes the costs of coming to each pixel of a column: along its row, from the row above, from the
+    /// one below.
     void price(int x) {
         std::copy_n(column(loss_, x), height_, straight_.begin());
         std::fill_n(falling_.begin(), height_, 0.F);

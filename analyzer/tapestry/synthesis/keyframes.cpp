@@ -21,7 +21,7 @@ struct Gap {
     int last = 0;
 };
 
-/// What could be added next, and what it would gain; the gain is an upper bound once others were added.
+/// A frame that could be added next, and its gain; the gain is an upper bound once others were added.
 struct Proposal {
     double gain = 0;
     int place = 0;          // a frame or the number of a gap

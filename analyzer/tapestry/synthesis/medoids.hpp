@@ -21,7 +21,7 @@ class Medoids {
     /// Source: Video Tapestries 4.1, n times eq. 4, whose second term is 0.
     double cost() const;
 
-    /// What the cost falls by where a frame that is none becomes one.
+    /// The amount by which the cost falls where a frame that is no medoid becomes one.
     double gain(int frame) const;
 
     /// The same where `before` has become one already.
@@ -29,8 +29,8 @@ class Medoids {
 
     void add(int frame);
 
-    /// What the cost changes by where `in` takes the place of each medoid of [from, to), in that order;
-    /// other frames of that range get what means nothing.
+    /// Computes the change of the cost where `in` takes the place of each medoid of [from, to), in that
+    /// order; the values for other frames of that range mean nothing.
     void swap_changes(int in, int from, int to, std::vector<double>& changes) const;
 
     void swap(int out, int in);

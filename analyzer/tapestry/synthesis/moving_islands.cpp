@@ -62,7 +62,7 @@ MovingIslands::MovingIslands(const ZoomPart& part, const ZoomWarps& warps) : par
         ways_ = with_land(sea_of, nearest, ways_);
 }
 
-/// Of the coarser level's pixels those that islands have and the flow moves as these go: 0, else 1.
+/// The mask of the coarser level: 0 for pixels that an island has and the flow moves with it, else 1.
 cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
     cv::Mat sea(part_.coarse.size(), CV_8UC1, cv::Scalar::all(1));
     for (int y = 0; y < sea.rows; ++y) {
@@ -79,7 +79,8 @@ cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
     return sea;
 }
 
-/// How far islands with their soft edges have grown by then: [0, 1] for each pixel of the coarser part.
+/// The islands with their soft edges, as far as they have grown by then: [0, 1] for each pixel of the coarser
+/// part.
 cv::Mat MovingIslands::grown(double share) const {
     const double reach = std::pow(1 - share, growing) * part_.coarse.rows;
     const cv::Mat grown = 1 - (distance_ - reach) / soft_edge;

@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// What is known of a picture before anything is synthesised.
+/// The pixels of a picture that are known before anything is synthesised.
 struct KnownPixels {
     cv::Mat picture;  // CV_8UC3
     cv::Mat share;    // CV_32FC1 in [0, 1]: how much of it; 1: all

@@ -40,8 +40,8 @@ struct MatchField {
     }
 };
 
-/// What patches of a source S may be used for a target T, what they cost beyond their colour, and which of
-/// them the target must have.
+/// The patches of a source S that a target T may use, their costs beyond colour, and the patches that the
+/// target must have.
 struct PatchRules {
     static constexpr int no_brick = -1;
 
@@ -54,7 +54,7 @@ struct PatchRules {
     double time_cost = 0;               // a squared px beyond it
 };
 
-/// Those of a source all of whose patches may be used anywhere, and none must be.
+/// The rules of a source whose patches may all be used anywhere, and none must be.
 PatchRules free_rules(const PatchImage& source);
 
 /// The two fields of a source and a target, and the search that improves them.
@@ -93,7 +93,7 @@ class PatchMatch {
 
     double source_weight() const { return source_weight_; }
 
-    /// What a pair costs; `bound` as in PatchDistance.
+    /// The cost of a pair; `bound` as in PatchDistance.
     int cost(int source_x, int source_y, int target_x, int target_y, int bound) const;
 
     bool is_allowed(int source_x, int source_y) const {

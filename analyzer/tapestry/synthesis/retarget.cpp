@@ -23,7 +23,7 @@ constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "abou
 constexpr int least_brick_side = 40;  // px at the smallest size; at smaller ones too much is merged
 constexpr double settled = 0.0002;    // of the energy: what falls less in a round is done
 
-/// How much is done at which size.
+/// The rounds and search radii at the smallest and at full size.
 struct Plan {
     int first_rounds;  // at the smallest size
     int last_rounds;   // at full size

@@ -16,7 +16,7 @@ enum class TileQuality {
 constexpr double kept_height = 0.75;  // of the brickwork's; source: Video Tapestries 4.2
 constexpr int tile_overlap = 64;      // px with which a tile begins in the one before
 
-/// How much of the neighbour's counts in a column of an overlap, the outermost being 0: all of it in the
+/// The neighbour's share in a column of an overlap, the outermost being 0: all of it in the
 /// outer half, then less and less.
 inline float neighbour_share(int column, int columns) {
     const float place = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns);
@@ -27,7 +27,7 @@ inline float neighbour_share(int column, int columns) {
 /// ends. A strip of up to 1.5 tiles is one.
 std::vector<TileSpan> tile_spans(int strip_width);
 
-/// What is around a tile already: pictures as tall as the tapestry, or empty.
+/// The finished neighbours of a tile: pictures as tall as the tapestry, or empty.
 struct TileNeighbours {
     cv::Mat left;   // CV_8UC3, the tile's first columns as the neighbour has them
     cv::Mat right;  // its last ones

@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// What is fixed in a target: pixels of `picture` where `share` says so.
+/// The fixed part of a target: pixels of `picture` where `share` says so.
 struct KnownPart {
     cv::Mat picture;  // CV_8UC3, of the target's size, or empty
     cv::Mat share;    // CV_32FC1 in [0, 1]; 1: the pixel is the picture's, 0: free

@@ -65,7 +65,7 @@ struct Run {
     }
 }
 
-/// How many matches from (x, y) on go on side by side.
+/// The number of matches from (x, y) on that go on side by side.
 [[gnu::always_inline]] inline int run_length(const MatchField& field, int x, int y) {
     const Match& begin = field.at(x, y);
     int length = 1;
@@ -152,7 +152,7 @@ __attribute__((target("avx2"))) void count_avx2(Ballot& ballot) {
 
 void take_votes(const PatchMatch& matches, const PatchImage& source, const PatchRules& rules,
                 PatchImage& target, const RunTasks& run) {
-    // What a unit of weight of the source counts, in votes of the target's own.
+    // The vote of a unit of weight of the source, in votes of the target's own.
     const auto share = static_cast<float>(static_cast<double>(matches.of_target().matches.size()) /
                                           std::max(1.0, matches.source_weight()));
     run((target.height() + band_rows - 1) / band_rows, [&](int band) {

@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// How far the weaving of a level has come.
+/// The progress of weaving a level.
 struct WovenSoFar {
     std::size_t tiles = 0;  // of tile_spans() that are done
     cv::Mat border;         // CV_8UC3, tile_overlap wide: the begin of the next one; empty where none is done

@@ -196,7 +196,7 @@ void ZoomFlow::spread(Grid& grid) const {
     }
 }
 
-/// What is unknown bends evenly between what is known.
+/// Unknown points bend evenly between the known ones.
 void ZoomFlow::smooth(Grid& grid) const {
     const double gap = static_cast<double>(tapestry_.height) / (rows - 1);
     const auto way = [&](int column, int row) {

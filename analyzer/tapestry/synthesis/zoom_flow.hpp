@@ -10,9 +10,9 @@
 
 namespace vitrine::analyzer {
 
-/// How all of a level goes over into the next finer one. Islands, which both show, move each at a constant
-/// speed; what lies between them is stretched, or comes out of the seams between them. Both levels drawn so,
-/// one over the other, are the continuous zoom: coherent in time, and each level itself at its end.
+/// The way of each point of a level into the next finer one. Islands, which both show, move each at a
+/// constant speed; what lies between them is stretched, or comes out of the seams between them. Both levels
+/// drawn so, one over the other, are the continuous zoom: coherent in time, and each level itself at its end.
 ///
 /// Of two points that are one, p of the coarser strip and q of the finer one, p is at most a brick's width
 /// from where q's time lies in the coarser strip: so one knows which tiles a view needs.
@@ -47,7 +47,7 @@ class ZoomFlow {
     /// @param is_to_finer  the tile is of the coarser level; else of the finer one
     ZoomField field(int tile, bool is_to_finer) const;
 
-    /// How much of the coarser strip is islands, [0, 1].
+    /// The share of the coarser strip that is islands, [0, 1].
     double matched() const;
 
   private:

@@ -23,7 +23,8 @@ struct ZoomPart {
     cv::Range used_fine;  // what is used of the finer strip: the same times as part.used
     int overlap = 0;      // px beyond what is used, with which the part to the right begins
 
-    /// What its picture shows of the strip at a moment, px: from one level's place to the other's evenly.
+    /// The columns of the strip that its picture shows at a moment, px: from one level's place to the other's
+    /// evenly.
     cv::Range columns(double share) const;
 
     /// For each pixel of those columns where `coarse` or `fine` has it, CV_32FC2.

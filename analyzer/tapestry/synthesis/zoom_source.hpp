@@ -32,7 +32,7 @@ class ZoomSource {
     void search(const PatchImage& target, const WantedPatches& wanted, int radius, std::uint32_t seed,
                 const RunTasks& run);
 
-    /// What the matched patches say. @param share  what one that matches exactly counts
+    /// Adds the votes of the matched patches. @param share  the vote of a patch that matches exactly
     void vote(ZoomVotes& votes, double share, const RunTasks& run) const;
 
   private:

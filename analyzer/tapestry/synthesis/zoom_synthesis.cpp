@@ -35,7 +35,7 @@ void add_left(const cv::Mat& left, KnownPixels& known) {
     }
 }
 
-/// Not 0 for each patch of which not all is known.
+/// A mask of patches: not 0 where some of a patch is unknown.
 cv::Mat free_patches(const cv::Mat& share) {
     cv::Mat free;
     cv::Mat counts;
@@ -44,7 +44,7 @@ cv::Mat free_patches(const cv::Mat& share) {
     return counts(cv::Rect(0, 0, share.cols - patch_side + 1, share.rows - patch_side + 1)) > 0;
 }
 
-/// What the votes say, with what is known.
+/// The picture that the votes and the known pixels give.
 cv::Mat counted(const ZoomVotes& votes, const KnownPixels& known) {
     cv::Mat picture = known.picture.clone();
     for (int y = 0; y < picture.rows; ++y) {

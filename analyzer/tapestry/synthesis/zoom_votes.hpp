@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// What patches say of a picture's pixels: sums of B, G, R and of the weights, a pixel.
+/// The votes of patches on a picture's pixels: sums of B, G, R and of the weights, a pixel.
 class ZoomVotes {
   public:
     ZoomVotes(int width, int height);

@@ -79,7 +79,7 @@ cv::Mat ZoomWarp::drawn(cv::Range columns, double share, const ValueOf& value_of
     return picture;
 }
 
-/// What lies between three points goes evenly from one to the other, as a graphics card has it.
+/// A triangle between three points goes evenly from one to the other, as a graphics card has it.
 void ZoomWarp::draw(const std::array<Corner, 3>& corners, int from, cv::Mat& picture) {
     const auto& [a, b, c] = corners;
     const auto [left, right] = std::minmax({a.place.x, b.place.x, c.place.x});

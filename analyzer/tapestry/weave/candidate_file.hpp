@@ -11,7 +11,7 @@
 
 namespace vitrine::analyzer {
 
-/// Of what film, so that no other is taken for it.
+/// The content of a film, so that no other is taken for it.
 struct FilmContent {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;

@@ -29,7 +29,7 @@ class CandidateWriter {
 
     bool is_empty() const { return entries_.empty(); }
 
-    /// Of the file so far.
+    /// The size of the file so far.
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(written_); }
 
     /// @param duration  of the film; at least up to the last frame counts

@@ -25,7 +25,7 @@ class Candidates {
 
     cv::Size brick() const { return brick_; }
 
-    /// Of the film.
+    /// The film's duration.
     std::chrono::nanoseconds duration() const { return duration_; }
 
     const FilmContent& content() const { return content_; }

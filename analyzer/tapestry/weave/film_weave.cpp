@@ -26,7 +26,7 @@ void remove_other_tiles(const fs::path& directory, const std::string& kept) {
         fs::remove_all(other);
 }
 
-/// How many levels an earlier weaving into the same folder of tiles has finished.
+/// The number of levels that an earlier weaving into the same folder of tiles has finished.
 std::size_t levels_woven(const fs::path& directory, const Tapestry& tapestry) {
     std::error_code error;
     if (!fs::exists(directory / "index.json", error)) return 0;
@@ -47,7 +47,7 @@ std::uint64_t bytes_in(const fs::path& folder) {
     return bytes;
 }
 
-/// Whether a level of that width may be begun, by what the levels so far, at least one, have taken.
+/// Says if a level of that width may be begun, by the bytes of the levels so far, at least one.
 bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t most_bytes) {
     if (most_bytes == 0) return true;
     double columns = 0;

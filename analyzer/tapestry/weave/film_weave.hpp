@@ -13,7 +13,7 @@
 
 namespace vitrine::analyzer {
 
-/// How a film's keyframes are chosen.
+/// The choice of a film's keyframes.
 struct WeaveChoice {
     int most_levels = 32;
     bool is_uniform = false;  // at equal distances, which needs no comparing
@@ -21,7 +21,7 @@ struct WeaveChoice {
         times;  // of the coarsest level, chosen by hand; empty: by clustering
 };
 
-/// What is kept of a film to weave it.
+/// The frames of a film that are kept to weave it.
 struct Film {
     std::unique_ptr<Candidates> candidates;
     std::chrono::nanoseconds duration{0};
@@ -42,14 +42,14 @@ constexpr int tile_file_width = 512;  // px
 
 Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick);
 
-/// What the index says of a level. @param keyframes  of the candidates
+/// The index entry of a level. @param keyframes  of the candidates
 TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates);
 
 /// Some keyframes of a film woven into a strip, in memory. CV_8UC3.
 cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
                     const RunTasks& run);
 
-/// How a pyramid is written.
+/// The settings of writing a pyramid.
 struct PyramidSettings {
     RetargetSettings retarget;
     std::uint64_t most_bytes = 0;  // of its tiles, about: a level that would go beyond is not begun; 0: any

@@ -13,7 +13,8 @@ namespace vitrine::analyzer {
 void write_jpeg(const std::filesystem::path& file, const cv::Mat& bgr);
 void write_png(const std::filesystem::path& file, const cv::Mat& bgr);
 
-/// What write_png() has written. @throws std::runtime_error, std::system_error, which name the file
+/// Reads a picture that write_png() has written. @throws std::runtime_error, std::system_error, which name
+/// the file
 cv::Mat read_png(const std::filesystem::path& file);
 
 /// The same in memory. @param quality  1 to 100; colours are not sampled down

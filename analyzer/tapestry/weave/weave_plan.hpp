@@ -10,8 +10,8 @@
 
 namespace vitrine::analyzer {
 
-/// What a weaving is about to do: kept beside the tapestry until that is complete, so that a weaving that was
-/// cut off is gone on with.
+/// The plan of a weaving: kept beside the tapestry until that is complete, so that a weaving that was cut off
+/// goes on.
 struct WeavePlan {
     std::string folder;             // of the tiles, below the index
     std::vector<Keyframes> levels;  // coarsest first, as numbers of the film's candidates

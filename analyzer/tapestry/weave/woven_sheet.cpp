@@ -24,7 +24,7 @@ Tapestry index_of(const Film& film, const std::vector<Keyframes>& levels) {
     return index;
 }
 
-/// As wide as the coarsest level, around the middle of the part above.
+/// The parts, each as wide as the coarsest level, around the middle of the part above.
 std::vector<Part> parts_of(const Tapestry& index) {
     const int width = index.levels[0].width;
     std::vector<Part> parts{{0, width}};

@@ -13,7 +13,7 @@
 
 namespace vitrine::analyzer {
 
-/// How a film of three equal pictures is written.
+/// The format of a film of three equal pictures.
 struct DrawnFilm {
     std::string caps;                                // of the raw pictures, behind "video/x-raw,"
     std::string chain = "avenc_ffv1 ! matroskamux";  // encoder and container: without loss

@@ -42,7 +42,7 @@ inline cv::Mat mixed(const cv::Mat& from, const cv::Mat& to, double share) {
     return out;
 }
 
-/// How far frame i is in a transition of frames [begin, end): 0 before, 1 after.
+/// The place of frame i in a transition of frames [begin, end): 0 before, 1 after.
 inline double progress(int i, int begin, int end) {
     return std::clamp((i - begin + 1.0) / (end - begin + 1.0), 0.0, 1.0);
 }

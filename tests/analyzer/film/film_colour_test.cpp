@@ -18,7 +18,7 @@ constexpr int tolerance = 3;
 using Rgb = std::array<double, 3>;
 using Code = std::array<int, 3>;  // Y, Cb, Cr
 
-/// What a film of this matrix, range and depth has for a colour in [0, 255]. BT.601 to BT.2020.
+/// The values of a film of this matrix, range and depth for a colour in [0, 255]. BT.601 to BT.2020.
 Code coded(Rgb rgb, double red, double blue, bool is_full, int bits = 8) {
     for (double& value : rgb)
         value /= 255;

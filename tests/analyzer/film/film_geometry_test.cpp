@@ -60,7 +60,7 @@ void set_matrix(const std::string& path, const Matrix& matrix) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// What the demuxer says of a film's orientation: "flip-rotate-0", ...; "" where it says nothing.
+/// The film's orientation as the demuxer tells it: "flip-rotate-0", ...; "" where it says nothing.
 std::string told_orientation(const std::string& path) {
     const std::string line = fmt::format("filesrc location={} ! qtdemux ! fakesink", path);
     GstElement* pipeline = gst_parse_launch(line.c_str(), nullptr);

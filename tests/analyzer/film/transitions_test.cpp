@@ -1,4 +1,4 @@
-// What is a transition and what is none, on drawn films.
+// Tells transitions from other changes on drawn films.
 
 #include "tests/analyzer/film/drawn_scenes.hpp"
 

@@ -19,7 +19,7 @@ struct Levels : DrawnLevels {
         return flow;
     }
 
-    /// What a field says of the point nearest to a place of the strip.
+    /// The field's value at the point nearest to a place of the strip.
     struct Known {
         Vec2 point;
         Vec2 place;
