@@ -96,8 +96,8 @@ class Weaving {
         if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
         if (!request_.zoom.empty()) draw_zoom(film, levels);
         if (!request_.directory.empty())
-            write_pyramid(request_.directory, head_, film,
-                          {.folder = new_tile_folder(request_.directory), .levels = levels}, pyramid_, run_);
+            PyramidWriter(request_.directory, film, pyramid_, run_)
+                .write(head_, {.folder = new_tile_folder(request_.directory), .levels = levels});
         return in_words(levels);
     }
 
@@ -112,7 +112,7 @@ class Weaving {
                     .levels = chosen_keyframes(*film.candidates, choice_, run_)};
             write_plan(directory, content_, *plan);
         }
-        write_pyramid(directory, head_, film, *plan, pyramid_, run_);
+        PyramidWriter(directory, film, pyramid_, run_).write(head_, *plan);
         remove_plan(directory);
         remove_kept_frames(directory);
         return in_words(plan->levels);

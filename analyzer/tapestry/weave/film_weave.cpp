@@ -56,24 +56,6 @@ bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uin
     return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(most_bytes);
 }
 
-/// The newest level of the tapestry: its tiles, its zoom fields, then the index that names them.
-void write_level(const fs::path& directory, const Tapestry& tapestry, const Film& film,
-                 const Keyframes& keyframes, const RetargetSettings& settings, const RunTasks& run) {
-    const Candidates& candidates = *film.candidates;
-    const std::size_t number = tapestry.levels.size() - 1;
-    const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
-    LevelFiles files(directory, tapestry, number, brickwork);
-    weave_level(
-        {.brickwork = brickwork,
-         .keyframe = [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); }},
-        [&](const cv::Mat& columns, const WovenSoFar& done) { files.add(columns, done); }, settings, run,
-        files.done());
-    files.finish();
-    if (number > 0) write_zoom(directory, tapestry, number, run);
-    write_tapestry(directory, tapestry);
-    files.remove_note();
-}
-
 }  // namespace
 
 Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
@@ -131,27 +113,43 @@ std::string new_tile_folder(const fs::path& directory) {
     }
 }
 
-Tapestry write_pyramid(const fs::path& directory, Tapestry tapestry, const Film& film, const WeavePlan& plan,
-                       const PyramidSettings& settings, const RunTasks& run) {
-    const Candidates& candidates = *film.candidates;
-    tapestry.duration = film.duration;
+/// Writes the newest level of the tapestry: its tiles, its zoom fields, then the index that names them.
+void PyramidWriter::write_newest_level(const Tapestry& tapestry, const Keyframes& keyframes) const {
+    const Candidates& candidates = *film_.candidates;
+    const std::size_t number = tapestry.levels.size() - 1;
+    const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
+    LevelFiles files(directory_, tapestry, number, brickwork);
+    weave_level(
+        {.brickwork = brickwork,
+         .keyframe = [&](int k) { return candidates.keyframe(keyframes[as_index(k)]); }},
+        [&](const cv::Mat& columns, const WovenSoFar& done) { files.add(columns, done); }, settings_.retarget,
+        run_, files.done());
+    files.finish();
+    if (number > 0) write_zoom(directory_, tapestry, number, run_);
+    write_tapestry(directory_, tapestry);
+    files.remove_note();
+}
+
+Tapestry PyramidWriter::write(Tapestry tapestry, const WeavePlan& plan) const {
+    const Candidates& candidates = *film_.candidates;
+    tapestry.duration = film_.duration;
     tapestry.folder = plan.folder;
     tapestry.height = tapestry_height(brickwork_of(plan.levels[0], candidates.brick()));
     tapestry.tile_width = tile_file_width;
     tapestry.brick_width = candidates.brick().width;
-    const std::size_t woven = levels_woven(directory, tapestry);
+    const std::size_t woven = levels_woven(directory_, tapestry);
     for (std::size_t i = 0; i < plan.levels.size(); ++i) {
         const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
-        if (i > 0 && !has_room(tapestry, bytes_in(directory / tapestry.folder), brickwork.width(),
-                               settings.most_bytes))
+        if (i > 0 && !has_room(tapestry, bytes_in(directory_ / tapestry.folder), brickwork.width(),
+                               settings_.most_bytes))
             break;
         tapestry.levels.push_back(level_of(plan.levels[i], candidates));
         tapestry.levels.back().has_zoom = i > 0;
-        if (i >= woven) write_level(directory, tapestry, film, plan.levels[i], settings.retarget, run);
+        if (i >= woven) write_newest_level(tapestry, plan.levels[i]);
     }
     tapestry.is_complete = true;
-    write_tapestry(directory, tapestry);
-    remove_other_tiles(directory, tapestry.folder);
+    write_tapestry(directory_, tapestry);
+    remove_other_tiles(directory_, tapestry.folder);
     return tapestry;
 }
 

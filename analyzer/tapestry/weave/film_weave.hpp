@@ -58,13 +58,29 @@ struct PyramidSettings {
 /// A folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
 std::string new_tile_folder(const std::filesystem::path& directory);
 
-/// Weaves all levels into a folder: tiles, and the index anew after each level, so that the coarsest can be
-/// shown while the finest is made. Goes on where an earlier weaving into the same tile folder was cut off;
-/// what comes of it does not depend on that. The tiles of other weavings go last, when nothing names them.
-/// @param tapestry  path, bytes and mtime_ns of the film
-/// @return          the index
-/// @throws std::system_error, std::runtime_error; they name the file
-Tapestry write_pyramid(const std::filesystem::path& directory, Tapestry tapestry, const Film& film,
-                       const WeavePlan& plan, const PyramidSettings& settings, const RunTasks& run);
+/// Weaves all levels of a film into a folder.
+class PyramidWriter {
+  public:
+    /// All that is given outlives this.
+    PyramidWriter(const std::filesystem::path& directory, const Film& film, const PyramidSettings& settings,
+                  const RunTasks& run)
+        : directory_(directory), film_(film), settings_(settings), run_(run) {}
+
+    /// Writes the tiles, and the index anew after each level, so that the coarsest can be shown while the
+    /// finest is made. Goes on where an earlier weaving into the same tile folder was cut off; the files do
+    /// not depend on that. Removes the tiles of other weavings last, when nothing names them.
+    /// @param tapestry  path, bytes and mtime_ns of the film
+    /// @return          the index
+    /// @throws std::system_error, std::runtime_error; they name the file
+    Tapestry write(Tapestry tapestry, const WeavePlan& plan) const;
+
+  private:
+    void write_newest_level(const Tapestry& tapestry, const Keyframes& keyframes) const;
+
+    const std::filesystem::path& directory_;
+    const Film& film_;
+    const PyramidSettings& settings_;
+    const RunTasks& run_;
+};
 
 }  // namespace vitrine::analyzer

@@ -30,9 +30,8 @@ const RetargetSettings quick{.quality = TileQuality::on_demand};
 Tapestry woven(const TemporaryDirectory& folder, FrameSource& source, int most_levels) {
     const Film film = gathered(source, folder.path, nullptr);
     const auto levels = chosen_keyframes(*film.candidates, {.most_levels = most_levels}, run_in_order);
-    return write_pyramid(folder.path, {.path = "drawn"}, film,
-                         {.folder = new_tile_folder(folder.path), .levels = levels}, {.retarget = quick},
-                         run_in_order);
+    return PyramidWriter(folder.path, film, {.retarget = quick}, run_in_order)
+        .write({.path = "drawn"}, {.folder = new_tile_folder(folder.path), .levels = levels});
 }
 
 /// Every tile is there, is a picture, and all together are as wide as the level.
@@ -128,7 +127,7 @@ TEST_CASE("a weaving that was cut off leaves what is whole, and is gone on with 
     const Film film = gathered(source, folder.path, nullptr);
     const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
     const auto weave = [&](const std::filesystem::path& into, const RunTasks& run) {
-        return write_pyramid(into, {.path = "drawn", .bytes = 7}, film, plan, {.retarget = quick}, run);
+        return PyramidWriter(into, film, {.retarget = quick}, run).write({.path = "drawn", .bytes = 7}, plan);
     };
     int runs = 0;
     const auto counted = [&](int count, const std::function<void(int)>& task) {
@@ -166,8 +165,8 @@ TEST_CASE("a tapestry that may take few bytes has its coarse levels only") {
     const Film film = gathered(source, folder.path, nullptr);
     const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
     const auto levels = [&](std::uint64_t most_bytes) {
-        return write_pyramid(folder.path, {}, film, plan, {.retarget = quick, .most_bytes = most_bytes},
-                             run_in_order)
+        return PyramidWriter(folder.path, film, {.retarget = quick, .most_bytes = most_bytes}, run_in_order)
+            .write({}, plan)
             .levels.size();
     };
     CHECK(levels(1) == 1);

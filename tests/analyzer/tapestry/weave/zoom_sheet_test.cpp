@@ -59,7 +59,8 @@ TEST_CASE("the two coarsest levels of a film are woven in memory as they are in 
     const Film film = gathered(source, folder.path, nullptr);
     const RetargetSettings quick{.quality = TileQuality::on_demand};
     const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
-    const Tapestry tapestry = write_pyramid(folder.path, {}, film, plan, {.retarget = quick}, run_in_order);
+    const Tapestry tapestry =
+        PyramidWriter(folder.path, film, {.retarget = quick}, run_in_order).write({}, plan);
     const LevelPair pair = woven_pair(film, plan.levels, quick, run_in_order);
 
     REQUIRE(pair.index.levels.size() == 2);
