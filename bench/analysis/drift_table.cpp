@@ -22,15 +22,15 @@ constexpr int window_width = 80;  // px in which drifts are told
 constexpr int window_height = 45;
 constexpr int frames = 60;
 constexpr int pans_of_a_kind = 12;
-constexpr double most_travel = 0.36;  // of each side over the take: beyond 40 % no drift may follow
+constexpr double most_travel = 0.36;  // share of each side over the take: beyond 40 % no drift may follow
 
-/// What else happens while the picture moves.
+/// A kind of take: the changes that come with its motion.
 struct Kind {
     const char* name;
     double noise = 1;         // grey levels
     double zoom = 1;          // at the end
     double light = 1;         // at the end
-    bool is_subject = false;  // whether the camera stands and a cut-out moves instead
+    bool is_subject = false;  // true: the camera stands and a cut-out moves
 };
 
 constexpr std::array<Kind, 5> kinds{{{"pan"},

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 const cv::Size frame_size(480, 270);
 constexpr double fps = 25;
 constexpr int drawn_scenes = 3;
-constexpr double world_scale = 1.7;  // of a photograph's width against the frame's
+constexpr double world_scale = 1.7;  // a photograph's width in the world, in widths of the frame
 
 /// Where a camera looks or a subject stands at a time from 0 to 1 of the take: frame widths, x right, y down.
 struct Pose {
@@ -36,8 +36,8 @@ struct Recipe {
     const char* name;
     double seconds = 3;
     Path camera;                 // offset over the world
-    std::vector<Path> subjects;  // of their centres, in the world, from the first picture's middle
-    double size = 0.3;           // of the frame's height
+    std::vector<Path> subjects;  // their centres in the world, from the first picture's middle
+    double size = 0.3;           // share of the frame's height
     double noise = 2;            // grey levels
 };
 
@@ -110,7 +110,7 @@ const std::vector<Recipe>& recipes() {
 struct CutOut {
     cv::Mat picture;
     std::array<double, 3> lobes{};
-    double width = 0.7;  // of its height
+    double width = 0.7;  // share of its height
 };
 
 CutOut cut_out(const cv::Mat& photo, cv::RNG& random) {

@@ -7,7 +7,7 @@
 
 namespace vitrine::analyzer {
 
-/// What takes are drawn with.
+/// The pictures that takes are drawn with.
 struct Palette {
     std::vector<cv::Mat> scenes;    // pictures in which nothing stands out
     std::vector<cv::Mat> subjects;  // pictures of which the middle is cut out
@@ -16,7 +16,7 @@ struct Palette {
 /// The photographs of a media folder, scenes being those labelled to have no subject, and drawn landscapes.
 Palette palette(const std::filesystem::path& media, int side);
 
-/// How many drawn takes there are.
+/// The number of drawn takes.
 std::size_t made_take_count();
 
 /// A drawn take: a cut-out that moves, its outline beating like limbs, over a scene, seen by a camera that

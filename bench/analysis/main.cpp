@@ -1,4 +1,4 @@
-// How good the analysis is, on any folder with ground truth in the format of ../shared/media:
+// Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
 //   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] [--verbose]
 
 #include "bench/analysis/tables.hpp"

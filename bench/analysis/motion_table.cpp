@@ -31,7 +31,7 @@ constexpr int take_side = 640;  // px, longest side at which masks are compared
 struct Held {
     double mean = 0;
     double worst = 1;
-    double area = 0;  // of the picture, mean over the frames
+    double area = 0;  // share of the picture, mean over the frames
     int frames = 0;
 
     void add(double share, double part) {
@@ -79,7 +79,7 @@ struct TakeScore {
     Held ours;
     Held letter;
     Held best_box;    // centred where the subject is on average
-    Held middle_box;  // of the picture
+    Held middle_box;  // a box in the middle of the picture
 };
 
 TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput& input) {

@@ -22,7 +22,7 @@ Box box_at(double x, double y, cv::Size size) {
     return {{x, y}, {x + size.width, y + size.height}};
 }
 
-/// How much each place speaks for a crop: smartcrop.js' detail, skin and saturation, weighted.
+/// The weight of each place for a crop: smartcrop.js' detail, skin and saturation.
 cv::Mat interest(const cv::Mat& bgr) {
     cv::Mat result(bgr.size(), CV_32FC1);
     cv::Mat grey;
@@ -54,7 +54,7 @@ cv::Mat interest(const cv::Mat& bgr) {
     return result;
 }
 
-/// How much a place counts, -1 to 1 from the crop's left to its right and top to bottom.
+/// The weight of a place, which is -1 to 1 from the crop's left to its right and top to bottom.
 double importance(double x, double y) {
     if (std::abs(x) > 1 || std::abs(y) > 1) return -0.5;
     const auto near_third = [](double at) {

@@ -6,8 +6,8 @@
 
 namespace vitrine::analyzer {
 
-// What other programs would keep of a picture if they may keep a given share of its area. All keep the
-// picture's aspect; boxes are px of the picture.
+// The parts of a picture that other programs would keep if they may keep a given share of its area. All keep
+// the picture's aspect; boxes are px of the picture.
 
 /// The middle.
 Box centre_crop(cv::Size size, double share);

@@ -21,11 +21,11 @@ std::vector<Box> boxes(const nlohmann::json& entry, const char* key);
 cv::Mat filled(cv::Size size, const std::vector<Box>& fractions);
 cv::Mat filled(cv::Size size, const Polygon& polygon);
 
-/// What a region holds of a subject; sums of several pictures where count > 1.
+/// The part of a subject that a region holds; sums of several pictures where count > 1.
 struct RegionScore {
     double iou = 0;
-    double coverage = 0;  // of the subject
-    double area = 0;      // of the picture
+    double coverage = 0;  // share of the subject
+    double area = 0;      // share of the picture
     int whole_faces = 0;
     int faces = 0;
     int count = 0;

@@ -7,7 +7,7 @@
 
 namespace vitrine::analyzer {
 
-/// How much a frame looks like the first of a new shot, as another detector sees it.
+/// The likeness of a frame to the first of a new shot, as another detector sees it.
 struct Suspicion {
     std::chrono::nanoseconds time{0};
     double score = 0;

@@ -1,7 +1,8 @@
-// How well and how fast shots are found: in edited films and exact composites with known transitions, and in
-// films of one take, where everything found is wrong. Beside it, in the same run, ffmpeg's scdet, an adaptive
-// detector and a plain histogram, each at the threshold that suits these very films best; they name no kinds,
-// so that what they report within a gradual transition counts as finding it.
+// Measures how well and how fast shots are found: in edited films and exact composites with known
+// transitions, and in films of one take, where every transition found is wrong. The same run measures
+// ffmpeg's scdet, an adaptive detector and a plain histogram, each at the threshold that suits these very
+// films best. They name no kinds, so a change that they report within a gradual transition counts as finding
+// it.
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/film/transition_detector.hpp"
@@ -35,7 +36,7 @@ struct Film {
     Truth truth;
     std::vector<Transition> found;
     std::array<std::vector<Suspicion>, peers> suspicions;
-    double decode_seconds = 0;  // of CPU
+    double decode_seconds = 0;  // processor time
     double detect_seconds = 0;
     int frames = 0;
 };

@@ -1,5 +1,6 @@
-// How well the regions of labelled photographs hold what people look at: ours, the paper's letter, and other
-// programs that may keep as much of the picture as our region of it. And what a picture costs.
+// Measures how well the regions of labelled photographs hold the things that people look at: our regions, the
+// paper's letter, and other programs that may keep as much of the picture as our region does. Also measures
+// the time for a picture.
 
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/faces.hpp"
@@ -50,7 +51,7 @@ AnalysisSettings by(ImageSaliency image) {
 
 struct Photo {
     cv::Mat picture;
-    double share = 0;  // of its area that our region has
+    double share = 0;  // share of the picture's area in our region
     FaceDetector& detector;
 };
 
@@ -155,7 +156,7 @@ double milliseconds(const std::function<void()>& work) {
     return 1000.0 * static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / rounds;
 }
 
-/// What each stage costs on a 320 px frame, one thread.
+/// Prints the time of each stage for a 320 px frame, one thread.
 void costs(const fs::path& folder, FaceDetector& faces) {
     if (!fs::exists(folder / "frames")) return;
     const cv::Mat a = picture(folder / "frames" / "00010.jpg", 320);

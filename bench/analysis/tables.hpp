@@ -5,7 +5,7 @@
 
 namespace vitrine::analyzer {
 
-/// What the tables measure on.
+/// The material that the tables measure on.
 struct TableInput {
     std::filesystem::path media;  // a folder with ground truth in the format of ../shared/media
     std::string face_model;       // YuNet's ONNX file; "": Viola-Jones

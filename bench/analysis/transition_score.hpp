@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// What one film's transitions truly are, in stream time.
+/// The true transitions of one film, in stream time.
 struct Truth {
     std::string file;
     double fps = 25;
@@ -38,7 +38,7 @@ struct Score {
     Score& operator+=(const Score& other);
 };
 
-/// What a detector names the transitions it finds.
+/// The names that a detector gives to the transitions it finds.
 enum class Names {
     kinds,  // a cut reported within a dissolve is false among the cuts
     none    // only times: what lies in a gradual transition finds it and is no false cut

@@ -71,7 +71,7 @@ Wrong wrong_changes(const std::string& file, int changes, int begins) {
     Wrong wrong;
     std::map<SourceId, std::chrono::nanoseconds> last;
     constexpr int turn = count;      // pictures from one change to the next
-    constexpr int fade = count / 2;  // of which both are shown
+    constexpr int fade = count / 2;  // pictures that show both shots
     ask(0);
     for (int tick = 0; tick < changes * turn; ++tick) {
         const int shot = tick / turn;

@@ -27,10 +27,10 @@ struct Job {
     int sources = 4;
     int seconds = 20;
     int width = 640;  // px that each is decoded to
-    int rate = 15;    // of the screen, a second
+    int rate = 15;    // pictures a second on the screen
 };
 
-/// What the film is by its own account.
+/// The properties that a film declares.
 struct Film {
     std::chrono::nanoseconds duration{0};
     int width = 0;

@@ -1,5 +1,5 @@
-// How long one frame takes to draw, against one full-screen picture drawn in the same run: absolute times
-// depend on the machine and what else it does, the ratio hardly.
+// Measures how long one frame takes to draw, against one full-screen picture drawn in the same run: absolute
+// times depend on the machine and its other work, the ratio hardly does.
 
 #include "player/display/offscreen_screen.hpp"
 #include "player/render/renderer.hpp"

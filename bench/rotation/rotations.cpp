@@ -1,4 +1,4 @@
-// How calm and how full a wall stays while its shots take turns.
+// Measures how calm and how full a wall stays while its shots take turns.
 //   rotations CATALOGUE [ROTATIONS [SLOTS]]
 // The wall of the scene with its planner, sources ready at once, nothing drawn. Moves are of the centroids of
 // the shots that stay, in shares of the canvas' diagonal; `seen` is the share of the canvas covered by
@@ -56,7 +56,7 @@ double filler_of(std::span<const PlacedShot> wall) {
     return sum / (canvas.x * canvas.y);
 }
 
-/// What is told of a stretch of rotations.
+/// The measures of a stretch of rotations.
 struct Stretch {
     std::vector<double> medians, greatest, seen, filler;
     int anew = 0;  // in which most of the others moved far

@@ -1,5 +1,6 @@
-// What a frame of a film's strip costs with the processor drawing: at rest, dragged, and in each frame of a
-// step from level to level, against one full-screen picture drawn in the same run. Tiles are noise.
+// Measures the cost of a frame of a film's tapestry with the processor drawing: at rest, dragged, and in each
+// frame of a step from level to level, against one full-screen picture drawn in the same run. Tiles are
+// noise.
 
 #include "player/display/offscreen_screen.hpp"
 #include "player/render/renderer.hpp"

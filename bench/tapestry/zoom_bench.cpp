@@ -1,4 +1,4 @@
-// What the zoom between two levels of a film's tapestry costs and how good it is, bent by a flow and
+// Measures the cost and the quality of the zoom between two levels of a film's tapestry, bent by a flow and
 // synthesised, in processor time.
 //   zoom_bench FILM... [--pictures DIR]
 
@@ -29,8 +29,8 @@ double mean_difference(const cv::Mat& a, const cv::Mat& b) {
     return (means[0] + means[1] + means[2]) / 3;
 }
 
-/// How far pictures are from the mean of their neighbours, both bent to their moment: mean grey levels. What
-/// changes evenly counts nothing.
+/// The difference between pictures and the mean of their neighbours, both bent to the picture's moment: mean
+/// grey levels. An even change counts nothing.
 double flicker(const StripZoom& zoom, const ZoomPictures& strips) {
     double sum = 0;
     const double step = 1.0 / static_cast<double>(strips.size() - 1);

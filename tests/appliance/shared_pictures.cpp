@@ -30,11 +30,11 @@ namespace {
 
 constexpr int width = 128;  // px
 constexpr int height = 72;
-constexpr int most_difference = 2;  // of a channel
+constexpr int most_difference = 2;  // levels of a channel
 
 // A picture of two halves in memory of the card, planes one after the other; its descriptor.
 int draw(int card, std::uint32_t& stride, std::uint64_t& bytes) {
-    std::uint32_t handle = 0;  // of 32 bits a pixel, as this card knows no other
+    std::uint32_t handle = 0;  // a buffer of 32 bits a pixel: this card knows no other
     std::uint64_t offset = 0;
     if (drmModeCreateDumbBuffer(card, width / 4, height * 3 / 2, 32, 0, &handle, &stride, &bytes) != 0)
         throw_errno("get memory of the card");

@@ -17,7 +17,7 @@ void require(bool is_so) {
     if (!is_so) std::abort();
 }
 
-/// What is read is within its limits, and is read again as it is written.
+/// Values that are read are within their limits, and survive writing and reading again.
 void require_sound(const Hints& hints) {
     using namespace std::chrono_literals;
     if (hints.dwell) require(*hints.dwell >= 1s && *hints.dwell <= std::chrono::seconds(max_dwell_seconds));

@@ -54,7 +54,7 @@ cv::Mat read_back(const std::string& path) {
     return result;
 }
 
-/// How many pixels have about this colour, RGB.
+/// The number of pixels that have about this colour, RGB.
 int line_pixels(const cv::Mat& pixels, cv::Scalar colour, double tolerance = 8) {
     cv::Mat found;
     cv::inRange(pixels, colour - cv::Scalar::all(tolerance), colour + cv::Scalar::all(tolerance), found);

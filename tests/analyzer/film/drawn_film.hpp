@@ -15,7 +15,7 @@ namespace vitrine::analyzer {
 
 /// The format of a film of three equal pictures.
 struct DrawnFilm {
-    std::string caps;                                // of the raw pictures, behind "video/x-raw,"
+    std::string caps;                                // caps of the raw pictures, behind "video/x-raw,"
     std::string chain = "avenc_ffv1 ! matroskamux";  // encoder and container: without loss
     std::vector<std::uint8_t> picture;               // all planes, rows without gaps
 };

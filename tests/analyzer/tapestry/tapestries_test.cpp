@@ -131,7 +131,7 @@ TEST_CASE("beyond the bound the tapestry looked at longest ago goes and is not w
     state.weave("newest", true, 1);
     for (const char* path : {"busy", "oldest", "newest"})
         tapestries.hold(film(path));
-    CHECK(state.age("oldest") == 80);  // what looks after it does not look at it
+    CHECK(state.age("oldest") == 80);  // holding a tapestry does not make it younger
     CHECK(tapestries.make_room("busy").empty());
     state.home.write("tapestry/" + record_id("busy") + "/more", std::string(1000, 'x'));
     tapestries.look_at("busy");

@@ -171,7 +171,7 @@ TEST_CASE("a child that is paused stands still until it goes on, and can be kill
     REQUIRE(grows(2));
     child.pause();
     for (int i = 0; i < 5; ++i)
-        loop.run_once(10ms);  // what it was just doing
+        loop.run_once(10ms);  // the loop finishes the work under way
     const auto before = marked();
     for (int i = 0; i < 20; ++i)
         loop.run_once(10ms);

@@ -110,7 +110,7 @@ struct House {
         return Catalogue(home.path / "catalogue").find(path);
     }
 
-    /// How many shots a film has so far, 0 without a record.
+    /// The number of shots that a film has so far, 0 without a record.
     std::size_t shots(const std::string& path) const {
         const auto found = record(path);
         return found ? found->shots.size() : 0;
@@ -121,7 +121,7 @@ struct House {
 
     std::size_t records() const { return Catalogue(home.path / "catalogue").load().size(); }
 
-    /// How often children were started.
+    /// The number of children that were started.
     std::size_t analyses() const {
         std::ifstream log(script.string() + ".log");
         return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(log), {}, '\n'));

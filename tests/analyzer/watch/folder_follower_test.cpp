@@ -50,7 +50,7 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     bool is_lost = false;
     while (!is_lost && schedule.paths_below("").size() < 50'000)
         is_lost = follower.read_events(now);
-    CHECK(is_lost);  // as it is with the kernel's usual 16,384 events
+    CHECK(is_lost);  // it happens with the kernel's usual 16,384 events
     follower.rescan(now);
     const double end = processor_seconds();
 

@@ -40,7 +40,7 @@ class Model {
         FileFacts facts;
         bool is_whole = false;
         bool is_sly = false;
-        Answer nature = Answer::final;  // what a child makes of it once it is whole
+        Answer nature = Answer::final;  // a child's answer once the file is whole
 
         Answer answer() const { return is_whole || is_sly ? nature : Answer::waiting; }
     };
@@ -49,12 +49,12 @@ class Model {
         std::uint64_t inode = 0;
         int parts = 1;                 // still to come
         bool is_reserving = false;     // the size is the last from the beginning; only the blocks grow
-        bool has_coarse_time = false;  // of the file system: the mtime stays
+        bool has_coarse_time = false;  // the file system's times are coarse: the mtime stays
         Schedule::Time written{};
     };
 
     struct Child {
-        File file;  // as it was at the start
+        File file;  // the file at the child's start
         Schedule::Time start{};
     };
 
@@ -64,7 +64,7 @@ class Model {
     };
 
     static constexpr Pace pace{.children = 2};
-    static constexpr auto run_time = 1s;  // of a child that nobody ends earlier
+    static constexpr auto run_time = 1s;  // the run of a child that nobody ends earlier
 
     int number(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
 
@@ -86,7 +86,7 @@ class Model {
         case 6:
             return rename(name(), name());
         case 7:
-            return rescan();  // as after an overflow of the queue
+            return rescan();  // it follows an overflow of the queue
         case 8:
             return see(name(), LookKind::local);  // an event too many
         case 9:
@@ -217,7 +217,7 @@ class Model {
         const Child child = children_.at(path);
         const bool is_there = files_.contains(path) && files_.at(path).facts.inode == child.file.facts.inode;
         children_.erase(path);
-        see(path, LookKind::local);  // as the daemon does
+        see(path, LookKind::local);  // the daemon does the same
         const Answer answer = is_there && chance(50) ? files_.at(path).answer() : child.file.answer();
         const Verdict verdict = schedule_.finish_analysis(path, answer, now_);
         if (verdict == Verdict::discard || verdict == Verdict::retry) return;

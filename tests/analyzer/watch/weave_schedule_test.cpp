@@ -49,7 +49,7 @@ TEST_CASE("the weaving of a film that goes is stopped, that of one that changes 
     schedule.request_film("film", 2, 1);
     CHECK(schedule.next_actions(false) == Actions{{Kind::stop, "film"}});
     CHECK(schedule.next_actions(true).empty());
-    schedule.finish_weaving("film", true);  // of what it was before
+    schedule.finish_weaving("film", true);  // the child wove the earlier content
     CHECK(schedule.next_actions(true) == Actions{{Kind::start, "film"}});
     schedule.forget_film("film");
     CHECK(schedule.next_actions(true) == Actions{{Kind::stop, "film"}});

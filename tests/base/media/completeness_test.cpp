@@ -134,7 +134,7 @@ TEST_CASE("an animated GIF is waited for until its last picture is there, though
     CHECK(refusal_of(whole + "what follows", MediaFormat::gif).empty());
     const std::size_t in_second = whole.size() - 4;
     CHECK(refusal_of(whole.substr(0, in_second), MediaFormat::gif).starts_with("the copy is not complete"));
-    const std::size_t before_second_data = whole.size() - 7;  // nothing of its pixels
+    const std::size_t before_second_data = whole.size() - 7;  // before any of its pixels
     CHECK(refusal_of(whole.substr(0, before_second_data), MediaFormat::gif)
               .starts_with("the copy is not complete"));
     CHECK(refusal_of(whole.substr(0, whole.size() - 1), MediaFormat::gif).empty());  // some leave the end out

@@ -28,7 +28,7 @@ std::string packets(int count, std::size_t stamp) {
     return stream;
 }
 
-/// How many of all places where a stream may break off are not seen: those between two packets.
+/// The number of places where a break of the stream is not noticed: the places between two packets.
 int unseen(const std::string& stream, MediaFormat format) {
     int places = 0;
     for (std::size_t end = 20; end < stream.size(); ++end)

@@ -28,7 +28,7 @@ TEST_CASE("a content that was being opened in two crashes in a row is quarantine
     const PlayingNote note{.opening = {content_name(record)}, .playing = {photo}};
     CHECK_FALSE(is_quarantined(crashes(1, note), record));
     CHECK(is_quarantined(crashes(2, note), record));
-    CHECK(crashes(9, note).size() == 1);  // what merely played has no part in it
+    CHECK(crashes(9, note).size() == 1);  // a file that merely played has no part in it
 
     record.mtime_ns = 2;
     CHECK_FALSE(is_quarantined(crashes(2, note), record));

@@ -49,7 +49,7 @@ TEST_CASE("a new directory is told, and read after it was added nothing in it is
     CHECK(events == std::vector<DirectoryEvent>{{Kind::directory_added, directory.path, "r"}});
 
     REQUIRE(watch.add(directory.path / "r"));
-    CHECK(fs::exists(directory.path / "r" / "b"));  // what only reading shows
+    CHECK(fs::exists(directory.path / "r" / "b"));  // only reading shows it
     REQUIRE(watch.add(directory.path / "r" / "b"));
     directory.write("r/b/x.jpg", "x");
     CHECK(has(watch.read(), {Kind::written, directory.path / "r" / "b", "x.jpg"}));

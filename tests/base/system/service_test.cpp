@@ -34,7 +34,7 @@ std::string received(const UniqueFd& fd) {
     return n < 0 ? "" : std::string(buffer.data(), static_cast<std::size_t>(n));
 }
 
-/// What is told next, and the descriptor that comes with it.
+/// The next message, and the descriptor that comes with it.
 std::pair<std::string, UniqueFd> received_with_descriptor(const UniqueFd& fd) {
     std::array<char, 512> text{};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int)) + CMSG_SPACE(sizeof(ucred))> control{};

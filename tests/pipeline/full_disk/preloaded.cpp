@@ -65,7 +65,7 @@ std::string path_at(int folder, const char* name) {
     return (folder == AT_FDCWD ? link_target("/proc/self/cwd") : path_of(folder)) + "/" + name;
 }
 
-/// Whether there is no room any more for what needs some here.
+/// True: a call that needs room here finds none any more.
 bool is_full(const std::string& path) {
     if (!is_below(path) || calls() == nullptr) return false;
     const std::uint64_t number = calls()->so_far.fetch_add(1) + 1;

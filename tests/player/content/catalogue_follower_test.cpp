@@ -59,7 +59,7 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
 
     catalogue.store(record("red"));
     catalogue.store(record("broken", 1, MediaState::failed));
-    CHECK(wait_for_change().added == std::vector<std::string>{"red"});  // what is not ready is not told
+    CHECK(wait_for_change().added == std::vector<std::string>{"red"});  // only ready files are told
 
     catalogue.store(record("red", 2));
     CHECK(wait_for_change().replaced == std::vector<std::string>{"red"});

@@ -139,7 +139,7 @@ struct Asked {
 
     void start() { object.emplace(loop, handlers(), std::make_unique<FakeAuthority>(loop, refusal)); }
 
-    /// What a client of its own thread does meanwhile; its error comes out here.
+    /// Serves while a client asks in a thread of its own; the client's error comes out here.
     void serve(const std::function<void(ControlClient&)>& ask) {
         std::future<void> asking = std::async(std::launch::async, [&] {
             ControlClient client;

@@ -14,7 +14,7 @@ namespace {
 struct Watched {
     Health health;
     std::vector<ScreenState::Screen> screens{};
-    std::vector<bool> flips{};  // of each screen
+    std::vector<bool> flips{};  // true: this screen flips
     bool is_away = false;
     std::size_t items = 4;
     std::chrono::nanoseconds now = 0s;
@@ -24,7 +24,7 @@ struct Watched {
         flips.push_back(does_flip);
     }
 
-    /// How often systemd is told in this time.
+    /// The number of times that systemd is told in this time.
     int run(std::chrono::nanoseconds duration) {
         int fed = 0;
         for (const auto end = now + duration; now < end; now += 100ms) {

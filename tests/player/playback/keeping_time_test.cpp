@@ -73,7 +73,7 @@ struct Stalling final : FilmFeed {
 
 /// A machine that films are decoded on, as fast as its cores allow, in a time of its own.
 struct Machine {
-    static constexpr auto period = 33ms;                           // of the films' pictures
+    static constexpr auto period = 33ms;                           // time between the films' pictures
     static constexpr auto ahead = 5 * period;                      // decoded at most
     static constexpr std::chrono::nanoseconds keys = 10 * period;  // from one key picture to the next
 
@@ -127,7 +127,7 @@ struct Machine {
         SampleQueue& queue;
         Detail detail = Detail::all;
         std::chrono::nanoseconds next;
-        std::chrono::nanoseconds done{0};  // of the next picture
+        std::chrono::nanoseconds done{0};  // when the next picture is done
         std::chrono::nanoseconds cost{0};
     };
 

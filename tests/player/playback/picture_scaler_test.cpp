@@ -105,7 +105,7 @@ TEST_CASE("planes much larger than they are shown are made smaller before they a
 TEST_CASE("HDR films are as bright as a usual screen shows them, others untouched, whatever the form") {
     struct Film {
         const char* colorimetry;
-        int grey;      // as coded: paper white of each
+        int grey;      // code of each one's paper white
         int expected;  // tone_map_test.cpp
     };
 

@@ -11,7 +11,7 @@ using namespace vitrine;
 using namespace vitrine::player;
 using namespace std::chrono_literals;
 
-constexpr int filler_percent = 30;  // of the picture's light
+constexpr int filler_percent = 30;  // percent of the picture's light
 
 TEST_CASE("filler shows the picture's mirror, darkened") {
     DrawnWall wall;
@@ -49,7 +49,7 @@ TEST_CASE("filler lets nothing of a photo or a film be recognised") {
         CAPTURE(uploads);
         CAPTURE(darkest);
         CAPTURE(brightest);
-        CHECK(brightest - darkest <= 20);  // of the board's 250
+        CHECK(brightest - darkest <= 20);  // the board's difference is 250
         CHECK(brightest <= 60);
         CHECK(darkest >= 10);
     }

@@ -181,5 +181,5 @@ TEST_CASE(
         CHECK(picture_form(device, true) == PictureForm::shared);
     }
     const DrawnWall wall;
-    CHECK(is_software(gl_device()));  // that of the tests
+    CHECK(is_software(gl_device()));  // the tests' device
 }

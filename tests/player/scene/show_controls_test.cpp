@@ -36,7 +36,7 @@ struct Shown {
         return paths;
     }
 
-    /// How many of the files that were there are not any more.
+    /// The number of files that were there before and are not any more.
     std::size_t gone(const std::set<std::string>& before) const {
         const std::set<std::string> after = paths();
         return static_cast<std::size_t>(

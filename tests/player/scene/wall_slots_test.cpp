@@ -18,7 +18,7 @@ namespace {
 
 /// Shows at once whatever the slots hold, and counts how often each shot came.
 struct Player {
-    WallSlots slots;  // that does not look ahead, so that turns come at their time
+    WallSlots slots;  // slots that do not look ahead, so that turns come at their time
     std::chrono::nanoseconds now = 0s;
     std::map<SourceId, ShotKey> seen{};
     std::map<ShotKey, int> times{};
@@ -163,7 +163,7 @@ TEST_CASE("the next shot is chosen before the last has had its time, and says wh
     slots.advance(28900ms);
     CHECK(slots.shots() == second);
     slots.set_catalogue(photos(1));
-    CHECK_FALSE(slots.due());  // what is gone leaves at once
+    CHECK_FALSE(slots.due());  // a shot whose file is gone leaves at once
 }
 
 TEST_CASE("a film that others keep waiting leaves at the end of a loop, where that is soon") {
@@ -224,7 +224,7 @@ Files random_files(std::mt19937_64& engine) {
     return files;
 }
 
-/// How often each shot has come to the wall.
+/// Counts the visits of each shot to the wall.
 class Rounds {
   public:
     explicit Rounds(const std::vector<MediaRecord>& records) {
@@ -250,7 +250,7 @@ class Rounds {
     }
 
   private:
-    /// Nothing comes again while something waits that has not come at all, or is a whole round behind.
+    /// No shot comes again while another one waits that has not come at all, or is a whole round behind.
     void check(const ShotKey& key) const {
         const int before = times_.at(key);
         for (const auto& [other, times] : times_)

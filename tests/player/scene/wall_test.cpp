@@ -226,8 +226,8 @@ TEST_CASE("a source that does not get ready in time gives way to another") {
     House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
     house.readies = false;
     house.run(1s);
-    house.wall.source_ready(house.playing.begin()->first);  // of a
-    house.readies = true;                                   // what is asked for from now on
+    house.wall.source_ready(house.playing.begin()->first);  // file a
+    house.readies = true;  // sources that are asked for from now on are ready
     CHECK(house.run(12s).frame.items.size() == 2);
     CHECK(shown_paths(house) == std::vector<std::string>{"a", "c"});
     CHECK(house.playing.size() == 2);

@@ -364,7 +364,7 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     std::size_t most = 0;
     std::chrono::nanoseconds now = 0s;
     for (std::size_t before = 0; tapestry.show().tile_count() < 4;
-         now += 16ms) {  // those of the test's timeout
+         now += 16ms) {  // ends at the test's timeout
         tapestry.step(now, theatre.renderer);
         most = std::max(most, tapestry.show().tile_count() - before);
         before = tapestry.show().tile_count();

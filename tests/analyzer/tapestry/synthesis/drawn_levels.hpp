@@ -53,7 +53,7 @@ struct DrawnLevels {
 
     const cv::Size brick;
     const int stripes;
-    const std::vector<int> kept{0, 3, 4, 7};  // of the finer level: each stays in its row
+    const std::vector<int> kept{0, 3, 4, 7};  // places in the finer level: each stays in its row
     Tapestry tapestry;
     cv::Mat coarse;
     cv::Mat fine;

@@ -68,7 +68,7 @@ TEST_CASE("what both levels show goes from its one place to its other one at a c
     for (std::size_t k = 0; k < zoomed.kept.size(); ++k) {
         const double from = zoomed.tapestry.middle(0, k);
         const double to = zoomed.tapestry.middle(1, static_cast<std::size_t>(zoomed.kept[k]));
-        const cv::Size seen(30, 20);  // of the brick's 60 x 32
+        const cv::Size seen(30, 20);  // part of the brick's 60 x 32
         const int top =
             zoomed.brick.height * static_cast<int>(k % 2) + (zoomed.brick.height - seen.height) / 2;
         const cv::Mat brick = zoomed.coarse(cv::Rect({static_cast<int>(from) - seen.width / 2, top}, seen));

@@ -20,7 +20,7 @@ namespace {
 using Outline = std::vector<std::pair<std::int32_t, std::int32_t>>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-constexpr std::int32_t origin = 1 << 25;  // as the cells have it
+constexpr std::int32_t origin = 1 << 25;  // the same as in the cells
 constexpr std::int32_t tile = 1 << 16;
 
 /// Convex outlines, each in a tile of its own: boxes that line up, octagons with common directions, and
@@ -86,7 +86,7 @@ TEST_CASE("circles found with rounding where it is harmless give the diagram of 
         const auto exact = corners_of<Exact>(all);
         const auto checked = corners_of<Checked>(all);
         REQUIRE(exact.size() == checked.size());
-        double farthest = 0;  // of a corner from the nearest exact one, grid units
+        double farthest = 0;  // largest distance of a corner from the nearest exact one, grid units
         for (const auto& [x, y] : checked) {
             double nearest = 1e9;
             for (const auto& [u, v] : exact)

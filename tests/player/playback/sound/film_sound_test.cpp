@@ -18,7 +18,7 @@ using std::chrono::nanoseconds;
 namespace {
 
 constexpr nanoseconds window = 40ms;
-constexpr nanoseconds alignment = 20ms;  // of one piece to the next: some containers count roughly
+constexpr nanoseconds alignment = 20ms;  // from one piece to the next: some containers count roughly
 constexpr nanoseconds tolerance = 100ms;
 constexpr nanoseconds seam = 250ms;  // within it some decoders give nothing yet
 constexpr int silence = -1;
@@ -115,7 +115,7 @@ TEST_CASE("what is heard belongs to the picture's time, loop after loop") {
             CHECK(second == in_part(part, local) / nanoseconds(1s));
             ++right;
         }
-        CHECK(right * window > 5s);  // of 9, without those next to a change
+        CHECK(right * window > 5s);  // 9 s, less the windows next to a change
         CHECK_FALSE(sound.failure().has_value());
     }
 }

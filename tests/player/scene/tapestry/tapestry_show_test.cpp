@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Gesture::Kind;
 
-constexpr Vec2 on_strip{200, 280};  // of a canvas of 640 x 360
+constexpr Vec2 on_strip{200, 280};  // canvas px, on a canvas of 640 x 360
 constexpr auto frame_time = 16'666'667ns;
 
 /// The player around a strip: tiles come at once, films when they are asked for.

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Box box{{0, 200}, {320, 290}};  // as high as the strip: a strip's px is a canvas px
+constexpr Box box{{0, 200}, {320, 290}};  // equally high to the strip: a strip's px is a canvas px
 
 bool is_near(std::chrono::nanoseconds a, std::chrono::nanoseconds b) {
     return std::chrono::abs(a - b) < 1us;
