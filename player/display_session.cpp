@@ -62,7 +62,7 @@ void DisplaySession::make_renderer() {
     log::info("films: {}", in_words(form));
 }
 
-/// What the renderer has made ends in the context that it was made in.
+/// The renderer's GL objects must end in the context in which they were made.
 void DisplaySession::drop_renderer() {
     if (!renderer_) return;
     gl_->make_current(EGL_NO_SURFACE);

@@ -95,7 +95,7 @@ class DisplaySession {
     std::shared_ptr<Egl> gl_;                // the renderer's context, shared with the display
     std::unique_ptr<Renderer> renderer_;     // none: no display so far, or its context went with the card
     EventLoop::Clock::time_point next_try_;  // to open the display
-    EventLoop::Source events_;               // of the display
+    EventLoop::Source events_;               // the display's events
     int noted_side_ = 0;                     // px, the size of the screens in the note for the analyzer
 };
 

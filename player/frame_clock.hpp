@@ -21,7 +21,7 @@ class FrameClock {
     /// The next frame has been shown at its own time, however long it took.
     void advance_exactly() { ++index_; }
 
-    /// Nothing was to be shown until now: frames that were due meanwhile are not late.
+    /// There was no picture to show until now: frames that were due meanwhile are not late.
     void skip_to(std::chrono::nanoseconds now);
 
     std::int64_t pictures() const { return index_ - skipped_ - late_; }

@@ -30,7 +30,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto report_interval = 5s;
-constexpr std::size_t max_status_bytes = 64U << 20;  // of the analyzer's status.json
+constexpr std::size_t max_status_bytes = 64U << 20;  // largest size of the analyzer's status.json
 
 const char* tier_of(const SourceState& source) {
     if (!source.is_film) return "photo";

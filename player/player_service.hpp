@@ -43,7 +43,7 @@ struct PlayerView {
 
 /// The changes of a player that the service asks for.
 struct PlayerActions {
-    std::function<void(const ShowControls&)> set_controls;  // of all walls
+    std::function<void(const ShowControls&)> set_controls;  // sets the controls of all walls
     std::function<void(const MediaRecord&)> dismiss;        // takes a file off the wall
     std::function<void()> reload;                           // the settings; throws what is wrong with them
 };
@@ -85,7 +85,7 @@ class PlayerService {
     MetricsFile metrics_;
     std::chrono::nanoseconds now_{0};       // the time of the last look()
     std::chrono::nanoseconds reported_{0};  // when systemd was told last
-    std::uint64_t flips_ = 0;               // of the first screen at that time
+    std::uint64_t flips_ = 0;               // flips of the first screen at that time
     double rate_ = 0;                       // flips a second since the report before
     EventLoop::Source report_;
     std::optional<BusObject> bus_;

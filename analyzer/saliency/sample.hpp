@@ -30,7 +30,7 @@ constexpr int map_side = 160;
 /// A frame and the frame directly before it.
 struct FramePair {
     cv::Mat frame;       // CV_8UC3, not empty
-    cv::Mat before;      // of the same size; empty at the start
+    cv::Mat before;      // the frame before, equally large; empty at the start
     double seconds = 1;  // from one to the other, > 0
 };
 

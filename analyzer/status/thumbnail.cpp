@@ -34,7 +34,7 @@ struct Free {
 /// The region as it lies in this frame, thumbnail px.
 std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, const FilmFrame& frame,
                                cv::Size size) {
-    constexpr int shift = 16;  // of cv::polylines: fractions of px
+    constexpr int shift = 16;  // fraction bits of a coordinate for cv::polylines
     const double seconds = std::chrono::duration<double>(frame.time - shot.begin).count();
     std::vector<cv::Point> corners;
     for (const Vec2 corner : shot.region.polygon) {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr auto max_unused_age = std::chrono::minutes(10);  // of a thumbnail that no file on the page has
+constexpr auto max_unused_age = std::chrono::minutes(10);  // for a thumbnail that no file on the page has
 constexpr std::size_t max_picture_bytes = 4U << 20;
 constexpr std::string_view ending = ".jpg";
 

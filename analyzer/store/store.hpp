@@ -14,8 +14,8 @@ namespace vitrine::analyzer {
 /// The limits of the store.
 struct StoreBounds {
     std::uint64_t max_bytes = 0;       // 0: nothing is stored
-    std::uint64_t min_free_bytes = 0;  // that the disk keeps free
-    int clip_side = 0;                 // px that clips made now would have; 0: their size does not matter
+    std::uint64_t min_free_bytes = 0;  // bytes that the disk keeps free
+    int clip_side = 0;                 // px, side of clips made now; 0: the size does not matter
 };
 
 /// The store as the daemon knows it: the files in it, and the records that name them. The analysing children

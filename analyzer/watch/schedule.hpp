@@ -66,10 +66,10 @@ enum class Answer {
 
 /// The fate of a child's answer.
 enum class Verdict {
-    store,       // as it is
+    store,       // store the record as it is
     give_up,     // store it as failed: it has waited long enough
     quarantine,  // store it as quarantined
-    retry,       // nothing is stored yet
+    retry,       // store nothing yet, try again
     discard,     // the file changed or went in the meantime
 };
 

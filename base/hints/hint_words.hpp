@@ -35,7 +35,7 @@ struct HintWord {
     std::string_view allowed;  // the values that may stand there, in words
 
     bool (*assign)(Hints&, const HintValue&);                 // false: the value is not allowed
-    std::optional<HintValue> (*value)(const Hints&);          // nothing: not said
+    std::optional<HintValue> (*value)(const Hints&);          // none: the hints do not say it
     bool (*read)(Hints&, std::string_view word, NameWords&);  // false: the word is another hint or a name, or
                                                               // the hint was said before
     std::string (*in_words)(const Hints&);                    // for the operator; only if the hint is said

@@ -16,7 +16,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr int max_boxes = 100'000;                // that are read at the top level of one file
+constexpr int max_boxes = 100'000;                // boxes read at the top level of one file
 constexpr std::uint64_t slack = 8;                // bytes that sloppy writers declare too much
 constexpr std::uint64_t trailing_zeros = 65'536;  // bytes of padding that a sparse copy may leave out
 constexpr std::uint64_t unlimited = std::uint64_t{1} << 62;  // larger sizes are nonsense and would overflow
@@ -155,7 +155,7 @@ class TiffNumbers {
 struct TiffList {
     std::uint64_t at = 0;
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  // of one number, 2 to 8
+    std::uint64_t bytes = 0;  // size of one number, 2 to 8
 };
 
 // The byte behind the last piece of a picture. @param starts, lengths  lists of the pieces' places and
@@ -174,7 +174,7 @@ std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, con
 // The layout of a directory: TIFF counts with 4 bytes, BigTIFF, for files beyond 4 GiB, with 8.
 struct TiffLayout {
     std::uint64_t directory_at = 4;  // byte of the file that holds its position
-    std::uint64_t number_bytes = 4;  // of a position or a count
+    std::uint64_t number_bytes = 4;  // size of a position or a count
     std::uint64_t entries_bytes = 2;
 
     std::uint64_t entry_bytes() const { return 4 + 2 * number_bytes; }

@@ -15,7 +15,7 @@ namespace vitrine {
 using DecoderMap = std::map<std::string, std::string>;
 
 struct DecodeOptions {
-    int max_threads = 1;  // of the decoder; 1 decodes in the demuxer's own thread
+    int max_threads = 1;  // decoder threads; 1: it decodes in the demuxer's own thread
     DecoderMap instead;   // decoders that replace those of the table
 };
 

@@ -12,13 +12,13 @@ namespace vitrine {
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! tail
 ///
-/// As in a DecodeChain, a file reaches only the elements that the table of decoders names. The caller may use
+/// A file reaches only the elements that the table of decoders names, as in a DecodeChain. The caller may use
 /// the pipeline freely. Its errors arrive as messages; a film without sound is one of them.
 class SoundChain {
   public:
     enum class Form {
         raw,    // decoded
-        coded,  // as in the film, without the decoder
+        coded,  // the film's own coding, not decoded
     };
 
     /// Builds the pipeline and leaves it in state NULL.

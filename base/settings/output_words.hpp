@@ -21,7 +21,7 @@ std::optional<std::vector<ScreenSize>> screen_sizes_named(std::string_view text)
 /// A length on a screen, the sum of both members.
 struct ScreenLength {
     double pixels = 0;
-    double share = 0;  // of the screen's width or height
+    double share = 0;  // share of the screen's width or height
 
     bool operator==(const ScreenLength&) const = default;
 };

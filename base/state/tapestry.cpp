@@ -19,7 +19,7 @@ namespace {
 constexpr int version = 1;
 constexpr const char* index_name = "index.json";
 constexpr std::size_t max_levels = 32;
-constexpr std::size_t max_keyframes = 200'000;  // of a level
+constexpr std::size_t max_keyframes = 200'000;  // in one level
 constexpr int max_side = 4096;                  // px, of a tile or a brick
 constexpr int max_width = 100'000'000;          // px, of a level
 

@@ -32,7 +32,7 @@ enum class Visibility {
 struct FileVisibility {
     std::string path;  // relative to the media folder, any bytes
     Visibility visibility = Visibility::waits_for_turn;
-    std::string detail;  // what the filter knows of this file, such as its hours; may be empty
+    std::string detail;  // more about this file from the filter, such as its hours; may be empty
 
     bool operator==(const FileVisibility&) const = default;
 };

@@ -22,7 +22,7 @@ struct DirectoryEvent {
     };
 
     Kind kind = Kind::changed;
-    std::filesystem::path directory;  // as given to add()
+    std::filesystem::path directory;  // the path given to add()
     std::string name;                 // in that directory, any bytes; empty for self_gone
 
     bool operator==(const DirectoryEvent&) const = default;

@@ -19,7 +19,7 @@ void bound_memory() {
 
 void keep_freed_memory() {
     constexpr int max_kept = 64 << 20;
-    constexpr int max_on_heap = 32 << 20;  // as much as glibc allows
+    constexpr int max_on_heap = 32 << 20;  // the largest value that glibc allows
     ::mallopt(M_TRIM_THRESHOLD, max_kept);
     ::mallopt(M_MMAP_THRESHOLD, max_on_heap);
 }

@@ -8,7 +8,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr int max_extents = 100'000;  // of a file; beyond them all counts as written
+constexpr int max_extents = 100'000;  // in one file; a file with more counts as written
 
 }  // namespace
 

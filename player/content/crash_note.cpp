@@ -155,7 +155,7 @@ void CrashNote::write() {
     if (stream && !failure) return;
     is_active_ = false;
     fs::remove(unfinished(file), failure);
-    fs::remove(file, failure);  // what it says is not true any more
+    fs::remove(file, failure);  // its text is not true any more
     log::warning("what plays cannot be noted in '{}': a file that brings the player down is not found out",
                  state_.string());
 }

@@ -21,7 +21,7 @@ class Rehearsal;
 
 /// The folder that one screen or more show.
 struct ShownFolder {
-    std::string folder;  // of the output, below the media folder; empty: all files
+    std::string folder;  // the output's folder, below the media folder; empty: all files
     std::string opened;  // a visitor looks into this folder only; empty: into all
 
     bool operator==(const ShownFolder&) const = default;
@@ -52,7 +52,7 @@ class VisibleFiles {
     /// The files that may be shown, ordered by path.
     const RecordList& records() const { return visible_; }
 
-    /// How they are shown.
+    /// The hints by which the files are shown.
     const ShowHints& hints() const { return hours_.hints(); }
 
     /// The number of files in each state of the analyzer.

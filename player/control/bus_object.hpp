@@ -49,7 +49,7 @@ class BusObject {
     std::unique_ptr<sd_bus_slot, Unref> named_;
     std::unique_ptr<Authority> authority_;  // asks over the bus: ends before it
     EventLoop::Source retry_;
-    std::string complaint_;  // as last logged
+    std::string complaint_;  // the complaint logged last
 };
 
 }  // namespace vitrine::player

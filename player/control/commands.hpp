@@ -37,7 +37,7 @@ bool takes_off(const Command& command);
 
 /// The arguments of a call.
 struct CommandCall {
-    std::string file;    // as somebody typed it, any bytes
+    std::string file;    // the typed name, any bytes
     std::string folder;  // absolute, the folder in which it was typed
     int slot = 0;
     bool is_on = true;

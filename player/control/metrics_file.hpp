@@ -18,7 +18,7 @@ class MetricsFile {
 
   private:
     std::chrono::nanoseconds next_{0};
-    std::string complaint_;  // as last logged
+    std::string complaint_;  // the complaint logged last
 };
 
 /// Degrees Celsius of the hottest thermal zone; none: the machine has no zone.

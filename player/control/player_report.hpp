@@ -13,7 +13,7 @@
 namespace vitrine::player {
 
 struct ScreenReport {
-    std::string name;  // of the output
+    std::string name;  // the output's name
     int width = 0;     // px
     int height = 0;
     double refresh = 0;  // pictures a second, 0: not known
@@ -47,7 +47,7 @@ struct PlayerReport {
     std::int64_t late = 0;                    // left out, as they came too late
     std::uint64_t film_late = 0;              // pictures of films that came too late
     double rate = 0;                          // pictures a second that reach each display
-    std::chrono::milliseconds since_flip{0};  // of the display that waits longest
+    std::chrono::milliseconds since_flip{0};  // time of the display that waits longest
     bool is_paused = false;
     std::vector<std::string> pinned;     // files
     std::vector<std::string> dismissed;  // files
@@ -56,13 +56,13 @@ struct PlayerReport {
 /// The facts about one file of the media folder.
 struct FileReport {
     std::string path;   // from the media folder on; where there is no such file the name that was given
-    std::string state;  // of its record; "new": not looked at yet, "unknown": not in the media folder
+    std::string state;  // its record's state; "new": not looked at yet, "unknown": not in the media folder
     std::string reason;
     std::string kind;
     int width = 0;  // px
     int height = 0;
     std::size_t shots = 0;
-    FileVisibility visibility;  // of a file with a record
+    FileVisibility visibility;  // for a file with a record
     std::vector<int> slots;     // its places on the wall
     bool is_pinned = false;
     bool is_dismissed = false;

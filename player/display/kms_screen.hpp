@@ -90,7 +90,7 @@ class KmsScreen final : public Screen {
     bool is_lost_ = true;  // the last frame is not to be seen
     Time awaited_since_ = std::chrono::steady_clock::now();
     std::uint64_t flip_ = 0;   // the last one requested
-    std::uint64_t flips_ = 0;  // that the card has reported
+    std::uint64_t flips_ = 0;  // flips that the card has reported
     std::unique_ptr<Scanout> scanout_;
     std::optional<ScanoutBuffer> on_screen_;
     std::optional<ScanoutBuffer> in_flight_;

@@ -47,7 +47,7 @@ class MemoryTarget {
     int width_;  // px
     int height_;
     Names names_;
-    std::vector<std::byte> rows_;  // as GL hands them out: from the bottom
+    std::vector<std::byte> rows_;  // in the order of GL: from the bottom
 };
 
 }  // namespace vitrine::player

@@ -43,7 +43,7 @@ std::chrono::nanoseconds time_of(const InputEvent& event) {
 /// The rest of a line behind its word.
 struct Arguments {
     std::istream& words;
-    std::chrono::nanoseconds time{0};  // of the event
+    std::chrono::nanoseconds time{0};  // when the event comes
     const char* usage = "";            // the text of the error where an argument is missing
 
     double number() {
@@ -65,7 +65,7 @@ struct Stroke {
     int finger = 0;
     Vec2 from;
     Vec2 to;
-    std::chrono::nanoseconds time{0};  // of the first contact
+    std::chrono::nanoseconds time{0};  // when the first contact comes
     std::chrono::nanoseconds duration{0};
     std::chrono::nanoseconds rest{0};  // before the finger is lifted
 };

@@ -100,7 +100,7 @@ class PlayingShot {
     bool is_software_ = false;  // without a hardware decoder
     std::chrono::steady_clock::time_point opened_;
     ClipHandover handover_;
-    std::chrono::nanoseconds local_{0};  // as of the last frame that it was in
+    std::chrono::nanoseconds local_{0};  // shot time of the last frame that showed it
     std::optional<Sample> sample_;
     Vec2 slide_;  // source px
     Watchdog watchdog_;

@@ -47,7 +47,7 @@ struct SharedPlanes {
         std::uint32_t stride = 0;  // bytes a row
     };
 
-    std::array<Plane, 3> planes;            // as many as the layout has
+    std::array<Plane, 3> planes;            // the first ones, by the layout, are used
     std::optional<std::uint64_t> modifier;  // DRM's name for the order of the pixels; none: row by row
 };
 

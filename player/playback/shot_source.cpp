@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t max_pictures = 12;  // decoded ahead; they bridge 400 ms of a film of 30 a second
 constexpr std::size_t min_pictures = 4;
-constexpr std::size_t max_bytes = 24U << 20;  // of pictures decoded ahead
+constexpr std::size_t max_bytes = 24U << 20;  // memory of the pictures decoded ahead
 
 std::size_t capacity(const ShotRequest& request) {
     const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(std::max(1, request.width)) *

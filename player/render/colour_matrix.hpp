@@ -29,9 +29,9 @@ inline ColourMatrix colour_matrix(const ColourCode& code) {
     const double blue_blue = 2 * (1 - blue) * difference;
     const double red_red = 2 * (1 - red) * difference;
     const auto number = [](double value) { return static_cast<float>(value); };
-    return {.matrix = {number(light), number(light), number(light),              // of Y
-                       0, number(-blue_blue * blue / green), number(blue_blue),  // of Cb
-                       number(red_red), number(-red_red * red / green), 0},      // of Cr
+    return {.matrix = {number(light), number(light), number(light),              // column for Y
+                       0, number(-blue_blue * blue / green), number(blue_blue),  // column for Cb
+                       number(red_red), number(-red_red * red / green), 0},      // column for Cr
             .zero = {code.is_full_range ? 0 : number(16.0 / 255), number(128.0 / 255), number(128.0 / 255)}};
 }
 

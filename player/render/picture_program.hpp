@@ -34,10 +34,10 @@ class PictureProgram {
     GLint uv_scale_;
     GLint uv_offset_;
     GLint blur_;    // -1: the program draws sharp
-    GLint level_;   // as blur_
+    GLint level_;   // -1: the program draws sharp
     GLint alpha_;   // -1: the program draws opaque
     GLint to_rgb_;  // -1: the picture is in RGB
-    GLint zero_;    // as to_rgb_
+    GLint zero_;    // -1: the picture is in RGB
 };
 
 /// The programs for one layout of pixels.

@@ -68,7 +68,7 @@ class PictureTexture {
     int height_;
     PixelLayout layout_;
     ColourCode colours_;
-    std::array<GlTexture, 3> planes_;     // as many as the layout has, the rest unused
+    std::array<GlTexture, 3> planes_;     // the first ones, by the layout, are used
     std::shared_ptr<const void> lender_;  // shared: the decoder's buffer pool; none: the planes are our own
     std::unique_ptr<PictureTexture> reduced_;
     bool has_smaller_copies_ = false;

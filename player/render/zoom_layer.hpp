@@ -44,7 +44,7 @@ class ZoomLayer {
     Mesh& mesh(const std::shared_ptr<const ZoomMesh>& zoom);
 
     MeshProgram whole_;    // lets nothing through
-    MeshProgram blended_;  // as much as each point says
+    MeshProgram blended_;  // lets through as much as each point says
     std::unordered_map<const ZoomMesh*, Mesh> meshes_;
 };
 

@@ -56,7 +56,7 @@ class Drag {
     bool has_tried_ = false;  // to take hold where the finger came down
     std::optional<Held> held_;
     Vec2 grip_;                            // from the finger to the centroid of the held I-Region, canvas px
-    std::map<SourceId, Placement> homes_;  // of all shots, when the shot was taken
+    std::map<SourceId, Placement> homes_;  // places of all shots when the shot was taken
 };
 
 }  // namespace vitrine::player

@@ -47,7 +47,7 @@ class Enlargement {
     SourceId large_ = 0;                 // 0: none
     bool is_held_ = false;               // it stays large however long it takes
     std::chrono::nanoseconds since_{0};  // when it became large
-    std::vector<SourceId> sources_;      // of the wall at that time
+    std::vector<SourceId> sources_;      // the wall's sources at that time
     std::vector<Placement> before_;      // one for each of these sources
 };
 

@@ -19,13 +19,13 @@ struct DrawItem {
     SourceId source = 0;
     std::shared_ptr<const Cell> cell;      // shared by all frames of a layout
     std::shared_ptr<const ZoomMesh> zoom;  // in place of a cell: canvas = scale * strip px + offset; shared
-    double share = 0;                      // of the way between both places of the mesh's points, [0, 1]
-    Placement placement;                   // canvas = source px * scale + offset, at the shot's begin
-    Vec2 picture;                          // size of the upright source picture, source px
-    Vec2 slide;                            // drift * time into the shot, source px: the texel at canvas
-                                           // point u is (u - offset) / scale + slide
-    std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
-    double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
+    double share = 0;                   // share of the way between both places of the mesh's points, [0, 1]
+    Placement placement;                // canvas = source px * scale + offset, at the shot's begin
+    Vec2 picture;                       // size of the upright source picture, source px
+    Vec2 slide;                         // drift * time into the shot, source px: the texel at canvas
+                                        // point u is (u - offset) / scale + slide
+    std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
+    double alpha = 1;                   // opacity over the items drawn before it, [0, 1]
 };
 
 /// Everything that one refresh of a screen shows, in the order of drawing;

@@ -11,7 +11,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr double ahead = 0.3;  // screens right of the view, where sources are asked for
-constexpr auto max_step = std::chrono::milliseconds(100);  // that the view makes up for after a pause
+constexpr auto max_step = std::chrono::milliseconds(100);  // made up for after a pause, at most
 
 Box bounds_of(const Cell& cell) {
     Box bounds;

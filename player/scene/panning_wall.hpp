@@ -51,7 +51,7 @@ class PanningWall final : public Show {
     struct Shown {
         PlacedShot placed;  // in px from base_
         Source source = Source::unasked;
-        Box bounds;  // of the cell, ribbon px
+        Box bounds;  // the cell's bounds, ribbon px
     };
 
     void drop_passed();
@@ -68,7 +68,7 @@ class PanningWall final : public Show {
     std::vector<Shown> shots_;    // one an item of the ribbon
     std::vector<SourceId> left_;  // by a wall that was given up; to be retired
     std::optional<RibbonExtension> extension_;
-    std::vector<WallShot> newcomers_;  // of the extension
+    std::vector<WallShot> newcomers_;  // the extension's shots
     double view_ = 0;                  // ribbon px
     double base_ = 0;                  // ribbon px that the cells' px count from
     std::optional<std::chrono::nanoseconds> last_;

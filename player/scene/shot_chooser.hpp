@@ -24,7 +24,7 @@ WallFiles wall_files(const RecordList& records);
 struct FreeSlot {
     std::vector<ShotKey> on_wall;         // all shots that stand, the leaving one included
     std::string leaving;                  // path of the file that leaves the slot; empty: the slot is free
-    std::size_t slots = 0;                // of the wall
+    std::size_t slots = 0;                // the wall's number of slots
     const std::string* pinned = nullptr;  // a file that is to come first; lent for the call
 };
 
@@ -56,7 +56,7 @@ class ShotChooser {
 
     ShotRotation rotation_;
     FilmShow film_;
-    std::size_t files_ = 0;                                    // how many there are
+    std::size_t files_ = 0;                                    // number of files
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when, by path
 };
 

@@ -6,7 +6,7 @@
 
 namespace vitrine::player {
 
-/// What an operator has asked of a show: a pause, turns, pins.
+/// The wishes of an operator for a show: a pause, turns, pins.
 struct ShowControls {
     bool is_paused = false;       // no shot takes its turn, and films play on
     std::uint64_t turns = 0;      // number asked for so far; for each, one shot gives way at once

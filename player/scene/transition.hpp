@@ -15,7 +15,7 @@ namespace vitrine::player {
 struct TransitionStyle {
     std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
     std::chrono::nanoseconds motion =
-        std::chrono::milliseconds(250);  // of one stage; 0: all fades, nothing moves
+        std::chrono::milliseconds(250);  // time of one stage; 0: all fades, without motion
     CellStyle cells;
     bool is_even = false;  // shots move at one speed, as those that follow a finger do
 };
@@ -24,7 +24,7 @@ struct TransitionStyle {
 struct Act {
     std::vector<PlacedShot> from;
     std::vector<PlacedShot> to;
-    std::optional<Motion> motion;  // of `from`
+    std::optional<Motion> motion;  // the motion of `from`
     std::chrono::nanoseconds duration{0};
     bool is_even = false;  // else moves begin and end slowly
 };

@@ -90,9 +90,9 @@ class Wall final : public Show {
     WallSlots slots_;
     WallTouch touch_;
     WallSources sources_;
-    std::map<int, Seat> left_seats_;  // of slots whose shots were dismissed
+    std::map<int, Seat> left_seats_;  // seats in slots whose shots were dismissed
     std::vector<PlacedShot> shown_;
-    Vec2 shown_canvas_;  // that shown_ was laid out for
+    Vec2 shown_canvas_;  // the canvas that shown_ was laid out for
     std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
     double usual_waste_ = 1;  // share of the canvas, of the last wall that was laid out anew

@@ -27,7 +27,7 @@ struct WallChange {
     };
 
     Phase phase = Phase::planned;
-    std::uint64_t generation = 0;  // of its plan
+    std::uint64_t generation = 0;  // its plan's generation
     Vec2 canvas;                   // px
     std::vector<PlacedShot> wall;
     std::vector<PlacedShot>
@@ -37,7 +37,7 @@ struct WallChange {
     std::optional<std::chrono::nanoseconds> pace;  // by touch: duration of its one act; none: the usual
     std::optional<std::chrono::nanoseconds> waiting_since;  // for sources
     std::chrono::nanoseconds began{0};                      // to fade
-    std::vector<Act> acts;                                  // of its transition
+    std::vector<Act> acts;                                  // its transition's acts
 
     bool is_fading() const { return phase == Phase::fading || phase == Phase::arriving; }
 

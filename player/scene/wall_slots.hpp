@@ -23,10 +23,10 @@ struct SlotSettings {
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
     FilmShow film = FilmShow::side_by_side;
-    std::chrono::nanoseconds dwell = std::chrono::seconds(20);        // that a shot stays at least
-    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);    // where whole loops would take more
-    std::chrono::nanoseconds spacing = std::chrono::seconds(3);       // between two changes of turn
-    std::chrono::nanoseconds lead = std::chrono::seconds(4);          // that the next shot is chosen early
+    std::chrono::nanoseconds dwell = std::chrono::seconds(20);      // shortest time that a shot stays
+    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // where whole loops would take more
+    std::chrono::nanoseconds spacing = std::chrono::seconds(3);     // between two changes of turn
+    std::chrono::nanoseconds lead = std::chrono::seconds(4);  // time by which the next shot is chosen early
     std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // for a file that failed
     SourceId last_source = 0;  // its own sources are numbered from there on, apart
                                // from those of other walls
@@ -81,13 +81,13 @@ class WallSlots {
     struct Slot {
         std::optional<WallShot> shot;
         std::optional<std::chrono::nanoseconds> shown;
-        std::chrono::nanoseconds ahead{0};  // of its time: leaves so much earlier
+        std::chrono::nanoseconds ahead{0};  // time by which it leaves early
     };
 
     struct Turn {
         Slot* slot = nullptr;
         std::chrono::nanoseconds due{0};
-        std::chrono::nanoseconds loop{0};  // of a film that is due at the end of one; else 0
+        std::chrono::nanoseconds loop{0};  // a film's loop, if it is due at the end of one; else 0
     };
 
     bool is_pinned(const Slot& slot) const;
@@ -109,7 +109,7 @@ class WallSlots {
     std::vector<Slot> slots_;
     SourceId last_source_;
     ShowControls controls_;
-    std::uint64_t turns_taken_ = 0;          // of those wished
+    std::uint64_t turns_taken_ = 0;          // number of the wished turns that were taken
     std::chrono::nanoseconds next_turn_{0};  // not before
     std::optional<std::chrono::nanoseconds> due_;
     std::chrono::nanoseconds last_due_ = std::chrono::nanoseconds::min() / 2;

@@ -10,7 +10,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto drag_step = std::chrono::milliseconds(120);       // from one step after a finger to the next
-constexpr auto dismissal_fade = std::chrono::milliseconds(250);  // of a dismissed shot
+constexpr auto dismissal_fade = std::chrono::milliseconds(250);  // time in which a dismissed shot fades
 constexpr double flight = 0.2;                                   // seconds that a flicked shot would fly on
 
 /// True if a flicked shot would leave the canvas.

@@ -16,7 +16,7 @@ struct ZoomMesh {
         float coarse_y = 0;
         float fine_x = 0;  // in the finer one, px from `fine_origin`
         float fine_y = 0;
-        float u = 0;  // of the tile's picture, [0, 1]
+        float u = 0;  // share of the tile's picture, [0, 1]
         float v = 0;
         float growth = 0;  // px of the coarser strip per px of the finer one; < 0: drawn whole
     };

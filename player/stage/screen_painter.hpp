@@ -58,7 +58,7 @@ class ScreenPainter {
     const Settings& settings_;   // outlive this
     const SourcePool& sources_;  // outlives this
     std::vector<Screen*> screens_;
-    std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // what the renderer has; shared with it
+    std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // the renderer's pictures; shared with it
     Frame drawn_;                                               // the frame that was numbered last
     std::uint64_t number_ = 0;                                  // counts the frames that look different
     std::map<const Screen*, std::uint64_t> shown_;              // number of the frame on each screen

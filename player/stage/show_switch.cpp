@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // of the numbers of a tapestry's sources
+constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set for a tapestry's sources
 
 /// Nearly opaque, so that the items below are drawn too: an opaque item may be taken for covering them.
 constexpr double max_alpha_behind = 0.999;

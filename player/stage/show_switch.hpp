@@ -45,7 +45,8 @@ class ShowSwitch {
     /// @param now  since the player's start, without the time that no screen showed the stage
     void set_time(std::chrono::nanoseconds now) { time_ = now - away_; }
 
-    /// What is shown at the time that was set. @param renderer  is given the tiles of a tapestry
+    /// The wall or the tapestry at the time that was set.
+    /// @param renderer  is given the tiles of a tapestry
     WallStep step(Renderer& renderer);
 
     /// Fades in what has just taken the place of the other.
@@ -79,8 +80,8 @@ class ShowSwitch {
     Frame wall_frame_;                            // the wall's last, shown behind a tapestry that fades in
     bool has_switched_ = false;                   // false: nothing has taken the place of the first wall yet
     std::chrono::nanoseconds switched_{0};        // time of the last switch
-    std::chrono::nanoseconds away_{0};            // that tapestries were shown, in all
-    std::chrono::nanoseconds time_{0};            // of the wall; while a tapestry is shown, of the tapestry
+    std::chrono::nanoseconds away_{0};            // time that tapestries were shown, in all
+    std::chrono::nanoseconds time_{0};  // the wall's time; while a tapestry is shown, the tapestry's
 };
 
 }  // namespace vitrine::player

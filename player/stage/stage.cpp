@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto source_patience = 10s;    // that a frame paced by its sources waits for one of them
+constexpr auto source_patience = 10s;    // longest wait of a frame that its sources pace for one of them
 constexpr int max_settling_steps = 100;  // each gives up on a file at least
 
 }  // namespace

@@ -116,7 +116,7 @@ class Stage {
     std::unique_ptr<AudibleFilms> films_;
     bool is_paused_ = false;
     Frame frame_;                                              // the last
-    std::chrono::nanoseconds hidden_{0};                       // that no screen showed it, in all
+    std::chrono::nanoseconds hidden_{0};                       // time that no screen showed it, in all
     std::optional<std::chrono::nanoseconds> hidden_since_{0};  // none: a screen shows it
     std::shared_ptr<const SourceListener> listener_;           // shared: the pool calls it while it exists
 };

@@ -19,7 +19,7 @@ SourceOptions source_options(const Settings& settings, bool keeps_time);
 
 MediaPlaces media_places(const Settings& settings);
 
-/// How a canvas lies on a screen of this size, px.
+/// The view of a canvas on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);
 
 /// A request without its items.

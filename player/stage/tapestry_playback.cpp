@@ -9,9 +9,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int tile_bits = 32;  // of its number, below its level
-constexpr double rows_of_bricks =
-    1.5;  // of a tapestry's height: two rows, each three quarters of a brick apart
+constexpr int tile_bits = 32;  // bits of a tile's number, below its level
+/// A tapestry's height in bricks: it has two rows, three quarters of a brick apart.
+constexpr double rows_of_bricks = 1.5;
 constexpr std::array<std::byte, 4> white{std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
 
 std::uint64_t number_of(const TileId& tile) {

@@ -38,7 +38,7 @@ class WallPicture {
     std::vector<SourceId> sources_;  // on the wall at the last is_due()
     std::chrono::nanoseconds next_ = first;
     std::chrono::nanoseconds earliest_ = first;  // no picture comes before, whatever changes
-    std::vector<std::byte> pixels_;              // of the last picture
+    std::vector<std::byte> pixels_;              // the last picture's pixels
     bool has_complained_ = false;
     std::future<bool> written_;  // last: its thread ends before the rest
 };

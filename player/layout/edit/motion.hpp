@@ -12,7 +12,7 @@ namespace vitrine::player {
 /// evenly, so every corner of an I-Region runs straight.
 struct Motion {
     enum class Kind {
-        still,     // nothing moves
+        still,     // no shot moves
         straight,  // all at once
         staged,    // some wait for others
         shrunk,    // some are smaller on the way

@@ -51,7 +51,7 @@ bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Cont
                           range.max.y >= range.min.y - Contacts::precision;
         if (!fits || length(moved_into(place, range) - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
-            if (problem.pinned[i] && problem.pinned[j]) continue;  // nothing can be done about them
+            if (problem.pinned[i] && problem.pinned[j]) continue;  // neither of them can move
             if (problem.keeps_order && order.violation(arrangement.places[j], place) > Contacts::precision)
                 return false;
             if (!contacts.is_clear(i, j, arrangement.places[j] - place)) return false;

@@ -56,10 +56,10 @@ class TapestryMotion {
     TapestryView view_;
     TapestryPace pace_;
     std::optional<Zoom> zoom_;
-    double speed_ = 0;                                 // of the strip, canvas px per second to the right
-    double way_ = 1;                                   // by itself: 1: on through the film, -1: back
-    double level_step_ = 1;                            // by itself: 1: to finer levels, -1: to coarser ones
-    double pinched_at_ = 0;                            // canvas px
+    double speed_ = 0;       // the tapestry's speed, canvas px per second to the right
+    double way_ = 1;         // by itself: 1: on through the film, -1: back
+    double level_step_ = 1;  // by itself: 1: to finer levels, -1: to coarser ones
+    double pinched_at_ = 0;  // canvas px
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last advance()
     std::optional<std::chrono::nanoseconds>
         reached_level_;                             // by itself: when; none: it does not move by itself

@@ -28,11 +28,11 @@ struct TapestrySources {
 
     SourceId tile(const TileId& tile) const;
 
-    /// Those of the parts of the film that play are numbered from here on.
+    /// The first source number for the parts of the film that play.
     SourceId film() const;
 };
 
-/// What a frame of a tapestry is drawn from. Lent for the call.
+/// The parts from which a frame of a tapestry is drawn. Lent for the call.
 struct DrawnTapestry {
     const Tapestry& tapestry;
     const TileCache& tiles;

@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-/// What must be known of a film to play parts of it.
+/// The data of a film that are needed to play parts of it.
 struct PreviewedFilm {
     std::string path;  // relative to the media root
     std::chrono::nanoseconds duration{0};
     Vec2 picture;             // size of the upright picture, px; only its shape counts
-    std::vector<Shot> shots;  // as the film's record has them; none: they are not known
+    std::vector<Shot> shots;  // the shots in the film's record; none: they are not known
 };
 
 /// A part of the film, half-open [begin, end).

@@ -16,9 +16,9 @@ namespace vitrine::player {
 struct TapestrySettings {
     SourceId first_source = 0;                         // its own sources are numbered from there on
     std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it is over; none: never
-    std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // of tiles as textures, RGBA
+    std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // memory of tiles as RGBA textures
     TapestryPace pace;
-    std::vector<Shot> shots;                 // of the film, as its record has them; none: they are not known
+    std::vector<Shot> shots;                 // the shots in the film's record; none: they are not known
     bool plays_at_once = false;              // the preview plays from first_seen on
     std::chrono::nanoseconds first_seen{0};  // in the middle at first, as far as the film's ends allow
 };
@@ -92,7 +92,7 @@ class TapestryShow {
 
     Tapestry tapestry_;
     TapestrySources sources_;
-    std::optional<std::chrono::nanoseconds> patience_;  // as TapestrySettings
+    std::optional<std::chrono::nanoseconds> patience_;  // see TapestrySettings
     TapestryBoxes boxes_;
     TapestryMotion motion_;
     TileCache tiles_;

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr int halvings = 60;  // of a film's length, to less than a nanosecond
+constexpr int halvings = 60;  // steps from a film's length to less than a nanosecond
 
 /// The levels on both sides of a real one, and how far it is from the coarser to the finer.
 struct Between {

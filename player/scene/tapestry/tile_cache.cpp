@@ -46,7 +46,7 @@ std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView&
     const auto last = static_cast<std::size_t>(place.max_level());
     const std::size_t fine = std::min(last, view.level > static_cast<double>(coarse) ? coarse + 1 : coarse);
     TileList list(max_tiles);
-    const double reach = place.brick_width();  // that a zoom shows beyond the view
+    const double reach = place.brick_width();  // strip px that a zoom shows beyond the view
     for (const std::size_t level : {coarse, fine})
         list.add(place.tiles(view, level, box.min.x, box.max.x), middle, 0);
     list.add(place.tiles({.centre = view.centre, .level = 0}, 0, box.min.x, box.max.x), middle, 0);

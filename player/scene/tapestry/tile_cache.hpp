@@ -20,8 +20,8 @@ namespace vitrine::player {
 std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView& view, double direction,
                                  std::size_t max_tiles);
 
-/// How a tile is drawn between its own level and the next ones; a tile without meshes is drawn at its own
-/// only.
+/// The meshes by which a tile is drawn between its own level and the next ones; a tile without meshes is
+/// drawn only at its own level.
 struct TileZooms {
     std::shared_ptr<const ZoomMesh> to_coarser;  // shared with the frames under way
     std::shared_ptr<const ZoomMesh> to_finer;    // likewise
