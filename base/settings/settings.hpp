@@ -93,7 +93,7 @@ struct Settings {
     } input;
 
     struct Output {
-        std::string screen = "kms";  // kms, kms:/dev/dri/cardN or offscreen:WIDTHxHEIGHT+WIDTHxHEIGHT...
+        std::string screen = "kms";  // a kind of display with its argument; setting_keys.cpp has all
         std::string mode;            // modes_named()
         int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
         std::string margins;         // margins_named()

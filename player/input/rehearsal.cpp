@@ -121,7 +121,7 @@ Input flick(Arguments& arguments) {
     return contacts({.from = from, .to = to, .time = arguments.time, .duration = flick_time});
 }
 
-/// The fingers lie beside each other.
+/// The fingers lie beside each other and are so many times farther apart in the end.
 Input pinch(Arguments& arguments) {
     const Vec2 at = arguments.place();
     const double factor = arguments.number();

@@ -16,13 +16,7 @@ namespace vitrine::player {
 ///
 ///     4 add FILE             it was not there before
 ///     9 remove FILE          relative to the media folder
-///     12 tap X Y
-///     12 hold X Y SECONDS
-///     12 drag X Y X Y SECONDS          from, to, in so many seconds
-///     12 flick X Y X Y                 in 0.12 seconds, let go at speed
-///     12 pinch X Y FACTOR SECONDS      about a place, fingers so many times farther apart in the end
-///     12 wheel X Y NOTCHES
-///     12 key NAME                      left, right, nearer, farther, select or back
+///     12 tap X Y             and the other words of the table `input_words` in rehearsal.cpp
 ///     0 clock 2026-12-24 17:59:50      the local time, which goes on from there
 class Rehearsal {
   public:
