@@ -56,9 +56,15 @@ if(VITRINE_SANITIZE)
 endif()
 
 # A module is an object-like static library of one folder, named vitrine_<folder>.
+# With WHOLE_FOLDER all other sources of the folder and its sub-folders follow those named: a new one needs no line.
 #   vitrine_module(base_geometry SOURCES a.cpp b.cpp USES vitrine::x PRIVATE_USES lib)
 function(vitrine_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(arg "WHOLE_FOLDER" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  if(arg_WHOLE_FOLDER)
+    file(GLOB_RECURSE others RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.cpp)
+    list(APPEND arg_SOURCES ${others})
+    list(REMOVE_DUPLICATES arg_SOURCES)  # keeps the first of each
+  endif()
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
   target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
