@@ -22,6 +22,7 @@ struct ShotKey {
     std::string path;
     int shot = 0;  // index into MediaRecord::shots
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     auto operator<=>(const ShotKey&) const = default;
 };
 
