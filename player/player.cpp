@@ -211,7 +211,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
     }
     input_devices_->deliver_input(
         display_->screens(), start_,
-        [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, std::move(event)); });
+        [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, event); });
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {

@@ -39,7 +39,7 @@ void log_change(const CatalogueChange& change) {
 
 }  // namespace
 
-VisibleFiles::VisibleFiles(EventLoop& loop, fs::path state, const Rehearsal* rehearsal,
+VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Rehearsal* rehearsal,
                            std::function<void()> on_change)
     : rehearsal_(rehearsal),
       on_change_(std::move(on_change)),

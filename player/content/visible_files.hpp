@@ -46,7 +46,7 @@ class VisibleFiles {
     /// @param state      the state directory
     /// @param rehearsal  outlives this; none: there is no rehearsal
     /// @param on_change  called when other files may be shown; the first time from within this constructor
-    VisibleFiles(EventLoop& loop, std::filesystem::path state, const Rehearsal* rehearsal,
+    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Rehearsal* rehearsal,
                  std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
