@@ -39,8 +39,8 @@ class FilmSource : public FrameSource {
     Colour background_;
     MediaInfo info_;
     GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
-    std::optional<ToneMap> tones_;  // of an HDR film
-    cv::Size coded_size_;           // of the small picture before it is turned
+    std::optional<ToneMap> tones_;  // for an HDR film
+    cv::Size coded_size_;           // size of the small picture before it is turned
     bool extent_known_ = false;     // the container said how long it is in bytes
     bool ended_ = false;
     std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet

@@ -9,14 +9,15 @@
 
 namespace vitrine::analyzer {
 
-/// What is known of a medium before its pictures are read.
+/// The facts about a medium that are known before its pictures are read.
 struct MediaInfo {
     MediaKind kind = MediaKind::photo;
     int width = 0;  // px of the upright picture at full size, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo; a film's may turn out shorter
-    GstVideoColorimetry colours{};         // of a film's frames
-    GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // that makes a film's frames upright
+    GstVideoColorimetry colours{};         // a film's colours
+    GstVideoOrientationMethod turn =
+        GST_VIDEO_ORIENTATION_IDENTITY;  // turn that makes a film's frames upright
 };
 
 /// Gives the pictures of a medium one after another, each once: a photo, a film, or a test's drawing.

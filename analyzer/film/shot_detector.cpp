@@ -18,8 +18,8 @@ constexpr std::chrono::milliseconds min_shot{500};
 
 struct ShotDetector::State {
     TransitionDetector transitions;
-    std::optional<nanoseconds> first;     // of the film
-    std::optional<nanoseconds> begin;     // of the shot now open
+    std::optional<nanoseconds> first;     // the film's first frame
+    std::optional<nanoseconds> begin;     // the begin of the open shot
     std::optional<DetectedShot> montage;  // short stretches so far, cut to each other
     bool any = false;                     // a shot was given out
 

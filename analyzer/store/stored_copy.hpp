@@ -13,7 +13,7 @@ namespace vitrine::analyzer {
 ///
 /// @param size  that of the upright photo
 /// @return  its place: `is_dropped` where it is too large; without a file there where the disk had no room.
-/// Nothing where it cannot be read
+/// None: the photo cannot be read
 std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& size,
                                       const StorePlace& place);
 

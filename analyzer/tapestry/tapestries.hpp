@@ -48,7 +48,7 @@ class Tapestries {
     struct Content {
         std::uint64_t film_bytes = 0;
         std::int64_t film_mtime_ns = 0;
-        std::uint64_t bytes = 0;  // of the folder
+        std::uint64_t bytes = 0;  // bytes in the folder
     };
 
     std::uint64_t excess() const;

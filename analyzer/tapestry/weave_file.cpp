@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double most_seconds = 1e6;  // of a chosen time
+constexpr double most_seconds = 1e6;  // largest chosen time
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// Seconds, one a line; empty lines and what follows a # count nothing.

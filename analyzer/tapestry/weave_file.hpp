@@ -18,7 +18,7 @@ struct WeaveRequest {
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
     bool resumes = false;          // the pyramid: an earlier weaving is gone on with, where it was cut off
-    std::uint64_t most_bytes = 0;  // of the pyramid, about; 0: any
+    std::uint64_t most_bytes = 0;  // about the pyramid's size at most; 0: any
     int threads = 0;               // 0: one a core
 
     /// The first that is asked for of folder, sheet and zoom; empty: nothing is.

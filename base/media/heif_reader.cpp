@@ -32,7 +32,7 @@ ImageHandle main_picture(heif_context* context) {
     const heif_error error = heif_context_get_primary_image_handle(context, &handle);
     ImageHandle picture(handle);
     require(error);
-    const int width = heif_image_handle_get_ispe_width(handle);  // as coded, before the crop
+    const int width = heif_image_handle_get_ispe_width(handle);  // the coded width, before the crop
     const int height = heif_image_handle_get_ispe_height(handle);
     if (width <= 0 || height <= 0) throw picture_failure(PictureFailure::damaged, "no size");
     require_within_limits({.width = width, .height = height});

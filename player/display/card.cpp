@@ -63,7 +63,7 @@ std::string name_of(const drmModeConnector& connector) {
     return fmt::format("{}-{}", type ? type : "unknown", connector.connector_type_id);
 }
 
-// A number that differs where the blobs' contents differ; 0: there is no content.
+// A number that differs if the blobs' contents differ; 0: there is no content.
 std::uint64_t content_number(int fd, std::uint64_t blob) {
     const BlobHandle content(blob == 0 ? nullptr
                                        : drmModeGetPropertyBlob(fd, static_cast<std::uint32_t>(blob)));
@@ -125,7 +125,7 @@ std::vector<std::filesystem::path> card_files() {
     return files;
 }
 
-// None for a card that only computes, and for one that another program has.
+// None: the card only computes, or another program has it.
 std::optional<Card> try_card(const std::filesystem::path& file, KmsApi api, std::string& reason) {
     try {
         return Card(file, api);
@@ -204,8 +204,8 @@ int Card::commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_
     return -drmModeAtomicCommit(fd(), list.get(), flags, user_data(user));
 }
 
-// Not drmHandleEvent(), which calls back with a pointer that was given to the card: of a panel that has gone
-// since it would point to nothing.
+// Does not use drmHandleEvent(): it calls back with a pointer that was given to the card. For a panel that
+// has gone since, the pointer would be dangling.
 std::vector<std::uint64_t> Card::read_flips() const {
     std::array<std::byte, 1024> events{};
     const ssize_t size = ::read(fd(), events.data(), events.size());

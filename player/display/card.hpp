@@ -17,7 +17,7 @@
 namespace vitrine::player {
 
 /// A graphics card (DRM device), opened for showing. The first program that opens it is its master and may
-/// set modes; that needs the right to open the file, not root.
+/// set modes; for this a program needs the right to open the file, not root.
 class Card {
   public:
     /// @throws std::system_error, std::runtime_error naming the file: it cannot be opened, shows nothing, or

@@ -11,7 +11,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The terminal that systemd has given the service, else the one in front.
+// The terminal that systemd has given to the service; without one, the terminal in front.
 UniqueFd open_terminal() {
     constexpr std::array<const char*, 3> terminals{"/dev/stdin", "/dev/tty0", "/dev/tty1"};
     for (const char* path : terminals) {

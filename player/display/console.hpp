@@ -7,11 +7,11 @@
 namespace vitrine::player {
 
 /// The terminal that the wall is shown over. While this lives the terminal draws no text, and when somebody
-/// switches to another terminal (Ctrl+Alt+F2) the kernel asks for the screen by a signal. Does nothing on a
-/// machine without terminals, or where none is ours.
+/// switches to another terminal (Ctrl+Alt+F2) the kernel asks for the screen by a signal. Does nothing if the
+/// machine has no terminal, or none is ours.
 class Console {
   public:
-    static constexpr int leave_signal = SIGUSR1;  // both must be blocked before this is made
+    static constexpr int leave_signal = SIGUSR1;  // block both signals before this is made
     static constexpr int enter_signal = SIGUSR2;
 
     Console();

@@ -39,8 +39,8 @@ class Display {
     virtual int event_fd() const = 0;
     virtual void dispatch() = 0;
 
-    /// True once the card was pulled out: nothing will ever be shown on this display again. The owner
-    /// destroys all that GL made, unless has_lasting_gl(), then the display, and may open another.
+    /// True once the card was pulled out: this display never shows a picture again. The owner destroys all GL
+    /// objects, unless has_lasting_gl(), then the display, and may open another one.
     virtual bool is_gone() const = 0;
 
     /// True while another program, or another terminal, has the card: nothing is shown on purpose.
@@ -53,7 +53,8 @@ class Display {
     /// True while it shows a picture of an earlier run, which stays until a frame is presented.
     virtual bool has_old_picture() const { return false; }
 
-    /// Call when the program ends in order: what is shown stays for the next process. False: it cannot.
+    /// Call when the program ends in order: the shown picture stays for the next process. False: it cannot
+    /// stay.
     virtual bool keep_picture() { return false; }
 
     /// Call when the program ends in order: completes the files that the run was asked for (`Recording`).
@@ -64,11 +65,11 @@ class Display {
     /// The events since the last call.
     virtual std::vector<DisplayEvent> take_events() = 0;
 
-    /// The EGL context that draws. It may be shared with the displays before and after; all that GL has made
-    /// then stays good for them.
+    /// The EGL context that draws. It may be shared with the displays before and after; GL objects then stay
+    /// valid for them.
     virtual const std::shared_ptr<Egl>& gl() const = 0;
 
-    /// True if gl() outlives this display; else all that GL made must be destroyed before it.
+    /// True if gl() outlives this display; else all GL objects must be destroyed before it.
     virtual bool has_lasting_gl() const { return false; }
 
     /// For the log: the device, its modes, its renderer.
@@ -91,12 +92,12 @@ struct DisplayRequest {
 struct DisplayTraits {
     bool has_terminal = true;  // its panels belong to the terminal in front: input devices are read, too
     bool is_awaited = true;    // a missing display is waited for; else the program ends without one
-    bool can_wait_for_pictures = false;  // nobody looks on: a frame may be drawn late, but exact
+    bool can_wait_for_pictures = false;  // nobody looks on: a frame may be late if it is exact
     ScreenSize expected{.width = 1920, .height = 1080};  // the first screen's, as long as none is open
 };
 
-/// Opens displays of one kind: the first, and another one after each that was lost. Keeps what outlasts a
-/// single display. A new kind of display is one of these and a line in display_kinds.cpp.
+/// Opens displays of one kind: the first, and another one after each that was lost. Keeps the parts that
+/// outlast a single display. A new kind of display needs one such class and a line in display_kinds.cpp.
 class DisplayOpener {
   public:
     explicit DisplayOpener(DisplayTraits traits) : traits_(traits) {}

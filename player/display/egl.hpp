@@ -46,12 +46,12 @@ class Egl {
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// GL in software, for cards that leave drawing to the processor. It does not depend on a card and is kept
-/// from one display to the next, as making it and compiling its shaders takes most of the time to the first
-/// picture.
+/// GL in software, for cards that leave drawing to the processor. It does not depend on a card. It is kept
+/// from one display to the next, because making it and compiling its shaders takes most of the time to the
+/// first picture.
 struct SoftwareGl {
     std::shared_ptr<Egl> egl;       // shared: with the displays and the renderer; none yet
-    std::set<std::string> drivers;  // the drivers of the cards seen so far that it draws for
+    std::set<std::string> drivers;  // drivers of the cards that it has drawn for so far
 };
 
 /// @throws std::runtime_error naming `what` was tried and EGL's error

@@ -108,7 +108,8 @@ struct FilmWriter::Chain {
             height, "framerate", GST_TYPE_FRACTION, numerator, denominator, nullptr));
         g_object_set(elements[0], "caps", caps.get(), "format", GST_FORMAT_TIME, "max-bytes", guint64{0},
                      nullptr);
-        // Without it the encoder keeps RGB's full colour, which browsers and television sets do not play.
+        // Without this format the encoder keeps RGB's full colour, which browsers and television sets do not
+        // play.
         gst_util_set_object_arg(G_OBJECT(elements[2]), "caps", "video/x-raw, format=I420");
         gst_util_set_object_arg(G_OBJECT(elements[3]), "speed-preset", "superfast");
         gst_util_set_object_arg(G_OBJECT(elements[3]), "pass", "quant");
@@ -159,7 +160,7 @@ FilmWriter::FilmWriter(const std::filesystem::path& path, int width, int height,
 }
 
 FilmWriter::~FilmWriter() {
-    if (chain_ && chain_->last) chain_->end();  // a destructor cannot tell how; finish() does
+    if (chain_ && chain_->last) chain_->end();  // a destructor cannot report an error; finish() does
 }
 
 void FilmWriter::add(const Picture& picture, std::chrono::nanoseconds time) {

@@ -10,7 +10,7 @@
 namespace vitrine::player {
 
 /// Writes pictures into an MP4 file (H.264) that starts to play before it is loaded whole. Encodes on
-/// GStreamer's threads; add() waits where they fall behind by more than a few pictures.
+/// GStreamer's threads; add() waits if the encoder falls behind by more than a few pictures.
 class FilmWriter {
   public:
     /// @param rate  frames a second that the film is told to hold, > 0

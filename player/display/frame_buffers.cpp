@@ -63,7 +63,7 @@ std::uint32_t FrameBuffers::add(const BufferForm& form) {
     return number;
 }
 
-/// A number keeps its buffer in being: the handles are not needed behind it.
+/// The frame buffer's number keeps the buffer alive: the handles are not needed any more.
 std::uint32_t FrameBuffers::add_to_keeper(const BufferForm& form) {
     BufferForm passed = form;
     std::vector<std::uint32_t> taken;

@@ -25,9 +25,9 @@ struct BufferForm {
 ///
 /// When a program ends, the kernel removes the frame buffers that it added, and turns off the outputs that
 /// show them. So they are added through a second opening of the card, the keeper, which systemd holds over a
-/// restart (FileDescriptorStoreMax=). All else that the program had of the card ends with it, and the picture
-/// stays until the next program shows its first one. A card that cannot pass buffers from one opening to
-/// another gets them through its own opening.
+/// restart (FileDescriptorStoreMax=). Everything else that the program had of the card ends with the program.
+/// The picture stays until the next program shows its first one. A card that cannot pass buffers from one
+/// opening to another gets them through its own opening.
 class FrameBuffers {
   public:
     /// @param card    outlives this
@@ -45,7 +45,7 @@ class FrameBuffers {
 
     void remove(std::uint32_t number);
 
-    /// Removes none from here on: the program ends, and the picture stays.
+    /// Removes no frame buffer from here on: the program ends, and the picture stays.
     /// @return false: the frame buffers end with the card's opening all the same
     bool keep();
 
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> without(std::span<const std::uint32_t> numbers,
                                    std::span<const std::uint32_t> others);
 
 /// A keeper for this card: the descriptor that an earlier run left, if it is an opening of this card, else a
-/// new one. Neither may set modes. None where the card cannot be opened.
+/// new one. Neither may set modes. None: the card cannot be opened.
 /// @param left  used or closed
 UniqueFd keeper_of(int card, UniqueFd left);
 

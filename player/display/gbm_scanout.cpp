@@ -30,7 +30,7 @@ void end_frame_buffer(gbm_bo*, void* data) {
     const std::unique_ptr<FrameBuffer> ending(static_cast<FrameBuffer*>(data));
 }
 
-// Modifiers are named only where both sides know them: some cards refuse even "unknown".
+// Names modifiers only if both sides know them: some cards refuse even "unknown".
 std::unique_ptr<FrameBuffer> announce(const Card& card, gbm_bo& buffer) {
     const std::uint64_t modifier = gbm_bo_get_modifier(&buffer);
     BufferForm form{.width = gbm_bo_get_width(&buffer),

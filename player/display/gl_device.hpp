@@ -13,7 +13,7 @@ inline std::string gl_device() {
     return name ? reinterpret_cast<const char*>(name) : "unknown renderer";
 }
 
-/// True if that name is of a renderer on the processor, not on a graphics card.
+/// True if this name belongs to a renderer on the processor, not on a graphics card.
 inline bool is_software(std::string_view device) {
     for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "swrast", "Software"})
         if (device.find(name) != std::string_view::npos) return true;

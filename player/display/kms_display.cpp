@@ -16,13 +16,13 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int ticks_before_asking = 5;  // each 2 s: until panels that are dark while others are lit are asked
+constexpr int ticks_before_asking = 5;  // of 2 s each: then dark panels are asked while others are lit
 constexpr int ticks_with_old_pictures = 5;
-constexpr int ticks_before_mercy = 15;  // modes that were refused are tried again
+constexpr int ticks_before_mercy = 15;  // then refused modes are tried again
 
 using DeviceHandle = Handle<gbm_device, &gbm_device_destroy>;
 
-// None where GL of the card is in software.
+// None: the card's GL draws in software.
 DeviceHandle open_device(const Card& card, SoftwareGl* software) {
     if (software != nullptr && software->drivers.contains(card.driver())) return nullptr;
     DeviceHandle device(gbm_create_device(card.fd()));
@@ -42,7 +42,7 @@ std::shared_ptr<Egl> make_gl(gbm_device* device, SoftwareGl* software) {
     return software->egl;
 }
 
-// Where systemd holds descriptors over a restart, frame buffers are added through one of them.
+// If systemd holds descriptors over a restart, frame buffers are added through one of them.
 Card with_keeper(Card card, UniqueFd& left) {
     if (!service::is_told()) return card;
     const int known = left.get();
@@ -52,7 +52,7 @@ Card with_keeper(Card card, UniqueFd& left) {
     return card;
 }
 
-// @param are_all  also those that are shown by now
+// @param are_all  also the panels that are lit already
 void let_old_pictures_go(const Card& card, bool are_all) {
     if (!card.frame_buffers().has_old()) return;
     card.frame_buffers().let_go(are_all ? std::vector<std::uint32_t>{} : card.shown());

@@ -28,8 +28,8 @@ struct KmsOptions {
     SoftwareGl* software = nullptr;  // kept from one display to the next, outlives them; none: made anew
 };
 
-/// Shows on the panels of a graphics card, without a desktop. No panel, panels that come, go or change, and
-/// another program that takes the card over, are states and not errors.
+/// Shows on the panels of a graphics card, without a desktop. Some events are states and not errors: there is
+/// no panel, panels come, go or change, another program takes the card over.
 class KmsDisplay final : public Display {
   public:
     /// @throws std::runtime_error, std::system_error: no card to show on, or it cannot be drawn on

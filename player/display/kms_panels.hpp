@@ -12,8 +12,8 @@
 
 namespace vitrine::player {
 
-/// The panels of one card that are lit, each with its screen. A panel that is lit and shall be stays as it
-/// is: it notices nothing of what becomes of others.
+/// The panels of one card that are lit, each with its screen. A lit panel that shall stay lit is left as it
+/// is, whatever happens to the others.
 class KmsPanels {
   public:
     enum class Ask { none, unlit, all };  // the panels that are asked afresh, which takes a while
@@ -21,7 +21,7 @@ class KmsPanels {
     /// @param surface, events  outlive this
     KmsPanels(KmsSurface& surface, ModeWishes modes, std::vector<DisplayEvent>& events);
 
-    /// Lights panels that have come and lets those go that are gone. False: the card was pulled out.
+    /// Lights new panels and drops those that are gone. False: the card was pulled out.
     bool look(Ask ask);
 
     /// True if look() is due before the next frame, as a mode was refused; told once.

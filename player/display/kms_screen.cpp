@@ -57,7 +57,7 @@ void KmsScreen::begin_frame() {
     scanout_->make_current();
 }
 
-// Cards that have no room for a further picture, or that were pulled out, fail as early as at its end.
+// A card that has no room for another picture, or was pulled out, fails already when the drawing ends.
 void KmsScreen::present(std::chrono::nanoseconds) {
     assert(!state_.is_waiting());
     try {

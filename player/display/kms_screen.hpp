@@ -64,7 +64,7 @@ class KmsScreen final : public Screen {
     /// The answer to the last picture, told once.
     Presented take_presented();
 
-    /// The time at which it was last known that the panel has to be lit.
+    /// The time at which the panel was last known to be wanted lit.
     Time awaited_since() const { return awaited_since_; }
 
     /// The card has reported this flip.

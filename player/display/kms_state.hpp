@@ -71,9 +71,9 @@ using Refusals = std::map<std::uint32_t, std::size_t>;
 std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& controls, bool needs_plane,
                                    const Refusals& refusals = {});
 
-/// The obstacles to an output. They have to be removed in the same request, or the card refuses it:
-/// connectors that its CRTC feeds by now, a CRTC that its connector leaves and that nothing else needs,
-/// planes of others on both.
+/// The obstacles to an output. They must be removed in the same request, or the card refuses it: connectors
+/// that its CRTC feeds by now, the CRTC that its connector leaves if no other connector needs it, and other
+/// outputs' planes on both CRTCs.
 struct Obstacles {
     std::vector<std::uint32_t> connectors;
     std::vector<std::uint32_t> crtcs;

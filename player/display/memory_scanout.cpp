@@ -61,7 +61,7 @@ class MemoryScanout::Buffer {
         pixels_ =
             ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED, card_, static_cast<off_t>(offset));
         if (pixels_ == MAP_FAILED) throw_errno("map a buffer of '{}'", card.path().string());
-        std::memset(pixels_, 0, size_);  // has all of it there before the first picture
+        std::memset(pixels_, 0, size_);  // makes the kernel allocate all of it before the first picture
     }
 
     void end() {

@@ -13,8 +13,7 @@ namespace vitrine::player {
 ///
 /// For GL in software, which draws to memory anyway: a copy costs a twentieth of the drawing (render_bench),
 /// and GL then has nothing to do with the card. Mesa's software renderer, drawing to a card that is pulled
-/// out, ends the process: it maps the card's memory anew for each picture, and does not look whether it
-/// could.
+/// out, ends the process: it maps the card's memory anew for each picture, and does not check that it could.
 class MemoryScanout final : public Scanout {
   public:
     /// @param card  outlives this

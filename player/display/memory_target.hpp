@@ -9,9 +9,9 @@
 
 namespace vitrine::player {
 
-/// A picture in memory that GL draws to, 8 bits a channel, blue first: the order of scan-out, and the one in
-/// which Mesa's software renderer draws pictures pixel for pixel at half the cost of any other. Made, used
-/// and ended while one context is current.
+/// A picture in memory that GL draws to, 8 bits a channel, blue first: the order of scan-out. In this order
+/// Mesa's software renderer draws pictures pixel for pixel at half the cost of any other. Made, used and
+/// ended while one context is current.
 class MemoryTarget {
   public:
     /// The pixels are not defined yet.

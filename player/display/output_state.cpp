@@ -8,8 +8,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto flip_patience = 3s;  // with an event that does not come
-constexpr auto busy_patience = 3s;  // with a card that takes no picture
+constexpr auto flip_patience = 3s;  // wait for an event that does not come
+constexpr auto busy_patience = 3s;  // wait for a card that takes no picture
 
 bool is_passing(int error) {
     return error == EBUSY || error == EINTR || error == EAGAIN;

@@ -49,7 +49,7 @@ class OutputState {
   private:
     bool needs_mode_ = true;
     std::optional<Time> flip_since_;
-    std::optional<Time> busy_since_;  // since when the card has refused flips as it was busy
+    std::optional<Time> busy_since_;  // the begin of the time in which the card refuses flips as busy
 };
 
 }  // namespace vitrine::player

@@ -16,7 +16,7 @@ namespace {
 
 constexpr timespec tick{.tv_sec = 2, .tv_nsec = 0};
 constexpr timespec settle_time{.tv_sec = 0, .tv_nsec = 300'000'000};
-constexpr int max_messages = 256;  // read in one go; more of them wake us again
+constexpr int max_messages = 256;  // read at once; further ones wake the loop again
 
 UniqueFd kernel_events() {
     UniqueFd socket(::socket(AF_NETLINK, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT));

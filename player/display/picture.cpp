@@ -37,7 +37,7 @@ void append_xrgb(const std::byte* row, int width, std::vector<std::byte>& pixels
 
 namespace {
 
-/// Without its alpha.
+/// The picture without its alpha.
 ImageHandle colours(const Picture& picture, const std::filesystem::path& path) {
     init_vips();
 

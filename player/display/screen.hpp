@@ -40,8 +40,8 @@ class Screen {
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;
 
-    /// True if the frame presented last is not to be seen and will not be: the next one has to be drawn, also
-    /// if it is the same.
+    /// True if the frame presented last is not on the screen and will not be: the next one must be drawn,
+    /// even if it is equal.
     virtual bool wants_picture() const = 0;
 
     /// Makes the surface of the next frame current.

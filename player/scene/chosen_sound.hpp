@@ -23,9 +23,9 @@ struct AudibleShot {
     std::chrono::nanoseconds duration() const { return end - begin; }
 };
 
-/// Chooses the one film to be heard, as nobody understands two at once: keeps
-/// the current one unless another is at least twice as large, as one that a
-/// visitor has tapped; else the largest.
+/// Chooses the one film to be heard, because nobody understands two at once. Keeps the current film unless
+/// another one is at least twice as large (a visitor has tapped it); without a current film, chooses the
+/// largest.
 /// @param heard  the source that is heard now
 /// @return nullptr if no shot is given
 const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard);

@@ -25,14 +25,14 @@ Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono:
 Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
                 double progress, std::chrono::nanoseconds now);
 
-/// A frame in which each shot of the first wall fades in over the idle picture from the time on when it
-/// appeared.
+/// A frame in which each shot of the first wall fades in over the idle picture, from the time at which the
+/// shot appeared.
 Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
                    std::chrono::nanoseconds now);
 
-/// Fades a whole frame in over the idle picture, and the items of the frame before it out.
+/// Fades a whole frame in over the idle picture, and fades out the items of the frame before.
 /// @param before    none: only the idle picture was there
-/// @param progress  0: only what was before, 1: only the frame
+/// @param progress  0: only the frame before, 1: only the frame
 void fade_in(Frame& frame, std::span<const DrawItem> before, double progress);
 
 }  // namespace vitrine::player

@@ -11,8 +11,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double min_way = 1;      // canvas px from the held shot to where it is wanted
-constexpr double held_size = 0.7;  // share of the scale that it was taken with: it needs less room on its way
-constexpr double min_seen = 0.85;  // share of what was seen before a step; else the held shot waits
+constexpr double held_size = 0.7;  // share of the scale at its start: it needs less room on its way
+constexpr double min_seen = 0.85;  // share of the area seen before a step; else the held shot waits
 constexpr double worth_of_way =
     1;  // share of the canvas seen, for the canvas' diagonal between finger and shot
 
@@ -72,9 +72,9 @@ std::optional<std::vector<Placement>> Drag::next_placements(std::span<const Plac
     return making_way(standing, item, wish).placements;
 }
 
-/// Tries several steps and takes the one after which most is seen and the held shot is nearest to the finger.
-/// The others make way from their homes or from where they are; or the one whose place is taken changes to
-/// the place that the held shot came from.
+/// Tries several steps. Takes the step after which most of the shots is seen and the held shot is nearest to
+/// the finger. The other shots make way from their homes or from their present places; or the shot whose
+/// place is taken changes to the place that the held shot came from.
 WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)

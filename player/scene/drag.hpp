@@ -11,11 +11,11 @@
 namespace vitrine::player {
 
 /// A shot of the wall that a finger holds. It follows the finger; the others make way, and go back once it
-/// has passed. When the finger is lifted all settle. Source: Dynamic Media Assemblage, chapter 4 and
+/// has passed. When the finger is lifted, all shots settle. Source: Dynamic Media Assemblage, chapter 4 and
 /// fig. 4.1.
 class Drag {
   public:
-    /// The shot that is held, and where it stood when it was taken.
+    /// The held shot, and its place when it was taken.
     struct Held {
         SourceId source = 0;
         Placement home;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double max_growth = 2.5;     // factor of the scale
 constexpr double wished_share = 0.62;  // share of the canvas' width or height that the I-Region is to take
-constexpr double softness = 2;  // factor of the largest scale that the wall allows: it is to be looked at
+constexpr double softness = 2;  // times the largest scale that the wall allows: somebody looks at the shot
 
 std::vector<SourceId> sources_of(std::span<const PlacedShot> wall) {
     std::vector<SourceId> sources;

@@ -11,11 +11,11 @@
 namespace vitrine::player {
 
 /// A shot of the wall that is large because somebody looks at it. It grows about its place and the others
-/// make way; after a while all go back to where they were. Source: Dynamic Media Assemblage, chapter 4,
+/// make way; after a while all shots go back to their places. Source: Dynamic Media Assemblage, chapter 4,
 /// "resizing"; the way back is ours.
 class Enlargement {
   public:
-    /// @param patience  after which a tapped shot goes back
+    /// @param patience  time after which a tapped shot goes back
     Enlargement(const EditRules& rules, std::chrono::nanoseconds patience)
         : rules_(rules), patience_(patience) {}
 

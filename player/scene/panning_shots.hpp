@@ -13,7 +13,7 @@
 
 namespace vitrine::player {
 
-/// The shots that come next on a panning wall. Each comes in its turn; if there are too few files for that, a
+/// The shots that come next on a panning wall. Each shot comes in its turn; if there are too few files, a
 /// shot may stand a second time.
 class PanningShots {
   public:

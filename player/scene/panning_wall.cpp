@@ -48,7 +48,7 @@ void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hint
     coming_.set_files(records, hints);
 }
 
-/// Drops the shots that have passed, and those that have not come yet and whose files are gone.
+/// Drops the shots that have passed. Also drops shots to come whose files are gone.
 void PanningWall::drop_passed() {
     const double right = view_ + canvas_.x * (1 + ahead);
     for (std::size_t i = shots_.size(); i-- > 0;) {

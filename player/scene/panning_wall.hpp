@@ -66,7 +66,7 @@ class PanningWall final : public Show {
     PanningShots coming_;
     Ribbon ribbon_;
     std::vector<Shown> shots_;    // one an item of the ribbon
-    std::vector<SourceId> left_;  // by a wall that was given up; to be retired
+    std::vector<SourceId> left_;  // sources of a wall that was given up; to be retired
     std::optional<RibbonExtension> extension_;
     std::vector<WallShot> newcomers_;  // the extension's shots
     double view_ = 0;                  // ribbon px

@@ -77,8 +77,8 @@ void ShotRotation::append(std::vector<ShotKey> again, const Fits& is_on_wall, co
     waiting_.insert(waiting_.end(), again.begin(), again.end());
 }
 
-/// Each shot as often as its file comes; each turn is as far along its part of
-/// the round as the shot is in the order.
+/// A round in which each shot comes as often as its file. Each turn is as far along its part of the round as
+/// the shot is in the order.
 /// @param left  turns that a shot still has
 std::vector<ShotKey> ShotRotation::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
     std::vector<std::pair<double, const ShotKey*>> places;

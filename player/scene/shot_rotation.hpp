@@ -48,7 +48,7 @@ class ShotRotation {
 
     /// Appends all shots of the files that have no turn left, those on the wall
     /// last.
-    /// @param only  the one file that may; empty: all
+    /// @param only  the only file whose shots are appended; empty: all files
     void restart_finished(const Fits& is_on_wall, const std::string& only = "");
 
     /// Appends all shots that have no turn left, those on the wall last.

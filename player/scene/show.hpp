@@ -29,7 +29,7 @@ struct WallStep {
     Frame frame;
     std::optional<WallPlan> plan;       // replaces a plan under way
     std::vector<ShotRequest> requests;  // new sources, or other sizes of those that play
-    std::vector<SourceId> retired;      // not in this frame, and never again
+    std::vector<SourceId> retired;      // sources that are neither in this frame nor in a later one
 };
 
 /// A shot on the wall and its slot.

@@ -17,7 +17,7 @@ namespace vitrine::player {
 using ShowHints = std::map<std::string, Hints>;
 
 /// Records that several parts of the player keep at the same time. A copy of the list shares the records:
-/// they are large, and a film that grows would have them copied twice a second while the wall is drawn.
+/// they are large, and while a film grows they would be copied twice a second during drawing.
 class RecordList {
   public:
     using Record =

@@ -12,7 +12,7 @@ namespace {
 
 using Shots = std::vector<PlacedShot>;
 
-constexpr double shrinking = 0.93;      // factor per try, for a last shot that is in the way
+constexpr double shrinking = 0.93;      // factor per try, for a slot's last shot that is in the way
 constexpr double min_remainder = 0.55;  // share of its scale; a shot that had to be smaller fades out first
 constexpr double clearance = 1.0 / 64;  // canvas px
 

@@ -13,7 +13,7 @@ namespace {
 
 using Phase = WallChange::Phase;
 
-constexpr double worth_replanning = 0.2;  // share of the canvas that is wasted less
+constexpr double worth_replanning = 0.2;  // decrease of the wasted share of the canvas
 
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
     return std::equal(wall.begin(), wall.end(), wanted.begin(), wanted.end(),
@@ -116,7 +116,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     if (change_ && change_->is_fading()) end_change(now);
     const bool is_touched = touch_.is_active();
     if (is_touched && change_ && !change_->is_fading() && !change_->is_by_touch && !shown_.empty())
-        change_.reset();  // its turn comes once the wall is left alone
+        change_.reset();  // the change comes once nobody touches the wall
     if (!change_ && canvas_ == shown_canvas_) follow_touch(now);
     const bool is_left_alone = !is_touched && !(change_ && change_->is_by_touch);
     if (!change_ && is_left_alone) slots_.advance(now);
@@ -222,7 +222,7 @@ void Wall::give_up_pending(std::chrono::nanoseconds now) {
         source_failed(source, now);
 }
 
-/// The time of the shots that have appeared, or are about to, counts from then on.
+/// Starts the time of the shots that have appeared, or are about to.
 void Wall::tell_appeared() {
     for (const PlacedShot& placed : change_->wall)
         if (placed.began != never) slots_.shot_appeared(placed.shot.source, placed.began);

@@ -19,9 +19,9 @@ struct WallSettings {
     SlotSettings slots;
     TransitionStyle transition;
     bool nests = false;                                            // the files of a folder stand together
-    std::chrono::nanoseconds patience = std::chrono::seconds(10);  // with a source that does not get ready
-    EditRules touch;                                               // by which a finger moves shots
-    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // after which a tapped shot goes back
+    std::chrono::nanoseconds patience = std::chrono::seconds(10);  // for a source that is late
+    EditRules touch;                                               // rules by which a finger moves shots
+    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // time after which a tapped shot goes back
 };
 
 /// The number of the folder under the media root that a file lies in, as PlanItem::group.
@@ -95,10 +95,9 @@ class Wall final : public Show {
     Vec2 shown_canvas_;  // the canvas that shown_ was laid out for
     std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
-    double usual_waste_ = 1;  // share of the canvas, of the last wall that was laid out anew
+    double usual_waste_ = 1;  // waste of the last wall that was laid out anew, share of the canvas
     std::uint64_t generation_ = 0;
-    std::vector<ShotRequest>
-        restored_;  // for sources whose shots the store has got since they were asked for
+    std::vector<ShotRequest> restored_;  // requests for shots that the store has got since
 };
 
 }  // namespace vitrine::player

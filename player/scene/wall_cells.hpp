@@ -11,7 +11,7 @@ namespace vitrine::player {
 /// Gives each shot its cell in a layout of these shots alone. Shots of one group form one cell group.
 void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style);
 
-/// Share of the canvas on which no I-Region is seen, plus the share on which no shot has pixels at all.
+/// The share of the canvas on which no I-Region is seen, plus the share on which no shot has pixels.
 /// @pre each shot has a cell
 double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
 

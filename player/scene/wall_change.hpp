@@ -21,7 +21,7 @@ struct WallChange {
         planned,   // its layout is awaited
         wasteful,  // its layout leaves much of the canvas empty: another plan is to be made
         laid_out,  // its sources are to be asked for
-        waiting,   // for its sources, and for the time of the shot that leaves
+        waiting,   // waits for its sources and for the end of the leaving shot's time
         fading,    // from the old wall to the new one
         arriving,  // the first wall: each shot fades in when it is ready
     };
@@ -30,9 +30,8 @@ struct WallChange {
     std::uint64_t generation = 0;  // its plan's generation
     Vec2 canvas;                   // px
     std::vector<PlacedShot> wall;
-    std::vector<PlacedShot>
-        calm;               // the same shots in the wasteful layout, in which they move little; none: none
-    bool is_final = false;  // the layout: no better one follows
+    std::vector<PlacedShot> calm;  // the wasteful layout, in which shots move little; empty: none
+    bool is_final = false;         // the layout: no better one follows
     bool is_by_touch = false;
     std::optional<std::chrono::nanoseconds> pace;  // by touch: duration of its one act; none: the usual
     std::optional<std::chrono::nanoseconds> waiting_since;  // for sources

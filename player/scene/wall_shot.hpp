@@ -27,7 +27,7 @@ struct WallShot {
     bool operator==(const WallShot&) const = default;
 };
 
-/// @param key  of a shot of this record
+/// @param key  names a shot of this record
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
 
 /// A shot at its place on the canvas.
@@ -50,7 +50,7 @@ const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source)
 /// The shot in this slot; nullptr if the wall has none.
 const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot);
 
-/// Takes over where the store has the shots by now.
+/// Takes over the places that the shots have in the store by now.
 /// @param known  the shots as their records have them now
 /// @return       requests for the shots whose place in the store has changed
 std::vector<ShotRequest> update_stored(std::span<PlacedShot> wall, std::span<const WallShot> known);

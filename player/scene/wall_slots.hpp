@@ -24,7 +24,7 @@ struct SlotSettings {
     std::uint64_t seed = 1;
     FilmShow film = FilmShow::side_by_side;
     std::chrono::nanoseconds dwell = std::chrono::seconds(20);      // shortest time that a shot stays
-    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // where whole loops would take more
+    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // with whole loops that take longer
     std::chrono::nanoseconds spacing = std::chrono::seconds(3);     // between two changes of turn
     std::chrono::nanoseconds lead = std::chrono::seconds(4);  // time by which the next shot is chosen early
     std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // for a file that failed
@@ -32,12 +32,10 @@ struct SlotSettings {
                                // from those of other walls
 };
 
-/// The shots on a wall: a fixed number of slots, each with a shot that after
-/// its time makes room for the next one in the same place. ShotChooser decides
-/// which comes next. Source: Dynamic Media Assemblage, chapter 4
-/// ("we simply substitute the old shot with the new shot in the same
-/// position"). Beyond it: whose turn it is, one slot at a time, following a
-/// catalogue that changes.
+/// The shots on a wall: a fixed number of slots, each with a shot that after its time makes room for the next
+/// one in the same place. ShotChooser decides which comes next. Source: Dynamic Media Assemblage, chapter 4
+/// ("we simply substitute the old shot with the new shot in the same position"). Ours: the choice of the slot
+/// whose turn it is, one at a time, and a catalogue that changes.
 ///
 /// If all files fit on the wall, none ever leaves it altogether. The shots of a
 /// film alone on the wall leave one after the other.
@@ -59,8 +57,7 @@ class WallSlots {
     /// can be got ready; fills free slots.
     void advance(std::chrono::nanoseconds now);
 
-    /// The time at which the last replaced shot leaves; none: as soon as
-    /// possible.
+    /// The time at which the shot that was replaced last leaves; none: as soon as possible.
     std::optional<std::chrono::nanoseconds> due() const { return due_; }
 
     /// The time of this shot counts from now on.

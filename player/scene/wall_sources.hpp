@@ -9,7 +9,7 @@
 
 namespace vitrine::player {
 
-/// The sources that a wall has asked for and not retired, and what became of each.
+/// The sources that a wall has asked for and not retired, each with its state.
 class WallSources {
   public:
     /// Asks for the sources of these shots, each in its present size.

@@ -32,7 +32,7 @@ struct DismissedShot {
 /// touch enlarges it until it is let go; a flick beyond the edge of the canvas dismisses it.
 class WallTouch {
   public:
-    /// @param idle  after which a tapped shot goes back
+    /// @param idle  time after which a tapped shot goes back
     WallTouch(const EditRules& rules, std::chrono::nanoseconds idle)
         : drag_(rules), enlargement_(rules, idle) {}
 

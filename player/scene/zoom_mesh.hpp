@@ -26,7 +26,7 @@ struct ZoomMesh {
     bool is_whole = false;                 // it is opaque
     double coarse_origin = 0;              // px of the coarser strip
     double fine_origin = 0;
-    double coarse_left = 0;  // px of the strip between which all of it lies
+    double coarse_left = 0;  // px of the strip: all of the tile lies between them
     double coarse_right = 0;
     double fine_left = 0;
     double fine_right = 0;

@@ -13,7 +13,7 @@ namespace vitrine::player {
 /// Remembers which films a stage has asked for, and finds those on the screen that may be heard.
 class AudibleFilms {
   public:
-    /// @param records  of the stage; they tell where a film's sound is stored
+    /// @param records  the stage's records; they tell where a film's sound is stored
     void note(const ShotRequest& request, const RecordList& records);
 
     void forget(SourceId source) { films_.erase(source); }

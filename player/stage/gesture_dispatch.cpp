@@ -18,7 +18,7 @@ std::string top_folder(const std::optional<ShotKey>& shot) {
 
 void GestureDispatch::dispatch(std::chrono::nanoseconds now) {
     using Handler = bool (GestureDispatch::*)(const Gesture&);
-    // In the order in which they are asked. The first that handles the gesture is the last that sees it.
+    // The handlers are asked in this order. The first one that handles the gesture ends the search.
     static constexpr std::array<Handler, 4> handlers{
         &GestureDispatch::give_to_tapestry, &GestureDispatch::open_tapestry,
         &GestureDispatch::open_or_close_folder, &GestureDispatch::give_to_wall};
@@ -37,7 +37,7 @@ bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
     return true;
 }
 
-/// Two fingers that part on a film, or two taps on it, open its tapestry where there is one.
+/// Two fingers that part on a film, or two taps on it, open its tapestry if there is one.
 bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     parted_ = gesture.kind == Gesture::Kind::pinch ? parted_ * gesture.factor : 1;
     if (gesture.kind != Gesture::Kind::double_tap && parted_ < parted_enough) return false;

@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto idle_period = 100ms;  // between two frames with the idle picture, which moves slowly
-constexpr auto still_period = 1s;  // between two equal frames: a picture that a card lost in silence is back
+constexpr auto still_period = 1s;    // between equal frames: brings back a picture that a card lost silently
 
 /// Part of the frame is the idle picture: it is asked for, or a source has no picture yet.
 bool shows_idle(const Frame& frame, const Renderer& renderer) {
@@ -74,7 +74,7 @@ bool ScreenPainter::upload(const Frame& frame, Renderer& renderer) {
     return is_new;
 }
 
-/// The frame gets a number of its own where it does not look like the last one, or that is long ago.
+/// Gives the frame a new number if it does not look like the last one, or if the last one is long ago.
 void ScreenPainter::number(const Frame& frame, bool is_new, bool is_idle) {
     const std::chrono::nanoseconds period = is_idle ? idle_period : still_period;
     if (!is_new && looks_alike(frame, drawn_) && frame.time - drawn_.time < period) return;

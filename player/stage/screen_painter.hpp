@@ -19,8 +19,9 @@ namespace vitrine::player {
 /// Draws a stage's frames on its screens. Knows which pictures the renderer has, and which frame each screen
 /// shows: a screen is drawn only when something on it is new.
 ///
-/// Each screen is drawn by itself, not copied from one picture: that is sharp at every size, and with
-/// llvmpipe costs half of it for one screen, the same for two and an eighth more for three (bench/render).
+/// Each screen is drawn by itself, not copied from one picture: the result is sharp at every size. With
+/// llvmpipe it costs half as much as copying for one screen, the same for two and an eighth more for three
+/// (bench/render).
 class ScreenPainter {
   public:
     /// @param settings, sources  outlive this

@@ -18,7 +18,8 @@ using namespace std::chrono_literals;
 
 constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set for a tapestry's sources
 
-/// Nearly opaque, so that the items below are drawn too: an opaque item may be taken for covering them.
+/// Nearly opaque, so that the items below are drawn too: the renderer may leave out items below an opaque
+/// one.
 constexpr double max_alpha_behind = 0.999;
 
 }  // namespace

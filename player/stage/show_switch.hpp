@@ -21,7 +21,7 @@ namespace vitrine::player {
 class ShowSwitch {
   public:
     /// @param settings      outlive this
-    /// @param owner         of the sources of both shows
+    /// @param owner         the owner of both shows' sources
     /// @param awaits_tiles  every frame of a tapestry is whole, however long its tiles take
     ShowSwitch(const Settings& settings, std::uint64_t owner, bool awaits_tiles);
 
@@ -29,10 +29,10 @@ class ShowSwitch {
 
     const Show& wall() const { return *wall_; }
 
-    /// In place of the wall; none: the wall is shown.
+    /// The tapestry that is shown in place of the wall; none: the wall is shown.
     TapestryPlayback* tapestry() { return tapestry_.get(); }
 
-    /// Px; of a screen that most have, before the first is known.
+    /// The size of the canvas, px; until the first screen is known, that of the most usual screen.
     Vec2 canvas() const { return canvas_; }
 
     void set_canvas(Vec2 canvas);
@@ -49,13 +49,14 @@ class ShowSwitch {
     /// @param renderer  is given the tiles of a tapestry
     WallStep step(Renderer& renderer);
 
-    /// Fades in what has just taken the place of the other.
-    /// @param frame  of the last step
+    /// Fades in the show that has just taken the place of the other.
+    /// @param frame  the last step's frame
     void fade(Frame& frame);
 
-    /// A film's tapestry takes the place of the wall, if there is one and it is of the film as it is now.
-    /// @param shot  of the film, which the view of the tapestry begins with
-    /// @return whether it does
+    /// A film's tapestry takes the place of the wall, if there is one and it was woven from the film as it is
+    /// now.
+    /// @param shot  the film's shot with which the view of the tapestry begins
+    /// @return false: there is no such tapestry
     bool open_tapestry(const RecordList::Record& film, std::size_t shot);
 
     /// A tapestry takes the place of the wall.

@@ -112,7 +112,7 @@ WallStep Stage::next_step(Renderer& renderer) {
 void Stage::carry_out(const WallStep& step, Renderer& renderer) {
     if (step.plan) {
         planner_->request_layout(*step.plan);
-        if (const std::optional<Layout> layout = planner_->pop_layout())  // it was made at once
+        if (const std::optional<Layout> layout = planner_->pop_layout())  // the planner made it at once
             shows_->wall().set_layout(*layout);
     }
     for (const ShotRequest& request : step.requests) {

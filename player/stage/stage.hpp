@@ -41,8 +41,8 @@ struct StageOptions {
     bool awaits_sources = false;  // the clock stands still until the layout and the sources are there
 };
 
-/// One show and the screens that show it. Its canvas is that of the largest screen; each other one shows the
-/// same in its own resolution, between black bars where its shape is another. While no screen shows it, its
+/// One show and the screens that show it. Its canvas is that of the largest screen; each other screen shows
+/// the same in its own resolution, between black bars if its shape is another. While no screen shows it, its
 /// time stands still.
 class Stage {
   public:
@@ -54,7 +54,7 @@ class Stage {
     Stage& operator=(Stage&&) = delete;
     ~Stage();
 
-    /// The files that its folder and an open folder let through.
+    /// The files that pass the filters: the stage's folder and a folder that a visitor has opened.
     const StageFiles& files() const { return files_; }
 
     /// @param records  of all files that may be shown, ordered by path; the stage takes those of its folder
@@ -83,8 +83,8 @@ class Stage {
     void forget_uploads();
 
     /// A film's tapestry is shown in place of the wall, which waits meanwhile.
-    /// @param directory  of the tapestry
-    /// @param patience   without a touch, until the wall comes back; none: it never does
+    /// @param directory  the tapestry's directory
+    /// @param patience   time without a touch until the wall comes back; none: it never does
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
     void show_tapestry(const std::filesystem::path& directory,
                        std::optional<std::chrono::nanoseconds> patience);

@@ -6,8 +6,8 @@
 
 namespace vitrine::player {
 
-/// The files that a stage may show: those of its screens' folder and, while a visitor looks into one folder,
-/// only the files of that one.
+/// The files that a stage may show: those of its screens' folder. While a visitor looks into one folder, only
+/// the files of that folder.
 class StageFiles {
   public:
     /// @param folder  below the media folder; empty: the whole media folder

@@ -22,7 +22,7 @@ TileId tile_of(std::uint64_t number) {
     return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
 }
 
-/// The film is played from where its record says, wherever it was when the tapestry was woven.
+/// The film is played from the path in its record: it may have moved since the tapestry was woven.
 TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                      const TapestryPlaybackOptions& options) {
     Tapestry tapestry = read_tapestry(directory);

@@ -17,7 +17,7 @@ namespace vitrine::player {
 
 struct TapestryPlaybackOptions {
     SourceId first_source = 0;                         // its sources are numbered from there on
-    std::optional<std::chrono::nanoseconds> patience;  // without a touch, until it is over; none: it never is
+    std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it is over; none: never
     bool awaits_tiles = false;                         // every frame is whole, however long its tiles take
     RecordList::Record film;                           // none: nothing is known of the film
     std::chrono::nanoseconds first_seen{0};            // film time in the middle of the first view
@@ -30,7 +30,7 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 /// frame, so that neither reading nor uploading holds a frame up.
 class TapestryPlayback {
   public:
-    /// @param directory  of the tapestry
+    /// @param directory  the tapestry's directory
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
     TapestryPlayback(std::filesystem::path directory, Vec2 canvas, TapestryPlaybackOptions options);
 
@@ -42,7 +42,7 @@ class TapestryPlayback {
 
     void source_failed(SourceId source) { show_.source_failed(source); }
 
-    /// Follows the record of its film. Where the film has changed, the tapestry is over.
+    /// Follows the record of its film. If the film has changed, the tapestry is over.
     void set_catalogue(const RecordList& records);
 
     bool is_over() const { return show_.is_over(); }

@@ -17,7 +17,7 @@ class Renderer;
 Picture picture_of(const Frame& frame, int max_side, Renderer& renderer);
 
 /// Writes STATE/wall.jpg, a small picture of the wall for the operators: every half minute, and a moment
-/// after other shots have come. A thread of its own writes, as a disk may take long. Logs.
+/// after other shots have come. Writes in a thread of its own, because a disk may take long. Logs.
 class WallPicture {
   public:
     static constexpr int max_side = 960;  // px

@@ -7,7 +7,7 @@
 
 namespace vitrine::analyzer {
 
-/// What becomes less tall; all of one size.
+/// The pictures that become less tall; all of one size.
 struct CarveInput {
     enum Given : std::uint8_t { open, stays, goes };
 

@@ -37,8 +37,8 @@ class Medoids {
 
   private:
     struct Service {
-        float cost = 0;    // of the medoid that shows the frame best
-        float second = 0;  // of the next best
+        float cost = 0;    // cost of the medoid that shows the frame best
+        float second = 0;  // cost of the next best medoid
         int by = -1;       // -1: none is near
         int second_by = -1;
     };

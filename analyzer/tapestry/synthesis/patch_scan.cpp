@@ -17,7 +17,7 @@ namespace {
 
 constexpr int width = FrameSignature::width;
 constexpr int height = FrameSignature::height;
-constexpr int side = 7;  // of a patch, px
+constexpr int side = 7;  // a patch's side, px
 constexpr int patch_columns = width - side + 1;
 constexpr int patch_rows = height - side + 1;
 constexpr int patches = patch_columns * patch_rows;

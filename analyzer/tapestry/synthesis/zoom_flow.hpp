@@ -53,7 +53,7 @@ class ZoomFlow {
   private:
     struct Point {
         Vec2 way;         // to the other level, px
-        int samples = 0;  // that it is the mean of; 0: unknown
+        int samples = 0;  // number of samples in the mean; 0: unknown
     };
 
     /// One level and its points, which are those of all its zoom fields.

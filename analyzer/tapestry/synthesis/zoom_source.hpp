@@ -40,7 +40,7 @@ class ZoomSource {
 
     PatchImage picture_;
     PatchRules rules_;
-    MatchField matches_;  // of the picture's patches
+    MatchField matches_;  // matches of the picture's patches
 };
 
 }  // namespace vitrine::analyzer

@@ -21,7 +21,7 @@ struct FilmContent {
 
 struct CandidateEntry {
     std::int64_t time_ns = 0;
-    std::int64_t offset = 0;  // of its JPEG
+    std::int64_t offset = 0;  // place of its JPEG
     std::int64_t bytes = 0;
     std::array<std::uint8_t, std::tuple_size_v<decltype(FrameSignature::pixels)>> signature{};
 };

@@ -16,7 +16,7 @@ using std::chrono::nanoseconds;
 constexpr double strip_top = 0.62;     // share of the canvas' height
 constexpr double strip_height = 0.31;  // likewise
 constexpr double preview_top = 0.05;   // likewise
-constexpr double preview_room = 0.52;  // likewise, of which the preview takes what its shape allows
+constexpr double preview_room = 0.52;  // likewise: the preview fills it as its shape allows
 constexpr double preview_width = 0.9;  // share of the canvas' width, at most
 constexpr int level_bits = 26;         // bits for a tile's number within its level, in its source's number
 constexpr SourceId film_bit = SourceId{1} << 40;
@@ -25,7 +25,7 @@ constexpr double blend_begin = 0.2;  // share of the way between two levels wher
 constexpr double blend_end = 0.8;    // share of the way from which only the finer one shows
 constexpr double soft_edge = 0.14;   // width, as share of the height of the picture that plays in place
 constexpr int edge_points = 6;       // per side of the soft edge
-constexpr double nearly_opaque = 0.999;  // a soft edge is drawn only for what is not opaque
+constexpr double nearly_opaque = 0.999;  // a soft edge is drawn only for an item that is not opaque
 constexpr double playhead_alpha = 0.85;
 constexpr double playhead_lines = 720;  // lines of the canvas for one px of half the playhead's width
 

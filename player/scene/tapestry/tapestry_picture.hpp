@@ -42,9 +42,9 @@ struct DrawnTapestry {
     TapestrySources sources;
 };
 
-/// Draws the strip, what plays in place, the preview above it, and a line in the strip at what the preview
-/// shows. Between two levels it draws the meshes of the zoom fields where the film has them; else one level
-/// fades into the other. Where tiles are missing the coarsest level shows.
+/// Draws the tapestry, the part that plays in place, the preview above, and a line in the tapestry at the
+/// time that the preview shows. Between two levels it draws the meshes of the zoom fields where the film has
+/// them; else one level fades into the other. Where tiles are missing the coarsest level shows.
 Frame tapestry_frame(const DrawnTapestry& drawn, std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

@@ -49,8 +49,8 @@ class TapestryPreview {
     /// @param width  px of the picture
     void play(std::chrono::nanoseconds from, double width);
 
-    /// The span that plays in place for a tap on this time. It lies within one shot: the next shot belongs
-    /// elsewhere on the strip.
+    /// The span that plays in place for a tap on this time. It lies within one shot: the next shot has
+    /// another place on the tapestry.
     FilmSpan span_in_place(std::chrono::nanoseconds from) const;
 
     void play_in_place(const FilmSpan& span, double width);
@@ -63,7 +63,7 @@ class TapestryPreview {
 
     void stop_in_place();
 
-    /// The canvas has changed: gives up what was asked for at another size.
+    /// The canvas has changed: gives up the spans that were asked for at another size.
     void stop_outdated();
 
     void stop_all();
@@ -88,7 +88,7 @@ class TapestryPreview {
         std::vector<SourceId> retired;
     };
 
-    /// Removes and returns what has been asked for and retired since the last call.
+    /// Removes and returns the requests and the retired sources since the last call.
     Changes take_changes();
 
   private:
