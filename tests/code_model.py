@@ -74,9 +74,7 @@ class Reader:
         if not cursor.is_definition():
             return
         of_class = {"name": self.full_name(cursor), "file": self.name_in_tree(cursor.location),
-                    "line": cursor.location.line, "fields": [], "methods": [], "friends": 0, "is_record": True,
-                    "is_private": cursor.access_specifier in (AccessSpecifier.PRIVATE, AccessSpecifier.PROTECTED),
-                    "holder": self.holder_of(cursor), "bases": 0}
+                    "line": cursor.location.line, "fields": [], "methods": [], "friends": 0, "is_record": True}
         self.classes[self.key_of(cursor)] = of_class
         for child in cursor.get_children():
             self.read_member(child, of_class)
