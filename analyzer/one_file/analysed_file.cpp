@@ -1,6 +1,7 @@
 #include "analyzer/one_file/analysed_file.hpp"
 
 #include "analyzer/film/frame_reader.hpp"
+#include "analyzer/models/face_model.hpp"
 #include "base/media/colour.hpp"
 #include "base/state/catalogue.hpp"
 #include "base/state/media_error.hpp"
@@ -15,20 +16,6 @@
 namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// The face model to use. The default one stands in share/vitrine beside the folder of this program, in a
-/// build and where it is installed; where it does not stand there, "" is returned, and faces are found by the
-/// cascade.
-std::string face_model_at_hand(const std::string& wanted) {
-    if (wanted != Settings{}.analyzer.face_model) return wanted;
-    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/vitrine" /
-                            fs::path(wanted).filename();
-    return fs::exists(beside) ? beside.string() : std::string();
-}
-
-}  // namespace
 
 AnalysedFile::AnalysedFile(const fs::path& file, const Settings& settings)
     : file_(file), settings_(settings), path_(record_path(file, settings.media.root)) {
@@ -80,7 +67,7 @@ AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
     settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
     settings.region.mass = from.region_mass;
     settings.region.margin = from.region_margin;
-    settings.face_model = face_model_at_hand(from.face_model);
+    settings.face_model = find_face_model(from.face_model);
     settings.saliency_model = from.saliency_model;
     return settings;
 }

@@ -1,6 +1,7 @@
 #include "analyzer/tapestry/weave_file.hpp"
 
 #include "analyzer/film/frame_reader.hpp"
+#include "analyzer/models/face_model.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
@@ -84,7 +85,7 @@ class Weaving {
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
-        faces_ = face_detector(settings.analyzer.face_model, settings.analyzer.face_cascade);
+        faces_ = face_detector(find_face_model(settings.analyzer.face_model), settings.analyzer.face_cascade);
     }
 
     std::string once() {

@@ -64,7 +64,9 @@ class Tapestry(unittest.TestCase):
     def wait_for(self, condition):
         end = time.monotonic() + PATIENCE
         while not condition():
-            self.assertLess(time.monotonic(), end, (self.state.parent / "journal").read_text())
+            journal = (self.state.parent / "journal").read_text()
+            self.assertNotIn("not woven", journal)
+            self.assertLess(time.monotonic(), end, journal)
             time.sleep(0.05)
 
     def levels(self, path):
