@@ -209,10 +209,21 @@ class Machine:
 
     def panel(self, width, height, head=0):
         """Puts a panel of this size on an output; 0 x 0 takes it off."""
-        subprocess.run(["gdbus", "call", "--address", self.bus, "--dest", "org.qemu",
-                        "--object-path", f"/org/qemu/Display1/Console_{head}", "--method", f"{CONSOLE}.SetUIInfo",
-                        *map(str, (width * 254 // 1000, height * 254 // 1000, 0, 0, width, height))],
-                       check=True, capture_output=True, timeout=PATIENCE)
+        command = ["gdbus", "call", "--address", self.bus, "--dest", "org.qemu",
+                   "--object-path", f"/org/qemu/Display1/Console_{head}", "--method", f"{CONSOLE}.SetUIInfo",
+                   *map(str, (width * 254 // 1000, height * 254 // 1000, 0, 0, width, height))]
+        complaint = ""
+
+        def is_set():
+            nonlocal complaint
+            said = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
+            complaint = said.stderr.strip()
+            return said.returncode == 0
+
+        try:
+            wait_for("QEMU's display on the bus", is_set, 60)  # on a busy machine QEMU answers QMP before it has its name there
+        except AssertionError as error:
+            raise AssertionError(f"{error}: {complaint}") from error
 
     def picture(self, head=0):
         """What is scanned out to an output's panel."""
