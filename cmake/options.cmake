@@ -38,21 +38,19 @@ file(SHA256 ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp precompiled_sum)
 string(APPEND precompiled_sum " ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} fmt ${fmt_VERSION}\n")
 file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_precompiled.dir/cmake_pch.hxx.gch.sum "${precompiled_sum}")
 
-# The sources of tests and benchmarks. In builds with sanitizers their own code is not optimised and is without UBSan:
-# defects are looked for in the modules, which keep both. It compiles in a fifth of the time: 6 s instead of 33 s of
-# CPU for the largest test.
-add_library(vitrine_test_options INTERFACE)
-target_link_libraries(vitrine_test_options INTERFACE vitrine_options)
-set(VITRINE_TEST_PRECOMPILED vitrine_precompiled)
+# The outermost sources: tests, benchmarks, the command lines of the programs. In builds with sanitizers their own code
+# is not optimised and is without UBSan: defects are looked for in the modules, which keep both. It compiles in a fifth
+# of the time: 6 s instead of 33 s of CPU for the largest test.
+add_library(vitrine_quick_options INTERFACE)
+target_link_libraries(vitrine_quick_options INTERFACE vitrine_options)
+set(VITRINE_QUICK_PRECOMPILED vitrine_precompiled)
 if(VITRINE_SANITIZE)
-  target_compile_options(vitrine_test_options INTERFACE -O0 -fno-sanitize=undefined)
-  set(VITRINE_TEST_PRECOMPILED vitrine_test_precompiled)
-  if(VITRINE_TESTS)
-    add_library(vitrine_test_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
-    target_link_libraries(vitrine_test_precompiled PRIVATE vitrine_test_options)
-    target_precompile_headers(vitrine_test_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
-    file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_test_precompiled.dir/cmake_pch.hxx.gch.sum "${precompiled_sum}")
-  endif()
+  target_compile_options(vitrine_quick_options INTERFACE -O0 -fno-sanitize=undefined)
+  set(VITRINE_QUICK_PRECOMPILED vitrine_quick_precompiled)
+  add_library(vitrine_quick_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  target_link_libraries(vitrine_quick_precompiled PRIVATE vitrine_quick_options)
+  target_precompile_headers(vitrine_quick_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
+  file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_quick_precompiled.dir/cmake_pch.hxx.gch.sum "${precompiled_sum}")
 endif()
 
 # A module is an object-like static library of one folder, named vitrine_<folder>.
@@ -88,6 +86,19 @@ function(read_together name)
   target_compile_options(${name} PRIVATE -Wno-subobject-linkage)  # types of unnamed namespaces are not in a main file
 endfunction()
 
+# A program that prints figures.
+#   vitrine_bench(packing SOURCES packing.cpp moves.cpp USES player_layout)
+function(vitrine_bench name)
+  cmake_parse_arguments(arg "EXCLUDE_FROM_ALL" "" "SOURCES;USES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ${arg_EXCLUDE_FROM_ALL})
+  target_link_libraries(${name} PRIVATE vitrine_quick_options ${arg_USES} fmt::fmt)
+  target_precompile_headers(${name} REUSE_FROM ${VITRINE_QUICK_PRECOMPILED})
+  if(VITRINE_UNITY)
+    read_together(${name} ${arg_SOURCES})
+  endif()
+endfunction()
+
 # A test file is one ctest test; all files of one call share an executable. Labels: unit, gl, media, pipeline,
 # and beside them tsan for what has threads. Test cases of the doctest suite `real` read VITRINE_MEDIA. The files that
 # hold some are named by REAL, too, and give a second test, real.FILE; with the label `real` a file holds nothing else.
@@ -99,8 +110,11 @@ function(vitrine_tests name)
     set(arg_TIMEOUT 120)
   endif()
   add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:tests_main>)
-  target_link_libraries(${name} PRIVATE vitrine_test_options doctest::doctest ${arg_USES})
-  target_precompile_headers(${name} REUSE_FROM ${VITRINE_TEST_PRECOMPILED})
+  target_link_libraries(${name} PRIVATE vitrine_quick_options doctest::doctest ${arg_USES})
+  target_precompile_headers(${name} REUSE_FROM ${VITRINE_QUICK_PRECOMPILED})
+  if(VITRINE_UNITY)
+    read_together(${name} ${arg_SOURCES})
+  endif()
   foreach(source IN LISTS arg_SOURCES)
     get_filename_component(stem ${source} NAME_WE)
     set(tests "")

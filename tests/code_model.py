@@ -264,15 +264,25 @@ def add(all_of, of_file):
     all_of["errors"].update(of_file["errors"])
 
 
+def sources_of(entry):
+    """The sources that a command compiles: one, or those of a batch (VITRINE_UNITY)."""
+    path = os.path.realpath(os.path.join(entry["directory"], entry["file"]))
+    if os.sep + "Unity" + os.sep not in path:
+        return [path]
+    return re.findall(r'^#include "(.*)"$', Path(path).read_text(), re.M)
+
+
 def commands_of(root, build):
     """The flags of each source file; the same for all, as all have to agree on what the headers mean."""
     names, flags = [], {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = os.path.realpath(os.path.join(entry["directory"], entry["file"]))
-        name = path[len(str(root)) + 1:]
-        if path.startswith(str(root) + os.sep) and name.split("/")[0] in TOPS:
-            names.append(name)
-            flags |= dict.fromkeys(flags_of(entry["command"]))
+        for path in sources_of(entry):
+            name = path[len(str(root)) + 1:]
+            if path.startswith(str(root) + os.sep) and name.split("/")[0] in TOPS:
+                names.append(name)
+                flags |= dict.fromkeys(flags_of(entry["command"]))
+    if not names:
+        raise ValueError(f"{build}/compile_commands.json names no source of {root}")
     return sorted(set(names)), ["-pthread", *flags]
 
 
