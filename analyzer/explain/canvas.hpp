@@ -38,7 +38,7 @@ class Canvas {
 
     /// Draws one line with the middle of its capitals at `at.y`. Bytes that are not UTF-8 become replacement
     /// characters.
-    /// @param max_width  of a wider line the middle of the text is left out
+    /// @param max_width  a wider line is shown without the middle of its text
     /// @return           the width drawn
     int text(std::string_view line, Vec2 at, const TextStyle& style, int max_width = 100'000);
 

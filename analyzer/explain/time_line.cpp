@@ -13,7 +13,7 @@ using std::chrono::nanoseconds;
 
 constexpr double bar_height = 30;
 constexpr double tick_y = 46;
-constexpr double legend_x = 360;  // from the right
+constexpr double legend_x = 360;  // px from the right
 constexpr Ink plain_shot = 0xC9C4BD;
 constexpr Ink shown_shot = 0x4A6FA5;
 constexpr Ink dissolve = 0xE0A13A;

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-// First every block is sought in half the size, over the whole reach: all blocks at one shift together, which
-// a compiler turns into vector code. Then about the place found, in full size.
+// Searches every block at half the size over the whole reach first: all blocks at one shift together, which a
+// compiler turns into vector code. Then it searches around the place found, at full size.
 
 namespace vitrine::analyzer {
 
@@ -18,12 +18,12 @@ constexpr int block_width = 8;
 constexpr int block_height = 6;
 constexpr int columns = width / block_width;
 constexpr int rows = height / block_height;
-constexpr double least_contrast = 25;  // grey levels squared: in less, noise is all there is
-constexpr int noise = 40;              // grey levels squared that a block may differ by and be the same
+constexpr double least_contrast = 25;  // grey levels squared: less is only noise
+constexpr int noise = 40;              // grey levels squared: blocks that differ by less are the same
 
 constexpr int half_width = width / 2;
 constexpr int half_height = height / 2;
-constexpr int reach_x = 4;  // in half the size: an eighth of the width
+constexpr int reach_x = 4;  // px at half the size: an eighth of the width
 constexpr int reach_y = 3;
 constexpr int padded_width = half_width + 2 * reach_x;
 constexpr int padded_height = half_height + 2 * reach_y;
@@ -52,7 +52,7 @@ Half halved(const Detail& detail) {
     return half;
 }
 
-// With its border repeated outwards.
+// Adds a margin that repeats the border.
 Padded padded(const Half& half) {
     Padded out{};
     for (int y = 0; y < padded_height; ++y) {
@@ -67,7 +67,7 @@ Padded padded(const Half& half) {
     return out;
 }
 
-// All blocks at one shift.
+// Compares all blocks at one shift.
 void compare(const Padded& before, const Half& after, int shift_x, int shift_y, Matches& matches) {
     auto match = matches.begin();
     for (int top = 0; top < half_height; top += block_height / 2) {
@@ -106,7 +106,7 @@ int difference(const std::uint8_t* a, const std::uint8_t* b) {
     return sum;
 }
 
-// About twice the coarse shift.
+// The smallest difference of a block around twice its coarse shift.
 int least_difference(const Detail& before, const Detail& after, int left, int top, const Match& match) {
     const std::uint8_t* block = after.data() + static_cast<std::ptrdiff_t>(top) * width + left;
     const int middle_x = std::clamp(left + 2 * match.x, 0, width - block_width);
@@ -133,7 +133,7 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
             left += difference;
             const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(y) * width + x;
             still += vitrine::analyzer::difference(before.detail.data() + place, after.detail.data() + place);
-            const bool is_inner = y > 0 && y < height - block_height;  // outside there may be bars
+            const bool is_inner = y > 0 && y < height - block_height;  // the outer rows may be bars
             if (is_inner && difference > noise * block_width * block_height) ++changed;
         }
     }

@@ -6,14 +6,14 @@ namespace vitrine::analyzer {
 
 /// The part of a picture that no motion from an earlier one explains.
 struct Unexplained {
-    double share =
-        0;  // about 0 for two views of one scene, also of a moving one; about .2 to 1 for unlike pictures
-    double area = 0;   // share of the picture in which something is left
-    double still = 0;  // the share without motion
+    /// About 0 for two views of one scene, also of a moving one; about .2 to 1 for unlike pictures.
+    double share = 0;
+    double area = 0;   // share of the picture in which something is left unexplained
+    double still = 0;  // `share` if nothing were to move
 };
 
-/// Blocks of `after` are sought in `before` within an eighth of the picture's width; what is left of them is
-/// set against what two unrelated pictures of such contrast would leave.
+/// Searches the blocks of `after` in `before` within an eighth of the picture's width. The difference that is
+/// left is divided by that of two unrelated pictures of such contrast.
 Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after);
 
 }  // namespace vitrine::analyzer

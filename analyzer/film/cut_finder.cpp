@@ -12,30 +12,31 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr double least_step = 4;     // grey levels that the picture changes by at any cut
-constexpr double above_third = 1.4;  // times the third largest step around: two more may be a flash's
+constexpr double above_third = 1.4;  // times the third largest step around: two may belong to a flash
 constexpr double above_median = 3;   // times the median step around
 constexpr milliseconds around{240};
-constexpr std::size_t around_frames = 4;  // at least so many, where frames are rare
+constexpr std::size_t around_frames = 4;  // at least so many frames, where they are rare
 
-constexpr double least_unexplained = .09;  // at a cut
-constexpr double above_next = 3;           // times what is unexplained close by
-constexpr double above_busier = 2;         // with a calm side
+constexpr double least_unexplained = .09;  // share at a cut
+constexpr double above_next = 3;           // times the unexplained share close by
+constexpr double above_busier = 2;         // times that of the busier side, if the other is calm
 constexpr double most_of_all = .75;
 constexpr double above_next_if_unlike = 1.2;
 constexpr milliseconds close_by{80};
-constexpr double clear_step =
-    6;  // times the steps around: a change of colours only, which motion cannot explain
+// Times the steps around, where little is unexplained: motion cannot explain a change of colours only.
+constexpr double clear_step = 6;
 
-// An abrupt change to a picture that may be seen again soon, or that shows the same from elsewhere.
+// Bounds for an abrupt change to a picture that may be seen again soon, or that shows the same from
+// elsewhere.
 constexpr milliseconds longest_blink{140};
 constexpr milliseconds longest_flash{250};
-constexpr double flash_light = 20;  // grey levels that a flash is brighter
-constexpr double least_left = .05;  // unexplained
+constexpr double flash_light = 20;  // grey levels by which a flash is brighter
+constexpr double least_left = .05;  // unexplained share
 constexpr double least_area = .4;
-constexpr double abrupt = 6;    // times what is unexplained close by
-constexpr double lasting = .5;  // of what is unexplained at once
+constexpr double abrupt = 6;    // times the unexplained share close by
+constexpr double lasting = .5;  // share of the change at once that must stay
 
-constexpr double noise = .006;  // unexplained anyway
+constexpr double noise = .006;  // share that is always unexplained
 
 bool is_around(const FeatureWindow& window, std::size_t frame, std::size_t other) {
     const std::size_t frames = other > frame ? other - frame : frame - other;
@@ -59,7 +60,7 @@ Unexplained unexplained_at(const FeatureWindow& window, std::size_t frame) {
     return unexplained(window.at(frame - 1), window.at(frame));
 }
 
-// The most that is unexplained from one frame to the next close by, on either side.
+// The largest unexplained share between neighbouring frames close by, on either side.
 struct Beside {
     double before = noise;
     double after = noise;
@@ -75,7 +76,7 @@ Beside beside(const FeatureWindow& window, std::size_t frame) {
     return most;
 }
 
-// Says if so much stays unexplained as long as a flash can last, before and after.
+// Says if so much stays unexplained for as long as a flash can last, before and after.
 bool lasts(const FeatureWindow& window, std::size_t frame, double left) {
     const auto unlike = [&](std::size_t before, std::size_t after) {
         return unexplained(window.at(before), window.at(after)).share > lasting * left;

@@ -12,21 +12,21 @@ using std::chrono::milliseconds;
 
 constexpr std::array windows{milliseconds{160}, milliseconds{240}, milliseconds{320}, milliseconds{480},
                              milliseconds{640}, milliseconds{960}, milliseconds{1280}};
-constexpr std::size_t least_frames = 4;     // of a window
-constexpr std::size_t most_looked_at = 32;  // frames of a window
+constexpr std::size_t least_frames = 4;     // frames of a window
+constexpr std::size_t most_looked_at = 32;  // frames of a window that are looked at
 constexpr double least_energy = 150;        // mean square of D, grey levels squared
-constexpr double alike = .6;                // NCC of both ends
+constexpr double alike = .6;                // NCC of both ends from which on they are alike
 constexpr double least_difference = .15;    // colour difference of both ends
 constexpr double uneven = .18;              // largest deviation from even growth
 constexpr double most_residue = .05;        // energy beside D, share of D's
-constexpr double even = .1;                 // deviation of what nothing but a dissolve grows like
+constexpr double even = .1;                 // deviation so small that only a dissolve has it
 constexpr double most_residue_if_even = .17;
 constexpr milliseconds least_if_even{320};
 constexpr double unlike = .2;  // NCC of ends that no motion explains: both shots may move then
 constexpr double most_residue_if_unlike = .10;
-constexpr milliseconds quiet{320};  // without a window, a dissolve is over
+constexpr milliseconds quiet{320};  // a dissolve is over after so long without a window
 
-// Bars that move in from above and below are no dissolve: what lies there does not count.
+// Bars that move in from above and below are no dissolve: their rows do not count.
 constexpr std::size_t row = 3 * FrameFeatures::signature_width;
 constexpr std::size_t first_place = 3 * row;
 constexpr std::size_t end_place = (FrameFeatures::signature_height - 3) * row;

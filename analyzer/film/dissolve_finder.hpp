@@ -7,13 +7,12 @@
 
 namespace vitrine::analyzer {
 
-/// Finds dissolves: stretches over which the picture moves in a straight line from one picture to an unlike
-/// one.
+/// Finds dissolves: stretches in which the picture goes in a straight line from one picture to an unlike one.
 ///
 /// For frames s..e with signatures f, D = f_e - f_s and a_t = <f_t - f_s, D> / |D|^2 must grow evenly from 0
-/// to 1 while hardly anything is left beside D. A pan moves evenly as well, but between alike pictures: hence
-/// the normalised cross-correlation of both ends. Windows of several lengths end at each frame; those that
-/// overlap are one dissolve. Whether motion explains the change after all is asked by TransitionDetector.
+/// to 1 while hardly anything is left beside D. A pan grows evenly as well, but between alike pictures: hence
+/// the test of the normalised cross-correlation of both ends. Windows of several lengths end at each frame;
+/// those that overlap are one dissolve. TransitionDetector checks if motion explains the change after all.
 class DissolveFinder {
   public:
     /// Looks at the windows that end with `frame`.
@@ -24,7 +23,7 @@ class DissolveFinder {
     /// The dissolve still open.
     std::optional<Transition> finish();
 
-    /// Where the open dissolve began.
+    /// The begin of the open dissolve.
     std::optional<std::chrono::nanoseconds> open_since() const;
 
   private:

@@ -9,8 +9,8 @@ namespace {
 constexpr double plain_deviation = 6;  // grey levels
 constexpr double black = 14;
 constexpr double white = 240;
-constexpr std::chrono::milliseconds looked_over{120};  // growth is measured over so long
-constexpr double growth = 1.02;                        // of the contrast in that time
+constexpr std::chrono::milliseconds looked_over{120};  // time over which growth is measured
+constexpr double growth = 1.02;                        // factor of the contrast in that time
 constexpr std::chrono::milliseconds least_fade{120};   // a shorter ramp is a cut
 constexpr std::chrono::seconds longest_ramp{4};
 
@@ -25,7 +25,7 @@ std::size_t frame_before(const FeatureWindow& window, std::size_t frame, std::si
     return other;
 }
 
-// Where the contrast began to fall towards the plain frame.
+// The frame at which the contrast began to fall towards the plain one.
 std::size_t ramp_start(const FeatureWindow& window, std::size_t plain, std::size_t since) {
     std::size_t frame = plain;
     while (window.time(plain) - window.time(frame) < longest_ramp) {

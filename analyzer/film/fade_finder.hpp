@@ -11,8 +11,7 @@ namespace vitrine::analyzer {
 class FadeFinder {
   public:
     /// @param since  the transition reaches back no further than this frame
-    /// @return       a stretch that is over for good: a fade, or, where both its sides are abrupt, two cuts
-    /// in one
+    /// @return       a stretch that is over: a fade; or, where both its sides are abrupt, two cuts in one
     std::optional<Transition> push(const FeatureWindow& window, std::size_t frame, std::size_t since);
 
     /// The stretch still open at the film's end.

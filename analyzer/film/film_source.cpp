@@ -19,8 +19,8 @@ using std::chrono::nanoseconds;
 constexpr int frames_ahead = 4;     // decoded while the caller works on an earlier one
 constexpr int decoder_threads = 2;  // watch starts a child for every two cores
 
-// Says that frames with gaps between their rows are welcome, which appsink 1.22 does not: else the decoder
-// copies every frame.
+// Tells the decoder that frames may have gaps between their rows, which appsink 1.22 does not tell: else the
+// decoder copies every frame.
 GstPadProbeReturn welcome_gaps(GstPad*, GstPadProbeInfo* info, gpointer) {
     GstQuery* query = gst_pad_probe_info_get_query(info);
     if (GST_QUERY_TYPE(query) != GST_QUERY_ALLOCATION) return GST_PAD_PROBE_OK;

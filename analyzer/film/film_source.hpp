@@ -21,7 +21,7 @@ constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
 /// The frames of a film, decoded as fast as they are asked for.
 class FilmSource : public FrameSource {
   public:
-    /// @param background  what shows through where the film is transparent
+    /// @param background  colour that shows through where the film is transparent
     /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits
     FilmSource(const std::string& path, int analysis_size, Colour background = {});
 

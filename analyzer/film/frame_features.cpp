@@ -10,9 +10,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int counted_side = 100;  // px: about so many columns and rows are counted, more say nothing new
-constexpr int row_step = 2;        // a cell's mean needs no more
-constexpr int most_rows = 257;     // of a cell, so that a sum of bytes fits 16 bits
+constexpr int counted_side = 100;  // about so many columns and rows are counted; more tell nothing new
+constexpr int row_step = 2;        // every second row is enough for a cell's mean
+constexpr int most_rows = 257;     // rows of a cell: a sum of so many bytes fits 16 bits
 
 void count_colours(const cv::Mat& picture, FrameFeatures& features) {
     std::array<std::uint32_t, FrameFeatures::bins * FrameFeatures::bins * FrameFeatures::bins> counts{};
@@ -34,7 +34,8 @@ constexpr int detail_width = static_cast<int>(FrameFeatures::detail_width);
 constexpr int detail_height = static_cast<int>(FrameFeatures::detail_height);
 constexpr std::size_t cells = channels * FrameFeatures::detail_width;  // values of a row of the detail
 
-// The first column or row of a cell; the last cell ends where the picture ends. Small pictures repeat theirs.
+// The first column or row of a cell. The last cell ends where the picture ends. Cells of a small picture
+// share rows and columns.
 int begin_of(int cell, int cell_count, int length) {
     return std::min(cell * length / cell_count, length - 1);
 }
@@ -43,7 +44,7 @@ int end_of(int cell, int cell_count, int length) {
     return std::max((cell + 1) * length / cell_count, begin_of(cell, cell_count, length) + 1);
 }
 
-// Adds up every second of the picture's rows [begin, end); gives how many.
+// Adds up every second of the picture's rows [begin, end); returns the number of rows.
 int add_rows(const cv::Mat& picture, int begin, int end, std::vector<std::uint16_t>& sums) {
     std::ranges::fill(sums, std::uint16_t{0});
     const std::size_t values = sums.size();
@@ -55,7 +56,7 @@ int add_rows(const cv::Mat& picture, int begin, int end, std::vector<std::uint16
     return (end - begin + row_step - 1) / row_step;
 }
 
-// Where the cells lie in a row of pixels.
+// The places of the cells in a row of pixels.
 class Columns {
   public:
     explicit Columns(int width) {
@@ -66,7 +67,7 @@ class Columns {
         }
     }
 
-    // The means of a row of cells, from the sums of so many rows of pixels.
+    // The means of a row of cells, from the sums of `rows` rows of pixels.
     std::array<std::uint8_t, cells> means(const std::vector<std::uint16_t>& sums, int rows) const {
         std::array<std::uint8_t, cells> out{};
         for (std::size_t x = 0; x < begin_.size(); ++x) {
@@ -118,7 +119,7 @@ void make_places(const Row& above, const Row& below, std::span<std::uint8_t, cel
     }
 }
 
-// One pass over the picture: the rows of a cell are added up as they lie, which a compiler turns into vector
+// Passes over the picture once. Adds up the rows of a cell as they lie, which a compiler turns into vector
 // code.
 void sign(const cv::Mat& picture, FrameFeatures& features) {
     std::vector<std::uint16_t> sums(static_cast<std::size_t>(picture.cols) * channels);

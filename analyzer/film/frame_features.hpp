@@ -11,7 +11,7 @@ namespace vitrine::analyzer {
 /// The features of a frame that shot detection keeps: enough to compare it with any other, small enough to
 /// keep seconds.
 struct FrameFeatures {
-    static constexpr std::size_t bins = 8;              // a colour channel
+    static constexpr std::size_t bins = 8;              // for each colour channel
     static constexpr std::size_t signature_width = 32;  // px
     static constexpr std::size_t signature_height = 18;
     static constexpr std::size_t detail_width = 64;  // px
@@ -23,8 +23,8 @@ struct FrameFeatures {
     std::array<std::uint8_t, 3 * signature_width * signature_height>
         signature{};                                                  // the picture in BGR, very small
     std::array<std::uint8_t, detail_width * detail_height> detail{};  // the picture in grey, small
-    double mean = 0;                                                  // of the detail
-    double deviation = 0;                                             // standard deviation of it
+    double mean = 0;                                                  // mean of the detail, grey levels
+    double deviation = 0;  // standard deviation of the detail, grey levels
 };
 
 FrameFeatures features_of(const FilmFrame& frame);

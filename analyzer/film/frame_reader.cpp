@@ -7,8 +7,8 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr int photo_enlargement =
-    2;  // a film shows a face more than once, a photo has one frame to find it in
+// A film shows a face more than once; a photo has one frame to find it in.
+constexpr int photo_enlargement = 2;
 
 }  // namespace
 

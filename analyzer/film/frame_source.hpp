@@ -16,8 +16,7 @@ struct MediaInfo {
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo; a film's may turn out shorter
     GstVideoColorimetry colours{};         // a film's colours
-    GstVideoOrientationMethod turn =
-        GST_VIDEO_ORIENTATION_IDENTITY;  // turn that makes a film's frames upright
+    GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // makes a film's frames upright
 };
 
 /// Gives the pictures of a medium one after another, each once: a photo, a film, or a test's drawing.

@@ -7,11 +7,11 @@
 
 namespace vitrine::analyzer {
 
-/// When the frames of a film are due, in stream time: what a player can seek to. Two passes over the same
-/// film give the same times.
+/// The times of a film's frames in stream time, to which a player can seek. Two passes over the same film
+/// give the same times.
 class FrameTimes {
   public:
-    /// @param sample  the film's next
+    /// The time of the film's next sample.
     std::chrono::nanoseconds of(GstSample* sample) {
         using std::chrono::nanoseconds;
         const GstBuffer* buffer = gst_sample_get_buffer(sample);
@@ -25,7 +25,7 @@ class FrameTimes {
         return at;
     }
 
-    /// When the frames so far are over.
+    /// The end of the frames so far.
     std::chrono::nanoseconds end() const { return end_; }
 
   private:

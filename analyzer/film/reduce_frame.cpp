@@ -11,7 +11,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int weight_bits = 23;  // of a block's weight: sums of 16 bits stay below 32
+constexpr int weight_bits = 23;  // bits of a block's weight: a weighted sum fits 32 bits
 
 // One component of a frame: a plane, or every second byte of one (NV12).
 struct Component {
@@ -20,7 +20,7 @@ struct Component {
     int height = 0;
     int stride = 0;  // bytes
     int step = 1;    // samples from one value to the next
-    int shift = 0;   // bits above eight
+    int shift = 0;   // bits beyond eight
 };
 
 Component component_of(const GstVideoFrame& frame, guint index) {
@@ -44,7 +44,7 @@ struct Rows {
     int step = 1;
 };
 
-// Adds the rows, so many as is known when this is compiled, into sums, one a column: each is stored once. The
+// Adds rows, whose number is known when this is compiled, into one sum a column. Each sum is stored once. The
 // loops are plain so that the compiler vectorises them.
 template <int count, typename Sample, typename Sum>
 void add_few_rows(const Component& plane, const Rows& rows, std::vector<Sum>& sums) {
@@ -106,9 +106,9 @@ template <typename Sum> void average_columns(const Sum* sums, const BlockRow blo
     }
 }
 
-// Averages whole blocks; what is left over at the right and bottom, less than a block, is not looked at. Of
-// high blocks every second row is left out: to fetch a frame from memory is what takes time, and what is
-// finer than two rows no map shows.
+// Averages whole blocks. The rest at the right and bottom, less than a block, is not looked at. Of high
+// blocks every second row is left out: fetching a frame from memory takes the time, and no map shows details
+// of one row.
 template <typename Sample, typename Sum>
 cv::Mat average_blocks(const Component& plane, int block_width, int block_height) {
     constexpr int high = 4;

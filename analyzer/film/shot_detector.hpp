@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// A stretch of one take, half-open [begin, end) in stream time. What lies between two shots is transition.
+/// A stretch of one take, half-open [begin, end) in stream time. The time between two shots is transition.
 struct DetectedShot {
     std::chrono::nanoseconds begin{0};
     std::chrono::nanoseconds end{0};
@@ -30,7 +30,7 @@ class ShotDetector {
     /// @return       the shots that this frame shows to be over, in time order; mostly none
     std::vector<DetectedShot> push(const FilmFrame& frame);
 
-    /// The shots still open. @param end  when the last frame's time is over
+    /// The shots still open. @param end  end of the last frame
     std::vector<DetectedShot> finish(std::chrono::nanoseconds end);
 
   private:

@@ -14,19 +14,19 @@ using std::chrono::milliseconds;
 constexpr std::array looked_back{milliseconds{0}, milliseconds{150}, milliseconds{400}};
 constexpr std::array looked_ahead{milliseconds{0}, milliseconds{130}, milliseconds{300}, milliseconds{600},
                                   longest_return};
-constexpr double explained = .07;     // as much is left of one scene, moved
-constexpr double same = .11;          // geometric mean of what is left and of the colour difference
-constexpr double other_colours = .6;  // colour difference of what is no one scene, however much is explained
-constexpr double clearly_unlike = .25;  // what is left of it as well, where nobody need ask how abrupt it was
+constexpr double explained = .07;  // unexplained share: less is one scene, moved
+constexpr double same = .11;  // geometric mean of unexplained share and colour difference: less is one scene
+constexpr double other_colours = .6;    // colour difference: more is not one scene, whatever motion explains
+constexpr double clearly_unlike = .25;  // unexplained share that makes such a change clear, however abrupt
 constexpr milliseconds longest_flash{250};
-constexpr double flash_light = 20;  // grey levels that a flash is brighter
-constexpr double flash_rest = .4;   // of that, where it is over
+constexpr double flash_light = 20;  // grey levels by which a flash is brighter
+constexpr double flash_rest = .4;   // share of that light at which a flash is over
 constexpr double explained_if_flash = .2;
 constexpr double same_if_flash = .25;
 constexpr int enough_alike = 3;  // pairs of pictures: one may be alike by chance
 constexpr double plain = 4;      // deviation of a picture of one colour, which tells nothing
 
-constexpr std::size_t least_steps = 4;  // that a gradual change is looked at in
+constexpr std::size_t least_steps = 4;  // steps in which a gradual change is looked at
 constexpr milliseconds step_length{80};
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr std::chrono::milliseconds settle{2500};  // longer than what is judged late and the usual wipe
+constexpr std::chrono::milliseconds settle{2500};  // longer than a usual wipe, and than a finder may be late
 constexpr std::chrono::milliseconds touching{60};  // a cut so near a fade's end is that end
 
 constexpr std::chrono::milliseconds longest_flash{400};  // to white or black and back

@@ -10,14 +10,14 @@
 
 namespace vitrine::analyzer {
 
-/// Runs the three finders over a film and joins what they say: a cut inside a dissolve or a fade is part of
-/// it, and gradual transitions that touch are one. Memory is bounded by FeatureWindow.
+/// Runs the finders over a film and joins their results: a cut inside a dissolve or a fade is part of it, and
+/// gradual transitions that touch are one. Memory is bounded by FeatureWindow.
 class TransitionDetector {
   public:
     /// @return  the transitions that nothing later can change any more, in time order
     std::vector<Transition> push(const FrameFeatures& frame);
 
-    /// The rest. @param end  when the last frame's time is over
+    /// The transitions still open. @param end  end of the last frame
     std::vector<Transition> finish(std::chrono::nanoseconds end);
 
   private:

@@ -16,13 +16,13 @@ using std::chrono::milliseconds;
 using Seconds = std::chrono::duration<double>;
 
 constexpr std::array lengths{milliseconds{320}, milliseconds{700}, milliseconds{1400}, milliseconds{2600}};
-constexpr int looks_a_length = 4;  // windows overlap so that a wipe of 3/4 of one lies in one as a whole
-constexpr std::size_t least_frames = 4;  // of a wipe
+constexpr int looks_a_length = 4;        // a wipe of 3/4 of a length lies wholly in one window
+constexpr std::size_t least_frames = 4;  // frames of a wipe
 constexpr double least_change = 12;      // grey levels that a place changes by when the edge passes
-constexpr double most_change = 60;       // more says no more
-constexpr double least_changing = .45;   // share of the picture that the edge can be seen to pass
+constexpr double most_change = 60;       // grey levels: more tells nothing more
+constexpr double least_changing = .45;   // share of the picture in which the edge is seen to pass
 constexpr double least_changing_if_clear = .2;
-constexpr double near_plane = .1;      // of the wipe's duration: an edge may be soft
+constexpr double near_plane = .1;      // share of the wipe's duration: an edge may be soft
 constexpr double least_on_plane = .9;  // share of the places that changed
 constexpr double clearly_on_plane = .97;
 constexpr int refits = 4;
@@ -39,8 +39,8 @@ struct WipeFinder::Passing {
     double x = 0;  // in [-.5, .5]
     double y = 0;
     double time = 0;    // s after the window's begin
-    double change = 0;  // how much, capped
-    double weight = 0;  // the change's, 0 off the plane
+    double change = 0;  // grey levels, capped
+    double weight = 0;  // the change; 0 off the plane
 };
 
 // The sum over the channels of each place's change, grey levels.
@@ -72,7 +72,7 @@ void WipeFinder::remember(const FeatureWindow& window, std::size_t frame) {
         changes_.pop_front();
 }
 
-// When each place changes most; places that hardly change are left out.
+// The time at which each place changes most; places that hardly change are left out.
 std::vector<WipeFinder::Passing> WipeFinder::passings(const FeatureWindow& window, std::size_t first,
                                                       std::size_t last) const {
     Changes most{};
@@ -117,7 +117,7 @@ struct Plane {
     double duration() const { return std::abs(x) + std::abs(y); }
 };
 
-// Weighted least squares.
+// Fits a plane by weighted least squares.
 template <typename Passing> std::optional<Plane> fitted(const std::vector<Passing>& places) {
     cv::Matx33d normal = cv::Matx33d::zeros();
     cv::Vec3d right(0, 0, 0);

@@ -32,10 +32,10 @@ class WipeFinder {
     std::vector<Passing> passings(const FeatureWindow& window, std::size_t first, std::size_t last) const;
     std::optional<Transition> wipe_in(const FeatureWindow& window, std::size_t first, std::size_t last) const;
 
-    std::array<std::chrono::nanoseconds, windows> due_{};  // when each window is looked at next
-    std::deque<Changes> changes_;  // of the last frames: what changed and stayed so for a frame at least
-    std::size_t end_ = 0;          // one past the frame of the last of them
-    Changes over_two_{};           // from the frame before the last to the one after it
+    std::array<std::chrono::nanoseconds, windows> due_{};  // time of the next look at each window
+    std::deque<Changes> changes_;  // changes of the last frames that lasted for at least a frame
+    std::size_t end_ = 0;          // one past the frame of the last change
+    Changes over_two_{};           // change from the frame before the last to the one after it
 };
 
 }  // namespace vitrine::analyzer

@@ -16,8 +16,7 @@ namespace vitrine::analyzer {
 /// One file to analyse: its identity, read once, and the places of its by-products in the state directory.
 class AnalysedFile {
   public:
-    /// @param file      anywhere; its path in records is relative to settings.media.root where it lies in
-    /// there
+    /// @param file      anywhere; its path in records is relative to settings.media.root where it lies there
     /// @param settings  outlives this
     /// @throws std::system_error where there is no such file
     AnalysedFile(const std::filesystem::path& file, const Settings& settings);

@@ -20,7 +20,7 @@ using GrowthObserver = std::function<void(const MediaRecord&)>;
 ///
 /// @param source  at its first frame; frames larger than settings.frame_size help to find faces only
 /// @return  kind, size, duration, shots, state ready; the caller adds path, bytes and mtime. Every shot has a
-/// region.
+///          region.
 /// @throws MediaError if the source breaks or gives no frame at all
 /// @throws std::runtime_error if a face detector's file cannot be read
 MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer = {},

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Lets something be done before each frame of a source and with it.
+/// Runs one task before each frame of a source and another with the frame.
 class ObservedSource : public FrameSource {
   public:
     ObservedSource(FrameSource& source, std::function<void()> before,
@@ -142,7 +142,7 @@ class FileAnalysis {
             if (store_) store_->add_shot(shot);
     }
 
-    /// Tells of shots again whose place in the store became known since the last frame.
+    /// Reports shots again whose place in the store became known since the last frame.
     void report_places() {
         if (!store_) return;
         for (const Shot& shot : store_->take_placed_shots()) {

@@ -18,7 +18,7 @@ namespace vitrine::analyzer {
 /// @param file     anywhere; its path in the record is relative to settings.media.root where it lies in there
 /// @param outputs  by-products to write; `growth` only says whether `grown` is called
 /// @param grown    called with the new shots of a film whenever one is over, and with one shot again when its
-/// place in the store becomes known
+///                 place in the store becomes known
 /// @throws std::system_error where there is no such file
 MediaRecord analyse_file(const std::filesystem::path& file, const Settings& settings,
                          const AnalysisOutputs& outputs = {},

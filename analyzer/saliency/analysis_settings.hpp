@@ -28,10 +28,10 @@ struct AnalysisSettings {
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used
 };
 
-/// Chapters 3.2 and 3.3 word by word, for comparison only: contrast to one voted pan over its largest value,
-/// contrast to the mean colour, every face found and nothing below it, the line through the half-mass boxes'
-/// centres, the hull. Where the paper leaves something open our way stays: drifts are limited so that a
-/// common part is left, and the hull keeps to that part and to 12 corners.
+/// The settings that follow chapters 3.2 and 3.3 word by word, for comparison only: contrast to one voted pan
+/// over its largest value, contrast to the mean colour, every face found and nothing below it, the line
+/// through the half-mass boxes' centres, the hull. Where the paper leaves something open our way stays:
+/// drifts are limited so that a common part is left, and the hull keeps to that part and to 12 corners.
 inline AnalysisSettings paper_mode() {
     AnalysisSettings settings;
     settings.weights = {};

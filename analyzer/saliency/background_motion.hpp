@@ -27,7 +27,8 @@ struct BackgroundMotion {
     }
 };
 
-/// Pan, zoom and roll that most of the reliable vectors follow, by iterated least squares from `pan` on.
+/// Pan, zoom and roll that most of the reliable vectors follow, by iterated least squares that begin at
+/// `pan`.
 BackgroundMotion fitted_background(const FlowField& flow, Vec2 pan);
 
 }  // namespace vitrine::analyzer

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int passes = 3;
 constexpr double strip = 0.1;  // width of a border strip, share of the side
-constexpr double regularity =
-    10;  // Lab units^2 added to the border's variance, so that a flat sky is no needle
+// Lab units^2 added to the border's variance: that of a flat sky is nearly 0.
+constexpr double regularity = 10;
 
 /// One pixel of one channel: its value, and the best path to it so far.
 struct PathPixel {

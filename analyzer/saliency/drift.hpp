@@ -22,7 +22,7 @@ Box half_mass_box(const SaliencyMap& map);
 /// side.
 ///
 /// @param frames    in time order; none or one make no drift
-/// @param duration  of the shot, >= the last frame's time
+/// @param duration  duration of the shot, >= the last frame's time
 /// Source: Dynamic Media Assemblage 3.3. Differs in smallest_area: the flow's motion is used - the
 /// background's where it carries the subject, else the subject's - unless it spreads the saliency or is
 /// faster than the common part allows. Then least squares through weighted centroids or a search over all

@@ -22,7 +22,7 @@ std::vector<Face> prominent(std::vector<Face> faces);
 
 /// Face saliency: each face's Gaussian of half its width and height, the highest where several reach.
 ///
-/// @param faces        in px of `size` times `scale`
+/// @param faces        px of `size` times `scale`
 /// @param scale        px of the searched picture per px of the map
 /// @param with_bodies  a weaker Gaussian below each face stands for the body, which is as much the subject
 /// @return             S_F of `size`; all 0 without faces

@@ -11,8 +11,8 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double min_contrast =
-    10;  // Lab units that count as fully salient at least: about four just-noticeable steps
+// A maximum below so many Lab units is not fully salient: about four just-noticeable steps.
+constexpr double min_contrast = 10;
 
 /// sRGB to CIE Lab by tables of our own: OpenCV's take 120 ms of software floating point to set up, more than
 /// all else a photo needs.

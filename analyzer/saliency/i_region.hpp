@@ -9,11 +9,14 @@
 
 namespace vitrine::analyzer {
 
+/// In hull mode the region encloses the share `mass` of the saliency. In min_area mode it holds as much
+/// saliency as fits into `tight_area`, if that is at least the share `mass`; else it holds the share
+/// `safe_mass`.
 struct RegionSettings {
     RegionMode mode = RegionMode::min_area;
-    double mass = 0.64;  // hull: share of the saliency that it encloses; min_area: if this share fits into
-    double tight_area = 0.4;  // this share of the picture, as much saliency is kept as fits there;
-    double safe_mass = 0.95;  // else this share of the saliency is kept
+    double mass = 0.64;       // share of the saliency
+    double tight_area = 0.4;  // share of the picture
+    double safe_mass = 0.95;  // share of the saliency
     double margin = 0.008;    // around the region, share of the picture's diagonal; none in hull mode
 };
 
@@ -21,8 +24,8 @@ struct RegionSettings {
 ///
 /// @param volume  accumulated saliency, CV_32FC1, >= 0
 /// @param core    px of the volume that every frame of the shot shows; not empty
-/// @param faces   px of the volume; each wholly inside the result as far as the core reaches; not used in
-/// hull mode
+/// @param faces   px of the volume; each lies wholly inside the result as far as the core reaches; not used
+///                in hull mode
 /// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core. In min_area mode
 ///          between 8 % and 80 % of the picture, unless core or faces forbid. Where nothing is salient: the
 ///          middle 60 % of each side.

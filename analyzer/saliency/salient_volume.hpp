@@ -27,7 +27,8 @@ struct SalientFrame {
 SaliencyMap accumulated(std::span<const SalientFrame> frames, Vec2 drift);
 
 /// The part that every frame of a shot shows once aligned along the drift: the intersection of the moved
-/// frames, in px of the first instant. @param duration  of the shot, in the unit of time of the drift
+/// frames, in px of the first instant.
+/// @param duration  duration of the shot, in the unit of time of the drift
 Box common_part(cv::Size frame, Vec2 drift, double duration);
 
 /// The drift slowed down so far that the common part keeps at least 60 % of each side.

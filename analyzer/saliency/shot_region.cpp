@@ -9,8 +9,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double same_face = 0.3;  // intersection over union of one face in two searches
-constexpr double centre_saliency =
-    0.005;                         // per sample, added at the centre: decides where nothing stands out
+// Added at the centre, per sample: decides where nothing stands out.
+constexpr double centre_saliency = 0.005;
 constexpr double min_face = 0.05;  // share of the map's longer side: smaller faces do not count
 
 double seconds(std::chrono::nanoseconds time) {

@@ -30,10 +30,9 @@ struct ShotEvidence {
     std::size_t samples = 0;
 };
 
-/// The region of one shot from its samples, in source px, and how it came about.
+/// Finds the region of one shot from its samples, in source px, with its evidence.
 ///
-/// @param samples   of the shot, in time order; motion measured across the shot's begin and faces found
-/// before
+/// @param samples   the shot's, in time order; motion measured across the shot's begin and faces found before
 ///                  it are left out
 /// @param shot      begin, end and ends_with; its region is filled
 /// @param map       the size of the samples' maps, for a shot without any

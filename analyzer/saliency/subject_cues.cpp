@@ -14,8 +14,8 @@ namespace {
 
 constexpr double working_side = 160;  // px, longest side
 constexpr double smoothing = 0.012;   // share of the diagonal
-constexpr double paint =
-    0.0067;  // share of the longest side: colours are smoothed before barriers are measured
+// Share of the longest side by which colours are smoothed before barriers are measured.
+constexpr double paint = 0.0067;
 constexpr float min_cue = 0.01F;  // so that a cue that is nowhere is the same everywhere
 constexpr float max_cue = 1.2F;
 // Differences from which on a cue has its full strength, so that noise has none.

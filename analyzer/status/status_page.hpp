@@ -16,10 +16,10 @@ constexpr std::size_t max_on_page = 1000;
 /// first.
 std::vector<StatusEntry> on_page(const StatusReport& report);
 
-/// index.html.
-/// @param files       of on_page()
+/// Writes index.html.
+/// @param files       those of on_page()
 /// @param thumbnails  ids of those that lie in thumbnails/
-/// @param has_wall    wall.jpg lies beside
+/// @param has_wall    wall.jpg lies beside the page
 std::string status_page(const StatusReport& report, const std::vector<StatusEntry>& files,
                         const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock);
 

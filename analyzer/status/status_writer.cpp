@@ -18,9 +18,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto first_rest = 500ms;   // in which several changes become one writing
+constexpr auto first_rest = 500ms;   // several changes within it become one writing
 constexpr auto min_rest = 2s;        // between two writings
-constexpr auto rest_a_file = 1ms;    // longer, for each file
+constexpr auto rest_a_file = 1ms;    // added for each file
 constexpr auto wall_interval = 15s;  // between two looks at the player's files
 
 std::string clock_text(std::chrono::system_clock::time_point time) {

@@ -15,11 +15,11 @@ class Thumbnail {
     /// @param file  a JPEG that is replaced as a whole
     explicit Thumbnail(std::filesystem::path file) : file_(std::move(file)) {}
 
-    /// Frames of the file come in the order of time.
+    /// Keeps a frame for later. Frames come in the order of time.
     void add_frame(const FilmFrame& frame);
 
     /// Draws the first shot; further calls do nothing. A full disk is no reason to fail.
-    /// @param record  with that shot
+    /// @param record  must have that shot
     void write(const MediaRecord& record);
 
   private:

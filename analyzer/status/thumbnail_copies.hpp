@@ -13,7 +13,7 @@
 
 namespace vitrine::analyzer {
 
-/// A JPEG, whole. Nothing where there is none, or one larger than a picture of ours can be.
+/// Reads a whole JPEG; nothing where there is none, or where it is larger than a picture of ours can be.
 std::optional<std::string> read_picture(const std::filesystem::path& file);
 
 /// The thumbnails of the files on the status page: copied from the state directory, where the analysing

@@ -116,7 +116,7 @@ void ClipWriter::send(nanoseconds until) {
         static_cast<GstClockTime>(std::max(nanoseconds(1), until - held_time_).count());
     held_.reset();
     wait_for_room();
-    if (gst_app_src_push_buffer(GST_APP_SRC(source_.get()), buffer) != GST_FLOW_OK)  // which takes it
+    if (gst_app_src_push_buffer(GST_APP_SRC(source_.get()), buffer) != GST_FLOW_OK)  // it takes the buffer
         throw ClipError(Why::broken, "the encoder does not go on");
 }
 

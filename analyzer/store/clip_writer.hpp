@@ -35,9 +35,9 @@ class ClipWriter {
     /// True where this machine can make clips at all.
     static bool has_encoder();
 
-    /// @param file        replaced if there is one
-    /// @param like        a frame of the film: the clip has its size, colours and rate
-    /// @param max_bytes  that the clip may have
+    /// @param file       replaced if there is one
+    /// @param like       a frame of the film: the clip has its size, colours and rate
+    /// @param max_bytes  for the clip
     ClipWriter(std::filesystem::path file, GstSample* like, std::uint64_t max_bytes);
     ClipWriter(const ClipWriter&) = delete;
     ClipWriter& operator=(const ClipWriter&) = delete;
@@ -50,7 +50,7 @@ class ClipWriter {
     void push(GstSample* frame, std::chrono::nanoseconds time);
 
     /// Completes the file and gives it its name.
-    /// @param end  when the last frame's time is over
+    /// @param end  the end of the last frame's time
     /// @throws ClipError
     void finish(std::chrono::nanoseconds end);
 

@@ -11,13 +11,13 @@ namespace vitrine::analyzer {
 
 // The disk space of files that are made again when they are needed, and which of them go.
 
-/// When a file was written or last read, whichever is later, ns since 1970.
+/// The time at which a file was written or last read, whichever is later, ns since 1970.
 std::int64_t used_ns(const struct stat& file);
 
 /// The bytes below a directory that are too many.
-/// @param held            bytes below it
-/// @param max_bytes       allowed there
-/// @param min_free_bytes  that its disk must keep free
+/// @param held            bytes below the directory
+/// @param max_bytes       bytes allowed there
+/// @param min_free_bytes  bytes that its disk must keep free
 std::uint64_t excess_bytes(std::uint64_t held, std::uint64_t max_bytes,
                            const std::filesystem::path& directory, std::uint64_t min_free_bytes);
 

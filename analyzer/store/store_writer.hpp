@@ -15,7 +15,7 @@ namespace vitrine::analyzer {
 /// heard, its sound; a photo as a copy.
 class StoreWriter {
   public:
-    /// @param media  what the analysis knows of the file before its first frame
+    /// @param media  facts of the file that are known before its first frame
     StoreWriter(std::string file, const MediaInfo& media, StorePlace place);
     ~StoreWriter();
     StoreWriter(const StoreWriter&) = delete;

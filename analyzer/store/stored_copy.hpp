@@ -11,9 +11,9 @@ namespace vitrine::analyzer {
 
 /// Writes a photo into the store: as it is where it is small, else made smaller, with its transparency.
 ///
-/// @param size  that of the upright photo
+/// @param size  size of the upright photo
 /// @return  its place: `is_dropped` where it is too large; without a file there where the disk had no room.
-/// None: the photo cannot be read
+///          None: the photo cannot be read
 std::optional<StoredShot> store_photo(const std::string& file, const MediaInfo& size,
                                       const StorePlace& place);
 

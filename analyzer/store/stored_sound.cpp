@@ -34,7 +34,7 @@ GstPtr<GstElement> writer(const fs::path& to) {
     const GstPtr<GstPad> pad(gst_element_request_pad_simple(muxer.get(), "audio_%u"));
     if (!pad || !gst_element_link(muxer.get(), sink.get()))
         throw std::runtime_error("the file of a sound cannot be written");
-    gst_element_add_pad(bin.get(), gst_ghost_pad_new("sink", pad.get()));  // which it takes
+    gst_element_add_pad(bin.get(), gst_ghost_pad_new("sink", pad.get()));  // the bin takes the pad
     return bin;
 }
 
@@ -44,7 +44,7 @@ bool is_larger(const fs::path& file, std::uint64_t max_bytes) {
     return !missing && bytes > max_bytes;
 }
 
-/// @throws std::runtime_error where the film cannot be read, MediaError where it is none
+/// @throws std::runtime_error where the film cannot be read, MediaError where it is no film
 End write(const std::string& film, const fs::path& to, const StorePlace& place) {
     start_gstreamer();
     const SoundChain chain(film, writer(to), SoundChain::Form::coded);

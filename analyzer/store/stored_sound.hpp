@@ -11,7 +11,7 @@ namespace vitrine::analyzer {
 /// the film's.
 ///
 /// @return  its place: `is_dropped` where it is too large; without a file there where the disk had no room;
-/// no file name where the film has no sound that can be played
+///          no file name where the film has no sound that can be played
 StoredSound store_sound(const std::string& file, const StorePlace& place);
 
 }  // namespace vitrine::analyzer

@@ -28,7 +28,7 @@ std::uint64_t bytes_in(const fs::path& folder) {
     return bytes;
 }
 
-/// When the index was last read or written; without one, never.
+/// The last time at which the index was read or written, ns since 1970; 0 without an index.
 std::int64_t index_used_ns(const fs::path& folder) {
     struct stat status {};
 
@@ -36,7 +36,8 @@ std::int64_t index_used_ns(const fs::path& folder) {
     return used_ns(status);
 }
 
-/// While this lives, reading a tapestry's index is no use of it: only who shows it uses it.
+/// Lets this code read a tapestry's index without a trace: reading counts as use only where a tapestry is
+/// shown.
 class Unused {
   public:
     explicit Unused(const fs::path& folder) : index_(folder / "index.json") {
@@ -57,18 +58,18 @@ class Unused {
 
   private:
     fs::path index_;
-    std::array<timespec, 2> times_{{{}, {.tv_sec = 0, .tv_nsec = UTIME_OMIT}}};  // read and written
+    std::array<timespec, 2> times_{{{}, {.tv_sec = 0, .tv_nsec = UTIME_OMIT}}};  // access; modification stays
     bool is_there_ = false;
 };
 
-/// Removes the index first: without its index a tapestry is none.
+/// Removes the index first: a folder without an index is no tapestry.
 void remove_tapestry(const fs::path& folder) {
     std::error_code ignored;  // it is tried again at the next sweep
     fs::remove(folder / "index.json", ignored);
     fs::remove_all(folder, ignored);
 }
 
-/// The index, if there is one, is of another film.
+/// Says if there is an index and it belongs to another film.
 bool is_stale(const fs::path& folder, const MediaRecord& record) {
     std::error_code error;
     if (!fs::exists(folder / "index.json", error)) return false;
@@ -80,7 +81,8 @@ bool is_stale(const fs::path& folder, const MediaRecord& record) {
     }
 }
 
-/// The frames stay: they may be of the new content already, and say what they are of.
+/// Removes index and tiles. The frames stay: they may belong to the new content already, and name their
+/// content.
 void remove_stale(const fs::path& folder) {
     std::error_code ignored;
     fs::remove(folder / "index.json", ignored);
@@ -171,14 +173,14 @@ std::vector<std::string> Tapestries::make_room(const std::string& busy) {
         bytes -= std::min(bytes, content.bytes);
         content.bytes = 0;
         remove_tapestry(folder(path));
-        if (used == 0) continue;  // nothing but frames that wait: they are decoded again in their turn
+        if (used == 0) continue;  // it has frames only; they are decoded again in their turn
         note(path, content);
         lost.push_back(path);
     }
     return lost;
 }
 
-/// Bytes beyond the bound, or that the disk has too few of.
+/// The bytes beyond the bound, or those that the disk lacks.
 std::uint64_t Tapestries::excess() const {
     std::uint64_t bytes = 0;
     for (const auto& [path, content] : held_)

@@ -12,9 +12,10 @@
 
 namespace vitrine::analyzer {
 
-/// The daemon's list of tapestries: a folder a film, named as its record is. Weaving children put in;
-/// it takes out what no film has any more, and what goes beyond the bounds, the one that was looked at
-/// longest ago first. That is noted in its folder, so that it is not woven again while its film is the same.
+/// The daemon's list of tapestries: one folder a film, with the name of the film's record. Weaving children
+/// fill the folders. The daemon removes the tapestries that no film has any more, and those beyond the
+/// bounds, the longest unwatched first. A note in the folder says so, so that a tapestry is not woven again
+/// while its film is the same.
 class Tapestries {
   public:
     /// @param state  directory; the tapestries are in a folder of their own below
@@ -24,24 +25,24 @@ class Tapestries {
 
     std::filesystem::path folder(const std::string& path) const;
 
-    /// There is this record now. What there is of another content goes.
-    /// @return whether a tapestry is to be woven for it
+    /// Follows a new or changed record. Removes a tapestry of other content.
+    /// @return true where a tapestry must be woven for it
     bool hold(const MediaRecord& record);
 
-    /// There is no record of this path any more.
+    /// Removes the tapestry of a path that has no record any more.
     void release(const std::string& path);
 
-    /// The record of `from` is now that of `to`. To be called before the records are held and released.
+    /// Renames the tapestry of `from` to `to`. Call before the records are held and released.
     void move(const std::string& from, const std::string& to) const;
 
-    /// A child has been putting in, or is.
+    /// Measures the folder of a film, where a child wrote or is writing.
     void look_at(const std::string& path);
 
-    /// Takes out what is of no record, but for the folders of these files: a child may be putting in.
+    /// Removes folders that belong to no record, except those of these files: a child may be writing there.
     void sweep(const std::vector<std::string>& files);
 
-    /// Takes out what goes beyond the bounds. @param busy  path of the film that is being woven; "" for none
-    /// @return the films that have lost theirs
+    /// Removes tapestries beyond the bounds. @param busy  path of the film that is being woven; "" for none
+    /// @return the films that lost theirs
     std::vector<std::string> make_room(const std::string& busy);
 
   private:
@@ -56,7 +57,7 @@ class Tapestries {
 
     std::filesystem::path state_;
     StoreBounds bounds_;
-    std::map<std::string, Content> held_;  // path of a film that is ready -> what its tapestry is of
+    std::map<std::string, Content> held_;  // path of a ready film -> the content that its tapestry shows
 };
 
 }  // namespace vitrine::analyzer

@@ -7,7 +7,7 @@ namespace vitrine::analyzer {
 
 /// The progress of the tapestry of one content of a film.
 enum class TapestryState {
-    lacking,   // it is still to be woven, or to be woven on
+    lacking,   // it must be woven, or weaving must go on
     complete,  // all of its levels are there
     dropped,   // it lost its place to others: it is not woven again
 };
@@ -18,7 +18,8 @@ TapestryState tapestry_state(const std::filesystem::path& folder, std::uint64_t 
 /// Notes that the tapestry of that content is not woven again. @throws std::system_error
 void note_dropped(const std::filesystem::path& folder, std::uint64_t bytes, std::int64_t mtime_ns);
 
-/// The share of all tapestries' bytes that one of them may take, and its film's frames.
+/// The bytes that one tapestry may take, and those of its film's frames.
+/// @param max_bytes  for all tapestries
 constexpr std::uint64_t tapestry_share(std::uint64_t max_bytes) {
     constexpr int most_parts = 4;
     return max_bytes / most_parts;

@@ -31,10 +31,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double most_seconds = 1e6;  // largest chosen time
+constexpr double most_seconds = 1e6;  // the largest time that may be chosen
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
-/// Seconds, one a line; empty lines and what follows a # count nothing.
+/// Reads times in seconds, one a line. Empty lines and text behind a # do not count.
 std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
     std::istringstream lines(read_file(file));
     std::vector<std::chrono::nanoseconds> times;
@@ -102,7 +102,8 @@ class Weaving {
         return in_words(levels);
     }
 
-    /// Keeps all that took time in the folder until the tapestry is complete: frames, plan, tiles.
+    /// Weaves so that it can be interrupted: frames, plan and tiles stay in the folder until the tapestry is
+    /// complete.
     std::string on() {
         const fs::path& directory = request_.directory;
         fs::create_directories(directory);

@@ -13,15 +13,15 @@ struct WeaveRequest {
     std::filesystem::path file;
     std::filesystem::path directory;  // for the pyramid; empty: none
     std::filesystem::path sheet;      // a PNG; empty: none
-    std::filesystem::path zoom;       // likewise, of the zoom between the two coarsest levels
+    std::filesystem::path zoom;       // a PNG of the zoom between the two coarsest levels; empty: none
     int levels = 32;
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
-    bool resumes = false;          // the pyramid: an earlier weaving is gone on with, where it was cut off
-    std::uint64_t most_bytes = 0;  // about the pyramid's size at most; 0: any
+    bool resumes = false;          // an interrupted weaving of the pyramid goes on
+    std::uint64_t most_bytes = 0;  // for the pyramid, approximately; 0: any
     int threads = 0;               // 0: one a core
 
-    /// The first that is asked for of folder, sheet and zoom; empty: nothing is.
+    /// The first of directory, sheet and zoom that is asked for; empty where none is.
     const std::filesystem::path& result() const {
         if (!directory.empty()) return directory;
         return sheet.empty() ? zoom : sheet;
@@ -29,7 +29,7 @@ struct WeaveRequest {
 };
 
 /// Weaves the tapestry of one film, into a folder or as sheets.
-/// @return what was made, for the log
+/// @return the levels made, in words for the log
 /// @throws std::exception that names the file
 std::string weave_file(const WeaveRequest& request, const Settings& settings);
 

@@ -36,7 +36,7 @@ std::optional<MediaRecord> kept_record(std::optional<MediaRecord> known, const A
 /// Why a child failed, in the operator's words.
 std::string reason_of(const ChildResult& result, const ChildLimits& limits);
 
-/// Never throws for what the child did or said: every end has its record.
+/// Throws for no fault of the child: every end has its record.
 AnalysisOutcome outcome_of(const ChildResult& result, const ChildLimits& limits, const std::string& path,
                            const FileFacts& facts);
 

@@ -130,7 +130,7 @@ ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& comm
     pid_ = ::fork();
     if (pid_ < 0) throw_errno("start '{}'", command.front());
     if (pid_ == 0) become(launch, parent);
-    ::setpgid(pid_, pid_);  // whoever of the two is first
+    ::setpgid(pid_, pid_);  // parent and child both do this; either may be first
     process_.reset(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
     if (!process_.is_open()) {
         ::kill(-pid_, SIGKILL);

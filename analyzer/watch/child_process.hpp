@@ -22,7 +22,7 @@ struct ChildLimits {
 };
 
 /// The limits for a file: larger ones take longer.
-/// @param limits                those of an empty file
+/// @param limits                 those of an empty file
 /// @param deadline_per_mebibyte  seconds
 ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes);
 
@@ -43,8 +43,8 @@ struct ChildResult {
     std::string complaint;  // the end of its standard error, at most max_complaint bytes
 };
 
-/// Another program in a process group of its own, with limits and a deadline: this process goes on whatever
-/// happens in it. It dies with this process, gains no privileges and leaves no core file.
+/// Runs another program in a process group of its own, with limits and a deadline. Nothing that happens in it
+/// ends this process. It dies with this process, gains no privileges and leaves no core file.
 class ChildProcess {
   public:
     static constexpr std::size_t max_complaint = 4096;

@@ -23,7 +23,7 @@ namespace {
 constexpr auto remote_rescan = 10s;    // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;    // until the media folder is there
 constexpr auto unreachable_rest = 1s;  // until an unreachable file is looked at again
-constexpr auto weave_deadline = 48h;   // it does nothing that could hang, but all others go first
+constexpr auto weave_deadline = 48h;   // weaving cannot hang, but all other work goes first
 
 constexpr const char* next_rescan = "rescan of the media folder";
 constexpr const char* next_look = "look at a file that was to settle";

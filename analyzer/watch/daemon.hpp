@@ -23,8 +23,7 @@ namespace vitrine::analyzer {
 class Daemon {
   public:
     /// Reads the catalogue and the folder.
-    /// @throws std::system_error where the catalogue cannot be written or is written by another process
-    /// (EBUSY)
+    /// @throws std::system_error where the catalogue cannot be written, or another process writes it (EBUSY)
     Daemon(EventLoop& loop, const WatchOptions& options);
     Daemon(const Daemon&) = delete;
     Daemon& operator=(const Daemon&) = delete;
@@ -36,7 +35,8 @@ class Daemon {
     /// True where the folder is there and every record is on the disk.
     bool is_up_to_date() const;
 
-    /// For `systemctl status`: how many files are in which state, which are analysed now, what is wrong.
+    /// The text for `systemctl status`: the number of files in each state, the files that are analysed now,
+    /// what is wrong.
     std::string status() const;
 
     /// The state of each file in the folder, ordered by path.

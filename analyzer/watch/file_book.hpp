@@ -34,8 +34,7 @@ struct BookPlaces {
 class FileBook {
   public:
     /// @param weaver  hears of each record
-    /// @throws std::system_error where the catalogue cannot be written or is written by another process
-    /// (EBUSY)
+    /// @throws std::system_error where the catalogue cannot be written, or another process writes it (EBUSY)
     FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, Weaver& weaver);
 
     /// Reads the catalogue and tells the schedule what is in it. Drops records that cannot be read.
@@ -54,7 +53,7 @@ class FileBook {
     /// Removes the record and forgets the path.
     void remove(const std::string& path);
 
-    /// Tries again what the disk refused.
+    /// Repeats what the disk refused.
     void retry_writes();
 
     /// Writes that the disk refused so far.
@@ -85,10 +84,10 @@ class FileBook {
     /// @return whether to log this record: a file that keeps waiting is logged once
     bool is_news(const MediaRecord& record);
 
-    /// Takes files out of the store that go beyond its bounds; their shots are played from the media folder.
+    /// Removes files from the store that go beyond its bounds; their shots are played from the media folder.
     void make_room();
 
-    /// Takes out of the store and the tapestries what belongs to no record.
+    /// Removes files and tapestries that belong to no record.
     /// @param paths  all files
     void sweep(const std::vector<std::string>& paths);
 

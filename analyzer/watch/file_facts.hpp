@@ -15,7 +15,7 @@ struct FileFacts {
     bool operator==(const FileFacts&) const = default;
 };
 
-/// True where an analysis of the one holds for the other. A record holds no more than this either.
+/// True where an analysis of one holds for the other. A record holds no more than this either.
 inline bool is_same_content(const FileFacts& a, const FileFacts& b) {
     return a.bytes == b.bytes && a.mtime_ns == b.mtime_ns && a.is_readable == b.is_readable;
 }

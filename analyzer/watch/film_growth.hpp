@@ -10,8 +10,8 @@ namespace vitrine::analyzer {
 /// The shots of one film that are known while its analysis goes on. Pure: FileBook decides when they are
 /// written.
 ///
-/// A second try begins at the film's first shot again; until it knows more than the first, the catalogue
-/// keeps what the first one found.
+/// A second try begins at the film's first shot again. Until it knows more shots than the first try, the
+/// catalogue keeps those of the first.
 class FilmGrowth {
   public:
     /// @param file  path and content; nothing is published of it

@@ -46,7 +46,7 @@ class FolderFollower {
     void look_at(std::span<const std::string> paths, Schedule::Time now);
 
   private:
-    /// Paths by what the kernel said of them.
+    /// Paths by the change that the kernel has reported.
     struct Changes {
         std::set<std::string> files;    // written, changed or removed
         std::set<std::string> closed;   // files that nobody writes any more

@@ -11,7 +11,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr auto write_time = std::chrono::milliseconds(300);  // in which a .vitrine.toml is written to its end
+constexpr auto write_time = std::chrono::milliseconds(300);  // enough to write a .vitrine.toml to its end
 
 /// All folders of these files, the media folder itself included.
 std::set<std::string> folders_of(const std::vector<std::string>& paths) {

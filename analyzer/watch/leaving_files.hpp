@@ -35,7 +35,7 @@ class LeavingFiles {
     /// Paths whose time is over: their records go.
     std::vector<std::string> take_expired(Time now);
 
-    /// When take_expired() will have something.
+    /// The time at which take_expired() will have something.
     std::optional<Time> next_expiry() const;
 
     bool is_empty() const { return files_.empty(); }

@@ -48,7 +48,7 @@ class Liveness {
 
     std::function<StatusLine()> status_;
     std::map<std::string, Time> expected_;
-    std::optional<Time> fed_;   // when the watchdog was fed last
+    std::optional<Time> fed_;   // time of the last feeding
     std::string told_overdue_;  // why it is not fed, as the log has it
     bool is_sending_ = false;   // the status line is sent in a moment
     EventLoop::Source watchdog_, sending_;

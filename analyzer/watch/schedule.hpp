@@ -29,12 +29,11 @@ struct Pace {
     std::chrono::milliseconds closed_quiet{150};  // the same after its writer closed it, if that is shorter
     int remote_quiets = 3;  // quiet times on a network share: its server may answer from a cache for a while
     std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
-    std::chrono::milliseconds first_retry{
-        5000};        // a waiting file is tried again; then after twice as long, ...
-    int retries = 8;  // together 21 minutes
-    int deaths = 2;   // children that one content may kill before quarantine
+    std::chrono::milliseconds first_retry{5000};  // until a waiting file is tried again; doubles each time
+    int retries = 8;                              // together 21 minutes
+    int deaths = 2;                               // children that one content may kill before quarantine
 
-    /// @return how long a file must stay unchanged after such a look
+    /// @return the time for which a file must stay unchanged after such a look
     std::chrono::milliseconds quiet_after(LookKind look) const;
 };
 
@@ -44,14 +43,14 @@ struct Action {
         start,   // a child for `path`; finish_analysis() must follow
         stop,    // the child of `path`: its file changed or went; finish_analysis() must follow
         hold,    // the record of `path` becomes waiting: the file keeps changing
-        move,    // the record of `from` is now that of `path`
+        move,    // the record of `from` becomes that of `path`
         remove,  // the record of `path` goes
     };
 
     Kind kind = Kind::start;
     std::string path;
     std::string from;          // move only
-    FileFacts facts;           // start and hold: what was seen of the file
+    FileFacts facts;           // start and hold: facts of the file as it was seen
     bool is_last_try = false;  // start only: no retry follows a waiting answer
 
     bool operator==(const Action&) const = default;
@@ -91,8 +90,8 @@ class Schedule {
     /// @param is_held     it is `waiting`
     void add_recorded(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held);
 
-    /// The file is there. Only what is seen here counts as quiet: the times that a file carries are those of
-    /// clocks that are set, or of other machines.
+    /// The file is there. Quiet is measured by these calls only: the times that a file carries come from
+    /// clocks that are set, or from other machines.
     void see_file(const std::string& path, const FileFacts& facts, Time now, LookKind look = LookKind::local);
 
     /// The file is not there. For a rename, call this before see_file() of the new name.
@@ -128,7 +127,7 @@ class Schedule {
         done,      // its record stands
     };
 
-    /// @param since  when it was done, else when its content was first seen
+    /// @param since  the time at which it was done, else at which its content was first seen
     using Visit = std::function<void(const std::string& path, Progress progress, Time since)>;
 
     /// Calls with each file that was seen in this run, in the order of their paths.

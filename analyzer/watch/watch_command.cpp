@@ -89,7 +89,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     return options;
 }
 
-/// With a mistake in the new settings the old ones stay.
+/// Reads the settings anew; those before stay where the new ones have a mistake.
 void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot) {
     try {
         const Settings settings = read_settings();

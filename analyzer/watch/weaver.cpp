@@ -19,7 +19,7 @@ void Weaver::note_record(const MediaRecord& record) {
 
 void Weaver::forget_film(const std::string& path) {
     schedule_.forget_film(path);
-    advance(was_free_);  // its child must not put in what is taken out
+    advance(was_free_);  // its child must not write into the removed folder
     tapestries_.release(path);
 }
 

@@ -24,7 +24,8 @@ constexpr double fps = 25;
 constexpr int drawn_scenes = 3;
 constexpr double world_scale = 1.7;  // a photograph's width in the world, in widths of the frame
 
-/// Where a camera looks or a subject stands at a time from 0 to 1 of the take: frame widths, x right, y down.
+/// The place that a camera looks at or a subject stands on, at a time from 0 to 1 of the take: frame widths,
+/// x right, y down.
 struct Pose {
     Vec2 at;
     double scale = 1;

@@ -51,7 +51,7 @@ class EncodedTake {
     std::filesystem::path file_;  // empty where there is none
 };
 
-/// Where a film's region lies at a time, px of the source; empty between shots.
+/// The place of a film's region at a time, px of the source; empty between shots.
 Polygon region_at(const MediaRecord& record, std::chrono::nanoseconds time);
 
 }  // namespace vitrine::analyzer

@@ -16,7 +16,7 @@ nanoseconds time_of(double frame, double fps) {
     return nanoseconds(static_cast<std::int64_t>(frame / fps * 1e9));
 }
 
-// When a film's frames are shown: evenly, or as the truth's "times" say.
+// The times of a film's frames: evenly spread, or as the truth's "times" say.
 class FrameTimes {
   public:
     explicit FrameTimes(const nlohmann::json& json)

@@ -14,7 +14,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-/// The film again and again, until it is so long.
+/// Repeats the film until it has `count` frames.
 std::vector<FrameSignature> repeated(const std::vector<FrameSignature>& frames, int count) {
     std::vector<FrameSignature> all;
     for (int i = 0; i < count; ++i) {

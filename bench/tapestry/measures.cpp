@@ -23,7 +23,7 @@ std::vector<cv::Rect> faces_in(const cv::Mat& picture, FaceDetector& detector) {
     return faces;
 }
 
-/// In pieces as wide as a tile that overlap; a face seen in two counts once.
+/// Searches overlapping pieces as wide as a tile; a face seen in two counts once.
 std::vector<cv::Rect> faces_in_strip(const cv::Mat& strip, FaceDetector& detector) {
     constexpr int piece = 400;
     constexpr int step = 250;

@@ -8,7 +8,7 @@
 
 namespace vitrine::analyzer {
 
-/// Seconds of all threads' processor time since it was made.
+/// Processor time of all threads since this was made, seconds.
 class CpuTime {
   public:
     CpuTime() : begin_(now()) {}
@@ -35,7 +35,7 @@ struct LoadedLevel {
 
 LoadedLevel loaded(const Film& film, const Keyframes& keyframes);
 
-/// The brickwork as it is, and squeezed plainly to the tapestry's height.
+/// The brickwork as it is, and scaled to the height of the tapestry.
 cv::Mat bricks_picture(const LoadedLevel& level);
 cv::Mat squeezed(const LoadedLevel& level);
 
@@ -50,10 +50,10 @@ double distance(const LoadedLevel& level, const TileSpan& span, const cv::Mat& s
 /// Mean squared difference of neighbouring pixels.
 struct Gradients {
     double inside = 0;         // over all columns
-    double tile_borders = 0;   // where a tile begins, and where it no longer is fixed
-    double brick_borders = 0;  // where bricks stood side by side
+    double tile_borders = 0;   // at the begin of a tile, and at the end of its fixed columns
+    double brick_borders = 0;  // at the borders between bricks of a row
     double row_inside = 0;     // over all rows
-    double row_border = 0;     // where the two rows of bricks met
+    double row_border = 0;     // between the two rows of bricks
 };
 
 Gradients gradients(const LoadedLevel& level, const cv::Mat& strip);

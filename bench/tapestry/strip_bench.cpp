@@ -67,7 +67,7 @@ Tapestry two_hours() {
     return tapestry;
 }
 
-/// To where its times are on another level.
+/// The zoom mesh of a tile: each point goes to the place of its time on another level.
 std::shared_ptr<const ZoomMesh> zoom(const Tapestry& tapestry, const TileId& tile, bool is_to_finer) {
     if (tile.level == 0 && !is_to_finer) return nullptr;
     const std::size_t other = is_to_finer ? tile.level + 1 : tile.level - 1;
@@ -107,7 +107,7 @@ struct Bench {
     TapestryShow strip{two_hours(), {1280, 720}, canvas, {.first_source = 1, .patience = {}}};
     Noise tile{512, 150};
     std::chrono::nanoseconds now = 0s;
-    double scene = 0;  // CPU ms, in all, of what is no drawing
+    double scene = 0;  // CPU ms in all steps, without drawing
 
     void draw(const Frame& frame) {
         screen.begin_frame();
@@ -177,7 +177,7 @@ int main() {
         bench.run(2s);
         bench.key(key);
         bench.scene = 0;
-        bench.step();  // with which it begins, at the level that it leaves
+        bench.step();  // the first frame still shows the level that it leaves
         print("first frame between two levels", cost(1, [&] { bench.step(); }), one);
         print(key == Key::nearer ? "step to a finer level, each of its others"
                                  : "step to a coarser level, each of its others",

@@ -57,8 +57,8 @@ double largest_step(const StripZoom& zoom, const ZoomPictures& strips) {
     return largest;
 }
 
-/// The distance of the patches of a picture are from the nearest ones of either level: mean squared
-/// difference a channel value. What no film shows is far.
+/// The distance of the patches of a picture from the nearest patches of both levels: mean squared difference
+/// a channel value. A picture that neither level shows is far.
 double strangeness(const LevelPair& pair, const cv::Mat& strip) {
     constexpr int rounds = 4;
     constexpr int radius = 128;

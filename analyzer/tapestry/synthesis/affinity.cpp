@@ -11,13 +11,14 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr float least_usual = 1;  // of the median colour distance: time decides where all frames are alike
+// Lower bound of the median colour distance, so that time decides where all frames are alike.
+constexpr float least_usual = 1;
 
 double seconds_between(const FrameSignature& a, const FrameSignature& b) {
     return Seconds(a.time - b.time).count();
 }
 
-/// The most frames that lie within the band's time of another.
+/// The largest number of frames that lie within the band's time before a frame.
 int band_of(std::span<const FrameSignature> frames, const AffinitySettings& settings) {
     const std::chrono::nanoseconds reach = settings.time_scale * settings.band_scales;
     std::size_t band = 0;
@@ -29,7 +30,7 @@ int band_of(std::span<const FrameSignature> frames, const AffinitySettings& sett
     return static_cast<int>(band);
 }
 
-/// The colour distances of frame i to those of a block that come after it.
+/// Enters the colour distances between frame i and those frames of a block that come after it, both ways.
 void scan_block(std::span<const FrameSignature> frames, const std::vector<FrameBlock>& blocks, int i,
                 int block, Affinity& into) {
     const int from = block * scan_lanes;
@@ -45,7 +46,7 @@ void scan_block(std::span<const FrameSignature> frames, const std::vector<FrameB
 
 float median_cost(const Affinity& costs) {
     std::vector<float> all;
-    const int step = 1 + costs.frames() / 2000;  // more than a million tell no more
+    const int step = 1 + costs.frames() / 2000;  // a million costs are enough for a median
     for (int j = 0; j < costs.frames(); j += step)
         for (int i = costs.first(j); i < costs.last(j); ++i)
             if (i != j) all.push_back(costs.at(i, j));

@@ -4,7 +4,7 @@
 
 namespace vitrine::analyzer {
 
-/// A number that is never negative, as containers count.
+/// Converts a number that is never negative to the type of a container's index.
 constexpr std::size_t as_index(int number) {
     return static_cast<std::size_t>(number);
 }

@@ -32,7 +32,7 @@ void draw_mirrored(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto)
     draw(mirrored, place, onto);
 }
 
-/// The places of patches that lie in a rectangle as a whole.
+/// The places of the patches that lie wholly inside a rectangle.
 cv::Rect patches_in(const cv::Rect& rect, cv::Size window) {
     const cv::Rect seen = rect & cv::Rect({}, window);
     return {seen.x, seen.y, std::max(0, seen.width - patch_side + 1),
@@ -46,7 +46,8 @@ void own(PatchRules& rules, const cv::Rect& patches, int columns, int number) {
     }
 }
 
-/// @param tile  columns of the window whose patches are demanded, by the patch's middle
+/// Demands the patches whose middle lies in the tile.
+/// @param tile  columns of the window
 void demand(PatchRules& rules, const cv::Rect& patches, int columns, cv::Range tile, int weight) {
     for (int y = patches.y; y < patches.y + patches.height; ++y) {
         for (int x = patches.x; x < patches.x + patches.width; ++x) {

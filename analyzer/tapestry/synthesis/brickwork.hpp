@@ -8,8 +8,8 @@
 
 namespace vitrine::analyzer {
 
-/// Keyframes in two rows: those of even number above, those of odd number below, half a brick further right.
-/// So the middles of keyframes one after another are half a brick apart.
+/// Keyframes in two rows: even numbers above, odd numbers below and half a brick further right. So the
+/// middles of consecutive keyframes are half a brick apart.
 /// Source: Video Tapestries 4.2, figure 4.
 struct Brickwork {
     int keyframes = 0;  // at least 1; a single one stands in both rows
@@ -25,51 +25,53 @@ struct Brickwork {
         return {number * brick.width / 2, (number & 1) * brick.height, brick.width, brick.height};
     }
 
-    /// The first brick that reaches beyond x, and the first that begins at it or behind; half bricks at the
-    /// ends count to their neighbours.
+    /// first_at() is the first brick that reaches beyond x; last_at() is the first one that begins at x or
+    /// behind it. Half bricks at the ends belong to their neighbours.
     int first_at(int x) const;
     int last_at(int x) const;
 };
 
 struct Keyframe {
     cv::Mat picture;              // CV_8UC3, of the brick's size
-    std::vector<cv::Rect> faces;  // px of it
+    std::vector<cv::Rect> faces;  // px of the picture
 };
 
-/// Bricks one after another, with the brickwork that they are of.
+/// Consecutive bricks, and the brickwork that they belong to.
 struct BrickSection {
     Brickwork brickwork;
-    std::vector<Keyframe> bricks;  // keyframes of the bricks number `first`, `first` + 1 ...
+    std::vector<Keyframe> bricks;  // keyframes of the bricks `first`, `first` + 1, ...
     int first = 0;
 };
 
-/// The part of a tapestry that is made at once.
+/// The columns [from, to) of a tapestry that are made at once.
 struct TileSpan {
     int from = 0;  // px of the strip
     int to = 0;
 };
 
-/// A part of the brickwork, made smaller, of which a tile is made.
+/// A scaled part of the brickwork, from which a tile is made.
 struct BrickWindow {
-    PatchImage picture;  // with half bricks at the strip's ends filled by mirrored neighbours
+    PatchImage picture;  // mirrored neighbours fill the half bricks at the strip's ends
     PatchRules rules;
 };
 
 struct WindowSettings {
-    int face_weight = 4;     // of patches that touch a face; others have 1. Ours: 4.2 only says "increase"
-    double time_cost = 400;  // squared grey levels at half a brick further from the keyframe's middle
+    int face_weight = 4;     // weight of patches at a face; others have 1. Ours: 4.2 only says "increase"
+    double time_cost = 400;  // squared grey levels a channel value, half a brick beyond `reach`
 };
 
+/// Draws the bricks of a tile and of its margins at a scale. Patches of the tile have weight; those of the
+/// margins may be used, but need not. A patch has no cost of time within half a brick of its brick's middle,
+/// then one by the square of the distance: eq. 2 with tau(x) linear from keyframe to keyframe, in units of
+/// keyframes.
+///
 /// @param section  all bricks that lie in the window
 /// @param tile     the window reaches half a brick further where there is more
 /// @param scale    (0, 1]
-/// Patches of the tile have weight, those of the margins may be used and need not. Time costs nothing within
-/// a brick of its own middle, then the square of the distance: eq. 2 with tau(x) straight from keyframe to
-/// keyframe, in units of keyframes.
 BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, double scale,
                          const WindowSettings& settings = {});
 
-/// The begin and the end of a tile's window, px of the brickwork.
+/// The columns of a tile's window, px of the brickwork.
 cv::Range window_of(const Brickwork& brickwork, const TileSpan& tile);
 
 }  // namespace vitrine::analyzer

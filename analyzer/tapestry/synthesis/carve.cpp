@@ -1,5 +1,5 @@
-// A picture that is retargeted from its carved self needs far fewer rounds, and ends nearer to its source,
-// than one that is squeezed: almost all patches are whole from the start, and where each of them lies is
+// Retargeting that begins with a carved picture needs far fewer rounds, and ends nearer to the source, than
+// one that begins with a scaled picture: almost all patches are whole from the start, and their places are
 // known.
 
 #include "analyzer/tapestry/synthesis/carve.hpp"
@@ -17,7 +17,7 @@ std::size_t index(int value) {
     return static_cast<std::size_t>(value);
 }
 
-/// A picture column by column, the rows that are left next to each other.
+/// A picture stored column by column, the remaining rows next to each other.
 class Carver {
   public:
     explicit Carver(const CarveInput& input)
@@ -85,8 +85,8 @@ class Carver {
         loss_[at(x, y)] = input.given.at<std::uint8_t>(y, x) == CarveInput::stays ? never : 0;
     }
 
-    /// Computes the costs of coming to each pixel of a column: along its row, from the row above, from the
-    /// one below.
+    /// Computes the costs of reaching each pixel of a column: along its row, from the row above, from the row
+    /// below.
     void price(int x) {
         std::copy_n(column(loss_, x), height_, straight_.begin());
         std::fill_n(falling_.begin(), height_, 0.F);
@@ -108,7 +108,8 @@ class Carver {
         }
     }
 
-    /// The least sums of seams that end in a column, and the rows from which they come.
+    /// Computes the cheapest seam to each pixel of a column, and the row in the column before that it comes
+    /// from.
     void reach(int x) {
         price(x);
         float* sums = column(sums_, x);
@@ -132,7 +133,7 @@ class Carver {
         sums[height_] = never;
     }
 
-    /// Where the brick changes, or rows are given, a seam may come from anywhere beside the same brick.
+    /// A seam may come from any row beside the same brick, where the brick changes or the rows are given.
     /// @return the row in which the next brick of the column begins
     int jump(int x, int first) {
         const bool is_given = is_given_[index(x)] != 0;
@@ -164,11 +165,11 @@ class Carver {
 
     int columns_;
     int height_;
-    int stride_;  // of a column: a place before it and one behind
+    int stride_;  // values of a column, with one place before it and one behind
     std::array<std::vector<float>, 3> colours_;
     std::vector<float> loss_;
-    std::vector<float> sums_;         // of the best seam that ends there
-    std::vector<std::int16_t> from_;  // the row of the column before from which it comes
+    std::vector<float> sums_;         // cost of the cheapest seam that ends at a pixel
+    std::vector<std::int16_t> from_;  // row of that seam in the column before
     std::vector<std::int16_t> bricks_;
     std::vector<std::int16_t> rows_;
     std::vector<std::uint8_t> is_given_;

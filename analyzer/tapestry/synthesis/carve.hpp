@@ -7,20 +7,20 @@
 
 namespace vitrine::analyzer {
 
-/// The pictures that become less tall; all of one size.
+/// The picture to carve, and its properties; all of one size.
 struct CarveInput {
     enum Given : std::uint8_t { open, stays, goes };
 
     cv::Mat picture;  // CV_8UC3
-    cv::Mat bricks;   // CV_16SC1: the brick that a pixel is of
-    cv::Mat loss;     // CV_32FC1: what losing a pixel costs beyond the edge it makes, squared grey levels
-    cv::Mat given;    // CV_8UC1 of Given, or empty; a column is open as a whole or not at all
+    cv::Mat bricks;   // CV_16SC1: each pixel's brick
+    cv::Mat loss;     // CV_32FC1: cost of losing a pixel besides that of the new edge, squared grey levels
+    cv::Mat given;    // CV_8UC1 of Given, or empty; a column is open wholly or not at all
 };
 
-/// The rows of a picture that are left, for each column by itself.
+/// The rows of a picture that remain, for each column by itself.
 struct KeptRows {
     int columns = 0;
-    int height = 0;                  // rows left
+    int height = 0;                  // rows that remain
     std::vector<std::int16_t> rows;  // column by column, rising
 
     int at(int x, int y) const {
@@ -29,15 +29,17 @@ struct KeptRows {
     }
 };
 
-/// Takes seams from left to right out of a picture until it is `height` tall, each the one that costs least:
-/// the squared edges that it brings together and what it loses. A seam goes at most a row up or down from
-/// column to column, and anywhere where the brick changes, as nothing is torn there.
-/// Source: Rubinstein, Shamir, Avidan 2008 (forward energy). Differs: squared differences, as eq. 1 counts.
+/// Removes seams that run from left to right until the picture is `height` tall, each time the cheapest one.
+/// A seam costs the squared edges that it makes and the loss of its pixels. From column to column it moves by
+/// at most a row up or down. Where the brick changes it may come from anywhere, because nothing is torn
+/// there.
+/// Source: Rubinstein, Shamir, Avidan 2008 (forward energy). Differs: differences are squared, as in eq. 1 of
+/// Video Tapestries.
 ///
-/// @param height  at least 1; in columns that are given, so many stay
+/// @param height  at least 1; in columns that are not open, the number of pixels that stay
 KeptRows carved(const CarveInput& input, int height);
 
-/// The picture of the rows that are left. CV_8UC3.
+/// The picture with the kept rows only. CV_8UC3.
 cv::Mat picture_of(const cv::Mat& picture, const KeptRows& kept);
 
 }  // namespace vitrine::analyzer

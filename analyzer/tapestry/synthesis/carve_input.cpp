@@ -11,12 +11,12 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr float step_loss = 3;     // of the mean squared step down in the patch around a lost pixel
-constexpr float face_loss = 2000;  // squared grey levels a pixel of a face
+constexpr float step_loss = 3;     // times the mean squared step down around a lost pixel, in a patch
+constexpr float face_loss = 2000;  // squared grey levels for each pixel of a face
 constexpr float break_cost = 150;  // squared grey levels for each place where rows are gone in a known column
-constexpr int columns_beside = 2;  // that are looked at with a known column
+constexpr int columns_beside = 2;  // known columns to either side that help to find the rows of one
 
-/// The brick of which a pixel is, by any patch that it lies in.
+/// The brick of a pixel, by any patch that the pixel lies in.
 std::int16_t brick_at(const BrickWindow& window, int x, int y) {
     const int columns = window.picture.patch_columns();
     for (int top = y; top > y - patch_side; --top) {
@@ -50,7 +50,7 @@ cv::Mat steps_down(const CarveInput& input) {
     return steps;
 }
 
-/// Squared differences of a known column to a picture's one: at (y, k) its pixel y to the picture's y + k.
+/// Squared differences between a known column and the picture's: at (y, k) of its pixel y and pixel y + k.
 cv::Mat column_differences(const cv::Mat& known, const cv::Mat& column) {
     cv::Mat differences(known.rows, column.rows - known.rows + 1, CV_32FC1);
     for (int y = 0; y < differences.rows; ++y)
@@ -59,7 +59,7 @@ cv::Mat column_differences(const cv::Mat& known, const cv::Mat& column) {
     return differences;
 }
 
-/// For each row of a known column how many rows are gone above it: the cheapest choice that never falls.
+/// Says how many rows are gone above each row of a known column: the cheapest choice that never falls.
 std::vector<int> gone_above(const cv::Mat& differences) {
     cv::Mat sums = differences.clone();
     cv::Mat from(differences.size(), CV_32SC1, cv::Scalar(0));

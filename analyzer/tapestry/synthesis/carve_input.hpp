@@ -5,15 +5,15 @@
 
 namespace vitrine::analyzer {
 
-/// A tile as wide as its target, cut out of its window, with what carving needs to know of it: that of the
-/// rows around a lost one each is seen a row off, so that the mean of the squared steps down there is lost
-/// too, and that faces are to stay whole.
+/// Cuts a tile as wide as its target out of its window, and sets what the loss of each pixel costs. When a
+/// row is lost, the rows around it are seen a row off: the loss counts the mean of the squared steps down
+/// there. Pixels of faces cost more, so that faces stay whole.
 ///
-/// @param width  px; what the window lacks on the right is filled with its last column
+/// @param width  px; where the window ends earlier, its last column fills the rest
 CarveInput carve_input(const BrickWindow& window, int width);
 
-/// Which of their rows those columns of a target show that are made already, found column by column as the
-/// cheapest way down; written to CarveInput::given.
+/// Finds the rows that the finished columns of a target show, and writes them to CarveInput::given. In each
+/// column it is the cheapest way down.
 ///
 /// @param known    CV_8UC3, the target's size
 /// @param columns  CV_8UC1, one row: not 0 where a column is known

@@ -7,8 +7,8 @@
 
 namespace vitrine::analyzer {
 
-/// A frame as it is compared with others: 32 x 18 px, BGR, rows from the top; the analysis' decode pass makes
-/// it (FrameFeatures::signature).
+/// A frame made small to compare it with others: 32 x 18 px, BGR, rows from the top. CandidateWriter makes it
+/// while the film is decoded.
 struct FrameSignature {
     static constexpr int width = 32;
     static constexpr int height = 18;

@@ -14,7 +14,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int sweeps = 5;
-constexpr int half_patch = patch_side / 2;  // from a patch's corner to the pixel that it speaks for
+constexpr int half_patch = patch_side / 2;  // px from a patch's corner to the pixel that it stands for
 
 Match match_at(cv::Point corner, const MatchField& in) {
     return {.x = static_cast<std::int16_t>(std::clamp(corner.x, 0, in.columns - 1)),
@@ -28,7 +28,7 @@ void begin_with(MatchField& field, const MatchField& other, const PlaceGuess& gu
             field.at(x, y) = match_at(guess(cv::Point(x, y) + half) - half, other);
 }
 
-/// All of the finer picture may be used, and is to be found.
+/// The rules by which all patches of the finer picture may be used and should be found.
 PatchRules rules_for(const PatchImage& fine) {
     const std::size_t patches = as_index(fine.patch_columns()) * as_index(fine.patch_rows());
     PatchRules rules;
@@ -38,7 +38,7 @@ PatchRules rules_for(const PatchImage& fine) {
     return rules;
 }
 
-/// Joins patches that hold together, island after island.
+/// Joins patches to islands, one island after another.
 class Joining {
   public:
     Joining(const PatchMatch& matches, const IslandRules& rules) : matches_(matches), rules_(rules) {
@@ -93,7 +93,7 @@ class Joining {
 
     const PatchMatch& matches_;
     const IslandRules& rules_;
-    cv::Mat numbers_;  // of patches
+    cv::Mat numbers_;  // island number of each patch
     int next_ = 1;
 };
 

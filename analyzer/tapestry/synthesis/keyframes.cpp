@@ -12,8 +12,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int most_swap_rounds = 30;
-constexpr int small_gap = 48;          // frames; in it all pairs are tried
-constexpr double least_change = 1e-6;  // of the cost, that counts as lower
+constexpr int small_gap = 48;          // frames; all pairs of a gap so small are tried
+constexpr double least_change = 1e-6;  // share of far() by which a swap must lower the cost
 
 /// The frames between two frozen keyframes: [first, last) without them.
 struct Gap {
@@ -21,20 +21,20 @@ struct Gap {
     int last = 0;
 };
 
-/// A frame that could be added next, and its gain; the gain is an upper bound once others were added.
+/// A frame or pair that could be added next. Its gain is an upper bound once others were added.
 struct Proposal {
     double gain = 0;
     int place = 0;          // a frame or the number of a gap
-    std::size_t round = 0;  // how many were added when the gain was right
+    std::size_t round = 0;  // number of additions when the gain was computed
 
     bool operator<(const Proposal& other) const {
         return gain != other.gain ? gain < other.gain : place > other.place;
     }
 };
 
-/// Takes the best of many proposals again and again; stale ones are looked at anew only where they lead.
-/// @param gain  of a place now, less than 0 where nothing can be added there any more
-/// @param add   does it, returns how many keyframes that were
+/// Adds the best of many proposals again and again. An outdated gain is computed anew only where it leads.
+/// @param gain  the gain of a place now; less than 0 where nothing can be added any more
+/// @param add   adds at a place; returns the number of keyframes added
 void add_greedily(int places, int wanted, const std::function<double(int)>& gain,
                   const std::function<int(int)>& add) {
     std::priority_queue<Proposal> queue;
@@ -124,7 +124,7 @@ class Level {
         if (missing > 0) add_last();
     }
 
-    /// Behind all others a single keyframe moves none.
+    /// Adds a single keyframe behind all others, where it moves none of them to the other row.
     void add_last() {
         const std::optional<int> last = best_single(gaps_.back());
         if (last) medoids_.add(*last);
@@ -151,7 +151,7 @@ class Level {
         return best;
     }
 
-    /// In a small gap the best of all pairs, in a large one the best frame and the best beside it.
+    /// The best of all pairs in a small gap; in a large one the best frame with the best second frame.
     Pair best_pair(const Gap& gap) const {
         if (gap.last - gap.first <= small_gap) {
             Pair best;

@@ -13,30 +13,31 @@ using Keyframes = std::vector<int>;
 
 struct KeyframeSettings {
     int first = 24;          // keyframes of the coarsest level, n_1
-    int growth = 2;          // of their number from level to level, rho
-    int most_levels = 32;    // no more are made
-    bool keeps_rows = true;  // between two keyframes come new ones in even numbers only
+    int growth = 2;          // factor from each level to the next, rho
+    int most_levels = 32;    // the coarsest included
+    bool keeps_rows = true;  // new keyframes between two others come in even numbers only
 };
 
-/// Keyframes level by level, each level with all those of the one before, until every frame is one, as far as
-/// rows allow it. Each level adds those that lower the summed cost of showing every frame by its best
-/// keyframe most: pairs greedily, then swaps until none lowers it.
+/// Chooses keyframes level by level, until every frame is a keyframe as far as rows allow it. Each level
+/// holds all keyframes of the one before. It adds those that lower most the summed cost of showing every
+/// frame by its best keyframe: first pairs greedily, then swaps until none lowers it.
 ///
-/// With keeps_rows a keyframe has an even or an odd number at all levels, which is its row in the brickwork:
-/// before the first keyframe and between two of them come new ones in pairs.
+/// With keeps_rows the number of a keyframe is even at all levels or odd at all levels, so that it stays in
+/// its row of the brickwork: new keyframes before the first one and between two others come in pairs.
 ///
-/// @param costs  of at least one frame
+/// @param costs  costs of at least one frame
 /// Source: Video Tapestries 4.1, k-medoids with earlier levels frozen; 4.3 for the even numbers.
 std::vector<Keyframes> keyframe_levels(const Affinity& costs, const KeyframeSettings& settings = {});
 
-/// The same with a first level that is given, by hand or by uniform_keyframes().
+/// Chooses the finer levels for a first level that is given, by hand or by uniform_keyframes().
 std::vector<Keyframes> refined_levels(const Affinity& costs, Keyframes coarsest,
                                       const KeyframeSettings& settings = {});
 
-/// So many frames at equal distances, each in the middle of its part; all of them where there are fewer.
+/// Chooses `count` frames at equal distances, each in the middle of its part; all frames where there are
+/// fewer.
 Keyframes uniform_keyframes(int frames, int count);
 
-/// For each time the frame nearest to it, each once, in time order.
+/// Chooses the frame nearest to each time, each frame once, in time order.
 Keyframes keyframes_at(std::span<const FrameSignature> frames,
                        std::span<const std::chrono::nanoseconds> times);
 

@@ -6,8 +6,9 @@
 
 namespace vitrine::analyzer {
 
-/// A set of frames that stand for all frames, each frame shown by the one that shows it best; what it costs,
-/// and what a further or another one would change, is known without going through all frames.
+/// A set of frames, the medoids, that stand for all frames: each frame is shown by the medoid that shows it
+/// best. The cost of the set, and its change by a further or another medoid, are known without a pass over
+/// all frames.
 class Medoids {
   public:
     /// @param costs  outlives this
@@ -17,20 +18,20 @@ class Medoids {
 
     const std::vector<int>& sorted() const { return sorted_; }
 
-    /// The sum over all frames of A_ij of the medoid that shows it best, `far` where none is near.
+    /// The sum over all frames i of A_ij, with j the medoid that shows i best; `far` where none is near.
     /// Source: Video Tapestries 4.1, n times eq. 4, whose second term is 0.
     double cost() const;
 
-    /// The amount by which the cost falls where a frame that is no medoid becomes one.
+    /// The amount by which the cost falls if a frame that is no medoid becomes one.
     double gain(int frame) const;
 
-    /// The same where `before` has become one already.
+    /// The same if `before` has become a medoid already.
     double gain_after(int frame, int before) const;
 
     void add(int frame);
 
-    /// Computes the change of the cost where `in` takes the place of each medoid of [from, to), in that
-    /// order; the values for other frames of that range mean nothing.
+    /// Computes the change of the cost if `in` takes the place of each medoid of [from, to), in that order.
+    /// The values for other frames of that range mean nothing.
     void swap_changes(int in, int from, int to, std::vector<double>& changes) const;
 
     void swap(int out, int in);
@@ -49,8 +50,8 @@ class Medoids {
     const Affinity& costs_;
     std::vector<bool> is_medoid_;
     std::vector<int> sorted_;
-    std::vector<Service> services_;  // a frame
-    std::vector<double> loss_;       // a medoid: what its loss alone would cost
+    std::vector<Service> services_;  // one a frame
+    std::vector<double> loss_;       // one a frame: for a medoid, the cost of losing it alone
 };
 
 }  // namespace vitrine::analyzer

@@ -14,8 +14,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double most_bend = 2;  // px by which an island's pixel may miss the flow
-constexpr float soft_edge = 8;   // px around an island
-constexpr double growing = 4;    // the power of the way left, by which islands grow
+constexpr float soft_edge = 8;   // px around an island in which it fades
+constexpr double growing = 4;    // islands grow by (1 - moment)^growing of the part's height
 
 cv::Mat nearest_of(const cv::Mat& numbers, const cv::Mat& places) {
     cv::Mat found;
@@ -23,7 +23,7 @@ cv::Mat nearest_of(const cv::Mat& numbers, const cv::Mat& places) {
     return found;
 }
 
-/// For each pixel what the nearest land has.
+/// Gives each pixel the way of the land pixel nearest to it.
 ///
 /// @param sea      CV_8UC1, 0: land, of which there is some
 /// @param nearest  CV_32SC1, the numbers that cv::distanceTransform() has given to land
@@ -40,7 +40,7 @@ cv::Mat with_land(const cv::Mat& sea, const cv::Mat& nearest, const cv::Mat& way
     return all;
 }
 
-/// Each pixel's own place, from so many columns on.
+/// Each pixel's own place, `begin` columns further right.
 cv::Mat own_places(cv::Size size, int begin) {
     cv::Mat places(size, CV_32FC2);
     for (int y = 0; y < size.height; ++y)
@@ -62,7 +62,7 @@ MovingIslands::MovingIslands(const ZoomPart& part, const ZoomWarps& warps) : par
         ways_ = with_land(sea_of, nearest, ways_);
 }
 
-/// The mask of the coarser level: 0 for pixels that an island has and the flow moves with it, else 1.
+/// The mask of the coarser level: 0 where an island holds a pixel and the flow moves it likewise, else 1.
 cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
     cv::Mat sea(part_.coarse.size(), CV_8UC1, cv::Scalar::all(1));
     for (int y = 0; y < sea.rows; ++y) {
@@ -75,11 +75,11 @@ cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
                 sea.at<std::uint8_t>(y, x) = 0;
         }
     }
-    cv::erode(sea, sea, cv::Mat::ones(patch_side, patch_side, CV_8UC1));  // islands are of whole patches
+    cv::erode(sea, sea, cv::Mat::ones(patch_side, patch_side, CV_8UC1));  // islands consist of whole patches
     return sea;
 }
 
-/// The islands with their soft edges, as far as they have grown by then: [0, 1] for each pixel of the coarser
+/// The islands as far as they have grown at a moment, with soft edges: [0, 1] for each pixel of the coarser
 /// part.
 cv::Mat MovingIslands::grown(double share) const {
     const double reach = std::pow(1 - share, growing) * part_.coarse.rows;
@@ -87,9 +87,9 @@ cv::Mat MovingIslands::grown(double share) const {
     return cv::max(0.0, cv::min(1.0, grown));
 }
 
-/// Where a moment's pixels come from if they go with the island that is nearest to where the flow has them,
-/// and how much they do.
-/// @param places  in the coarser level, as the flow has them
+/// Moves each pixel of a moment with the nearest island, as far as the pixel belongs to it.
+/// @param places  places in the coarser level by the flow; replaced by those of the islands
+/// @param share   set to the share of the island in each pixel, [0, 1]
 void MovingIslands::carry(cv::Mat& places, cv::Mat& share, double moment) const {
     const cv::Mat ways = nearest_of(ways_, places);
     places = own_places(places.size(), part_.columns(moment).start - part_.part.coarse.start) - ways * moment;

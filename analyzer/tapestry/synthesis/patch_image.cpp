@@ -9,7 +9,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr std::size_t bytes_behind = 32;  // a row of a patch is read as 32 bytes
-constexpr int first_rows = 3;             // after them the sum is held against the bound
+constexpr int first_rows = 3;             // rows of a patch, after which the sum is compared with the bound
 
 int plain_rows(const std::uint8_t* a, std::size_t a_stride, const std::uint8_t* b, std::size_t b_stride,
                int rows) {

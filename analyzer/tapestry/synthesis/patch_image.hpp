@@ -12,8 +12,8 @@ constexpr int patch_side = 7;                              // px; source: Video 
 constexpr int patch_values = 3 * patch_side * patch_side;  // channel values of a patch
 constexpr int patch_row_bytes = 4 * patch_side;
 
-/// A picture whose patches are compared: B, G, R and 1 a pixel, in one piece, so that votes for a pixel count
-/// themselves, with some bytes behind it that may be read.
+/// A picture whose patches are compared: B, G, R and 1 for each pixel, in one piece of memory with some
+/// readable bytes behind it. The 1 makes sums of votes count the votes, too.
 class PatchImage {
   public:
     PatchImage() = default;
@@ -26,7 +26,8 @@ class PatchImage {
 
     int height() const { return height_; }
 
-    /// Patches by the place of their upper left pixel: so many beside and below each other.
+    /// The numbers of patches beside and below each other. A patch is named by the place of its upper left
+    /// pixel.
     int patch_columns() const { return width_ - patch_side + 1; }
 
     int patch_rows() const { return height_ - patch_side + 1; }
@@ -50,12 +51,12 @@ class PatchImage {
     std::vector<std::uint8_t> bytes_;
 };
 
-/// The sum of squared differences of two patches' channel values, [0, 147 * 255^2]; where it exceeds `bound`
-/// something above `bound` may be given instead.
+/// The sum of squared differences of two patches' channel values, [0, 147 * 255^2]. A sum beyond `bound` may
+/// be any value beyond `bound`.
 using PatchDistance = int (*)(const std::uint8_t* a, std::size_t a_stride, const std::uint8_t* b,
                               std::size_t b_stride, int bound);
 
-/// The fastest that this processor has; all give the same.
+/// The fastest implementation for this processor; all return the same values.
 PatchDistance patch_distance();
 
 }  // namespace vitrine::analyzer

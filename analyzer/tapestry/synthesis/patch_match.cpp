@@ -17,7 +17,7 @@ namespace {
 constexpr int band_rows = 32;  // px
 constexpr int unbounded = std::numeric_limits<int>::max();
 
-/// A small generator: its quality is enough for where to look next.
+/// A small generator of random numbers, good enough to choose places to search.
 class Chance {
   public:
     explicit Chance(std::uint32_t seed) : state_(seed * 2654435761U + 0x9E3779B9U) {
@@ -87,7 +87,7 @@ int PatchMatch::cost(int source_x, int source_y, int target_x, int target_y, int
                             target_.stride(), bound - time);
 }
 
-/// The nearest place along the row, then in the row below or above, that may be used.
+/// The nearest allowed place along the row, then along the column.
 Match PatchMatch::allowed_near(int x, int y) const {
     x = std::clamp(x, 0, of_source_.columns - 1);
     y = std::clamp(y, 0, of_source_.rows - 1);
@@ -155,10 +155,10 @@ void PatchMatch::refresh(const RunTasks& run) {
     });
 }
 
-/// One band of one field, from one corner to the opposite one.
+/// Sweeps over one band of one field, from one corner to the opposite one.
 struct PatchMatch::Sweep {
     PatchMatch& fields;
-    bool is_target;  // whose field
+    bool is_target;  // the target's field; else the source's
     int first;
     int last;
     bool is_forward;

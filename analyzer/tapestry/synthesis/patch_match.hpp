@@ -9,11 +9,11 @@
 
 namespace vitrine::analyzer {
 
-/// Where in the other picture the patch nearest to one lies, as far as is known.
+/// The place of the nearest patch in the other picture, as far as is known.
 struct Match {
-    std::int16_t x = -1;  // px of the patch's upper left pixel; -1: none is looked for
+    std::int16_t x = -1;  // px of the patch's upper left pixel; -1: no match is searched
     std::int16_t y = -1;
-    std::int32_t cost = 0;  // squared colour distance and what time adds
+    std::int32_t cost = 0;  // squared colour distance plus the cost of time
 };
 
 /// A match for each patch of a picture, row by row.
@@ -45,19 +45,18 @@ struct MatchField {
 struct PatchRules {
     static constexpr int no_brick = -1;
 
-    std::vector<std::int16_t>
-        owners;  // a patch of S: its brick, or no_brick where it lies in none as a whole
-    std::vector<std::uint8_t> weights;  // a patch of S: how much the target must have it; 0: it need not
-    std::vector<int> centres;           // a brick: the middle, px of S
+    std::vector<std::int16_t> owners;   // one a patch of S: the brick that it lies in wholly, or no_brick
+    std::vector<std::uint8_t> weights;  // one a patch of S: how much the target must have it; 0: it need not
+    std::vector<int> centres;           // one a brick: its middle, px of S
     int target_x = 0;                   // px of S where the target begins
     double reach = 1;                   // px from a brick's middle within which time costs nothing
-    double time_cost = 0;               // a squared px beyond it
+    double time_cost = 0;               // cost of a squared px beyond it
 };
 
-/// The rules of a source whose patches may all be used anywhere, and none must be.
+/// Rules by which all patches of a source may be used anywhere, and none must be.
 PatchRules free_rules(const PatchImage& source);
 
-/// The two fields of a source and a target, and the search that improves them.
+/// The matches of a source and a target with each other, and the search that improves them.
 class PatchMatch {
   public:
     /// @param source, target, rules  outlive this
@@ -71,20 +70,21 @@ class PatchMatch {
 
     const MatchField& of_source() const { return of_source_; }
 
-    /// Brings all costs up to date with the pictures; matches that may not be are replaced by ones that may.
+    /// Computes all costs anew for the pictures as they are. Replaces matches that are not allowed by allowed
+    /// ones.
     void refresh(const RunTasks& run);
 
-    /// One sweep over both fields: each patch tries what its neighbours have found, and some more within
-    /// `radius` px of its own. No cost rises, where it was up to date. What it gives follows from the seed.
-    /// @param near_enough  what costs less tries only its neighbours' finds, and nothing far is taken for
-    /// half
-    ///                     of it less: neighbours stay together, and a sweep is sooner done
+    /// Sweeps once over both fields: each patch tries the matches of its neighbours, and searches places
+    /// within `radius` px of its own match. No cost rises if all were up to date. The result follows from the
+    /// seed.
+    /// @param near_enough  a patch whose match costs less does not search; a searched place must be cheaper
+    ///                     by half of this: so neighbours stay together, and a sweep ends sooner
     void search(int radius, std::uint32_t seed, const RunTasks& run, int near_enough = 0);
 
-    /// Each field takes what the other one found: a pair costs the same both ways.
+    /// Offers each field the matches of the other one, because a pair costs the same both ways.
     void share();
 
-    /// Every patch is compared with every other: for tests.
+    /// Compares every patch with every other: for tests.
     void search_everywhere();
 
     /// Mean cost a channel value, weighted over the source's patches plus over the target's.
@@ -106,14 +106,14 @@ class PatchMatch {
     /// Rows [first, last) of one of the fields.
     struct Band {
         int task;
-        bool is_target;  // whose field
+        bool is_target;  // the target's field; else the source's
         int first;
         int last;
     };
 
     using BandWork = std::function<void(const Band& band)>;
 
-    /// Does the work for both fields, a task a band; where the bands lie follows from the seed.
+    /// Does the work for all bands of both fields, one task a band. The seed decides where the bands lie.
     void in_bands(std::uint32_t seed, const RunTasks& run, const BandWork& work) const;
 
     int owner(int x, int y) const { return rules_.owners[place(x, y)]; }

@@ -1,7 +1,8 @@
-// Patches of 7 x 7 are compared for every displacement of one frame over the other: at each the squared
-// differences of the overlapping pixels are summed over 7 rows, then over 7 columns, by sliding, and each
-// patch of both frames keeps its smallest sum. Sixteen pairs of frames go in the sixteen lanes of a vector of
-// 16-bit numbers; two shifts keep the sums within 16 bits and cost differences below two grey levels.
+// Compares patches of 7 x 7 for every displacement of one frame over the other. At each displacement the
+// squared differences of the overlapping pixels are summed over 7 rows, then over 7 columns, by sliding, and
+// each patch of both frames keeps its smallest sum. The sixteen lanes of a vector of 16-bit numbers hold
+// sixteen pairs of frames. Two shifts keep the sums within 16 bits; they lose differences below two grey
+// levels.
 
 #include "analyzer/tapestry/synthesis/patch_scan.hpp"
 
@@ -30,8 +31,8 @@ using Lanes = std::uint16_t __attribute__((vector_size(2 * scan_lanes)));
 struct Scratch {
     std::array<Lanes, patches> nearest_of_frame;
     std::array<Lanes, patches> nearest_of_block;
-    std::array<std::array<Lanes, width>, side> rows;  // of pixel differences, the last seven
-    std::array<Lanes, width> columns;                 // sums of those
+    std::array<std::array<Lanes, width>, side> rows;  // pixel differences of the last seven rows
+    std::array<Lanes, width> columns;                 // their sums, column by column
 };
 
 [[gnu::always_inline]] inline Lanes lesser(const Lanes& a, const Lanes& b) {
@@ -67,7 +68,7 @@ struct Scratch {
     }
 }
 
-/// One displacement: pixel (x, y) of the frame lies on (x + dx, y + dy) of the block.
+/// Compares at one displacement: pixel (x, y) of the frame lies on (x + dx, y + dy) of the block.
 [[gnu::always_inline]] inline void displace(Scratch& scratch, const FrameSignature& frame,
                                             const FrameBlock& block, int dx, int dy) {
     const int overlap_width = width - std::abs(dx);

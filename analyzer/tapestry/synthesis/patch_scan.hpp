@@ -9,7 +9,7 @@ namespace vitrine::analyzer {
 
 constexpr int scan_lanes = 16;  // frames that are compared at once
 
-/// Sixteen frames side by side: pixel after pixel, channel after channel, the sixteen values of each.
+/// Sixteen frames interleaved: for each channel of each pixel the sixteen values.
 struct FrameBlock {
     static constexpr int values = 3 * FrameSignature::width * FrameSignature::height;
 
@@ -21,8 +21,8 @@ FrameBlock frame_block(std::span<const FrameSignature> frames);
 
 /// Colour distances between a frame and each of a block, both ways.
 struct ScanResult {
-    std::array<float, scan_lanes> by_block{};  // mean over the frame's patches of the nearest in the other
-    std::array<float, scan_lanes> of_block{};  // mean over the other's patches of the nearest in the frame
+    std::array<float, scan_lanes> by_block{};  // mean distance of the frame's patches to the other's nearest
+    std::array<float, scan_lanes> of_block{};  // mean distance of the other's patches to the frame's nearest
 };
 
 ScanResult scan_patches(const FrameSignature& frame, const FrameBlock& block);

@@ -1,6 +1,6 @@
-// Coarse to fine: at half the size the height is carved away and what that tore is mended in many rounds;
-// then the matches are carried to full size. Squeezing in many small steps at a sixth of the size, as
-// Simakov et al. do, merges what repeats, but whole figures with it, and never comes as near to the source.
+// Works from coarse to fine. At half the size the height is carved away, and many rounds mend what that tore;
+// then the matches are carried to full size. Simakov et al. scale in many small steps at a sixth of the size
+// instead. That merges repetitions, but whole figures too, and never comes as near to the source.
 
 #include "analyzer/tapestry/synthesis/retarget.hpp"
 
@@ -20,8 +20,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
-constexpr int least_brick_side = 40;  // px at the smallest size; at smaller ones too much is merged
-constexpr double settled = 0.0002;    // of the energy: what falls less in a round is done
+constexpr int least_brick_side = 40;  // px at the smallest size; below it too much is merged
+constexpr double settled = 0.0002;    // share of the energy: a round that lowers it by less is the last
 
 /// The rounds and search radii at the smallest and at full size.
 struct Plan {
@@ -37,7 +37,7 @@ Plan plan_of(TileQuality quality) {
     return {.first_rounds = 6, .last_rounds = 1, .first_radius = 16, .last_radius = 4};
 }
 
-/// From the smallest to 1.
+/// The scales of a tile, from the smallest to 1.
 std::vector<double> scales_of(cv::Size brick) {
     std::vector<double> scales{1};
     const double side = std::min(brick.width, brick.height);
@@ -69,7 +69,7 @@ KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size siz
     return known;
 }
 
-/// The tile through all its sizes.
+/// Makes the tile, one size after another.
 class Tile {
   public:
     Tile(const BrickSection& section, const TileSpan& span, const TileNeighbours& neighbours,
@@ -102,7 +102,8 @@ class Tile {
             window, guess, known_part(neighbours_, span_.to - span_.from, guess.size()), run_);
     }
 
-    /// At the smallest size: seams go, in agreement with what the neighbours show, then the rest is mended.
+    /// Begins at the smallest size: removes seams in agreement with the neighbours' columns, then mends the
+    /// rest.
     void carve() {
         window_ = std::make_unique<BrickWindow>(window(scales_[0]));
         const cv::Size size = target_size(scales_[0], tapestry_height(section_.brickwork));

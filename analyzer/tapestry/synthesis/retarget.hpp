@@ -10,27 +10,27 @@ namespace vitrine::analyzer {
 
 enum class TileQuality {
     high,       // up to a second a tile
-    on_demand,  // up to a tenth of one
+    on_demand,  // up to a tenth of a second a tile
 };
 
-constexpr double kept_height = 0.75;  // of the brickwork's; source: Video Tapestries 4.2
-constexpr int tile_overlap = 64;      // px with which a tile begins in the one before
+constexpr double kept_height = 0.75;  // share of the brickwork's height; source: Video Tapestries 4.2
+constexpr int tile_overlap = 64;      // px by which a tile reaches into the one before
 
-/// The neighbour's share in a column of an overlap, the outermost being 0: all of it in the
-/// outer half, then less and less.
+/// The neighbour's share in a column of an overlap; column 0 is the outermost. It is 1 in the outer half,
+/// then falls to 0.
 inline float neighbour_share(int column, int columns) {
     const float place = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns);
     return std::clamp(2 - 2 * place, 0.F, 1.F);
 }
 
-/// The tiles of a strip, left to right, each about 500 px wide and beginning tile_overlap px before the last
-/// ends. A strip of up to 1.5 tiles is one.
+/// The tiles of a strip, left to right. Each is about 500 px wide and begins tile_overlap px before the end
+/// of the one before. A strip of up to 1.5 tiles is one tile.
 std::vector<TileSpan> tile_spans(int strip_width);
 
 /// The finished neighbours of a tile: pictures as tall as the tapestry, or empty.
 struct TileNeighbours {
     cv::Mat left;   // CV_8UC3, the tile's first columns as the neighbour has them
-    cv::Mat right;  // its last ones
+    cv::Mat right;  // CV_8UC3, the tile's last columns as the neighbour has them
 };
 
 struct RetargetSettings {
@@ -38,12 +38,12 @@ struct RetargetSettings {
     WindowSettings window;
 };
 
-/// One tile of a discrete tapestry: the brickwork 75 % as tall, by bidirectional similarity. Where neighbours
-/// are known their colours are kept: whole at the border, then fading into the tile.
+/// Makes one tile of a discrete tapestry: the brickwork 75 % as tall, by bidirectional similarity. Colours of
+/// known neighbours are kept: wholly at the border, then less and less into the tile.
 ///
 /// @param section  all bricks in window_of() the tile
-/// @return         CV_8UC3, to - from wide
-/// Source: Video Tapestries 4.2. The result does not depend on how many threads `run` has.
+/// @return         CV_8UC3, as wide as `span`
+/// Source: Video Tapestries 4.2. The result does not depend on the number of threads of `run`.
 cv::Mat retarget_tile(const BrickSection& section, const TileSpan& span, const TileNeighbours& neighbours,
                       const RetargetSettings& settings = {}, const RunTasks& run = run_in_order);
 

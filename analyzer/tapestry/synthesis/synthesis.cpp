@@ -11,10 +11,10 @@ namespace {
 
 constexpr int near_enough = 1000;  // squared grey levels of a patch: 2.6 a channel value
 
-/// Matches of a field, spread over a larger or smaller one.
+/// Spreads the matches of a field over a larger or smaller one.
 ///
-/// @param growth        of the picture whose patches are matched
-/// @param other_growth  of the one in which they are matched
+/// @param growth        factor of size of the picture whose patches are matched
+/// @param other_growth  factor of size of the picture in which they are matched
 void spread(const MatchField& from, cv::Size2d growth, cv::Size2d other_growth, MatchField& to) {
     for (int y = 0; y < to.rows; ++y) {
         const int from_y = std::min(static_cast<int>(y / growth.height), from.rows - 1);

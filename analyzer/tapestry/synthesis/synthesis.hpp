@@ -14,7 +14,7 @@ struct KnownPart {
     cv::Mat share;    // CV_32FC1 in [0, 1]; 1: the pixel is the picture's, 0: free
 };
 
-/// The target at one size, on its way to the least energy.
+/// Brings the target at one size towards the least energy.
 class Synthesis {
   public:
     /// @param window  outlives this
@@ -25,31 +25,31 @@ class Synthesis {
     Synthesis& operator=(const Synthesis&) = delete;
     ~Synthesis() = default;
 
-    /// Each patch matched with the one at the same share of width and height.
+    /// Matches each patch with the one at the same column and at the same share of the height.
     void match_by_place();
 
-    /// Each patch matched with the one at the same column from which it was kept, or next to which it was
-    /// lost.
+    /// Matches each patch with the one in the same column that it was kept from, or beside which it was lost.
     void match_kept(const KeptRows& kept);
 
-    /// Matches of a synthesis of another size, of the same tile.
+    /// Takes the matches of a synthesis of the same tile at another size.
     void match_like(const Synthesis& other);
 
-    /// One round: a search of `radius` px, then the target that costs least for what it found.
+    /// Does one round: searches within `radius` px, then makes the target that costs least for the matches
+    /// found.
     /// @return the energy before the target changed
     double step(int radius, std::uint32_t seed);
 
-    /// After a step: the energy of the target as it is, with matches as they are.
+    /// The energy after a step, with target and matches as they are.
     double energy();
 
-    /// The energy of the target as it is after so many searches: near the exact one, and far sooner had.
+    /// The energy of the target after `rounds` searches: close to the exact one, and computed far sooner.
     double searched_energy(int radius, int rounds);
 
     /// The energy with the nearest of all patches for each, found by trying all: for tests and small
     /// pictures.
     double exact_energy();
 
-    /// The target that follows from the matches alone.
+    /// Makes the target that follows from the matches alone.
     void take_votes();
 
     cv::Mat picture() const { return target_.bgr(); }

@@ -6,7 +6,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int band_rows = 32;  // px of the target that are one task
+constexpr int band_rows = 32;  // rows of the target in one task
 
 /// The votes for a band of rows: sums of B, G, R and of the weights, a pixel.
 struct Ballot {
@@ -14,14 +14,14 @@ struct Ballot {
     const PatchImage& source;
     const PatchRules& rules;
     PatchImage& target;
-    float share;  // what a unit of weight of the source counts
+    float share;  // votes for one unit of the source's weight
     int first;
     int last;
     std::vector<float> sums;
-    std::vector<float> shares_of_run;  // what each value of a run counts
+    std::vector<float> shares_of_run;  // votes of each value of a run
 };
 
-/// The value must not be negative. lround() would keep the loop from being vectorised.
+/// Rounds a value that is not negative. lround() would keep the loop from being vectorised.
 [[gnu::always_inline]] inline std::uint8_t rounded(float value) {
     constexpr float half = 0.5F;
     const float raised = value + half;
@@ -33,8 +33,8 @@ struct Ballot {
            static_cast<std::size_t>(x);
 }
 
-/// Patches side by side in one picture that are matched with patches side by side in the other: all of them
-/// vote at once.
+/// Patches side by side in one picture that are matched with patches side by side in the other. They vote at
+/// once.
 struct Run {
     int source_x;
     int source_y;
@@ -43,7 +43,7 @@ struct Run {
     int length;  // patches
 };
 
-/// @param weights  what each patch of the run counts, then patch_side - 1 zeros
+/// @param weights  the votes of each patch of the run, then patch_side - 1 zeros
 [[gnu::always_inline]] inline void add_run(Ballot& ballot, const Run& run, const float* weights) {
     const int width = run.length + patch_side - 1;
     float covering = 0;
@@ -65,7 +65,7 @@ struct Run {
     }
 }
 
-/// The number of matches from (x, y) on that go on side by side.
+/// The number of patches from (x, y) on whose matches lie side by side.
 [[gnu::always_inline]] inline int run_length(const MatchField& field, int x, int y) {
     const Match& begin = field.at(x, y);
     int length = 1;
@@ -75,7 +75,7 @@ struct Run {
     return length;
 }
 
-/// The votes of the target's own patches: each counts 1.
+/// Adds the votes of the target's own patches: each counts 1.
 [[gnu::always_inline]] inline void add_target_votes(Ballot& ballot) {
     const MatchField& of_target = ballot.matches.of_target();
     std::vector<float> ones(static_cast<std::size_t>(of_target.columns + patch_side), 1);
@@ -95,7 +95,7 @@ struct Run {
     }
 }
 
-/// The votes of the source's patches: each counts its weight times Ballot::share.
+/// Adds the votes of the source's patches: each counts its weight times Ballot::share.
 [[gnu::always_inline]] inline void add_source_votes(Ballot& ballot) {
     const MatchField& of_source = ballot.matches.of_source();
     std::vector<float> weights(static_cast<std::size_t>(of_source.columns + patch_side), 0);
@@ -152,7 +152,7 @@ __attribute__((target("avx2"))) void count_avx2(Ballot& ballot) {
 
 void take_votes(const PatchMatch& matches, const PatchImage& source, const PatchRules& rules,
                 PatchImage& target, const RunTasks& run) {
-    // The vote of a unit of weight of the source, in votes of the target's own.
+    // Votes for one unit of the source's weight, where each patch of the target has one vote.
     const auto share = static_cast<float>(static_cast<double>(matches.of_target().matches.size()) /
                                           std::max(1.0, matches.source_weight()));
     run((target.height() + band_rows - 1) / band_rows, [&](int band) {

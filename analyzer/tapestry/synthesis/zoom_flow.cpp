@@ -14,19 +14,19 @@ namespace {
 constexpr int rows = ZoomField::rows;
 constexpr int step = ZoomField::step;
 constexpr int part_width = 512;       // px of the coarser strip
-constexpr int margin = 64;            // px that a part sees beyond what is used of it
+constexpr int margin = 64;            // px by which a part reaches beyond its used columns
 constexpr int most_fine = 4096;       // px of the finer strip that are searched at once
 constexpr int least_part = 64;        // px
-constexpr int sampling = 2;           // px between the pixels of an island that are asked
-constexpr int least_samples = 15;     // of about 60 around a point, by which it belongs to an island
-constexpr int height_squares = 8;     // that the square of the height has of the least island
+constexpr int sampling = 2;           // px between the samples of an island
+constexpr int least_samples = 15;     // samples, of about 60 around a point, that give it to an island
+constexpr int height_squares = 8;     // the square of the height over the area of the smallest island
 constexpr int smoothings = 24;        // rounds
-constexpr double least_slope = 0.02;  // px of the other strip a px, before limits
+constexpr double least_slope = 0.02;  // px of the other strip for each px, before the bounds of time apply
 constexpr double least_drop = 0.5;    // px between two rows
 
 }  // namespace
 
-/// A pixel of an island, for the point nearest to it.
+/// The motion of one pixel of an island, which counts for the point nearest to it.
 struct ZoomFlow::Sample {
     std::size_t point = 0;
     int island = 0;
@@ -83,7 +83,7 @@ std::vector<ZoomFlow::Part> ZoomFlow::parts() const {
     return parts;
 }
 
-/// The keyframe whose brick is there, of the row that is nearer.
+/// The keyframe whose brick lies at a place, in the row that is nearer.
 int ZoomFlow::brick_at(cv::Point at, int keyframes) const {
     const int row = 2 * at.y < tapestry_.height ? 0 : 1;
     const int half = tapestry_.brick_width / 2;
@@ -91,7 +91,7 @@ int ZoomFlow::brick_at(cv::Point at, int keyframes) const {
     return std::clamp(number, 0, keyframes - 1);
 }
 
-/// A brick is moved as a whole.
+/// Guesses that a brick moves as a whole.
 cv::Point ZoomFlow::to_fine(cv::Point at) const {
     const int brick = brick_at(at, static_cast<int>(kept_.size()));
     const double way = tapestry_.middle(finer_, as_index(kept_[as_index(brick)])) -
@@ -99,7 +99,7 @@ cv::Point ZoomFlow::to_fine(cv::Point at) const {
     return {at.x + static_cast<int>(std::lround(way)), at.y};
 }
 
-/// One that is new comes from where its time is.
+/// Guesses that a brick moves as a whole; a new brick comes from the place of its time.
 cv::Point ZoomFlow::to_coarse(cv::Point at) const {
     const int brick = brick_at(at, static_cast<int>(from_.size()));
     const int from = from_[as_index(brick)];
@@ -145,7 +145,7 @@ Islands ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& 
     return islands;
 }
 
-/// Each point goes with the island that has most of what is around it.
+/// Gives each point the motion of the island that covers most of its surroundings.
 void ZoomFlow::add(Grid& grid, std::vector<Sample> samples) const {
     std::ranges::sort(samples, {},
                       [](const Sample& sample) { return std::tuple(sample.point, sample.island); });
@@ -173,7 +173,8 @@ void ZoomFlow::fill(Grid& grid) const {
     put_in_order(grid);
 }
 
-/// In each row straight from one known point to the next; the strip's ends stay its ends.
+/// Fills each row linearly from one known point to the next. The ends of one strip go to the ends of the
+/// other.
 void ZoomFlow::spread(Grid& grid) const {
     grid.places.resize(grid.points.size());
     const double gap = static_cast<double>(tapestry_.height) / (rows - 1);
@@ -196,7 +197,7 @@ void ZoomFlow::spread(Grid& grid) const {
     }
 }
 
-/// Unknown points bend evenly between the known ones.
+/// Smooths the unknown points between the known ones.
 void ZoomFlow::smooth(Grid& grid) const {
     const double gap = static_cast<double>(tapestry_.height) / (rows - 1);
     const auto way = [&](int column, int row) {
@@ -214,7 +215,7 @@ void ZoomFlow::smooth(Grid& grid) const {
             }
 }
 
-/// px of the other strip between which a point must lie.
+/// The columns of the other strip between which a point must lie, px.
 cv::Vec2d ZoomFlow::bounds(const Grid& grid, double x) const {
     const double brick = tapestry_.brick_width;
     if (grid.level == finer_) {

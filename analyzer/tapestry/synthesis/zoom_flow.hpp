@@ -10,22 +10,23 @@
 
 namespace vitrine::analyzer {
 
-/// The way of each point of a level into the next finer one. Islands, which both show, move each at a
-/// constant speed; what lies between them is stretched, or comes out of the seams between them. Both levels
-/// drawn so, one over the other, are the continuous zoom: coherent in time, and each level itself at its end.
+/// The flow from a level to the next finer one and back: the place of each point of one level in the other.
+/// Islands, which both levels show, move at a constant speed each; the parts between them are stretched, or
+/// come out of the seams between islands. Both levels drawn along the flow, the finer one over the coarser
+/// one, make the continuous zoom: it is coherent in time, and shows each level itself at its end.
 ///
-/// Of two points that are one, p of the coarser strip and q of the finer one, p is at most a brick's width
-/// from where q's time lies in the coarser strip: so one knows which tiles a view needs.
+/// If p of the coarser strip and q of the finer one are the same point, then p is at most a brick's width
+/// from the place of q's time in the coarser strip. This tells which tiles a view needs.
 ///
-/// Source: Video Tapestries 4.3. Differs: nothing is synthesised between the islands; a flow is, so that any
-/// moment can be drawn at once.
+/// Source: Video Tapestries 4.3. Differs: between the islands no picture is synthesised; a flow is computed
+/// instead, so that any moment can be drawn at once.
 class ZoomFlow {
   public:
-    /// A part of the strips that is matched at once, px of them.
+    /// A part of both strips that is matched at once, px.
     struct Part {
         cv::Range coarse;
         cv::Range fine;
-        cv::Range used;  // of the coarser strip
+        cv::Range used;  // columns of the coarser strip that no other part uses
     };
 
     /// @param tapestry  outlives this; its tiles' width is a multiple of ZoomField::step
@@ -35,24 +36,25 @@ class ZoomFlow {
     /// All parts, from left to right.
     std::vector<Part> parts() const;
 
+    /// Finds the islands of a part, and enters their motion into the flow.
     /// @param coarse, fine  CV_8UC3, the part's columns of both strips
-    /// @return              places count from the part's begin
+    /// @return              islands; their places count from the part's begin
     Islands match(const Part& part, const cv::Mat& coarse, const cv::Mat& fine,
                   const RunTasks& run = run_in_order);
 
-    /// Once all parts have been matched: what lies between islands.
+    /// Fills the flow between the islands. Call once all parts have been matched.
     void fill();
 
-    /// @pre fill() has been called
-    /// @param is_to_finer  the tile is of the coarser level; else of the finer one
+    /// The field of one tile. @pre fill() has been called
+    /// @param is_to_finer  true: the tile is of the coarser level; else of the finer one
     ZoomField field(int tile, bool is_to_finer) const;
 
-    /// The share of the coarser strip that is islands, [0, 1].
+    /// The share of the coarser strip that islands cover, [0, 1].
     double matched() const;
 
   private:
     struct Point {
-        Vec2 way;         // to the other level, px
+        Vec2 way;         // motion to the other level, px
         int samples = 0;  // number of samples in the mean; 0: unknown
     };
 
@@ -60,7 +62,7 @@ class ZoomFlow {
     struct Grid {
         std::size_t level = 0;
         int width = 0;        // px of the strip
-        int other_width = 0;  // of the other level's
+        int other_width = 0;  // px of the other level's strip
         int columns = 0;
         std::vector<Point> points;
         std::vector<Vec2> places;
@@ -84,8 +86,8 @@ class ZoomFlow {
 
     const Tapestry& tapestry_;
     std::size_t finer_;
-    std::vector<int> kept_;  // a coarser keyframe: its number in the finer level
-    std::vector<int> from_;  // a finer keyframe: its number in the coarser level, or -1
+    std::vector<int> kept_;  // one a coarser keyframe: its number in the finer level
+    std::vector<int> from_;  // one a finer keyframe: its number in the coarser level, or -1
     Grid coarse_;
     Grid fine_;
 };

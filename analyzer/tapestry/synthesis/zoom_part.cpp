@@ -13,7 +13,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int most_overlap = 64;       // px
-constexpr double least_growth = 0.02;  // less is taken for none
+constexpr double least_growth = 0.02;  // a smaller growth counts as this one
 
 cv::Range shifted(cv::Range range, int by) {
     return {range.start + by, range.end + by};

@@ -10,10 +10,10 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int half_patch = patch_side / 2;
-constexpr float usual_cost = 100;    // squared grey levels a channel value: a vote that counts 1/e
-constexpr float least_vote = 1e-6F;  // so that each free pixel has one
+constexpr float usual_cost = 100;    // squared grey levels a channel value: such a match votes 1/e
+constexpr float least_vote = 1e-6F;  // so that each free pixel has a vote
 
-/// A patch's first row or column, by that of its middle.
+/// The first row or column of a patch, by that of its middle.
 int corner(float middle, int most) {
     return std::clamp(static_cast<int>(std::lround(middle)) - half_patch, 0, most - 1);
 }

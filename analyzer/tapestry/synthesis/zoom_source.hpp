@@ -11,24 +11,24 @@ namespace vitrine::analyzer {
 
 /// The patches of a picture that need a match in a level.
 struct WantedPatches {
-    cv::Mat places;   // CV_32FC2, for each pixel of the picture where the flow has it in the level
-    cv::Mat is_free;  // CV_8UC1, a patch: 0 where it needs no match
+    cv::Mat places;   // CV_32FC2: each pixel's place in the level by the flow
+    cv::Mat is_free;  // CV_8UC1, one a patch: 0 where it needs no match
 };
 
-/// One of the levels that a zoom's pictures are synthesised of: its patches, and which of them a picture's
-/// are matched with. Nothing of it must be in the picture: d_complete is off.
+/// One of the two levels from which a zoom's pictures are synthesised: its patches, and the matches of a
+/// picture's patches with them. The picture need not show any of them: d_complete is off.
 class ZoomSource {
   public:
     /// @param picture  CV_8UC3
     explicit ZoomSource(const cv::Mat& picture);
 
-    /// The next picture: its pixels keep the matches that they had in the one before; at first they have
-    /// those of the flow.
+    /// Begins the next picture: its pixels keep the matches that they had in the one before. The first
+    /// picture gets the matches of the flow.
     ///
-    /// @param before  CV_32FC2, for each pixel where it was in the picture before
+    /// @param before  CV_32FC2: the place of each pixel in the picture before
     void carry(const cv::Mat& before, const WantedPatches& wanted);
 
-    /// One sweep of matching the picture, in which a place of the flow is tried, too.
+    /// Sweeps once over the matches of the picture. Each patch tries its place by the flow, too.
     void search(const PatchImage& target, const WantedPatches& wanted, int radius, std::uint32_t seed,
                 const RunTasks& run);
 

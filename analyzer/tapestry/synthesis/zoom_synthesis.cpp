@@ -1,5 +1,5 @@
-// From the finer level down: what is between the islands keeps the patches that it has as long as there is
-// room for them, so that detail stays sharp, and is lost piece by piece to islands that grow.
+// Works from the finer level to the coarser one. The picture between the islands keeps its patches as long as
+// there is room for them, so that detail stays sharp; growing islands cover it piece by piece.
 
 #include "analyzer/tapestry/synthesis/zoom_synthesis.hpp"
 
@@ -16,9 +16,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr double last_fade = 0.25;  // of the way: in it what no island has reached fades evenly
+constexpr double last_fade = 0.25;  // the last share of the way, in which pixels outside islands fade evenly
 
-/// With the part to the left.
+/// Adds the columns of the part to the left to the known pixels.
 void add_left(const cv::Mat& left, KnownPixels& known) {
     for (int x = 0; x < left.cols; ++x) {
         const float of_left = neighbour_share(x, left.cols);
@@ -61,7 +61,7 @@ cv::Mat counted(const ZoomVotes& votes, const KnownPixels& known) {
     return picture;
 }
 
-/// One part's pictures, from the finer level to the coarser one.
+/// Makes the pictures of one part, from the finer level to the coarser one.
 class Zooming {
   public:
     Zooming(const ZoomPart& part, const ZoomWarps& warps, const ZoomRules& rules, const RunTasks& run)
@@ -125,7 +125,7 @@ class Zooming {
     MovingIslands islands_;
     ZoomSource coarse_;
     ZoomSource fine_;
-    cv::Mat before_;  // the picture made before, of the moment after
+    cv::Mat before_;  // the picture made last, which is shown next
     double before_share_ = 1;
     std::uint32_t seed_ = 0;
 };

@@ -6,14 +6,14 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int band_rows = 32;  // px of the picture that are one task
+constexpr int band_rows = 32;  // rows of the picture in one task
 
 /// The votes for a band of rows.
 struct Band {
     const MatchField& matches;
     const PatchImage& source;
     const std::vector<float>& weights;
-    float* sums;  // of the picture
+    float* sums;  // the whole picture's
     std::size_t stride;
     int first;
     int last;

@@ -10,7 +10,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double pixel_middle = 0.5;
-constexpr double on_edge = 1e-4;      // of a triangle: that close outside counts as inside
+constexpr double on_edge = 1e-4;      // share of a triangle: a point so close outside counts as inside
 constexpr double least_area = 1e-12;  // squared px
 
 /// The pixels whose middles lie between two coordinates, within [0, most).
@@ -79,7 +79,7 @@ cv::Mat ZoomWarp::drawn(cv::Range columns, double share, const ValueOf& value_of
     return picture;
 }
 
-/// A triangle between three points goes evenly from one to the other, as a graphics card has it.
+/// Draws a triangle whose values change linearly from corner to corner, as on a graphics card.
 void ZoomWarp::draw(const std::array<Corner, 3>& corners, int from, cv::Mat& picture) {
     const auto& [a, b, c] = corners;
     const auto [left, right] = std::minmax({a.place.x, b.place.x, c.place.x});

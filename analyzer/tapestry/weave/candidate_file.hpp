@@ -7,11 +7,11 @@
 #include <type_traits>
 
 // The file in which the frames of a film wait to be woven: their JPEGs one after another, then an entry for
-// each of them, then the end, by which it is read. It is of this machine and this build only.
+// each of them, then the end, where reading begins. Only this build on this machine can read it.
 
 namespace vitrine::analyzer {
 
-/// The content of a film, so that no other is taken for it.
+/// Identifies the content of a film.
 struct FilmContent {
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;

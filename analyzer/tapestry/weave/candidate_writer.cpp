@@ -17,14 +17,14 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr std::chrono::milliseconds shortest_interval{
-    500};                            // 2 frames a second; source: Video Tapestries 4.1
-constexpr int brick_height = 100;    // px: a tapestry of 150
+// 2 frames a second; source: Video Tapestries 4.1
+constexpr std::chrono::milliseconds shortest_interval{500};
+constexpr int brick_height = 100;    // px: a tapestry is 150 px tall
 constexpr double least_shape = 0.4;  // width to height
 constexpr double most_shape = 3;
-constexpr int jpeg_quality = 96;  // what is made of them is 90
+constexpr int jpeg_quality = 96;  // the tiles made of them have 90
 
-/// The middle of a frame that has the shape of a brick.
+/// The largest middle part of a frame that has the shape of a brick.
 cv::Rect cut_to(cv::Size frame, cv::Size brick) {
     const double scale = std::min(static_cast<double>(frame.width) / brick.width,
                                   static_cast<double>(frame.height) / brick.height);
@@ -86,7 +86,7 @@ void CandidateWriter::push(const FilmFrame& frame) {
     if (entries_.size() >= most_) thin();
 }
 
-/// Every other one goes, and from now on they come half as often.
+/// Drops every other frame. From now on frames are kept half as often.
 void CandidateWriter::thin() {
     for (std::size_t i = 1; 2 * i < entries_.size(); ++i)
         entries_[i] = entries_[2 * i];

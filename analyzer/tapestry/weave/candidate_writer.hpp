@@ -12,18 +12,19 @@
 namespace vitrine::analyzer {
 
 /// Keeps the frames of a film that may become keyframes, two a second, while it is decoded: small signatures
-/// in memory, pictures of a brick's size in a file. A film beyond two hours gets them less often.
+/// in memory, pictures of the size of a brick in a file. Of a film beyond two hours fewer frames a second are
+/// kept.
 /// Source: Video Tapestries 4.1, the precomputation.
 class CandidateWriter {
   public:
     static constexpr std::size_t two_hours = 14'400;  // frames
 
     /// @param file  empty, for reading and writing
-    /// @param most  frames that are kept
+    /// @param most  number of frames to keep
     explicit CandidateWriter(UniqueFd file, std::size_t most = two_hours)
         : file_(std::move(file)), most_(most) {}
 
-    /// Frames that do not come after the last, or have another size, are of a broken stream and passed over.
+    /// Passes over frames that are not later than the last one or have another size: their stream is broken.
     /// @throws std::system_error where there is no room
     void push(const FilmFrame& frame);
 
@@ -32,8 +33,8 @@ class CandidateWriter {
     /// The size of the file so far.
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(written_); }
 
-    /// @param duration  of the film; at least up to the last frame counts
-    /// @return          the file, whole
+    /// @param duration  duration of the film; at least up to the last frame
+    /// @return          the complete file
     UniqueFd finish(std::chrono::nanoseconds duration, const FilmContent& content);
 
   private:
@@ -42,7 +43,7 @@ class CandidateWriter {
 
     UniqueFd file_;
     std::size_t most_;
-    cv::Size frame_;  // px of what is pushed
+    cv::Size frame_;  // px of the pushed frames
     cv::Size brick_;
     std::chrono::nanoseconds interval_{0};
     std::chrono::nanoseconds due_{0};
@@ -51,7 +52,8 @@ class CandidateWriter {
     std::vector<CandidateEntry> entries_;
 };
 
-/// A file that is gone as soon as nobody has it open. @throws std::system_error
+/// Makes a file without a name, which is gone as soon as nobody has it open.
+/// @throws std::system_error
 UniqueFd nameless_file(const std::filesystem::path& directory);
 
 /// The brick for frames of a size: 100 px tall, its width even and within [0.4, 3] times that.

@@ -16,11 +16,11 @@ namespace vitrine::analyzer {
 /// memory, 25 MB for two hours; their pictures stay in the file.
 class Candidates {
   public:
-    /// @param faces  outlives this; null: none are looked for
-    /// @throws std::runtime_error where it is no such file or ends too early, std::system_error
+    /// @param faces  outlives this; null: no faces are searched
+    /// @throws std::runtime_error where the file is of another kind or ends too early, std::system_error
     Candidates(UniqueFd file, FaceDetector* faces);
 
-    /// In time order, at least one.
+    /// The signatures in time order, at least one.
     const std::vector<FrameSignature>& signatures() const { return signatures_; }
 
     cv::Size brick() const { return brick_; }
@@ -30,7 +30,8 @@ class Candidates {
 
     const FilmContent& content() const { return content_; }
 
-    /// Faces are looked for when a frame is first asked for: most frames of a long film never are.
+    /// A frame as a keyframe. Its faces are searched at its first call: most frames of a long film are never
+    /// asked for.
     /// @throws std::system_error, std::runtime_error where the file cannot be read
     Keyframe keyframe(int number) const;
 
@@ -44,13 +45,13 @@ class Candidates {
     std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
 
     UniqueFd file_;
-    FaceDetector* detector_;  // lent
+    FaceDetector* detector_;  // outlives this
     cv::Size brick_;
     std::chrono::nanoseconds duration_{0};
     FilmContent content_;
     std::vector<FrameSignature> signatures_;
     std::vector<Kept> kept_;
-    mutable std::vector<std::optional<std::vector<cv::Rect>>> faces_;  // as far as they were looked for
+    mutable std::vector<std::optional<std::vector<cv::Rect>>> faces_;  // one a frame; none: not searched yet
 };
 
 }  // namespace vitrine::analyzer

@@ -47,7 +47,7 @@ std::uint64_t bytes_in(const fs::path& folder) {
     return bytes;
 }
 
-/// Says if a level of that width may be begun, by the bytes of the levels so far, at least one.
+/// Says if a level of that width may be begun, judged by the bytes of the levels so far, at least one.
 bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t most_bytes) {
     if (most_bytes == 0) return true;
     double columns = 0;

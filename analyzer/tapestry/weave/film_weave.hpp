@@ -16,9 +16,8 @@ namespace vitrine::analyzer {
 /// The choice of a film's keyframes.
 struct WeaveChoice {
     int most_levels = 32;
-    bool is_uniform = false;  // at equal distances, which needs no comparing
-    std::vector<std::chrono::nanoseconds>
-        times;  // of the coarsest level, chosen by hand; empty: by clustering
+    bool is_uniform = false;                      // keyframes at equal distances; no frames are compared
+    std::vector<std::chrono::nanoseconds> times;  // chosen for the coarsest level; empty: by clustering
 };
 
 /// The frames of a film that are kept to weave it.
@@ -27,11 +26,11 @@ struct Film {
     std::chrono::nanoseconds duration{0};
 };
 
-/// A film whose frames were kept. @throws as Candidates
+/// Opens the frames that were kept of a film. @throws as Candidates
 Film film_of(UniqueFd frames, FaceDetector* faces);
 
 /// Reads a film to its end.
-/// @param directory  takes a nameless file of the frames while they are needed
+/// @param directory  gets a nameless file of the frames while they are needed
 /// @throws MediaError where it is broken or holds no picture
 Film gathered(FrameSource& source, const std::filesystem::path& directory, FaceDetector* faces);
 
@@ -42,33 +41,34 @@ constexpr int tile_file_width = 512;  // px
 
 Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick);
 
-/// The index entry of a level. @param keyframes  of the candidates
+/// The index entry of a level. @param keyframes  numbers of the candidates
 TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates);
 
-/// Some keyframes of a film woven into a strip, in memory. CV_8UC3.
+/// Weaves some keyframes of a film into a strip in memory. CV_8UC3.
 cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
                     const RunTasks& run);
 
 /// The settings of writing a pyramid.
 struct PyramidSettings {
     RetargetSettings retarget;
-    std::uint64_t most_bytes = 0;  // of its tiles, about: a level that would go beyond is not begun; 0: any
+    std::uint64_t most_bytes = 0;  // for tiles, about: a level that would exceed it is not begun; 0: any
 };
 
-/// A folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
+/// Makes a folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
+/// @return its name
 std::string new_tile_folder(const std::filesystem::path& directory);
 
 /// Weaves all levels of a film into a folder.
 class PyramidWriter {
   public:
-    /// All that is given outlives this.
+    /// @param directory, film, settings, run  outlive this
     PyramidWriter(const std::filesystem::path& directory, const Film& film, const PyramidSettings& settings,
                   const RunTasks& run)
         : directory_(directory), film_(film), settings_(settings), run_(run) {}
 
-    /// Writes the tiles, and the index anew after each level, so that the coarsest can be shown while the
-    /// finest is made. Goes on where an earlier weaving into the same tile folder was cut off; the files do
-    /// not depend on that. Removes the tiles of other weavings last, when nothing names them.
+    /// Writes the tiles, and the index anew after each level, so that the coarsest level can be shown while
+    /// finer ones are made. Goes on where an earlier weaving into the same tile folder was interrupted; the
+    /// files do not depend on that. Removes the tiles of other weavings last, when no index names them.
     /// @param tapestry  path, bytes and mtime_ns of the film
     /// @return          the index
     /// @throws std::system_error, std::runtime_error; they name the file

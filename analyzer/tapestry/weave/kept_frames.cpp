@@ -43,7 +43,7 @@ KeptFrames::~KeptFrames() {
 
 void KeptFrames::give_up() {
     writer_.reset();
-    std::error_code ignored;  // it is taken for nothing
+    std::error_code ignored;  // nobody reads an unfinished file
     fs::remove(unfinished(file_in(directory_)), ignored);
 }
 
@@ -52,7 +52,7 @@ void KeptFrames::saw(const FilmFrame& frame) {
     try {
         writer_->push(frame);
         if (writer_->bytes() > most_bytes_) give_up();
-    } catch (const std::runtime_error& error) {  // of the disk, or of a picture that no JPEG can be made of
+    } catch (const std::runtime_error& error) {  // no room, or no JPEG of the picture
         log::debug("no frames kept: {}", error.what());
         give_up();
     }

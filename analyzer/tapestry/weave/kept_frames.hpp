@@ -9,12 +9,12 @@
 
 namespace vitrine::analyzer {
 
-/// Keeps a film's frames in its tapestry's folder while it is decoded for whatever reason, so that nobody has
-/// to decode it again to weave it. A full disk is no reason to fail: there are none then.
+/// Keeps a film's frames in its tapestry's folder while it is decoded for another purpose, so that weaving
+/// need not decode it again. On a full disk no frames are kept; that is no failure.
 class KeptFrames {
   public:
-    /// @param directory   of the tapestry; made where there is none
-    /// @param most_bytes  that they may take; a film that needs more has none
+    /// @param directory   folder of the tapestry; made where there is none
+    /// @param most_bytes  for the frames; a film that needs more has none kept
     KeptFrames(std::filesystem::path directory, std::uint64_t most_bytes);
     KeptFrames(const KeptFrames&) = delete;
     KeptFrames& operator=(const KeptFrames&) = delete;
@@ -24,7 +24,7 @@ class KeptFrames {
 
     void saw(const FilmFrame& frame);
 
-    /// From now on they are there, and whole.
+    /// Completes the file and gives it its name.
     void finish(std::chrono::nanoseconds duration, const FilmContent& content);
 
   private:
@@ -32,10 +32,10 @@ class KeptFrames {
 
     std::filesystem::path directory_;
     std::uint64_t most_bytes_;
-    std::unique_ptr<CandidateWriter> writer_;  // none: given up, or finished
+    std::unique_ptr<CandidateWriter> writer_;  // null: given up or finished
 };
 
-/// The file with the frames of that film; nothing where they were not kept.
+/// The file with the kept frames; nothing where none were kept.
 std::optional<UniqueFd> kept_frames(const std::filesystem::path& directory);
 
 void remove_kept_frames(const std::filesystem::path& directory);

@@ -11,7 +11,7 @@
 #include <utility>
 
 // A note is a picture, rest-TILES.png: the columns that are in no tile file yet, then the border that the
-// next tile of the weaving begins with. Where it belongs follows from the number of tiles that were woven.
+// next tile of the weaving begins with. TILES, the number of woven tiles, tells where the columns belong.
 
 namespace vitrine::analyzer {
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t tiles_a_note = 4;  // seconds of work
+constexpr std::size_t tiles_a_note = 4;  // a few seconds of work
 constexpr std::string_view note_begin = "rest-";
 
 std::optional<std::size_t> tiles_of_note(const std::string& name) {
@@ -43,7 +43,7 @@ LevelFiles::LevelFiles(const fs::path& directory, const Tapestry& tapestry, std:
         try {
             go_on_from(*tiles, read_png(entry.path()));
             note_ = entry.path();
-        } catch (const std::runtime_error&) {  // loading one record: it is of a crash, and woven again
+        } catch (const std::runtime_error&) {  // loading one record: a crash left it, it is woven again
             continue;
         }
     }

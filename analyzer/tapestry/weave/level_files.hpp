@@ -8,24 +8,25 @@
 
 namespace vitrine::analyzer {
 
-/// The files of one level while it is woven: its tiles, and every few tiles a note from where to go on.
+/// The files of one level while it is woven: its tiles, and every few tiles a note that tells where to go on.
 class LevelFiles {
   public:
     /// Finds out how far an earlier weaving has come.
-    /// @param tapestry  folder, height and tile_width; outlives this, as does directory
+    /// @param tapestry  its folder, height and tile_width are used; outlives this, as does directory
     LevelFiles(const std::filesystem::path& directory, const Tapestry& tapestry, std::size_t level,
                const Brickwork& brickwork);
 
-    /// To be handed to weave_level().
+    /// The progress to hand to weave_level().
     const WovenSoFar& done() const { return done_; }
 
-    /// Takes what weave_level() gives. @throws std::system_error, std::runtime_error; they name the file
+    /// Writes the columns that weave_level() hands over. @throws std::system_error, std::runtime_error; they
+    /// name the file
     void add(const cv::Mat& columns, const WovenSoFar& done);
 
-    /// All columns have come.
+    /// Writes the rest after the last column.
     void finish();
 
-    /// The level is complete, and the index says so.
+    /// Removes the note. Call when the level is complete and the index says so.
     void remove_note();
 
   private:
@@ -39,9 +40,9 @@ class LevelFiles {
     std::size_t level_;
     std::vector<TileSpan> spans_;
     WovenSoFar done_;
-    int next_ = 0;                // tile file
+    int next_ = 0;                // number of the next tile file
     cv::Mat pending_;             // columns that are in no file yet
-    std::filesystem::path note_;  // the newest
+    std::filesystem::path note_;  // the newest note
 };
 
 }  // namespace vitrine::analyzer

@@ -31,7 +31,7 @@ std::runtime_error failure(const char* what) {
     return std::runtime_error(fmt::format("{}: {}", what, reason));
 }
 
-/// @param encode  is given the picture, where its bytes and their number go; 0 where it worked
+/// @param encode  receives the picture and the places for its bytes and their number; returns 0 for success
 template <typename Encode> std::string encoded(const cv::Mat& bgr, const Encode& encode) {
     init_vips();
     cv::Mat rgb;
@@ -65,7 +65,7 @@ cv::Mat decoded(std::string_view bytes) {
     return bgr;
 }
 
-/// Names the file in what goes wrong with its content.
+/// Runs a task and names the file in its errors.
 template <typename Work> auto named(const std::filesystem::path& file, const Work& work) {
     try {
         return work();

@@ -17,7 +17,7 @@ void write_png(const std::filesystem::path& file, const cv::Mat& bgr);
 /// the file
 cv::Mat read_png(const std::filesystem::path& file);
 
-/// The same in memory. @param quality  1 to 100; colours are not sampled down
+/// Codes a picture in memory. @param quality  1 to 100; colours are not sampled down
 /// @throws std::runtime_error
 std::string to_jpeg(const cv::Mat& bgr, int quality);
 cv::Mat from_jpeg(std::string_view jpeg);

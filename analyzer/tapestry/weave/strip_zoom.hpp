@@ -7,7 +7,7 @@ namespace vitrine::analyzer {
 
 /// Two neighbouring levels in memory.
 struct LevelPair {
-    Tapestry index;  // of these two alone, without files
+    Tapestry index;  // index of these two levels alone, without files
     cv::Mat coarse;  // CV_8UC3, the strips
     cv::Mat fine;
 };
@@ -16,7 +16,7 @@ struct LevelPair {
 LevelPair woven_pair(const Film& film, const std::vector<Keyframes>& levels, const RetargetSettings& settings,
                      const RunTasks& run);
 
-/// The zoom between two levels, as it can be drawn.
+/// The zoom between two levels, ready to be drawn.
 class StripZoom {
   public:
     /// @param pair  outlives this
@@ -28,7 +28,7 @@ class StripZoom {
 
     const ZoomWarp& fine() const { return warps_->fine; }
 
-    /// Strips as a whole at rules.between moments and at both ends; neighbouring parts agree.
+    /// The whole strip at rules.between moments and at both ends; neighbouring parts agree.
     ZoomPictures synthesised(const ZoomRules& rules, const RunTasks& run) const;
     ZoomPictures bent(int between) const;
 

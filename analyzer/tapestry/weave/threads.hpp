@@ -4,8 +4,8 @@
 
 namespace vitrine::analyzer {
 
-/// Runs tasks on so many threads, the caller's among them; what a task throws is thrown to the caller, once
-/// all have ended.
+/// Runs tasks on `threads` threads, the caller's among them. Once all tasks have ended, the caller gets the
+/// exception of one that failed.
 RunTasks threaded(int threads);
 
 }  // namespace vitrine::analyzer

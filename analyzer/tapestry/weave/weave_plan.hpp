@@ -10,17 +10,17 @@
 
 namespace vitrine::analyzer {
 
-/// The plan of a weaving: kept beside the tapestry until that is complete, so that a weaving that was cut off
-/// goes on.
+/// The plan of a weaving. It is kept beside the tapestry until that is complete, so that an interrupted
+/// weaving can go on.
 struct WeavePlan {
-    std::string folder;             // of the tiles, below the index
+    std::string folder;             // folder of the tiles, relative to the index
     std::vector<Keyframes> levels;  // coarsest first, as numbers of the film's candidates
 
     bool operator==(const WeavePlan&) const = default;
 };
 
-/// The plan in a tapestry's folder; nothing where there is none for that film, or it makes no sense.
-/// @param candidates  how many the film has
+/// The plan in a tapestry's folder; nothing where there is none for that film, or it is not valid.
+/// @param candidates  number of candidates of the film
 std::optional<WeavePlan> read_plan(const std::filesystem::path& directory, const FilmContent& content,
                                    std::size_t candidates);
 

@@ -37,7 +37,7 @@ std::vector<Part> parts_of(const Tapestry& index) {
     return parts;
 }
 
-/// Only as much of a level is woven as is seen, and the tiles before it.
+/// Weaves only as much of a level as is seen, and the tiles before it.
 cv::Mat woven_part(const Film& film, const Keyframes& keyframes, const Part& part,
                    const RetargetSettings& settings, const RunTasks& run) {
     const cv::Size brick = film.candidates->brick();

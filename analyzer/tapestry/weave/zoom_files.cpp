@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int most_side = 4096;         // px of a tile
-constexpr std::size_t most_tiles = 16;  // in memory
+constexpr std::size_t most_tiles = 16;  // tiles in memory
 
-/// A level's strip as it is in its files, a few tiles at a time.
+/// Reads a level's strip from its files, a few tiles at a time.
 class StripReader {
   public:
     StripReader(const fs::path& directory, const Tapestry& tapestry, std::size_t level)
@@ -43,7 +43,7 @@ class StripReader {
         std::vector<std::byte> pixels = picture.pixels;
         cv::Mat bgr;
         cv::cvtColor(cv::Mat(picture.height, picture.width, CV_8UC4, pixels.data()), bgr, cv::COLOR_RGBA2BGR);
-        if (tiles_.size() >= most_tiles) tiles_.erase(tiles_.begin());  // what lies farthest to the left
+        if (tiles_.size() >= most_tiles) tiles_.erase(tiles_.begin());  // the leftmost tile
         tiles_.emplace(number, bgr);
         return bgr;
     }

@@ -7,9 +7,9 @@
 
 namespace vitrine::analyzer {
 
-/// Writes the zoom fields between a level and the one before it. The tiles of both are there; the index is
-/// left alone.
-/// @return  how much of the coarser strip is seen again in the finer one, [0, 1]
+/// Writes the zoom fields between a level and the one before it. The tiles of both must be there; the index
+/// stays as it is.
+/// @return  the share of the coarser strip that the finer one shows again, [0, 1]
 /// @throws MediaError, std::system_error  naming a file that cannot be read or written
 double write_zoom(const std::filesystem::path& directory, const Tapestry& tapestry, std::size_t finer,
                   const RunTasks& run);

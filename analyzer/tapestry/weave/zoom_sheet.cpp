@@ -14,7 +14,7 @@ constexpr int most_width = 960;  // px of the sheet
 constexpr int gap = 4;           // px between rows
 constexpr std::array<double, 3> moments{0.25, 0.5, 0.75};
 
-/// Where the finer level adds most: px of the coarser strip.
+/// The place where the finer level adds most, px of the coarser strip.
 double busiest(const StripZoom& zoom) {
     const ZoomPart& part = *std::ranges::max_element(zoom.parts(), {}, [](const ZoomPart& one) {
         return static_cast<double>(one.used_fine.size()) / one.part.used.size();
@@ -30,7 +30,7 @@ cv::Mat seen(const cv::Mat& strip, const LevelPair& pair, double middle, double 
     return strip.colRange(begin, begin + width);
 }
 
-/// Both levels at the scale at which a viewer sees them at that moment, one over the other.
+/// Blends both levels at the scale at which a viewer sees them at that moment.
 cv::Mat faded(const LevelPair& pair, double share) {
     const cv::Size size(
         static_cast<int>(std::lround((1 - share) * pair.coarse.cols + share * pair.fine.cols)),

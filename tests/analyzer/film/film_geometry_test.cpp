@@ -16,8 +16,8 @@ namespace {
 
 constexpr int width = 128;
 constexpr int height = 64;
-constexpr std::array<int, 4> quarters{40, 100, 160,
-                                      220};  // of the stored picture: top left, top right, bottom ...
+// Grey levels of the stored picture: top left, top right, bottom ...
+constexpr std::array<int, 4> quarters{40, 100, 160, 220};
 
 DrawnFilm drawn(const std::string& more, const std::string& chain, const auto& grey_at) {
     DrawnFilm film{.caps = fmt::format("width={},height={},format=I420,colorimetry=(string)1:3:5:1{}", width,

@@ -1,4 +1,4 @@
-// Where bricks and tiles met, neighbouring pixels differ no more than anywhere else in the strip.
+// Neighbouring pixels at the seams of bricks and tiles differ no more than anywhere else in the strip.
 
 #include "analyzer/tapestry/synthesis/weave.hpp"
 #include "tests/analyzer/tapestry/synthesis/drawn_keyframes.hpp"
@@ -68,7 +68,8 @@ double step_at_tiles(const cv::Mat& strip) {
     return sum / count;
 }
 
-// A few columns against the mean of all; bricks stand side by side 50 times as steep.
+// Limits for the steps at seams over the mean step of all columns. Bricks side by side have steps 50 times as
+// large.
 constexpr double brick_margin = 2;
 constexpr double tile_margin = 1.2;
 

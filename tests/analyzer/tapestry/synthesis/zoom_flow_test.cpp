@@ -9,7 +9,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-/// The flow between them.
+/// The drawn levels with the flow between them.
 struct Levels : DrawnLevels {
     ZoomFlow flow() const {
         ZoomFlow flow(tapestry, 1);

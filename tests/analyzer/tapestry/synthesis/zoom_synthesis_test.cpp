@@ -36,7 +36,7 @@ struct Zoomed : DrawnLevels {
 
     ZoomPictures bent() const { return bent_zoom(part, *warps, between); }
 
-    /// The strip `i` pictures on, at the moment of another one.
+    /// Bends a picture to the moment of another one.
     cv::Mat carried(const ZoomPictures& pictures, std::size_t from, std::size_t to) const {
         const double step = 1.0 / (between + 1);
         const cv::Mat places = warps->fine.places({0, pictures[to].cols}, step * static_cast<double>(to),
@@ -93,7 +93,7 @@ TEST_CASE("between the levels nothing jumps, and neither do the ends") {
 }
 
 TEST_CASE("what is synthesised is of the levels' patches, where a flow bends them") {
-    const Zoomed zoomed(60);  // stripes, of which a flow makes narrow ones
+    const Zoomed zoomed(60);  // a flow makes these stripes narrow
     const auto strangeness = [&](const cv::Mat& picture) {
         const PatchImage target(picture);
         const PatchImage source(zoomed.fine);

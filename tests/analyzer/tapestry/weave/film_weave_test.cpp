@@ -181,7 +181,7 @@ TEST_CASE("a level has the same files wherever its weaving is cut off") {
     cv::randu(strip, 0, 255);
     Tapestry tapestry{.folder = "tiles-1", .height = 12, .tile_width = 128, .brick_width = 100, .levels = {}};
     tapestry.levels.push_back({.width = brickwork.width(), .keyframes = {}});
-    /// Hands over the tiles up to so many as weave_level() does.
+    /// Hands over the first `until` tiles, as weave_level() does.
     const auto weave = [&](const std::filesystem::path& folder, std::size_t until) {
         LevelFiles files(folder, tapestry, 0, brickwork);
         const std::size_t from = files.done().tiles;
