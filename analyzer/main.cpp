@@ -84,7 +84,7 @@ void add_weave(CLI::App& command, CommandLine& line) {
     command.add_flag("--uniform", weave.is_uniform, "Keyframes at equal distances, not by what they show");
     command.add_flag("--resume", weave.resumes, "Go on where an earlier weaving into the folder ended")
         ->needs(folder);
-    command.add_option("--most-bytes", weave.most_bytes, "Bytes of the tapestry at most, about [any]");
+    command.add_option("--most-bytes", weave.max_bytes, "Bytes of the tapestry at most, about [any]");
     command.add_option("--threads", weave.threads, "At the same time [one a core]")
         ->check(CLI::Range(0, 256));
 }

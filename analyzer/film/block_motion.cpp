@@ -18,8 +18,8 @@ constexpr int block_width = 8;
 constexpr int block_height = 6;
 constexpr int columns = width / block_width;
 constexpr int rows = height / block_height;
-constexpr double least_contrast = 25;  // grey levels squared: less is only noise
-constexpr int noise = 40;              // grey levels squared: blocks that differ by less are the same
+constexpr double min_block_contrast = 25;  // grey levels squared: less is only noise
+constexpr int noise = 40;                  // grey levels squared: blocks that differ by less are the same
 
 constexpr int half_width = width / 2;
 constexpr int half_height = height / 2;
@@ -107,16 +107,16 @@ int difference(const std::uint8_t* a, const std::uint8_t* b) {
 }
 
 // The smallest difference of a block around twice its coarse shift.
-int least_difference(const Detail& before, const Detail& after, int left, int top, const Match& match) {
+int smallest_difference(const Detail& before, const Detail& after, int left, int top, const Match& match) {
     const std::uint8_t* block = after.data() + static_cast<std::ptrdiff_t>(top) * width + left;
     const int middle_x = std::clamp(left + 2 * match.x, 0, width - block_width);
     const int middle_y = std::clamp(top + 2 * match.y, 0, height - block_height);
-    int least = std::numeric_limits<int>::max();
+    int smallest = std::numeric_limits<int>::max();
     for (int y = std::max(0, middle_y - 1); y <= std::min(height - block_height, middle_y + 1); ++y)
         for (int x = std::max(0, middle_x - 1); x <= std::min(width - block_width, middle_x + 1); ++x)
-            least = std::min(least,
-                             difference(before.data() + static_cast<std::ptrdiff_t>(y) * width + x, block));
-    return least;
+            smallest = std::min(
+                smallest, difference(before.data() + static_cast<std::ptrdiff_t>(y) * width + x, block));
+    return smallest;
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
     auto match = matches.begin();
     for (int y = 0; y < height; y += block_height) {
         for (int x = 0; x < width; x += block_width, ++match) {
-            const int difference = least_difference(before.detail, after.detail, x, y, *match);
+            const int difference = smallest_difference(before.detail, after.detail, x, y, *match);
             left += difference;
             const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(y) * width + x;
             still += vitrine::analyzer::difference(before.detail.data() + place, after.detail.data() + place);
@@ -140,7 +140,7 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
     const double brighter = after.mean - before.mean;
     const double unrelated =
         before.deviation * before.deviation + after.deviation * after.deviation + brighter * brighter;
-    const double whole = width * height * std::max(unrelated, least_contrast);
+    const double whole = width * height * std::max(unrelated, min_block_contrast);
     return {.share = left / whole,
             .area = static_cast<double>(changed) / (columns * (rows - 2)),
             .still = still / whole};

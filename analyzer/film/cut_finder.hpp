@@ -5,7 +5,7 @@
 namespace vitrine::analyzer {
 
 /// Frames up to so long after a frame must be known before the frame can be judged.
-constexpr std::chrono::milliseconds cut_horizon = longest_return;
+constexpr std::chrono::milliseconds cut_horizon = max_return;
 
 /// Says if a new shot begins with `frame`: the picture changes at once, no motion explains the change, and
 /// another take follows.

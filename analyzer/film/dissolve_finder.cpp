@@ -12,18 +12,18 @@ using std::chrono::milliseconds;
 
 constexpr std::array windows{milliseconds{160}, milliseconds{240}, milliseconds{320}, milliseconds{480},
                              milliseconds{640}, milliseconds{960}, milliseconds{1280}};
-constexpr std::size_t least_frames = 4;     // frames of a window
-constexpr std::size_t most_looked_at = 32;  // frames of a window that are looked at
-constexpr double least_energy = 150;        // mean square of D, grey levels squared
-constexpr double alike = .6;                // NCC of both ends from which on they are alike
-constexpr double least_difference = .15;    // colour difference of both ends
-constexpr double uneven = .18;              // largest deviation from even growth
-constexpr double most_residue = .05;        // energy beside D, share of D's
-constexpr double even = .1;                 // deviation so small that only a dissolve has it
-constexpr double most_residue_if_even = .17;
-constexpr milliseconds least_if_even{320};
+constexpr std::size_t min_window_frames = 4;   // frames of a window
+constexpr std::size_t max_looked_at = 32;      // frames of a window that are looked at
+constexpr double min_energy = 150;             // mean square of D, grey levels squared
+constexpr double alike = .6;                   // NCC of both ends from which on they are alike
+constexpr double min_colour_difference = .15;  // colour difference of both ends
+constexpr double uneven = .18;                 // largest deviation from even growth
+constexpr double max_residue = .05;            // energy beside D, share of D's
+constexpr double even = .1;                    // deviation so small that only a dissolve has it
+constexpr double max_residue_if_even = .17;
+constexpr milliseconds min_length_if_even{320};
 constexpr double unlike = .2;  // NCC of ends that no motion explains: both shots may move then
-constexpr double most_residue_if_unlike = .10;
+constexpr double max_residue_if_unlike = .10;
 constexpr milliseconds quiet{320};  // a dissolve is over after so long without a window
 
 // Bars that move in from above and below are no dissolve: their rows do not count.
@@ -93,8 +93,8 @@ bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t las
     const double likeness = correlation(start, end);
     if (likeness >= alike) return false;
     const Ends ends(start, end);
-    if (ends.energy() <= least_energy || colour_difference(start, end) <= least_difference) return false;
-    const std::size_t step = std::max<std::size_t>(1, (last - first) / most_looked_at);
+    if (ends.energy() <= min_energy || colour_difference(start, end) <= min_colour_difference) return false;
+    const std::size_t step = std::max<std::size_t>(1, (last - first) / max_looked_at);
     const auto length = std::chrono::duration<double>(end.time - start.time).count();
     double residue = 0;
     double unevenness = 0;
@@ -106,10 +106,11 @@ bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t las
         if (unevenness >= uneven) return false;
         residue += line.residue;
     }
-    const double most = unevenness < even && end.time - start.time >= least_if_even ? most_residue_if_even
-                        : likeness < unlike                                         ? most_residue_if_unlike
-                                                                                    : most_residue;
-    return looked_at > 0 && residue / looked_at < most;
+    const double limit = unevenness < even && end.time - start.time >= min_length_if_even
+                             ? max_residue_if_even
+                         : likeness < unlike ? max_residue_if_unlike
+                                             : max_residue;
+    return looked_at > 0 && residue / looked_at < limit;
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ std::optional<Transition> DissolveFinder::push(const FeatureWindow& window, std:
     for (const milliseconds length : windows) {
         while (first > window.first() && first > since && window.time(frame) - window.time(first) < length)
             --first;
-        if (window.time(frame) - window.time(first) < length || frame - first < least_frames) continue;
+        if (window.time(frame) - window.time(first) < length || frame - first < min_window_frames) continue;
         if (is_dissolve(window, first, frame)) longest = first;
     }
     if (!longest) return open_ && window.time(frame) - open_->end > quiet ? finish() : std::nullopt;

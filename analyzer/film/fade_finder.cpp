@@ -11,8 +11,8 @@ constexpr double black = 14;
 constexpr double white = 240;
 constexpr std::chrono::milliseconds looked_over{120};  // time over which growth is measured
 constexpr double growth = 1.02;                        // factor of the contrast in that time
-constexpr std::chrono::milliseconds least_fade{120};   // a shorter ramp is a cut
-constexpr std::chrono::seconds longest_ramp{4};
+constexpr std::chrono::milliseconds min_fade{120};     // a shorter ramp is a cut
+constexpr std::chrono::seconds max_ramp{4};
 
 bool is_plain(const FrameFeatures& frame) {
     return frame.deviation < plain_deviation && (frame.mean < black || frame.mean > white);
@@ -28,7 +28,7 @@ std::size_t frame_before(const FeatureWindow& window, std::size_t frame, std::si
 // The frame at which the contrast began to fall towards the plain one.
 std::size_t ramp_start(const FeatureWindow& window, std::size_t plain, std::size_t since) {
     std::size_t frame = plain;
-    while (window.time(plain) - window.time(frame) < longest_ramp) {
+    while (window.time(plain) - window.time(frame) < max_ramp) {
         const std::size_t earlier = frame_before(window, frame, since);
         if (earlier == frame || window.at(earlier).deviation < window.at(frame).deviation * growth) break;
         --frame;
@@ -40,7 +40,7 @@ std::size_t ramp_start(const FeatureWindow& window, std::size_t plain, std::size
 
 bool FadeFinder::is_growing(const FeatureWindow& window, std::size_t frame) const {
     const std::size_t earlier = frame_before(window, frame, plain_end_ > 0 ? plain_end_ - 1 : 0);
-    return window.time(frame) - window.time(std::max(window.first(), plain_end_)) < longest_ramp &&
+    return window.time(frame) - window.time(std::max(window.first(), plain_end_)) < max_ramp &&
            window.at(frame).deviation > window.at(earlier).deviation * growth;
 }
 
@@ -49,7 +49,7 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
     if (is_plain(window.at(frame))) {
         if (!open_) {
             const std::size_t start = ramp_start(window, frame, since);
-            const bool fades = window.time(frame) - window.time(start) > least_fade;
+            const bool fades = window.time(frame) - window.time(start) > min_fade;
             open_ = {window.time(start), window.time(frame), fades ? ShotEnd::fade : ShotEnd::cut};
         }
         in_plain_ = true;
@@ -65,7 +65,7 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
     }
     if (is_growing(window, frame)) {
         if (frame + 1 < window.end()) open_->end = window.time(frame + 1);
-        if (window.time(frame) - window.time(std::max(window.first(), plain_end_)) > least_fade)
+        if (window.time(frame) - window.time(std::max(window.first(), plain_end_)) > min_fade)
             open_->kind = ShotEnd::fade;
         return std::nullopt;
     }

@@ -10,9 +10,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int counted_side = 100;  // about so many columns and rows are counted; more tell nothing new
-constexpr int row_step = 2;        // every second row is enough for a cell's mean
-constexpr int most_rows = 257;     // rows of a cell: a sum of so many bytes fits 16 bits
+constexpr int counted_side = 100;   // about so many columns and rows are counted; more tell nothing new
+constexpr int row_step = 2;         // every second row is enough for a cell's mean
+constexpr int max_cell_rows = 257;  // rows of a cell: a sum of so many bytes fits 16 bits
 
 void count_colours(const cv::Mat& picture, FrameFeatures& features) {
     std::array<std::uint32_t, FrameFeatures::bins * FrameFeatures::bins * FrameFeatures::bins> counts{};
@@ -129,7 +129,7 @@ void sign(const cv::Mat& picture, FrameFeatures& features) {
     Row above{};
     for (int y = 0; y < detail_height; ++y) {
         const int begin = begin_of(y, detail_height, picture.rows);
-        const int end = std::min(end_of(y, detail_height, picture.rows), begin + most_rows);
+        const int end = std::min(end_of(y, detail_height, picture.rows), begin + max_cell_rows);
         const auto colours = columns.means(sums, add_rows(picture, begin, end, sums));
         const auto line = static_cast<std::size_t>(y);
         make_grey(colours,

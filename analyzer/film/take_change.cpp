@@ -13,12 +13,12 @@ using std::chrono::milliseconds;
 
 constexpr std::array looked_back{milliseconds{0}, milliseconds{150}, milliseconds{400}};
 constexpr std::array looked_ahead{milliseconds{0}, milliseconds{130}, milliseconds{300}, milliseconds{600},
-                                  longest_return};
+                                  max_return};
 constexpr double explained = .07;  // unexplained share: less is one scene, moved
 constexpr double same = .11;  // geometric mean of unexplained share and colour difference: less is one scene
 constexpr double other_colours = .6;    // colour difference: more is not one scene, whatever motion explains
 constexpr double clearly_unlike = .25;  // unexplained share that makes such a change clear, however abrupt
-constexpr milliseconds longest_flash{250};
+constexpr milliseconds max_flash_length{250};
 constexpr double flash_light = 20;  // grey levels by which a flash is brighter
 constexpr double flash_rest = .4;   // share of that light at which a flash is over
 constexpr double explained_if_flash = .2;
@@ -26,7 +26,7 @@ constexpr double same_if_flash = .25;
 constexpr int enough_alike = 3;  // pairs of pictures: one may be alike by chance
 constexpr double plain = 4;      // deviation of a picture of one colour, which tells nothing
 
-constexpr std::size_t least_steps = 4;  // steps in which a gradual change is looked at
+constexpr std::size_t min_steps = 4;  // steps in which a gradual change is looked at
 constexpr milliseconds step_length{80};
 
 }  // namespace
@@ -40,11 +40,11 @@ bool is_in_flash(const FeatureWindow& window, std::size_t before, std::size_t af
     const double dark = std::min(window.at(after).mean, window.at(before).mean);
     const double limit = dark + flash_rest * std::abs(brighter);
     if (brighter > 0) {
-        for (std::size_t i = after; i <= window.ahead(after, longest_flash); ++i)
+        for (std::size_t i = after; i <= window.ahead(after, max_flash_length); ++i)
             if (window.at(i).mean < limit) return true;
         return false;
     }
-    for (std::size_t i = window.back(before, longest_flash); i <= before; ++i)
+    for (std::size_t i = window.back(before, max_flash_length); i <= before; ++i)
         if (window.at(i).mean < limit) return true;
     return false;
 }
@@ -55,8 +55,8 @@ TakeChange take_change(const FeatureWindow& window, std::size_t before, std::siz
     bool is_clear = true;
     int alike = 0;
     const bool is_flash = is_in_flash(window, before, after);
-    const double most_left = is_flash ? explained_if_flash : explained;
-    const double most_same = is_flash ? same_if_flash : same;
+    const double max_left = is_flash ? explained_if_flash : explained;
+    const double max_same = is_flash ? same_if_flash : same;
     for (const milliseconds back : looked_back) {
         const FrameFeatures& earlier = window.at(window.back(before, back));
         for (const milliseconds ahead : looked_ahead) {
@@ -66,7 +66,7 @@ TakeChange take_change(const FeatureWindow& window, std::size_t before, std::siz
             const double left = unexplained(earlier, later).share;
             is_clear = is_clear && colours > other_colours && left > clearly_unlike;
             if (colours > other_colours) continue;
-            if ((left < most_left || std::sqrt(left * colours) < most_same) && ++alike == enough_alike)
+            if ((left < max_left || std::sqrt(left * colours) < max_same) && ++alike == enough_alike)
                 return TakeChange::none;
         }
     }
@@ -76,7 +76,7 @@ TakeChange take_change(const FeatureWindow& window, std::size_t before, std::siz
 GradualChange gradual_change(const FeatureWindow& window, std::size_t first, std::size_t last) {
     const Unexplained ends = unexplained(window.at(first), window.at(last));
     const auto length = static_cast<std::size_t>((window.time(last) - window.time(first)) / step_length);
-    const std::size_t steps = std::min(std::max(length, least_steps), last - first);
+    const std::size_t steps = std::min(std::max(length, min_steps), last - first);
     double on_way = 0;
     double change = 0;
     for (std::size_t i = 0; i < steps; ++i) {

@@ -5,11 +5,11 @@
 namespace vitrine::analyzer {
 
 /// Pictures from before a change are searched up to so long after it: whatever hid them is gone by then.
-constexpr std::chrono::milliseconds longest_return{1000};
+constexpr std::chrono::milliseconds max_return{1000};
 
 enum class TakeChange { none, likely, clear };
 
-/// Says if the pictures after a change show something else than those before it: up to longest_return later
+/// Says if the pictures after a change show something else than those before it: up to max_return later
 /// none shows, moved or not, the content of one shortly before. A flash, a close thing that passes or a
 /// change of light is no new take.
 ///

@@ -12,13 +12,13 @@ namespace {
 constexpr std::chrono::milliseconds settle{2500};  // longer than a usual wipe, and than a finder may be late
 constexpr std::chrono::milliseconds touching{60};  // a cut so near a fade's end is that end
 
-constexpr std::chrono::milliseconds longest_flash{400};  // to white or black and back
+constexpr std::chrono::milliseconds max_plain_flash{400};  // to white or black and back
 
 // Bounds of the share that a dissolve leaves unexplained, see GradualChange.
-constexpr double least_left = .12;
-constexpr double least_area = .55;  // a thing that passes, or bars that move in, fill less
-constexpr double least_unmoved = .25;
-constexpr double least_on_way = .43;
+constexpr double min_dissolve_share = .12;
+constexpr double min_dissolve_area = .55;  // a thing that passes, or bars that move in, fill less
+constexpr double min_dissolve_unmoved = .25;
+constexpr double min_dissolve_on_way = .43;
 
 bool is_gradual(const Transition& transition) {
     return transition.end > transition.begin;
@@ -77,7 +77,8 @@ void TransitionDetector::judge(std::size_t frame) {
 }
 
 bool TransitionDetector::is_flash(const Transition& found) const {
-    if (found.end - found.begin > longest_flash || found.begin <= window_.time(window_.first())) return false;
+    if (found.end - found.begin > max_plain_flash || found.begin <= window_.time(window_.first()))
+        return false;
     return !is_new_take(window_, window_.frame_at(found.begin) - 1, window_.frame_at(found.end));
 }
 
@@ -85,8 +86,9 @@ bool TransitionDetector::is_dissolve(const Transition& found) const {
     const std::size_t begin = window_.frame_at(found.begin);
     const std::size_t end = window_.frame_at(found.end);
     const GradualChange change = gradual_change(window_, begin, end);
-    return change.share > least_left && change.area > least_area && change.unmoved > least_unmoved &&
-           change.on_way > least_on_way && is_new_take(window_, begin, end);
+    return change.share > min_dissolve_share && change.area > min_dissolve_area &&
+           change.unmoved > min_dissolve_unmoved && change.on_way > min_dissolve_on_way &&
+           is_new_take(window_, begin, end);
 }
 
 void TransitionDetector::add(const Transition& found) {

@@ -16,18 +16,18 @@ using std::chrono::milliseconds;
 using Seconds = std::chrono::duration<double>;
 
 constexpr std::array lengths{milliseconds{320}, milliseconds{700}, milliseconds{1400}, milliseconds{2600}};
-constexpr int looks_a_length = 4;        // a wipe of 3/4 of a length lies wholly in one window
-constexpr std::size_t least_frames = 4;  // frames of a wipe
-constexpr double least_change = 12;      // grey levels that a place changes by when the edge passes
-constexpr double most_change = 60;       // grey levels: more tells nothing more
-constexpr double least_changing = .45;   // share of the picture in which the edge is seen to pass
-constexpr double least_changing_if_clear = .2;
-constexpr double near_plane = .1;      // share of the wipe's duration: an edge may be soft
-constexpr double least_on_plane = .9;  // share of the places that changed
+constexpr int looks_a_length = 4;           // a wipe of 3/4 of a length lies wholly in one window
+constexpr std::size_t min_wipe_frames = 4;  // frames of a wipe
+constexpr double min_change = 12;           // grey levels that a place changes by when the edge passes
+constexpr double max_change = 60;           // grey levels: more tells nothing more
+constexpr double min_changing = .45;        // share of the picture in which the edge is seen to pass
+constexpr double min_changing_if_clear = .2;
+constexpr double near_plane = .1;    // share of the wipe's duration: an edge may be soft
+constexpr double min_on_plane = .9;  // share of the places that changed
 constexpr double clearly_on_plane = .97;
 constexpr int refits = 4;
-constexpr double least_unmoved = .12;  // share of the change that is no pan past an edge
-constexpr milliseconds shortest{70};
+constexpr double min_unmoved = .12;  // share of the change that is no pan past an edge
+constexpr milliseconds min_wipe{70};
 constexpr milliseconds margin{80};  // a soft edge reaches so much further
 
 constexpr int width = static_cast<int>(FrameFeatures::signature_width);
@@ -88,12 +88,12 @@ std::vector<WipeFinder::Passing> WipeFinder::passings(const FeatureWindow& windo
     }
     std::vector<Passing> out;
     for (std::size_t i = 0; i < places; ++i) {
-        if (most[i] < 3 * least_change) continue;
+        if (most[i] < 3 * min_change) continue;
         const std::size_t row = i / FrameFeatures::signature_width;
         const double x = static_cast<double>(i % FrameFeatures::signature_width) + .5;
         const double y = static_cast<double>(row) + .5;
         const Seconds time = window.time(first + when[i]) - window.time(first);
-        const double change = std::min(most[i] / 3.0, most_change);
+        const double change = std::min(most[i] / 3.0, max_change);
         out.push_back({.x = x / FrameFeatures::signature_width - .5,
                        .y = y / FrameFeatures::signature_height - .5,
                        .time = time.count(),
@@ -134,7 +134,7 @@ template <typename Passing> std::optional<Plane> fitted(const std::vector<Passin
 // The plane that most places lie on, and their share.
 template <typename Passing> std::optional<Plane> edge_of(std::vector<Passing>& places) {
     const double changing = static_cast<double>(places.size()) / (width * height);
-    if (changing < least_changing_if_clear) return std::nullopt;
+    if (changing < min_changing_if_clear) return std::nullopt;
     std::optional<Plane> plane;
     double reach = 1e9;
     for (int i = 0; i < refits; ++i) {
@@ -150,7 +150,7 @@ template <typename Passing> std::optional<Plane> edge_of(std::vector<Passing>& p
         on_plane += place.weight;
         all += place.change;
     }
-    if (on_plane < (changing < least_changing ? clearly_on_plane : least_on_plane) * all) return std::nullopt;
+    if (on_plane < (changing < min_changing ? clearly_on_plane : min_on_plane) * all) return std::nullopt;
     return plane;
 }
 
@@ -158,11 +158,11 @@ template <typename Passing> std::optional<Plane> edge_of(std::vector<Passing>& p
 
 std::optional<Transition> WipeFinder::wipe_in(const FeatureWindow& window, std::size_t first,
                                               std::size_t last) const {
-    if (last < first + least_frames || picture_difference(window.at(first), window.at(last)) < least_change)
+    if (last < first + min_wipe_frames || picture_difference(window.at(first), window.at(last)) < min_change)
         return std::nullopt;
     std::vector<Passing> found = passings(window, first, last);
     const auto plane = edge_of(found);
-    if (!plane || plane->duration() < Seconds(shortest).count()) return std::nullopt;
+    if (!plane || plane->duration() < Seconds(min_wipe).count()) return std::nullopt;
     const auto at = [&](double seconds) {
         return window.time(first) + std::chrono::duration_cast<std::chrono::nanoseconds>(Seconds(seconds));
     };
@@ -175,8 +175,8 @@ std::optional<Transition> WipeFinder::wipe_in(const FeatureWindow& window, std::
     std::size_t to = from;
     while (to < last && window.time(to) < end + margin / 2)
         ++to;
-    if (to < from + least_frames || !is_new_take(window, from, to) ||
-        gradual_change(window, from, to).unmoved < least_unmoved)
+    if (to < from + min_wipe_frames || !is_new_take(window, from, to) ||
+        gradual_change(window, from, to).unmoved < min_unmoved)
         return std::nullopt;
     return Transition{window.time(from), window.time(to), ShotEnd::dissolve};
 }

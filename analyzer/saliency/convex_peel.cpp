@@ -13,7 +13,7 @@ namespace {
 
 constexpr int directions = 24;
 constexpr double faint = 0.5;  // times the mean density inside: a tight region may still lose slabs below it
-constexpr int thickest = 12;   // px of a slab; halved until one fits
+constexpr int max_thickness = 12;  // px of a slab; halved until one fits
 
 struct Pixel {
     Vec2 centre;
@@ -94,8 +94,8 @@ Slab cheapest(const std::vector<CutDirection>& all, double spare_mass, double ma
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CutDirection& d = all[i];
         Slab cut{.direction = i};
-        const int most = std::min(thickest, d.end - std::max(1, d.min_end));
-        for (int t = 1; t <= most; ++t) {
+        const int end = std::min(max_thickness, d.end - std::max(1, d.min_end));
+        for (int t = 1; t <= end; ++t) {
             cut.mass += d.mass[static_cast<std::size_t>(d.end - t)];
             cut.area += d.area[static_cast<std::size_t>(d.end - t)];
             cut.thickness = t;

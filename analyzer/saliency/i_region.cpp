@@ -55,12 +55,12 @@ Polygon with_faces(const Polygon& region, std::span<const Box> faces, const Box&
 }
 
 /// The region, grown about its centre where it is too small; grown more where the core's edge cuts it again.
-Polygon at_least(Polygon region, double least, const Box& core) {
+Polygon at_least(Polygon region, double min_region_area, const Box& core) {
     constexpr int max_steps = 32;
     for (int i = 0; i < max_steps; ++i) {
         const double now = area(region);
-        if (now >= least || now <= 0) break;
-        const double scale = 1.02 * std::sqrt(least / now);
+        if (now >= min_region_area || now <= 0) break;
+        const double scale = 1.02 * std::sqrt(min_region_area / now);
         region = clipped(transformed(region, scale, centroid(region) * (1 - scale)), core);
     }
     return region;

@@ -22,11 +22,11 @@ constexpr double centre_sigma = 0.33;  // share of each side
 constexpr double sigmoid_slope = 10;   // MB+
 constexpr double smoothing = 0.02;     // share of the longest side
 
-/// Scales a map so that its maximum is 1; by no more than 1 / `least`.
-void normalise(cv::Mat& map, double least) {
+/// Scales a map so that its maximum is 1; by no more than 1 / `min_maximum`.
+void normalise(cv::Mat& map, double min_maximum) {
     double highest = 0;
     cv::minMaxLoc(map, nullptr, &highest);
-    map /= std::max(highest, least);
+    map /= std::max(highest, min_maximum);
 }
 
 /// Drives a map to 0 and 1 about its middle.

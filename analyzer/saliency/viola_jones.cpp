@@ -28,9 +28,10 @@ std::vector<Face> ViolaJones::detect(const cv::Mat& bgr) {
     const double scale = std::min(1.0, searched_side / std::max(grey.cols, grey.rows));
     if (scale < 1) cv::resize(grey, grey, {}, scale, scale, cv::INTER_AREA);
     cv::equalizeHist(grey, grey);
-    const int least = std::max(min_face_pixels, static_cast<int>(min_face * std::min(grey.cols, grey.rows)));
+    const int min_face_side =
+        std::max(min_face_pixels, static_cast<int>(min_face * std::min(grey.cols, grey.rows)));
     std::vector<cv::Rect> found;
-    cascade_.detectMultiScale(grey, found, pyramid_step, min_neighbours, 0, {least, least});
+    cascade_.detectMultiScale(grey, found, pyramid_step, min_neighbours, 0, {min_face_side, min_face_side});
     std::vector<Face> faces;
     const Box picture{{0, 0}, {static_cast<double>(bgr.cols), static_cast<double>(bgr.rows)}};
     for (const cv::Rect& r : found) {

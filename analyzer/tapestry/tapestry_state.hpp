@@ -21,8 +21,8 @@ void note_dropped(const std::filesystem::path& folder, std::uint64_t bytes, std:
 /// The bytes that one tapestry may take, and those of its film's frames.
 /// @param max_bytes  for all tapestries
 constexpr std::uint64_t tapestry_share(std::uint64_t max_bytes) {
-    constexpr int most_parts = 4;
-    return max_bytes / most_parts;
+    constexpr int min_tapestries = 4;
+    return max_bytes / min_tapestries;
 }
 
 }  // namespace vitrine::analyzer

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double most_seconds = 1e6;  // the largest time that may be chosen
+constexpr double max_chosen_seconds = 1e6;  // the largest time that may be chosen
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// Reads times in seconds, one a line. Empty lines and text behind a # do not count.
@@ -46,7 +46,7 @@ std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
         if (!(words >> word)) continue;
         char* end = nullptr;
         const double seconds = std::strtod(word.c_str(), &end);
-        if (*end != '\0' || !(seconds >= 0 && seconds <= most_seconds) || words >> word)
+        if (*end != '\0' || !(seconds >= 0 && seconds <= max_chosen_seconds) || words >> word)
             throw std::runtime_error(
                 fmt::format("'{}' line {}: '{}' is no time in seconds", file.string(), number, line));
         times.emplace_back(std::llround(seconds * 1e9));
@@ -80,8 +80,8 @@ class Weaving {
           settings_(settings),
           head_(head_of(request.file, settings.media.root)),
           content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
-          choice_{.most_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
-          pyramid_{.retarget = {}, .most_bytes = request.most_bytes},
+          choice_{.max_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
+          pyramid_{.retarget = {}, .max_bytes = request.max_bytes},
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
@@ -148,7 +148,7 @@ class Weaving {
     Film kept_film() {
         if (auto film = film_of_kept()) return std::move(*film);
         const auto source = opened(request_, settings_);
-        KeptFrames frames(request_.directory, request_.most_bytes > 0 ? request_.most_bytes : no_limit);
+        KeptFrames frames(request_.directory, request_.max_bytes > 0 ? request_.max_bytes : no_limit);
         while (const std::optional<FilmFrame> frame = source->next())
             frames.saw(*frame);
         frames.finish(source->info().duration, content_);

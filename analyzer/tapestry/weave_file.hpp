@@ -17,9 +17,9 @@ struct WeaveRequest {
     int levels = 32;
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
-    bool resumes = false;          // an interrupted weaving of the pyramid goes on
-    std::uint64_t most_bytes = 0;  // for the pyramid, approximately; 0: any
-    int threads = 0;               // 0: one a core
+    bool resumes = false;         // an interrupted weaving of the pyramid goes on
+    std::uint64_t max_bytes = 0;  // for the pyramid, approximately; 0: any
+    int threads = 0;              // 0: one a core
 
     /// The first of directory, sheet and zoom that is asked for; empty where none is.
     const std::filesystem::path& result() const {

@@ -22,7 +22,7 @@ constexpr int window_width = 80;  // px in which drifts are told
 constexpr int window_height = 45;
 constexpr int frames = 60;
 constexpr int pans_of_a_kind = 12;
-constexpr double most_travel = 0.36;  // share of each side over the take: beyond 40 % no drift may follow
+constexpr double max_travel = 0.36;  // share of each side over the take: beyond 40 % no drift may follow
 
 /// A kind of take: the changes that come with its motion.
 struct Kind {
@@ -57,8 +57,8 @@ void finish_frame(cv::Mat& frame, const Kind& kind, double t, cv::RNG& random) {
 Pan rendered(const Kind& kind, unsigned seed, int scale, const Palette& palette) {
     cv::RNG random(seed);
     Pan pan{.take = {.name = kind.name, .frames = {}, .masks = {}}, .velocity = {}};
-    pan.velocity = {random.uniform(-most_travel, most_travel) * window_width / frames,
-                    random.uniform(-most_travel, most_travel) * window_height / frames};
+    pan.velocity = {random.uniform(-max_travel, max_travel) * window_width / frames,
+                    random.uniform(-max_travel, max_travel) * window_height / frames};
     const std::vector<cv::Mat>& worlds = kind.is_subject ? palette.scenes : palette.subjects;
     const cv::Mat& world =
         worlds[static_cast<std::size_t>(random.uniform(0, static_cast<int>(worlds.size())))];

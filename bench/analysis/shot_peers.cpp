@@ -14,7 +14,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr std::ptrdiff_t adaptive_reach = 2;  // frames to either side
-constexpr double least_content = 15;
+constexpr double min_content = 15;
 
 std::string quoted(const std::string& path) {
     std::string out = "'";
@@ -67,7 +67,7 @@ std::vector<Suspicion> AdaptiveDetector::finish() const {
         for (std::ptrdiff_t j = i - adaptive_reach; j <= i + adaptive_reach; ++j)
             around += change(j);
         const double ratio = change(i) / std::max(around / (2 * adaptive_reach), 1e-3);
-        out.push_back({changes_[static_cast<std::size_t>(i)].time, change(i) < least_content ? 0 : ratio});
+        out.push_back({changes_[static_cast<std::size_t>(i)].time, change(i) < min_content ? 0 : ratio});
     }
     return out;
 }

@@ -69,7 +69,7 @@ void measure(const std::string& path, FaceDetector* detector, const std::filesys
     fmt::print("{}: {} candidates\n", path, signatures.size());
     if (long_film > 0) time_keyframes(signatures, long_film);
     const LoadedLevel level =
-        loaded(film, chosen_keyframes(*film.candidates, {.most_levels = 1}, run_in_order)[0]);
+        loaded(film, chosen_keyframes(*film.candidates, {.max_levels = 1}, run_in_order)[0]);
     cv::Mat sheet;
     cv::vconcat(filmstrip(level), bricks_picture(level), sheet);
     for (const TileQuality quality : {TileQuality::on_demand, TileQuality::high}) {

@@ -103,7 +103,7 @@ void print(const char* what, const LevelPair& pair, const StripZoom& zoom, const
 void measure(const std::string& path, const std::filesystem::path& pictures) {
     const auto source = open_media(path);
     const Film film = gathered(*source, std::filesystem::temp_directory_path(), nullptr);
-    const auto levels = chosen_keyframes(*film.candidates, {.most_levels = 2}, run_in_order);
+    const auto levels = chosen_keyframes(*film.candidates, {.max_levels = 2}, run_in_order);
     if (levels.size() < 2) return fmt::print("{}: one level only\n", path);
     const LevelPair pair = woven_pair(film, levels, {}, run_in_order);
     const CpuTime matching;

@@ -12,7 +12,7 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 // Lower bound of the median colour distance, so that time decides where all frames are alike.
-constexpr float least_usual = 1;
+constexpr float min_median = 1;
 
 double seconds_between(const FrameSignature& a, const FrameSignature& b) {
     return Seconds(a.time - b.time).count();
@@ -50,10 +50,10 @@ float median_cost(const Affinity& costs) {
     for (int j = 0; j < costs.frames(); j += step)
         for (int i = costs.first(j); i < costs.last(j); ++i)
             if (i != j) all.push_back(costs.at(i, j));
-    if (all.empty()) return least_usual;
+    if (all.empty()) return min_median;
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end());
-    return std::max(least_usual, *middle);
+    return std::max(min_median, *middle);
 }
 
 /// Adds alpha (tau_i - tau_j)^2.

@@ -55,9 +55,8 @@ class Joining {
     bool is_sure(cv::Point at) const {
         const Match& there = matches_.of_target().at(at.x, at.y);
         const Match& back = matches_.of_source().at(there.x, there.y);
-        return std::abs(back.x - at.x) <= rules_.most_way_back &&
-               std::abs(back.y - at.y) <= rules_.most_way_back &&
-               there.cost <= rules_.most_cost * patch_values;
+        return std::abs(back.x - at.x) <= rules_.max_way_back &&
+               std::abs(back.y - at.y) <= rules_.max_way_back && there.cost <= rules_.max_cost * patch_values;
     }
 
     cv::Point way(cv::Point at) const {
@@ -77,12 +76,12 @@ class Joining {
                     numbers_.at<int>(beside) != 0 || !is_sure(beside))
                     continue;
                 const cv::Point bend = way(beside) - way(at);
-                if (std::abs(bend.x) > rules_.most_bend || std::abs(bend.y) > rules_.most_bend) continue;
+                if (std::abs(bend.x) > rules_.max_bend || std::abs(bend.y) > rules_.max_bend) continue;
                 numbers_.at<int>(beside) = number;
                 joined.push_back(beside);
             }
         }
-        if (static_cast<int>(joined.size()) >= rules_.least_area)
+        if (static_cast<int>(joined.size()) >= rules_.min_area)
             ++next_;
         else
             for (const cv::Point at : joined)

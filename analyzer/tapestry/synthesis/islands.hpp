@@ -18,11 +18,11 @@ struct PlaceGuesses {
 };
 
 struct IslandRules {
-    int reach = 48;           // px around the guess that the first sweep searches
-    int most_way_back = 4;    // px by which the way there and back may miss its begin
-    int most_bend = 2;        // px by which the motions of neighbours may differ
-    int least_area = 2812;    // px of an island: R of Video Tapestries 4.3, which gives no value
-    double most_cost = 2500;  // mean squared difference a channel value
+    int reach = 48;          // px around the guess that the first sweep searches
+    int max_way_back = 4;    // px by which the way there and back may miss its begin
+    int max_bend = 2;        // px by which the motions of neighbours may differ
+    int min_area = 2812;     // px of an island: R of Video Tapestries 4.3, which gives no value
+    double max_cost = 2500;  // mean squared difference a channel value
 };
 
 /// Regions of a picture that another one shows as well.

@@ -11,9 +11,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int most_swap_rounds = 30;
-constexpr int small_gap = 48;          // frames; all pairs of a gap so small are tried
-constexpr double least_change = 1e-6;  // share of far() by which a swap must lower the cost
+constexpr int max_swap_rounds = 30;
+constexpr int small_gap = 48;             // frames; all pairs of a gap so small are tried
+constexpr double min_improvement = 1e-6;  // share of far() by which a swap must lower the cost
 
 /// The frames between two frozen keyframes: [first, last) without them.
 struct Gap {
@@ -83,7 +83,7 @@ class Level {
 
     /// Swaps new keyframes against others of their gap until no swap lowers the cost.
     void improve() {
-        for (int round = 0; round < most_swap_rounds; ++round) {
+        for (int round = 0; round < max_swap_rounds; ++round) {
             bool is_better = false;
             for (const Gap& gap : gaps_)
                 for (int in = gap.first; in < gap.last; ++in)
@@ -177,7 +177,7 @@ class Level {
         if (medoids_.contains(in)) return false;
         medoids_.swap_changes(in, gap.first, gap.last, changes_);
         int best = -1;
-        double least = -least_change * costs_.far();
+        double least = -min_improvement * costs_.far();
         const auto& sorted = medoids_.sorted();
         for (auto out = std::ranges::lower_bound(sorted, gap.first); out != sorted.end() && *out < gap.last;
              ++out) {
@@ -215,7 +215,7 @@ std::vector<Keyframes> refined_levels(const Affinity& costs, Keyframes coarsest,
     for (const int frame : coarsest)
         medoids.add(frame);
     std::vector<Keyframes> levels{std::move(coarsest)};
-    while (static_cast<int>(levels.size()) < settings.most_levels) {
+    while (static_cast<int>(levels.size()) < settings.max_levels) {
         const int before = static_cast<int>(levels.back().size());
         Level level(costs, medoids, settings.keeps_rows);
         level.add(std::min(before * settings.growth, costs.frames()) - before);

@@ -14,7 +14,7 @@ using Keyframes = std::vector<int>;
 struct KeyframeSettings {
     int first = 24;          // keyframes of the coarsest level, n_1
     int growth = 2;          // factor from each level to the next, rho
-    int most_levels = 32;    // the coarsest included
+    int max_levels = 32;     // the coarsest included
     bool keeps_rows = true;  // new keyframes between two others come in even numbers only
 };
 

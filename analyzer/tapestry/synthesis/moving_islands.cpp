@@ -13,9 +13,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr double most_bend = 2;  // px by which an island's pixel may miss the flow
-constexpr float soft_edge = 8;   // px around an island in which it fades
-constexpr double growing = 4;    // islands grow by (1 - moment)^growing of the part's height
+constexpr double max_miss = 2;  // px by which an island's pixel may miss the flow
+constexpr float soft_edge = 8;  // px around an island in which it fades
+constexpr double growing = 4;   // islands grow by (1 - moment)^growing of the part's height
 
 cv::Mat nearest_of(const cv::Mat& numbers, const cv::Mat& places) {
     cv::Mat found;
@@ -70,8 +70,8 @@ cv::Mat MovingIslands::sea(const cv::Mat& flow) const {
             if (part_.islands.number.at<int>(y, x) == 0) continue;
             const cv::Vec2i place = part_.islands.place.at<cv::Vec2i>(y, x);
             const cv::Vec2d there = flow.at<cv::Vec2f>(y, x);
-            if (std::abs(place[0] + part_.part.fine.start - there[0]) <= most_bend &&
-                std::abs(place[1] - there[1]) <= most_bend)
+            if (std::abs(place[0] + part_.part.fine.start - there[0]) <= max_miss &&
+                std::abs(place[1] - there[1]) <= max_miss)
                 sea.at<std::uint8_t>(y, x) = 0;
         }
     }
@@ -99,7 +99,7 @@ void MovingIslands::carry(cv::Mat& places, cv::Mat& share, double moment) const 
         for (int x = 0; x < share.cols; ++x) {
             const cv::Vec2f miss = ways_there.at<cv::Vec2f>(y, x) - ways.at<cv::Vec2f>(y, x);
             const double px = moment * std::max(std::abs(miss[0]), std::abs(miss[1]));
-            share.at<float>(y, x) *= static_cast<float>(std::clamp(2 - px / most_bend, 0.0, 1.0));
+            share.at<float>(y, x) *= static_cast<float>(std::clamp(2 - px / max_miss, 0.0, 1.0));
         }
     }
     cv::Mat soft;

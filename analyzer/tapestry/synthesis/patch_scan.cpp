@@ -42,14 +42,14 @@ struct Scratch {
 /// The squared difference of one pixel of the frame to a pixel of the block.
 [[gnu::always_inline]] inline void pixel_difference(const std::uint8_t* pixel, const std::uint8_t* block,
                                                     Lanes& out) {
-    const Lanes most = Lanes{} + std::uint16_t{127 * 127};
+    const Lanes max_square = Lanes{} + std::uint16_t{127 * 127};
     Lanes sum{};
     for (std::size_t c = 0; c < 3; ++c) {
         Bytes others;
         std::memcpy(&others, block + c * scan_lanes, sizeof others);
         const Lanes difference = __builtin_convertvector(others, Lanes) - std::uint16_t{pixel[c]};
         const Lanes square = difference * difference;
-        sum += lesser(square, most);
+        sum += lesser(square, max_square);
     }
     out = sum >> pixel_shift;
 }

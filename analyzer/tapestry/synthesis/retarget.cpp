@@ -19,9 +19,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
-constexpr int least_brick_side = 40;  // px at the smallest size; below it too much is merged
-constexpr double settled = 0.0002;    // share of the energy: a round that lowers it by less is the last
+constexpr int tile_width = 500;     // px; source: Video Tapestries 4.2, "about 500"
+constexpr int min_brick_side = 40;  // px at the smallest size; below it too much is merged
+constexpr double settled = 0.0002;  // share of the energy: a round that lowers it by less is the last
 
 /// The rounds and search radii at the smallest and at full size.
 struct Plan {
@@ -41,7 +41,7 @@ Plan plan_of(TileQuality quality) {
 std::vector<double> scales_of(cv::Size brick) {
     std::vector<double> scales{1};
     const double side = std::min(brick.width, brick.height);
-    while (side * scales.back() / 2 >= least_brick_side)
+    while (side * scales.back() / 2 >= min_brick_side)
         scales.push_back(scales.back() / 2);
     std::ranges::reverse(scales);
     return scales;

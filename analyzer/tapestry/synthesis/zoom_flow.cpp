@@ -15,14 +15,14 @@ constexpr int rows = ZoomField::rows;
 constexpr int step = ZoomField::step;
 constexpr int part_width = 512;       // px of the coarser strip
 constexpr int margin = 64;            // px by which a part reaches beyond its used columns
-constexpr int most_fine = 4096;       // px of the finer strip that are searched at once
-constexpr int least_part = 64;        // px
+constexpr int max_fine_width = 4096;  // px of the finer strip that are searched at once
+constexpr int min_part_width = 64;    // px
 constexpr int sampling = 2;           // px between the samples of an island
-constexpr int least_samples = 15;     // samples, of about 60 around a point, that give it to an island
+constexpr int min_samples = 15;       // samples, of about 60 around a point, that give it to an island
 constexpr int height_squares = 8;     // the square of the height over the area of the smallest island
 constexpr int smoothings = 24;        // rounds
-constexpr double least_slope = 0.02;  // px of the other strip for each px, before the bounds of time apply
-constexpr double least_drop = 0.5;    // px between two rows
+constexpr double min_slope = 0.02;    // px of the other strip for each px, before the bounds of time apply
+constexpr double min_drop = 0.5;      // px between two rows
 
 }  // namespace
 
@@ -74,7 +74,7 @@ std::vector<ZoomFlow::Part> ZoomFlow::parts() const {
             const cv::Range seen(std::max(0, from - margin), std::min(coarse_.width, to + margin));
             const cv::Range fine(std::max(0, fine_x(seen.start - tapestry_.brick_width)),
                                  std::min(fine_.width, fine_x(seen.end + tapestry_.brick_width) + 1));
-            if (fine.size() > most_fine && width > least_part) continue;
+            if (fine.size() > max_fine_width && width > min_part_width) continue;
             parts.push_back({.coarse = seen, .fine = fine, .used = {from, to}});
             from = to;
             break;
@@ -114,7 +114,7 @@ Islands ZoomFlow::match(const Part& part, const cv::Mat& coarse, const cv::Mat& 
     const cv::Point coarse_begin(part.coarse.start, 0);
     const cv::Point fine_begin(part.fine.start, 0);
     IslandRules rules;
-    rules.least_area = tapestry_.height * tapestry_.height / height_squares;
+    rules.min_area = tapestry_.height * tapestry_.height / height_squares;
     Islands islands =
         find_islands(coarse, fine,
                      {.to_fine = [&](cv::Point at) { return to_fine(at + coarse_begin) - fine_begin; },
@@ -157,7 +157,7 @@ void ZoomFlow::add(Grid& grid, std::vector<Sample> samples) const {
             sum = sum + samples[end].way;
         const int count = static_cast<int>(end - begin);
         Point& point = grid.points[samples[begin].point];
-        if (count >= least_samples && count > point.samples)
+        if (count >= min_samples && count > point.samples)
             point = {.way = sum * (1.0 / count), .samples = count};
     }
 }
@@ -234,9 +234,9 @@ void ZoomFlow::put_in_order(Grid& grid) const {
         x(0, row) = 0;
         x(last, row) = grid.other_width;
         for (int column = 1; column < last; ++column)
-            x(column, row) = std::max(x(column, row), x(column - 1, row) + least_slope * step);
+            x(column, row) = std::max(x(column, row), x(column - 1, row) + min_slope * step);
         for (int column = last - 1; column > 0; --column)
-            x(column, row) = std::min(x(column, row), x(column + 1, row) - least_slope * step);
+            x(column, row) = std::min(x(column, row), x(column + 1, row) - min_slope * step);
         for (int column = 1; column < last; ++column) {
             const cv::Vec2d bound = bounds(grid, grid.x(column));
             x(column, row) = std::clamp(x(column, row), std::max(0.0, bound[0]),
@@ -247,9 +247,9 @@ void ZoomFlow::put_in_order(Grid& grid) const {
         y(column, 0) = 0;
         y(column, rows - 1) = tapestry_.height;
         for (int row = 1; row + 1 < rows; ++row)
-            y(column, row) = std::max(y(column, row), y(column, row - 1) + least_drop);
+            y(column, row) = std::max(y(column, row), y(column, row - 1) + min_drop);
         for (int row = rows - 2; row > 0; --row)
-            y(column, row) = std::min(y(column, row), y(column, row + 1) - least_drop);
+            y(column, row) = std::min(y(column, row), y(column, row + 1) - min_drop);
     }
 }
 

@@ -12,8 +12,8 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int most_overlap = 64;       // px
-constexpr double least_growth = 0.02;  // a smaller growth counts as this one
+constexpr int max_part_overlap = 64;  // px
+constexpr double min_growth = 0.02;   // a smaller growth counts as this one
 
 cv::Range shifted(cv::Range range, int by) {
     return {range.start + by, range.end + by};
@@ -48,7 +48,7 @@ ZoomPart zoom_part(const Tapestry& tapestry, std::size_t finer, const ZoomFlow::
                   .used_fine = {fine_x(part.used.start), fine_x(part.used.end)}};
     if (part.used.end == strips.coarse.cols) made.used_fine.end = strips.fine.cols;
     made.overlap =
-        std::min({most_overlap, part.coarse.end - part.used.end, part.fine.end - made.used_fine.end});
+        std::min({max_part_overlap, part.coarse.end - part.used.end, part.fine.end - made.used_fine.end});
     return made;
 }
 
@@ -63,7 +63,7 @@ ZoomPictures bent_zoom(const ZoomPart& part, const ZoomWarps& warps, int between
     ZoomPictures pictures = zoom_ends(part, between);
     for (int i = 1; i <= between; ++i) {
         const double share = static_cast<double>(i) / (between + 1);
-        const cv::Mat growths = cv::max(warps.fine.growths(part.columns(share), share), least_growth);
+        const cv::Mat growths = cv::max(warps.fine.growths(part.columns(share), share), min_growth);
         const cv::Mat coverage = share / ((1 - share) * growths + share);
         pictures[as_index(i)] = over(bent(part.coarse, part.places_in_coarse(warps.coarse, share)),
                                      bent(part.fine, part.places_in_fine(warps.fine, share)), coverage);

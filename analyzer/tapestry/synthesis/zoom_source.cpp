@@ -10,12 +10,12 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int half_patch = patch_side / 2;
-constexpr float usual_cost = 100;    // squared grey levels a channel value: such a match votes 1/e
-constexpr float least_vote = 1e-6F;  // so that each free pixel has a vote
+constexpr float usual_cost = 100;  // squared grey levels a channel value: such a match votes 1/e
+constexpr float min_vote = 1e-6F;  // so that each free pixel has a vote
 
 /// The first row or column of a patch, by that of its middle.
-int corner(float middle, int most) {
-    return std::clamp(static_cast<int>(std::lround(middle)) - half_patch, 0, most - 1);
+int corner(float middle, int count) {
+    return std::clamp(static_cast<int>(std::lround(middle)) - half_patch, 0, count - 1);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void ZoomSource::vote(ZoomVotes& votes, double share, const RunTasks& run) const
     constexpr float scale = 1 / (usual_cost * patch_values);
     for (const Match& match : matches_.matches)
         weights.push_back(static_cast<float>(share) *
-                          (std::exp(-scale * static_cast<float>(match.cost)) + least_vote));
+                          (std::exp(-scale * static_cast<float>(match.cost)) + min_vote));
     votes.add(matches_, picture_, weights, run);
 }
 

@@ -10,13 +10,13 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr double pixel_middle = 0.5;
-constexpr double on_edge = 1e-4;      // share of a triangle: a point so close outside counts as inside
-constexpr double least_area = 1e-12;  // squared px
+constexpr double on_edge = 1e-4;             // share of a triangle: a point so close outside counts as inside
+constexpr double min_triangle_area = 1e-12;  // squared px
 
-/// The pixels whose middles lie between two coordinates, within [0, most).
-cv::Range pixels_between(double from, double to, int most) {
-    return {std::clamp(static_cast<int>(std::floor(from - pixel_middle)), 0, most),
-            std::clamp(static_cast<int>(std::ceil(to + pixel_middle)), 0, most)};
+/// The pixels whose middles lie between two coordinates, within [0, end).
+cv::Range pixels_between(double from, double to, int end) {
+    return {std::clamp(static_cast<int>(std::floor(from - pixel_middle)), 0, end),
+            std::clamp(static_cast<int>(std::ceil(to + pixel_middle)), 0, end)};
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void ZoomWarp::draw(const std::array<Corner, 3>& corners, int from, cv::Mat& pic
     const Vec2 ab = b.place - a.place;
     const Vec2 ac = c.place - a.place;
     const double area = cross(ab, ac);
-    if (std::abs(area) < least_area) return;
+    if (std::abs(area) < min_triangle_area) return;
     const cv::Range rows = pixels_between(top, bottom, picture.rows);
     const cv::Range columns = pixels_between(left - from, right - from, picture.cols);
     for (int y = rows.start; y < rows.end; ++y) {

@@ -18,10 +18,10 @@ namespace vitrine::analyzer {
 namespace {
 
 // 2 frames a second; source: Video Tapestries 4.1
-constexpr std::chrono::milliseconds shortest_interval{500};
-constexpr int brick_height = 100;    // px: a tapestry is 150 px tall
-constexpr double least_shape = 0.4;  // width to height
-constexpr double most_shape = 3;
+constexpr std::chrono::milliseconds min_interval{500};
+constexpr int brick_height = 100;  // px: a tapestry is 150 px tall
+constexpr double min_shape = 0.4;  // width to height
+constexpr double max_shape = 3;
 constexpr int jpeg_quality = 96;  // the tiles made of them have 90
 
 /// The largest middle part of a frame that has the shape of a brick.
@@ -44,7 +44,7 @@ CandidateEntry entry_of(const FilmFrame& frame) {
 }  // namespace
 
 cv::Size brick_for(cv::Size frame) {
-    const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, least_shape, most_shape);
+    const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, min_shape, max_shape);
     return {2 * static_cast<int>(std::lround(brick_height * shape / 2)), brick_height};
 }
 
@@ -68,7 +68,7 @@ void CandidateWriter::push(const FilmFrame& frame) {
     if (last_.count() < 0) {
         frame_ = frame.picture.size();
         brick_ = brick_for(frame_);
-        interval_ = shortest_interval;
+        interval_ = min_interval;
         due_ = frame.time;
     }
     if (frame.time <= last_ || frame.picture.size() != frame_) return;
@@ -83,7 +83,7 @@ void CandidateWriter::push(const FilmFrame& frame) {
     entry.bytes = static_cast<std::int64_t>(jpeg.size());
     append(jpeg.data(), jpeg.size());
     entries_.push_back(entry);
-    if (entries_.size() >= most_) thin();
+    if (entries_.size() >= max_frames_) thin();
 }
 
 /// Drops every other frame. From now on frames are kept half as often.

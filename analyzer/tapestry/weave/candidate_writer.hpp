@@ -19,10 +19,10 @@ class CandidateWriter {
   public:
     static constexpr std::size_t two_hours = 14'400;  // frames
 
-    /// @param file  empty, for reading and writing
-    /// @param most  number of frames to keep
-    explicit CandidateWriter(UniqueFd file, std::size_t most = two_hours)
-        : file_(std::move(file)), most_(most) {}
+    /// @param file        empty, for reading and writing
+    /// @param max_frames  frames to keep
+    explicit CandidateWriter(UniqueFd file, std::size_t max_frames = two_hours)
+        : file_(std::move(file)), max_frames_(max_frames) {}
 
     /// Passes over frames that are not later than the last one or have another size: their stream is broken.
     /// @throws std::system_error where there is no room
@@ -42,7 +42,7 @@ class CandidateWriter {
     void append(const void* data, std::size_t bytes);
 
     UniqueFd file_;
-    std::size_t most_;
+    std::size_t max_frames_;
     cv::Size frame_;  // px of the pushed frames
     cv::Size brick_;
     std::chrono::nanoseconds interval_{0};

@@ -14,10 +14,10 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr std::int64_t most_entries = 20'000;
-constexpr std::int64_t most_jpeg_bytes = 1 << 20;
-constexpr int most_side = 4096;    // px
-constexpr double enlargement = 2;  // bricks are small for detectors
+constexpr std::int64_t max_entries = 20'000;
+constexpr std::int64_t max_jpeg_bytes = 1 << 20;
+constexpr int max_brick_side = 4096;  // px
+constexpr double enlargement = 2;     // bricks are small for detectors
 
 void require(bool is_so) {
     if (!is_so) throw std::runtime_error("this is no file of a film's frames");
@@ -32,18 +32,18 @@ Candidates::Candidates(UniqueFd file, FaceDetector* faces) : file_(std::move(fil
     require(size >= static_cast<off_t>(sizeof end));
     const std::int64_t end_offset = size - static_cast<std::int64_t>(sizeof end);
     read(&end, sizeof end, end_offset);
-    require(end.mark == CandidateFileEnd::usual_mark && end.entries > 0 && end.entries <= most_entries);
+    require(end.mark == CandidateFileEnd::usual_mark && end.entries > 0 && end.entries <= max_entries);
     require(end.entries_offset >= 0 && end.entries_offset <= end_offset);
     require(end_offset - end.entries_offset == end.entries * std::int64_t{sizeof(CandidateEntry)});
-    require(end.brick_width > 0 && end.brick_width <= most_side && end.brick_height > 0 &&
-            end.brick_height <= most_side);
+    require(end.brick_width > 0 && end.brick_width <= max_brick_side && end.brick_height > 0 &&
+            end.brick_height <= max_brick_side);
     brick_ = {end.brick_width, end.brick_height};
     duration_ = std::chrono::nanoseconds(end.duration_ns);
     content_ = end.content;
     for (std::int64_t i = 0; i < end.entries; ++i) {
         CandidateEntry entry;
         read(&entry, sizeof entry, end.entries_offset + i * std::int64_t{sizeof entry});
-        require(entry.offset >= 0 && entry.bytes > 0 && entry.bytes <= most_jpeg_bytes);
+        require(entry.offset >= 0 && entry.bytes > 0 && entry.bytes <= max_jpeg_bytes);
         require(signatures_.empty() || entry.time_ns > signatures_.back().time.count());
         signatures_.push_back({.time = std::chrono::nanoseconds(entry.time_ns), .pixels = entry.signature});
         kept_.push_back({.offset = entry.offset, .bytes = entry.bytes});

@@ -40,7 +40,7 @@ std::size_t levels_woven(const fs::path& directory, const Tapestry& tapestry) {
     }
 }
 
-std::uint64_t bytes_in(const fs::path& folder) {
+std::uint64_t tile_bytes(const fs::path& folder) {
     std::uint64_t bytes = 0;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file()) bytes += entry.file_size();
@@ -48,12 +48,12 @@ std::uint64_t bytes_in(const fs::path& folder) {
 }
 
 /// Says if a level of that width may be begun, judged by the bytes of the levels so far, at least one.
-bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t most_bytes) {
-    if (most_bytes == 0) return true;
+bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uint64_t max_bytes) {
+    if (max_bytes == 0) return true;
     double columns = 0;
     for (const TapestryLevel& level : tapestry.levels)
         columns += level.width;
-    return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(most_bytes);
+    return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(max_bytes);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* face
 std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
                                         const RunTasks& run) {
     const auto& frames = candidates.signatures();
-    const KeyframeSettings settings{.most_levels = choice.most_levels};
+    const KeyframeSettings settings{.max_levels = choice.max_levels};
     const Affinity costs = choice.is_uniform ? time_affinity(frames) : affinity(frames, {}, run);
     if (!choice.times.empty()) return refined_levels(costs, keyframes_at(frames, choice.times), settings);
     if (choice.is_uniform)
@@ -140,8 +140,8 @@ Tapestry PyramidWriter::write(Tapestry tapestry, const WeavePlan& plan) const {
     const std::size_t woven = levels_woven(directory_, tapestry);
     for (std::size_t i = 0; i < plan.levels.size(); ++i) {
         const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
-        if (i > 0 && !has_room(tapestry, bytes_in(directory_ / tapestry.folder), brickwork.width(),
-                               settings_.most_bytes))
+        if (i > 0 && !has_room(tapestry, tile_bytes(directory_ / tapestry.folder), brickwork.width(),
+                               settings_.max_bytes))
             break;
         tapestry.levels.push_back(level_of(plan.levels[i], candidates));
         tapestry.levels.back().has_zoom = i > 0;

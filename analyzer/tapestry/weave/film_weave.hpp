@@ -15,7 +15,7 @@ namespace vitrine::analyzer {
 
 /// The choice of a film's keyframes.
 struct WeaveChoice {
-    int most_levels = 32;
+    int max_levels = 32;
     bool is_uniform = false;                      // keyframes at equal distances; no frames are compared
     std::vector<std::chrono::nanoseconds> times;  // chosen for the coarsest level; empty: by clustering
 };
@@ -51,7 +51,7 @@ cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const Retarget
 /// The settings of writing a pyramid.
 struct PyramidSettings {
     RetargetSettings retarget;
-    std::uint64_t most_bytes = 0;  // for tiles, about: a level that would exceed it is not begun; 0: any
+    std::uint64_t max_bytes = 0;  // for tiles, about: a level that would exceed it is not begun; 0: any
 };
 
 /// Makes a folder for tiles that no weaving has used before, so that readers of the one before lose nothing.

@@ -28,8 +28,8 @@ UniqueFd new_file(const fs::path& directory) {
 
 }  // namespace
 
-KeptFrames::KeptFrames(fs::path directory, std::uint64_t most_bytes)
-    : directory_(std::move(directory)), most_bytes_(most_bytes) {
+KeptFrames::KeptFrames(fs::path directory, std::uint64_t max_bytes)
+    : directory_(std::move(directory)), max_bytes_(max_bytes) {
     try {
         writer_ = std::make_unique<CandidateWriter>(new_file(directory_));
     } catch (const std::system_error& error) {
@@ -51,7 +51,7 @@ void KeptFrames::saw(const FilmFrame& frame) {
     if (!writer_) return;
     try {
         writer_->push(frame);
-        if (writer_->bytes() > most_bytes_) give_up();
+        if (writer_->bytes() > max_bytes_) give_up();
     } catch (const std::runtime_error& error) {  // no room, or no JPEG of the picture
         log::debug("no frames kept: {}", error.what());
         give_up();

@@ -14,8 +14,8 @@ namespace vitrine::analyzer {
 class KeptFrames {
   public:
     /// @param directory   folder of the tapestry; made where there is none
-    /// @param most_bytes  for the frames; a film that needs more has none kept
-    KeptFrames(std::filesystem::path directory, std::uint64_t most_bytes);
+    /// @param max_bytes  for the frames; a film that needs more has none kept
+    KeptFrames(std::filesystem::path directory, std::uint64_t max_bytes);
     KeptFrames(const KeptFrames&) = delete;
     KeptFrames& operator=(const KeptFrames&) = delete;
 
@@ -31,7 +31,7 @@ class KeptFrames {
     void give_up();
 
     std::filesystem::path directory_;
-    std::uint64_t most_bytes_;
+    std::uint64_t max_bytes_;
     std::unique_ptr<CandidateWriter> writer_;  // null: given up or finished
 };
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* plan_name = "plan";
-constexpr std::size_t most_levels = 32;
+constexpr std::size_t max_plan_levels = 32;
 
 std::optional<Keyframes> level_in(const std::string& line, std::size_t candidates) {
     std::istringstream words(line);
@@ -53,7 +53,7 @@ std::optional<WeavePlan> read_plan(const fs::path& directory, const FilmContent&
         std::optional<Keyframes> level = level_in(line, candidates);
         const bool is_nested =
             level && (plan.levels.empty() || std::ranges::includes(*level, plan.levels.back()));
-        if (!is_nested || plan.levels.size() == most_levels) return std::nullopt;
+        if (!is_nested || plan.levels.size() == max_plan_levels) return std::nullopt;
         plan.levels.push_back(std::move(*level));
     }
     if (plan.levels.empty()) return std::nullopt;

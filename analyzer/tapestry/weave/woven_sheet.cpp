@@ -30,8 +30,8 @@ std::vector<Part> parts_of(const Tapestry& index) {
     std::vector<Part> parts{{0, width}};
     for (std::size_t i = 1; i < index.levels.size(); ++i) {
         const auto time = index.time_at(i - 1, (parts.back().from + parts.back().to) / 2.0);
-        const int most = std::max(0, index.levels[i].width - width);
-        const int from = std::clamp(static_cast<int>(index.x_at(i, time)) - width / 2, 0, most);
+        const int max_from = std::max(0, index.levels[i].width - width);
+        const int from = std::clamp(static_cast<int>(index.x_at(i, time)) - width / 2, 0, max_from);
         parts.push_back({from, std::min(from + width, index.levels[i].width)});
     }
     return parts;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_side = 4096;         // px of a tile
-constexpr std::size_t most_tiles = 16;  // tiles in memory
+constexpr int max_tile_side = 4096;    // px of a tile
+constexpr std::size_t max_tiles = 16;  // tiles in memory
 
 /// Reads a level's strip from its files, a few tiles at a time.
 class StripReader {
@@ -38,12 +38,12 @@ class StripReader {
   private:
     cv::Mat tile(int number) {
         if (const auto found = tiles_.find(number); found != tiles_.end()) return found->second;
-        const StillPicture picture =
-            load_still((directory_ / tapestry_.tile_name(level_, number)).string(), most_side, most_side);
+        const StillPicture picture = load_still((directory_ / tapestry_.tile_name(level_, number)).string(),
+                                                max_tile_side, max_tile_side);
         std::vector<std::byte> pixels = picture.pixels;
         cv::Mat bgr;
         cv::cvtColor(cv::Mat(picture.height, picture.width, CV_8UC4, pixels.data()), bgr, cv::COLOR_RGBA2BGR);
-        if (tiles_.size() >= most_tiles) tiles_.erase(tiles_.begin());  // the leftmost tile
+        if (tiles_.size() >= max_tiles) tiles_.erase(tiles_.begin());  // the leftmost tile
         tiles_.emplace(number, bgr);
         return bgr;
     }

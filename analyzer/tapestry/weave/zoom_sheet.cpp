@@ -10,8 +10,8 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int most_width = 960;  // px of the sheet
-constexpr int gap = 4;           // px between rows
+constexpr int max_sheet_width = 960;  // px of the sheet
+constexpr int gap = 4;                // px between rows
 constexpr std::array<double, 3> moments{0.25, 0.5, 0.75};
 
 /// The place where the finer level adds most, px of the coarser strip.
@@ -50,7 +50,7 @@ cv::Mat drawn_zoom(const LevelPair& pair, const RunTasks& run, const ZoomRules& 
     const StripZoom zoom(pair, run);
     const ZoomPictures bent = zoom.bent(rules.between);
     const ZoomPictures synthesised = zoom.synthesised(rules, run);
-    const int width = std::min(most_width, pair.coarse.cols);
+    const int width = std::min(max_sheet_width, pair.coarse.cols);
     const auto picture = [&](const ZoomPictures& pictures, double share) {
         return pictures[static_cast<std::size_t>(std::lround(share * (rules.between + 1)))];
     };

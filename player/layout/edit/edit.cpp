@@ -39,7 +39,7 @@ PlanRequest request_of(const WallState& wall, const EditRules& rules) {
 bool is_sound(const std::vector<LayoutItem>& items, const Layout& layout) {
     if (items.empty()) return true;
     const Measure measure = measured(items, layout.placements);
-    return measure.hidden == 0 && is_within(measure.bounds, {{0, 0}, layout.canvas});
+    return measure.hidden == 0 && is_box_within(measure.bounds, {{0, 0}, layout.canvas});
 }
 
 std::vector<LayoutItem> items_of(const PlanRequest& request) {

@@ -27,7 +27,7 @@ PlanRequest windowed(const PlanRequest& request, const Box& window, std::vector<
         if (item.previous) {
             const Box box = box_of(item.item, *item.previous);
             if (intersection(box, field).is_empty()) continue;
-            item.is_pinned = item.is_pinned || !is_within(box, window, at_the_edge);
+            item.is_pinned = item.is_pinned || !is_box_within(box, window, at_the_edge);
             item.previous->offset = item.previous->offset - field.min;
             if (item.home) item.home->offset = item.home->offset - field.min;
         }
@@ -40,7 +40,7 @@ PlanRequest windowed(const PlanRequest& request, const Box& window, std::vector<
 
 }  // namespace
 
-bool is_within(const Box& inner, const Box& outer, double tolerance) {
+bool is_box_within(const Box& inner, const Box& outer, double tolerance) {
     return inner.min.x >= outer.min.x - tolerance && inner.min.y >= outer.min.y - tolerance &&
            inner.max.x <= outer.max.x + tolerance && inner.max.y <= outer.max.y + tolerance;
 }

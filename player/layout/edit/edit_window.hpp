@@ -11,7 +11,7 @@ namespace vitrine::player {
 // its edge are pinned, and items outside cannot be met by those that stay inside. A small wall is one window.
 
 /// True where a box lies in another, within a tolerance in px.
-bool is_within(const Box& inner, const Box& outer, double tolerance = 0);
+bool is_box_within(const Box& inner, const Box& outer, double tolerance = 0);
 
 /// The box of a placed item's region, canvas px.
 Box box_of(const LayoutItem& item, const Placement& at);

@@ -24,7 +24,7 @@ double processor_seconds() {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
 }
 
-long most_resident_mebibytes() {
+long max_resident_mebibytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss / 1024;
@@ -40,7 +40,7 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     FolderFollower follower(MediaFolder(home.path), schedule);
     Schedule::Time now{1h};
     follower.rescan(now);
-    const long resident_before = most_resident_mebibytes();
+    const long resident_before = max_resident_mebibytes();
 
     for (int i = 0; i < folders; ++i)
         for (int j = 0; j < files_a_folder; ++j)
@@ -63,5 +63,5 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     });
     CHECK(due == 50'000);
     MESSAGE("events and rescan: ", end - begin, " s of the processor; ",
-            most_resident_mebibytes() - resident_before, " MiB more resident");
+            max_resident_mebibytes() - resident_before, " MiB more resident");
 }

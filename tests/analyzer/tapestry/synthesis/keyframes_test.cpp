@@ -81,7 +81,7 @@ TEST_CASE("the first level is as good as the best of all sets, or nearly") {
     int exact = 0;
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Affinity costs = random_costs(12, 11, seed);
-        const auto levels = keyframe_levels(costs, {.first = 3, .most_levels = 1});
+        const auto levels = keyframe_levels(costs, {.first = 3, .max_levels = 1});
         const double best = brute_force(costs, 3);
         const double got = cost_of(costs, levels[0]);
         CAPTURE(seed);
@@ -95,7 +95,7 @@ TEST_CASE("the second level is as good as the best that keeps the first and its 
     int exact = 0;
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Affinity costs = random_costs(12, 8, seed);
-        const auto levels = keyframe_levels(costs, {.first = 3, .most_levels = 2});
+        const auto levels = keyframe_levels(costs, {.first = 3, .max_levels = 2});
         REQUIRE(levels.size() == 2);
         const double best = brute_force(costs, 6, levels[0]);
         const double got = cost_of(costs, levels[1]);

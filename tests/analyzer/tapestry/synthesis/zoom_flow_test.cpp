@@ -113,7 +113,7 @@ TEST_CASE("pictures that have nothing in common have no islands") {
     cv::randu(coarse, 0, 256);
     cv::randu(fine, 0, 256);
     const auto same = [](cv::Point at) { return at; };
-    const Islands islands = find_islands(coarse, fine, {same, same}, {.least_area = 200});
+    const Islands islands = find_islands(coarse, fine, {same, same}, {.min_area = 200});
     CHECK(cv::countNonZero(islands.number) == 0);
 }
 

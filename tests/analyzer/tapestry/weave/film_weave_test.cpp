@@ -27,9 +27,9 @@ using std::chrono::seconds;
 
 const RetargetSettings quick{.quality = TileQuality::on_demand};
 
-Tapestry woven(const TemporaryDirectory& folder, FrameSource& source, int most_levels) {
+Tapestry woven(const TemporaryDirectory& folder, FrameSource& source, int max_levels) {
     const Film film = gathered(source, folder.path, nullptr);
-    const auto levels = chosen_keyframes(*film.candidates, {.most_levels = most_levels}, run_in_order);
+    const auto levels = chosen_keyframes(*film.candidates, {.max_levels = max_levels}, run_in_order);
     return PyramidWriter(folder.path, film, {.retarget = quick}, run_in_order)
         .write({.path = "drawn"}, {.folder = new_tile_folder(folder.path), .levels = levels});
 }
@@ -112,7 +112,7 @@ TEST_CASE("the sheet shows the levels below each other") {
     DrawnSource source({48, 64}, 301, false);
     const Film film = gathered(source, folder.path, nullptr);
     const auto levels =
-        chosen_keyframes(*film.candidates, {.most_levels = 2, .is_uniform = true}, run_in_order);
+        chosen_keyframes(*film.candidates, {.max_levels = 2, .is_uniform = true}, run_in_order);
     const cv::Mat sheet = drawn_weave(film, levels, quick, run_in_order);
     const Brickwork coarsest{.keyframes = 24, .brick = film.candidates->brick()};
 
@@ -164,8 +164,8 @@ TEST_CASE("a tapestry that may take few bytes has its coarse levels only") {
     DrawnSource source({64, 48}, 46, false);
     const Film film = gathered(source, folder.path, nullptr);
     const WeavePlan plan{.folder = "tiles-1", .levels = {{0, 4}, {0, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}};
-    const auto levels = [&](std::uint64_t most_bytes) {
-        return PyramidWriter(folder.path, film, {.retarget = quick, .most_bytes = most_bytes}, run_in_order)
+    const auto levels = [&](std::uint64_t max_bytes) {
+        return PyramidWriter(folder.path, film, {.retarget = quick, .max_bytes = max_bytes}, run_in_order)
             .write({}, plan)
             .levels.size();
     };
