@@ -77,15 +77,15 @@ void add_weave(CLI::App& command, CommandLine& line) {
     command.add_option("--sheet", weave.sheet, "A PNG of all levels below each other");
     command.add_option("--zoom", weave.zoom,
                        "A PNG of the zoom between the two coarsest levels: faded, bent, synthesised");
-    command.add_option("--levels", weave.levels, "How many levels at most, the coarsest first")
+    command.add_option("--levels", weave.levels, "Number of levels at most, the coarsest first")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
     command.add_option("--times", weave.times, "A file with the coarsest level's times, seconds, one a line");
-    command.add_flag("--uniform", weave.is_uniform, "Keyframes at equal distances, not by what they show");
+    command.add_flag("--uniform", weave.is_uniform, "Keyframes at equal distances, not chosen by content");
     command.add_flag("--resume", weave.resumes, "Go on where an earlier weaving into the folder ended")
         ->needs(folder);
-    command.add_option("--most-bytes", weave.max_bytes, "Bytes of the tapestry at most, about [any]");
-    command.add_option("--threads", weave.threads, "At the same time [one a core]")
+    command.add_option("--most-bytes", weave.max_bytes, "Bytes of the tapestry at most, approximately [any]");
+    command.add_option("--threads", weave.threads, "Number of threads [one a core]")
         ->check(CLI::Range(0, 256));
 }
 
@@ -102,7 +102,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"analyze", "Print the record of one file as JSON", add_analyze, run_analyze},
-    Command{"thumbnail", "Leave the thumbnail of a file that was analysed before", add_thumbnail,
+    Command{"thumbnail", "Write the thumbnail of a file that was analysed before", add_thumbnail,
             run_thumbnail},
     Command{"explain", "Draw how the regions of one file came about", add_explain, run_explain},
     Command{"weave", "Weave the tapestry of one film", add_weave, run_weave},

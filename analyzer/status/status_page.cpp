@@ -88,7 +88,7 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
     for (const std::string& remark : report.remarks)
         html += fmt::format("<p class=\"remark\">{}</p>\n", html_text(remark));
     if (has_wall) html += "<img class=\"wall\" src=\"wall.jpg\" alt=\"The wall as it is now\">\n";
-    html += "<p class=\"note\">The outline in each picture is what is never covered.</p>\n";
+    html += "<p class=\"note\">The outlined part of each picture is never covered.</p>\n";
     const auto first_ready = std::ranges::find_if(
         files, [](const StatusEntry& entry) { return entry.file.state == FileState::State::ready; });
     for (auto it = files.begin(); it != files.end(); ++it) {

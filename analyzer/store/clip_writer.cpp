@@ -117,7 +117,7 @@ void ClipWriter::send(nanoseconds until) {
     held_.reset();
     wait_for_room();
     if (gst_app_src_push_buffer(GST_APP_SRC(source_.get()), buffer) != GST_FLOW_OK)  // it takes the buffer
-        throw ClipError(Why::broken, "the encoder does not go on");
+        throw ClipError(Why::broken, "the encoder refuses a frame");
 }
 
 /// A source that blocks would do so for ever where the encoder has failed.
@@ -130,7 +130,7 @@ void ClipWriter::wait_for_room() {
         if (message) throw failure(message.get());
         if (has_room) return;
     }
-    throw ClipError(Why::broken, "the encoder does not go on");
+    throw ClipError(Why::broken, "the encoder is stuck");
 }
 
 void ClipWriter::finish(nanoseconds end) {
@@ -139,7 +139,7 @@ void ClipWriter::finish(nanoseconds end) {
     gst_app_src_end_of_stream(GST_APP_SRC(source_.get()));
     const GstPtr<GstMessage> message(gst_bus_timed_pop_filtered(
         bus_.get(), patience, static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS)));
-    if (!message) throw ClipError(Why::broken, "the encoder does not come to an end");
+    if (!message) throw ClipError(Why::broken, "the encoder does not finish");
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw failure(message.get());
     gst_element_set_state(pipeline_.get(), GST_STATE_NULL);
     if (size() > max_bytes_) throw ClipError(Why::too_large, "the clip is too large");

@@ -33,7 +33,7 @@ GstPtr<GstElement> writer(const fs::path& to) {
     g_object_set(sink.get(), "location", to.c_str(), nullptr);
     const GstPtr<GstPad> pad(gst_element_request_pad_simple(muxer.get(), "audio_%u"));
     if (!pad || !gst_element_link(muxer.get(), sink.get()))
-        throw std::runtime_error("the file of a sound cannot be written");
+        throw std::runtime_error("the sound file cannot be written");
     gst_element_add_pad(bin.get(), gst_ghost_pad_new("sink", pad.get()));  // the bin takes the pad
     return bin;
 }

@@ -48,10 +48,10 @@ std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
         const double seconds = std::strtod(word.c_str(), &end);
         if (*end != '\0' || !(seconds >= 0 && seconds <= max_chosen_seconds) || words >> word)
             throw std::runtime_error(
-                fmt::format("'{}' line {}: '{}' is no time in seconds", file.string(), number, line));
+                fmt::format("'{}' line {}: '{}' is not a time in seconds", file.string(), number, line));
         times.emplace_back(std::llround(seconds * 1e9));
     }
-    if (times.empty()) throw std::runtime_error(fmt::format("'{}': no times in it", file.string()));
+    if (times.empty()) throw std::runtime_error(fmt::format("'{}': it holds no times", file.string()));
     return times;
 }
 
@@ -129,7 +129,7 @@ class Weaving {
     void draw_zoom(const Film& film, const std::vector<Keyframes>& levels) const {
         if (levels.size() < 2)
             throw std::runtime_error(
-                fmt::format("'{}': there is no zoom, as it has one level only", request_.file.string()));
+                fmt::format("'{}': no zoom, because it has one level only", request_.file.string()));
         write_png(request_.zoom, drawn_zoom(woven_pair(film, levels, {}, run_), run_));
     }
 
@@ -153,7 +153,8 @@ class Weaving {
             frames.saw(*frame);
         frames.finish(source->info().duration, content_);
         if (auto film = film_of_kept()) return std::move(*film);
-        throw std::runtime_error("there is no room for its frames");
+        throw std::runtime_error(fmt::format("'{}': no room for its frames in '{}'", request_.file.string(),
+                                             request_.directory.string()));
     }
 
     const WeaveRequest& request_;  // both outlive this

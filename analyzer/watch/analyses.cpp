@@ -50,7 +50,7 @@ void Analyses::read_line(const std::string& path, const FileFacts& facts, const 
     try {
         part = growth_of(line, path, facts);
     } catch (const std::runtime_error& error) {  // loading one record
-        return log::warning("a part of '{}' makes no sense, ignoring: {}", path, error.what());
+        return log::warning("new shots of '{}' are invalid, ignored: {}", path, error.what());
     }
     if (part) events_.grown(*part);
 }

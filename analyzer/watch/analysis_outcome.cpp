@@ -19,7 +19,7 @@ std::string signal_in_words(int number) {
     switch (number) {
     case SIGSEGV:
     case SIGBUS:
-        return "it read memory that is not its own";
+        return "it used memory that is not its own";
     case SIGKILL:
         return "the machine ran out of memory";
     case SIGXCPU:
@@ -47,14 +47,15 @@ std::string reason_of(const ChildResult& result, const ChildLimits& limits) {
     case ChildResult::End::killed:
         return fmt::format("it crashed the reader: {}", signal_in_words(result.code));
     case ChildResult::End::talked_too_much:
-        return "its analysis is larger than anything sensible";
+        return "its analysis is too large";
     case ChildResult::End::stopped:
         return "its analysis was stopped";
     case ChildResult::End::exited:
         break;
     }
     const std::string line = last_line(result.complaint);
-    return line.empty() ? fmt::format("the reader gave up without a reason ({})", result.code) : line;
+    return line.empty() ? fmt::format("the reader failed without a reason (exit status {})", result.code)
+                        : line;
 }
 
 MediaRecord record_of(const std::string& path, const FileFacts& facts, MediaState state, std::string reason) {
@@ -110,7 +111,7 @@ AnalysisOutcome outcome_of(const ChildResult& result, const ChildLimits& limits,
     } catch (const std::runtime_error& error) {  // loading one record
         return {.answer = Answer::final,
                 .record = record_of(path, facts, MediaState::failed,
-                                    fmt::format("the reader's answer makes no sense: {}", error.what()))};
+                                    fmt::format("the reader's answer is invalid: {}", error.what()))};
     }
 }
 

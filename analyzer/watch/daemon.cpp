@@ -26,7 +26,7 @@ constexpr auto unreachable_rest = 1s;  // until an unreachable file is looked at
 constexpr auto weave_deadline = 48h;   // weaving cannot hang, but all other work goes first
 
 constexpr const char* next_rescan = "rescan of the media folder";
-constexpr const char* next_look = "look at a file that was to settle";
+constexpr const char* next_look = "look at a settling file";
 
 Schedule::Time now() {
     return EventLoop::Clock::now();
@@ -107,7 +107,7 @@ void Daemon::rescan() {
     const std::vector<std::string>& remarks = follower_.remarks();
     for (const std::string& remark : remarks)
         if (std::find(before.begin(), before.end(), remark) == before.end()) log::warning("{}", remark);
-    if (!before.empty() && remarks.empty()) log::info("the media folder is there, all of it can be read");
+    if (!before.empty() && remarks.empty()) log::info("the media folder is there and can be read as a whole");
     book_.retry_writes();
     quarantine_suspects();
     book_.sweep(schedule_.paths_below(""));
@@ -185,7 +185,7 @@ void Daemon::perform(const Action& action) {
             record_of(action.path, action.facts, MediaState::waiting, "it is still being copied"));
     case Action::Kind::move:
         if (!book_.move(action.from, action.path))
-            return log::warning("renamed without a record: '{}'", action.path);
+            return log::warning("renamed, but its record is missing: '{}'", action.path);
         hint_files_.read_soon();  // the new name may say something else
         return log::info("renamed: '{}' to '{}'", action.from, action.path);
     case Action::Kind::remove:
@@ -225,7 +225,7 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
     case Verdict::discard:
         return;
     case Verdict::retry:
-        return log::warning("tried once more: '{}': {}", record.path, record.reason);
+        return log::warning("will be tried again: '{}': {}", record.path, record.reason);
     case Verdict::give_up:
         record.state = MediaState::failed;
         break;

@@ -223,8 +223,7 @@ void FileBook::make_room() {
     const std::set<std::string> paths = store_.make_room();
     for (const std::string& path : paths)
         if (std::optional<MediaRecord> full = record(path)) write_record(std::move(*full));
-    if (!paths.empty())
-        log::info("the store is full: {} files lose their place or a part of it", paths.size());
+    if (!paths.empty()) log::info("the store is full: stored shots of {} files are removed", paths.size());
 }
 
 void FileBook::sweep(const std::vector<std::string>& paths) {

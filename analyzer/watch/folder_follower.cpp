@@ -29,7 +29,8 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     remarks_ = listing.remarks;
     if (unwatched_ > 0)
         remarks_.push_back(fmt::format(
-            "{} folders are only looked at now and then (see fs.inotify.max_user_watches)", unwatched_));
+            "{} folders are not watched, only read now and then (see fs.inotify.max_user_watches)",
+            unwatched_));
 }
 
 /// An empty folder on another file system than before is the place where a share was mounted.

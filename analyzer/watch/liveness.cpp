@@ -43,7 +43,7 @@ void Liveness::feed_watchdog() {
     if (!interval) return;
     watchdog_.arm(*interval / 2);
     const std::string what = overdue(EventLoop::Clock::now()).value_or("");
-    if (!what.empty() && what != told_overdue_) log::error("watchdog not fed: overdue: {}", what);
+    if (!what.empty() && what != told_overdue_) log::error("watchdog not fed: {} is overdue", what);
     told_overdue_ = what;
     if (what.empty()) feed_watchdog_now();
 }

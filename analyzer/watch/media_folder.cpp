@@ -92,7 +92,7 @@ struct Walk {
     }
 
     void read(UniqueFd fd, const std::string& folder, int depth) {
-        if (depth > MediaFolder::max_depth) return remark(folder, "folders within folders too deep");
+        if (depth > MediaFolder::max_depth) return remark(folder, "too many folders within folders");
         const Directory directory(::fdopendir(fd.get()));
         if (!directory) return remark(folder, std::strerror(errno));
         (void)fd.release();  // closedir closes it
@@ -118,7 +118,8 @@ struct Walk {
         if (S_ISDIR(status.st_mode)) return descend(parent, name, path, depth);
         if (!S_ISREG(status.st_mode)) return;
         if (listing.files.size() >= MediaFolder::max_files) {
-            if (listing.remarks.empty() || listing.is_complete) remark(path, "more files than are looked at");
+            if (listing.remarks.empty() || listing.is_complete)
+                remark(path, "too many files; the rest is ignored");
             return;
         }
         listing.files.push_back(to_file(path, status, parent, name));

@@ -95,8 +95,7 @@ void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot) {
         const Settings settings = read_settings();
         log::set_level(settings.log.level);
         snapshot.replace(settings);
-        log::info("settings read again: files are analysed by them from now on; folders, store and pace "
-                  "after a restart");
+        log::info("settings read again: new analyses follow them; folders, store and pace after a restart");
     } catch (const SettingsError& error) {
         log::error("settings: {}; the old ones stay", error.what());
     }

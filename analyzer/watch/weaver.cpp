@@ -38,7 +38,7 @@ void Weaver::sweep_tapestries(const std::vector<std::string>& files) {
 void Weaver::make_room() {
     for (const std::string& path : tapestries_.make_room(schedule_.running_film())) {
         schedule_.forget_film(path);
-        log::info("too many tapestries: that of '{}' is not kept", path);
+        log::info("the tapestries exceed their limit: that of '{}' is removed", path);
     }
 }
 

@@ -93,7 +93,7 @@ class Poison(unittest.TestCase):
             with self.subTest(kind):
                 self.assertEqual(records[f"{kind}.avi"]["state"], "quarantined")
                 self.assertTrue(records[f"{kind}.avi"]["reason"].startswith("twice "), records[f"{kind}.avi"]["reason"])
-                self.assertEqual(len(self.lines(f"tried once more: '{kind}.avi'")), 1)
+                self.assertEqual(len(self.lines(f"will be tried again: '{kind}.avi'")), 1)
                 self.assertEqual(len(self.lines(f"quarantined: '{kind}.avi'")), 1)
 
         # Neither a touch of its permissions nor another start tries it again.
@@ -103,7 +103,7 @@ class Poison(unittest.TestCase):
         self.start()
         png(self.root / "later.png", 64, 48, lambda x, y: (20, 100, 50))
         self.wait(lambda r: r.get("later.png", {}).get("state") == "ready")
-        self.assertEqual(len(self.lines("tried once more: 'aborts.avi'")), 1)
+        self.assertEqual(len(self.lines("will be tried again: 'aborts.avi'")), 1)
 
         # Once it is another content, it is.
         png(self.root / "aborts.avi", 32, 32, lambda x, y: (20, 200, 50))

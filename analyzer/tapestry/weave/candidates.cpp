@@ -20,7 +20,7 @@ constexpr int max_brick_side = 4096;  // px
 constexpr double enlargement = 2;     // bricks are small for detectors
 
 void require(bool is_so) {
-    if (!is_so) throw std::runtime_error("this is no file of a film's frames");
+    if (!is_so) throw std::runtime_error("it is not a file of a film's frames");
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ cv::Mat decoded(std::string_view bytes) {
     if (!rgb) throw failure("decode a picture");
     const cv::Mat picture(height, width, CV_8UC3, rgb.get());
     if (count != picture.total() * picture.elemSize())
-        throw std::runtime_error("decode a picture: it has no three colours of eight bits");
+        throw std::runtime_error("decode a picture: it is not RGB of eight bits a channel");
     cv::Mat bgr;
     cv::cvtColor(picture, bgr, cv::COLOR_RGB2BGR);
     return bgr;

@@ -103,7 +103,7 @@ TEST_CASE("folders within folders end at the limit and say so") {
     CHECK(paths(listing) == std::vector<std::string>{"b.jpg"});
     CHECK_FALSE(listing.is_complete);
     REQUIRE(listing.remarks.size() == 1);
-    CHECK(listing.remarks[0].ends_with("folders within folders too deep"));
+    CHECK(listing.remarks[0].ends_with("too many folders within folders"));
 }
 
 TEST_CASE("a copy that reserved its space first has a hole until all of it is written") {
