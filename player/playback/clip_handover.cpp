@@ -7,7 +7,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr int max_tries = 3;
-constexpr std::chrono::nanoseconds preparing_time = std::chrono::milliseconds(500);  // until a clip is ready
+constexpr std::chrono::nanoseconds preparing_time = std::chrono::milliseconds(500);  // for a clip
 
 }  // namespace
 

@@ -16,38 +16,38 @@ namespace vitrine::player {
 /// The share of a film's pictures that is decoded, from all to none.
 enum class Detail {
     all,
-    references,  // pictures that no other picture needs are left out
-    keys,        // only pictures that need no other picture
-    still,       // no picture
+    references,  // leaves out the pictures that no other picture needs
+    keys,        // only the pictures that need no other picture
+    still,       // no further picture
 };
 
-/// A part of a film to be decoded over and over.
+/// A part of a film that is decoded in a loop.
 struct FilmPart {
     std::string file;
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time
     std::chrono::nanoseconds end{0};
-    int width = 0;  // px of the pictures wanted, upright
+    int width = 0;  // px of the upright pictures asked for
     int height = 0;
-    std::chrono::nanoseconds at{0};  // played already, in loops: where to begin
+    std::chrono::nanoseconds at{0};  // time played already, over all loops: the place to start from
 
     std::chrono::nanoseconds duration() const { return std::max(end - begin, std::chrono::nanoseconds(1)); }
 };
 
-/// The place of a part in its film, in the film's own times; known once the pipeline has its first picture.
+/// The place of a part in its film, in the film's own times. Known once the pipeline has its first picture.
 struct FilmWindow {
     std::chrono::nanoseconds period{0};  // time of one picture
-    std::chrono::nanoseconds begin{0};   // where the film is searched to
+    std::chrono::nanoseconds begin{0};   // the time that a seek goes to
     std::optional<std::chrono::nanoseconds> end;
-    bool is_named_by_stamp = false;  // pictures are named by time stamps, not by stream time
+    bool is_named_by_stamp = false;  // a picture's time is its time stamp, not its stream time
 };
 
 struct FilmOptions {
     PictureForm form = PictureForm::bgra;
-    DecoderMap decoders;  // hardware decoders, by the names of the decoders that they replace
+    DecoderMap decoders;  // hardware decoders, by the name of the decoder that each replaces
 };
 
-/// Fills a queue with the pictures of a part of a film, in threads of its own; failures are told, not thrown.
-/// An interface, so that tests can use a film that stalls.
+/// Fills a queue with the pictures of a part of a film, in threads of its own. Throws nothing: failure()
+/// reports. An interface, so that tests can use a film that stalls.
 class FilmFeed {
   public:
     FilmFeed() = default;
@@ -57,17 +57,17 @@ class FilmFeed {
     FilmFeed& operator=(FilmFeed&&) = delete;
     virtual ~FilmFeed() = default;
 
-    /// Pictures decoded from now on have another size.
+    /// Changes the size of the pictures decoded from now on.
     virtual void resize(int width, int height) = 0;
 
-    /// Plays on from another place, with another share of the pictures.
-    /// @param at  the place in loops, since the begin of the first one
+    /// Continues from another place, with another share of the pictures.
+    /// @param at  time over all loops, since the start of the first one
     virtual void play_from(Detail detail, std::chrono::nanoseconds at) = 0;
 
     /// Processor time that the pictures so far have cost.
     virtual std::chrono::nanoseconds spent() const = 0;
 
-    /// Begins to end it; the destructor does not wait for long once has_ended().
+    /// Asks the feed to end. The destructor does not wait for long once has_ended().
     virtual void stop() = 0;
 
     virtual bool has_ended() const = 0;
@@ -76,7 +76,7 @@ class FilmFeed {
     virtual std::optional<std::string> failure() const = 0;
 };
 
-/// @param queue  outlives the feed; closed when nothing more will come
+/// @param queue  outlives the feed, which closes it when no more pictures will come
 using FilmFactory =
     std::function<std::unique_ptr<FilmFeed>(const FilmPart&, SampleQueue& queue, const FilmOptions&)>;
 

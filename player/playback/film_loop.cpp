@@ -16,8 +16,7 @@ constexpr const char* tail_words =
     "videoconvertscale ! videoflip video-direction=auto"
     " ! capsfilter caps=\"video/x-raw,format={}\""
     " ! appsink name=pictures sync=false max-buffers=1 enable-last-sample=false";
-constexpr std::chrono::nanoseconds usual_period =
-    std::chrono::milliseconds(33);                                           // where the film does not say
+constexpr std::chrono::nanoseconds usual_period = std::chrono::milliseconds(33);  // if the film does not say
 constexpr std::chrono::nanoseconds rounding = std::chrono::milliseconds(1);  // Matroska rounds times to this
 constexpr int max_barren_loops = 4;
 constexpr const char* jump_word = "vitrine-jump";
@@ -84,7 +83,7 @@ void FilmLoop::run() {
     } catch (const std::exception& error) {
         control_.set_failure({.text = error.what()});
     }
-    queue_.close();  // lets go of a streaming thread that waits to put
+    queue_.close();  // releases a streaming thread that waits in put()
     control_.detach();
     chain_.reset();
     control_.set_ended();
@@ -104,7 +103,7 @@ void FilmLoop::follow_wish() {
     if (const std::optional<Jump> wanted = wanted_.take()) jump(*wanted);
 }
 
-/// False: told to stop meanwhile.
+/// False: stopped meanwhile.
 bool FilmLoop::open() {
     start_gstreamer();
     GstPtr<GstElement> tail = make_bin(fmt::format(tail_words, PictureScaler::formats).c_str());
@@ -114,7 +113,7 @@ bool FilmLoop::open() {
     return control_.attach(chain_->bus());
 }
 
-/// False: told to stop meanwhile.
+/// False: stopped meanwhile.
 bool FilmLoop::preroll() {
     gst_element_set_state(chain_->pipeline(), GST_STATE_PAUSED);  // a failure comes as a message
     while (const GstPtr<GstMessage> message = next_message()) {
@@ -125,14 +124,14 @@ bool FilmLoop::preroll() {
     return false;
 }
 
-/// Seeks to the first picture of the part. The window begins a third of a picture later than the part, as
-/// times rounded up to milliseconds would else show the last picture of the shot before; it ends half a
+/// Seeks to the first picture of the part. The window starts a third of a picture later than the part: times
+/// may be rounded up to milliseconds, and the last picture of the shot before would be shown. It ends half a
 /// picture before the part.
 void FilmLoop::enter() {
     const MediaFormat format = chain_->format();
     FilmWindow window{.period = period(chain_->tail()), .is_named_by_stamp = has_true_time_stamps(format)};
     window.begin = part_.begin.count() > 0 ? part_.begin + window.period / 3 : part_.begin;
-    if (format == MediaFormat::mpeg_ps) window.begin = {};  // no picture comes after a search into its midst
+    if (format == MediaFormat::mpeg_ps) window.begin = {};  // a seek into the middle gives no picture
     const std::chrono::nanoseconds whole = chain_->duration();
     if (!starts_at_zero(format) || whole.count() <= 0 || part_.end + rounding < whole)
         window.end = std::max(window.begin + rounding, part_.end - window.period / 2);
@@ -143,14 +142,15 @@ void FilmLoop::enter() {
     gst_element_set_state(chain_->pipeline(), GST_STATE_PLAYING);  // a failure comes as a message
 }
 
-/// Plays on elsewhere, with another detail. A still film is one whose pictures nobody takes.
+/// Continues from another place, with another detail. For Detail::still nothing is done: nobody takes the
+/// pictures.
 void FilmLoop::jump(const Jump& jump) {
     detail_ = jump.detail;
     barren_loops_ = 0;
     if (detail_ == Detail::still) return;
     seeker_.set_flags(seek_flags(detail_));
     stream_.land_at(jump.at);
-    queue_.refuse(true);  // a streaming thread that waits to put would keep the seek waiting
+    queue_.refuse(true);  // a streaming thread that waits in put() would block the seek
     land(jump.at);
     queue_.refuse(false);
 }
@@ -168,18 +168,18 @@ void FilmLoop::rewind() {
     barren_loops_ = is_barren ? barren_loops_ + 1 : 0;
     pictures_at_rewind_ = stream_.pictures();
     if (barren_loops_ >= max_barren_loops) {
-        if (detail_ != Detail::all) return;  // there is none of those wanted: it stands still
+        if (detail_ != Detail::all) return;  // no wanted picture is in the part: the film stands still
         throw MediaError(MediaState::failed, "the film gives no picture of this part");
     }
     if (barren_loops_ > 1) seeker_.forbid_segments();
     const std::chrono::nanoseconds begin = stream_.window().begin;
-    // Without a picture since it was sent there it does not play yet, and that must not be waited for.
+    // Without a picture since the last seek the pipeline may not play yet, and rewind() would wait for it.
     if (!is_barren && seeker_.rewind(begin)) return;
     seeker_.forbid_segments();
     if (!seeker_.jump(begin)) throw MediaError(MediaState::failed, "the film cannot be rewound");
 }
 
-/// The next message of the pipeline; none: told to stop. @throws MediaError where it is a failure
+/// The next message of the pipeline. None: stopped. @throws MediaError if the message is an error
 GstPtr<GstMessage> FilmLoop::next_message() {
     GstPtr<GstMessage> message = control_.next_message();
     if (message && GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());

@@ -16,26 +16,26 @@
 
 namespace vitrine::player {
 
-/// Decodes a part of a film over and over into a queue, in threads of its own; failures are told, not thrown.
+/// Decodes a part of a film in a loop into a queue, in threads of its own. Throws nothing: failure() reports.
 ///
-/// The queue hides the seam between two loops: while the pictures in it are shown, the film is taken back to
-/// the begin. That is a segment seek where the container can do it, which keeps the decoder running; else a
-/// flushing seek, after the last picture has reached the queue. Pictures are named by stream time, as buffer
-/// times are shifted by edit lists. Where only some of the pictures are wanted the demuxer and the decoder
-/// leave out the others (seek flags; avdec_h264's skip-frame does nothing in GStreamer 1.22).
+/// The queue hides the seam between two loops: while its pictures are shown, the film is taken back to the
+/// start of the part. If the container can do it, that is a segment seek, which keeps the decoder running;
+/// else a flushing seek, after the last picture has reached the queue. A picture's time is its stream time,
+/// because edit lists shift buffer times. If only some of the pictures are wanted, the demuxer and the
+/// decoder leave out the others (seek flags; avdec_h264's skip-frame does nothing in GStreamer 1.22).
 ///
-/// Threads: the owner's, which calls the public methods; the loop's own, which runs the pipeline; GStreamer's
-/// streaming thread, which has `stream_`.
+/// Threads: the owner's thread calls the public methods; the loop's own thread runs the pipeline; GStreamer's
+/// streaming thread uses `stream_`.
 class FilmLoop final : public FilmFeed {
   public:
-    /// @param queue  outlives this; closed when nothing more will come
+    /// @param queue  outlives this; closed when no more pictures will come
     FilmLoop(FilmPart part, SampleQueue& queue, const FilmOptions& options = {});
     FilmLoop(const FilmLoop&) = delete;
     FilmLoop& operator=(const FilmLoop&) = delete;
     FilmLoop(FilmLoop&&) = delete;
     FilmLoop& operator=(FilmLoop&&) = delete;
 
-    /// Waits for its threads: not for long after has_ended().
+    /// Waits for its threads, but not for long once has_ended().
     ~FilmLoop() override;
 
     void resize(int width, int height) override { stream_.resize(width, height); }
@@ -52,7 +52,7 @@ class FilmLoop final : public FilmFeed {
   private:
     struct Jump {
         Detail detail = Detail::all;
-        std::chrono::nanoseconds at{0};  // in loops
+        std::chrono::nanoseconds at{0};  // time over all loops
     };
 
     void run();
@@ -72,13 +72,13 @@ class FilmLoop final : public FilmFeed {
     Mailbox<Jump> wanted_;  // from the owner's thread
     PipelineControl control_;
     FilmStream stream_;
-    // The loop's own thread has the rest.
+    // The members below belong to the loop's own thread.
     std::unique_ptr<DecodeChain> chain_;
     LoopSeeker seeker_;
     Detail detail_ = Detail::all;
     std::uint64_t pictures_at_rewind_ = 0;
-    int barren_loops_ = 0;  // one after the other
-    std::thread thread_;    // last: all else is there when it starts
+    int barren_loops_ = 0;  // loops without a picture, one after another
+    std::thread thread_;    // last: it uses all members above
 };
 
 }  // namespace vitrine::player

@@ -39,7 +39,8 @@ GstFlowReturn FilmStream::on_sample(GstAppSink* sink, gpointer self) {
     return static_cast<FilmStream*>(self)->put(sample.get());
 }
 
-/// The streaming thread stands still, and the pictures it had are dropped: the next one is of the new place.
+/// After a flush the streaming thread stands still and its pictures are dropped: the next picture is from the
+/// new place.
 GstPadProbeReturn FilmStream::on_flush(GstPad*, GstPadProbeInfo* info, gpointer self) {
     if (GST_EVENT_TYPE(gst_pad_probe_info_get_event(info)) != GST_EVENT_FLUSH_STOP) return GST_PAD_PROBE_OK;
     auto* const stream = static_cast<FilmStream*>(self);
@@ -58,7 +59,7 @@ GstFlowReturn FilmStream::put(GstSample* sample) noexcept {
     std::chrono::nanoseconds stream_time = *time;
     const bool is_before = stream_time < part_.begin - window_.period / 2;
     if (is_before || (window_.end && stream_time >= *window_.end)) return GST_FLOW_OK;
-    if (stream_time <= window_.begin + rounding) stream_time = part_.begin;  // cut off at the segment's start
+    if (stream_time <= window_.begin + rounding) stream_time = part_.begin;  // the segment cut its start off
     const Size size = size_;
     std::optional<Sample> picture = scaler_.scaled(sample, size.width, size.height, stream_time);
     if (!picture) return GST_FLOW_OK;
@@ -80,7 +81,7 @@ std::optional<std::chrono::nanoseconds> FilmStream::time_in_film(GstSample* samp
     return std::chrono::nanoseconds(stream_time);
 }
 
-/// Another thread may stream after a seek.
+/// The thread is checked each time: another thread may stream after a seek.
 void FilmStream::note_cost() {
     const std::chrono::nanoseconds now = thread_time();
     if (noted_thread_ == std::this_thread::get_id()) spent_ = spent_.load() + now - noted_;

@@ -12,15 +12,15 @@
 namespace vitrine::player {
 
 /// The streaming side of a FilmLoop: turns decoded pictures into samples and puts them into the queue, each
-/// with the number of its loop. GStreamer's streaming thread calls it. The loop's own thread uses
-/// set_window() and land_at() while the streaming thread stands still, and the thread-safe methods at any
-/// time.
+/// with the number of its loop. GStreamer's streaming thread calls it. The loop's own thread calls
+/// set_window() and land_at() only while the streaming thread stands still, and the thread-safe methods at
+/// any time.
 class FilmStream {
   public:
     /// @param queue  outlives this
     FilmStream(const FilmPart& part, SampleQueue& queue, PictureForm form);
 
-    /// Pictures to come get another size. Thread-safe.
+    /// Changes the size of the pictures to come. Thread-safe.
     void resize(int width, int height) { size_ = Size{width, height}; }
 
     /// Processor time that the pictures so far have cost. Thread-safe.
@@ -29,15 +29,15 @@ class FilmStream {
     /// The number of pictures put so far. Thread-safe.
     std::uint64_t pictures() const { return pictures_; }
 
-    /// Takes the pictures of an appsink, whose pipeline this outlives.
+    /// Takes the pictures of an appsink. This outlives the sink's pipeline.
     void connect(GstElement* sink);
 
     void set_window(const FilmWindow& window) { window_ = window; }
 
     const FilmWindow& window() const { return window_; }
 
-    /// The next flush takes the film to this place.
-    /// @param at  in loops, since the begin of the first one
+    /// The next flush moves the film to this place.
+    /// @param at  time over all loops, since the start of the first one
     void land_at(std::chrono::nanoseconds at) { landing_ = at; }
 
   private:
@@ -57,11 +57,11 @@ class FilmStream {
     std::atomic<Size> size_;
     FilmWindow window_;
     PictureScaler scaler_;
-    std::optional<std::chrono::nanoseconds> landing_;  // with the next flush
+    std::optional<std::chrono::nanoseconds> landing_;  // time over all loops after the next flush
     std::optional<std::chrono::nanoseconds> last_;     // stream time of the last picture
     std::uint64_t loop_ = 0;
     std::thread::id noted_thread_;
-    std::chrono::nanoseconds noted_{0};  // processor time of that thread
+    std::chrono::nanoseconds noted_{0};  // processor time of noted_thread_
     std::atomic<std::uint64_t> pictures_ = 0;
     std::atomic<std::chrono::nanoseconds> spent_{std::chrono::nanoseconds(0)};
 };

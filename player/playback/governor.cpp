@@ -7,10 +7,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double overload = 0.05;  // share of the pictures due that come late
+constexpr double overload = 0.05;  // share of the due pictures that are late
 constexpr double calm = 0.005;
-constexpr int settling_time = 2;   // periods that a change takes until it shows
-constexpr int probation = 6;       // periods without lateness after a step up, which was right then
+constexpr int settling_time = 2;   // periods until a change takes effect
+constexpr int probation = 6;       // periods without lateness after a step up: then the step was right
 constexpr int max_patience = 512;  // periods
 constexpr double min_salience = 1e-3;
 
@@ -32,7 +32,7 @@ double lateness(std::span<const FilmLoad> films) {
     return due > 0 ? static_cast<double>(late) / due : 0;
 }
 
-/// The cost of a film for its share of the screen.
+/// The film's cost in proportion to its share of the screen.
 double burden(const FilmLoad& film) {
     return film.cost / std::max(film.salience, min_salience);
 }
@@ -82,12 +82,12 @@ void Governor::forget_all_but(std::span<const FilmLoad> films) {
     std::erase_if(details_, [&](const auto& entry) { return is_gone(entry.first); });
     std::erase_if(steps_, is_gone);
     if (tried_ && is_gone(*tried_)) tried_.reset();
-    if (steps_.empty() && calm_ >= max_patience) patience_ = min_patience;  // another load than then
+    if (steps_.empty() && calm_ >= max_patience) patience_ = min_patience;  // the load has changed since
 }
 
 std::optional<Governor::Change> Governor::step_down(std::span<const FilmLoad> films) {
     SourceId source = 0;
-    if (tried_) {  // too early: back, and longer until the next try
+    if (tried_) {  // the step up came too early: undo it and wait longer
         source = *tried_;
         patience_ = std::min(2 * patience_, max_patience);
         tried_.reset();

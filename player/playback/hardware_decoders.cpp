@@ -15,7 +15,7 @@ struct Candidate {
     const char* hardware;
 };
 
-// The best first. GStreamer's own ranks do not say it: VA has none in 1.22.
+// The best first. GStreamer's own ranks do not give this order: VA has none in 1.22.
 constexpr std::array candidates{
     Candidate{"avdec_h264", "v4l2slh264dec"},
     Candidate{"avdec_h265", "v4l2slh265dec"},

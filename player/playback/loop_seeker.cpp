@@ -31,7 +31,7 @@ bool LoopSeeker::ends_a_loop(GstMessage* message) const {
            (type == GST_MESSAGE_SEGMENT_DONE && gst_message_get_seqnum(message) == seek_);
 }
 
-/// Waits until the pipeline plays: a seek that does not flush would stop for ever while it does not yet, as
+/// Waits until the pipeline plays. A seek that does not flush stops it for ever if it does not play yet, as
 /// in a film so short that its end comes first.
 bool LoopSeeker::is_playing() const {
     GstState state = GST_STATE_NULL;
@@ -47,7 +47,7 @@ bool LoopSeeker::seek(int flags, std::chrono::nanoseconds place) {
                            place.count(), end_ ? GST_SEEK_TYPE_SET : GST_SEEK_TYPE_NONE, end.count());
     seek_ = gst_event_get_seqnum(event);
     if (announce_) announce_(seek_);
-    return gst_element_send_event(pipeline_, event) != FALSE;  // which takes it
+    return gst_element_send_event(pipeline_, event) != FALSE;  // takes the event
 }
 
 }  // namespace vitrine::player

@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-/// Sends a pipeline to places of a film and back to the begin of a part, loop after loop. It goes back by a
-/// segment seek where the container can do that, which keeps the decoder running; else by a flushing seek.
-/// For the thread that runs the pipeline.
+/// Seeks in a film: to any place, and back to the start of a part, loop after loop. It goes back by a segment
+/// seek if the container can do it, which keeps the decoder running; else by a flushing seek. For the thread
+/// that runs the pipeline.
 class LoopSeeker {
   public:
-    /// @param announce  called with GStreamer's number of a seek, before the seek is sent; empty: nobody
+    /// @param announce  called with GStreamer's number of each seek before the seek is sent; may be empty
     explicit LoopSeeker(std::function<void(std::uint32_t seek)> announce = {})
         : announce_(std::move(announce)) {}
 
@@ -25,21 +25,21 @@ class LoopSeeker {
     /// The end of the part in the film; none: the film's own end.
     void set_end(std::optional<std::chrono::nanoseconds> end) { end_ = end; }
 
-    /// Further flags of all seeks, GST_SEEK_FLAG_*.
+    /// Sets further flags for all seeks, GST_SEEK_FLAG_*.
     void set_flags(int flags) { flags_ = flags; }
 
-    /// Goes to a place; all that was under way is dropped. False: the film cannot be searched.
+    /// Goes to a place and drops all pictures under way. False: the film cannot seek.
     bool jump(std::chrono::nanoseconds place);
 
-    /// Goes back to a place while the last pictures are still under way. False: that cannot be done, and is
-    /// not tried again; jump() is the way.
+    /// Goes back to a place while the last pictures are still under way. False: this is impossible and will
+    /// not be tried again; use jump().
     bool rewind(std::chrono::nanoseconds place);
 
-    /// No more segment seeks.
+    /// Uses no segment seek from now on.
     void forbid_segments() { has_segments_ = false; }
 
-    /// True if a message says that a loop is over. A demuxer may have come to the end just before it was sent
-    /// elsewhere: that end is not one.
+    /// True if the message says that a loop is over. An end that the demuxer reached just before the last
+    /// seek does not count.
     bool ends_a_loop(GstMessage* message) const;
 
   private:
@@ -51,7 +51,7 @@ class LoopSeeker {
     bool has_segments_ = false;
     int flags_ = 0;
     std::optional<std::chrono::nanoseconds> end_;
-    std::uint32_t seek_ = 0;  // GStreamer's number of the last one
+    std::uint32_t seek_ = 0;  // GStreamer's number of the last seek
 };
 
 }  // namespace vitrine::player

@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-/// A decoded frame's memory, readable for as long as this lives. The buffer is held by the map.
+/// The readable memory of a decoded frame. It stays mapped, and its buffer is kept, while this lives.
 class MappedFrame {
   public:
     explicit MappedFrame(GstSample* sample) {

@@ -7,10 +7,10 @@
 
 namespace vitrine::player {
 
-/// The folders that the files lie in.
+/// The folders of the files.
 struct MediaPlaces {
     std::string media;  // the media folder
-    std::string store;  // the analyzer's; a shot that it has is played from there
+    std::string store;  // the analyzer's store; shots in it are played from there
 };
 
 /// A file that can be opened, and the request in that file's own times and size.
@@ -22,7 +22,7 @@ struct ShotFile {
 /// The file in the media folder.
 ShotFile media_file(const ShotRequest& request, const MediaPlaces& places);
 
-/// The copy in the store; nothing where the record knows of none, or the store has lost it since.
+/// The copy in the store. None: the record names none, or the store has lost it since.
 std::optional<ShotFile> stored_file(const ShotRequest& request, const MediaPlaces& places);
 
 }  // namespace vitrine::player

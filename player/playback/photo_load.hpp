@@ -11,12 +11,12 @@
 
 namespace vitrine::player {
 
-/// Reads one photo into a queue, in a thread of its own; failures are told, not thrown, and close
-/// the queue.
+/// Reads one photo into a queue, in a thread of its own. Throws nothing: failure() reports, and the queue is
+/// closed.
 class PhotoLoad {
   public:
-    /// @param width, height  px that the upright picture shall have
-    /// @param background     shows through where the photo is transparent
+    /// @param width, height  px of the upright picture asked for
+    /// @param background     colour behind the transparent parts of the photo
     /// @param queue  outlives this
     PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue);
     PhotoLoad(const PhotoLoad&) = delete;
@@ -24,7 +24,7 @@ class PhotoLoad {
     PhotoLoad(PhotoLoad&&) = delete;
     PhotoLoad& operator=(PhotoLoad&&) = delete;
 
-    /// Waits for its thread: not for long after has_ended().
+    /// Waits for its thread, but not for long once has_ended().
     ~PhotoLoad();
 
     int width() const { return width_; }
@@ -39,13 +39,13 @@ class PhotoLoad {
   private:
     void run(const std::string& file, int width, int height, Colour background);
 
-    int width_;  // px that were asked for
+    int width_;  // px asked for
     int height_;
     SampleQueue& queue_;  // outlives this
     std::atomic<bool> has_ended_ = false;
     mutable std::mutex mutex_;
     std::optional<std::string> failure_;  // guarded by mutex_
-    std::thread thread_;                  // last: all else is there when it starts
+    std::thread thread_;                  // last: it uses all members above
 };
 
 }  // namespace vitrine::player

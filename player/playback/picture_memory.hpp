@@ -7,11 +7,11 @@
 
 namespace vitrine::player {
 
-/// Thread-safe. Memory for the pictures of one film, used again as soon as the last who holds a picture lets
-/// go: a new megabyte for each would cost more than converting into it.
+/// Thread-safe. Memory for the pictures of one film. A block is used again as soon as nobody holds its
+/// picture: to allocate a new megabyte for each picture would cost more than the conversion into it.
 class PictureMemory {
   public:
-    /// At least `bytes`, aligned for the processor's widest words. Outlives the pool where need be.
+    /// A block of at least `bytes`, aligned for the processor's widest words. It may outlive this.
     std::shared_ptr<std::byte> block(std::size_t bytes);
 
   private:
@@ -29,7 +29,7 @@ class PictureMemory {
 
     static void give_back(const std::shared_ptr<Pool>& pool, Block block, std::size_t size);
 
-    std::shared_ptr<Pool> pool_ = std::make_shared<Pool>();  // shared: with the blocks that are out
+    std::shared_ptr<Pool> pool_ = std::make_shared<Pool>();  // shared with the blocks in use
 };
 
 }  // namespace vitrine::player

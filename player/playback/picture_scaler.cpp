@@ -17,7 +17,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::size_t row_alignment = 64;  // bytes: the scaler's widest words write beyond a row's end
-constexpr int max_enlarged = 2;            // planes of more than this many times the size are scaled down
+constexpr int max_enlarged = 2;            // planes larger than this many times the size are scaled down
 
 std::optional<AVPixelFormat> format_of(GstVideoFormat format) {
     switch (format) {
@@ -54,7 +54,7 @@ std::size_t aligned(std::size_t bytes) {
     return (bytes + row_alignment - 1) / row_alignment * row_alignment;
 }
 
-/// A picture that nothing is in yet, its planes one after the other in one block.
+/// An empty picture; its planes lie one after another in one block.
 Sample empty_picture(PictureMemory& memory, int width, int height, PixelLayout layout) {
     const auto rows = static_cast<std::size_t>(height);
     const auto columns = static_cast<std::size_t>(width);
@@ -137,7 +137,7 @@ std::optional<Sample> PictureScaler::scaled(GstSample* frame, int width, int hei
     return picture;
 }
 
-/// HDR needs its tones changed, which only the processor does here.
+/// None: not in shared memory, or HDR. HDR tones must be changed, which only the processor does here.
 std::optional<Sample> PictureScaler::shared(GstSample* frame) {
     std::optional<Sample> picture = shared_frame(frame);
     if (!picture) return std::nullopt;
@@ -155,7 +155,7 @@ std::optional<Sample> PictureScaler::shared(GstSample* frame) {
     return picture;
 }
 
-/// Colours may change with any frame.
+/// Follows the film's colours, which may change with any frame.
 void PictureScaler::follow(const GstVideoInfo& video) {
     if (gst_video_colorimetry_is_equal(&video.colorimetry, &followed_)) return;
     followed_ = video.colorimetry;
@@ -164,7 +164,7 @@ void PictureScaler::follow(const GstVideoInfo& video) {
     scaler_.reset();
 }
 
-/// False: nothing can be made of this.
+/// False: this format cannot be converted.
 bool PictureScaler::prepare(const Task& task) {
     if (scaler_ && task == prepared_) return true;
     const auto format = format_of(task.format);
@@ -179,7 +179,7 @@ bool PictureScaler::prepare(const Task& task) {
     const int* table = coefficients(colours_.matrix);
     const int range = colours_.is_full_range ? 1 : 0;
     sws_setColorspaceDetails(scaler_.get(), table, range, table, is_bgra ? 1 : range, 0, 1 << 16,
-                             1 << 16);  // fails where there is nothing to set between these formats
+                             1 << 16);  // fails if nothing can be set for these formats
     return true;
 }
 
@@ -200,7 +200,7 @@ std::optional<Sample> PictureScaler::converted(const GstVideoFrame& frame, int w
         from[i] = static_cast<const std::uint8_t*>(GST_VIDEO_FRAME_PLANE_DATA(&frame, i));
         from_strides[i] = GST_VIDEO_FRAME_PLANE_STRIDE(&frame, i);
     }
-    // Its own block, which nobody else has yet.
+    // The block is new and has no other owner.
     const auto bytes = [](std::span<const std::byte> plane) {
         return reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(plane.data()));
     };

@@ -19,7 +19,7 @@ namespace vitrine::player {
 /// videoconvertscale: measured 0.6 against 3.0 ms from 720p to 360p, 0.07 against 0.25 ms at the same size.
 class PictureScaler {
   public:
-    /// The raw formats that scaled() reads, as caps; all else is to be converted to one of them before.
+    /// The raw formats that scaled() reads, as caps; convert all others to one of them first.
     static constexpr const char* formats = "{ I420, NV12, Y42B, Y444, I420_10LE, RGBx }";
 
     explicit PictureScaler(PictureForm form);
@@ -29,9 +29,9 @@ class PictureScaler {
     PictureScaler& operator=(PictureScaler&&) = delete;
     ~PictureScaler();
 
-    /// The picture of a decoded frame; nothing where its memory cannot be read. RGBA has the size asked for,
-    /// planes may be larger, up to twice, and shared ones of any size. HDR has the tones of a usual screen.
-    /// Once one of the shared is asked to be copied() the following ones have bytes.
+    /// The picture of a decoded frame. None: its memory cannot be read. RGBA has the size asked for; planes
+    /// may be up to twice as large, and shared planes of any size. HDR gets the tones of a usual screen. Once
+    /// copied() was called for a shared picture, the following pictures have bytes.
     /// @param width, height  px that the picture is shown at
     std::optional<Sample> scaled(GstSample* frame, int width, int height,
                                  std::chrono::nanoseconds stream_time);
@@ -41,7 +41,7 @@ class PictureScaler {
         void operator()(SwsContext* scaler) const;
     };
 
-    /// The conversion that a scaler is made for.
+    /// The conversion of a scaler.
     struct Task {
         GstVideoFormat format = GST_VIDEO_FORMAT_UNKNOWN;
         int from_width = 0;  // px
@@ -59,14 +59,14 @@ class PictureScaler {
     std::optional<Sample> converted(const GstVideoFrame& frame, int width, int height, PixelLayout layout);
 
     PictureForm form_;
-    std::shared_ptr<std::atomic<bool>> refusal_ =
-        std::make_shared<std::atomic<bool>>(false);  // shared: with the pictures, whose reader refuses
+    // Shared with the pictures. True: their reader refuses shared memory.
+    std::shared_ptr<std::atomic<bool>> refusal_ = std::make_shared<std::atomic<bool>>(false);
     PictureMemory memory_;
     std::unique_ptr<SwsContext, EndScaler> scaler_;
     Task prepared_;                   // the task of scaler_
-    GstVideoColorimetry followed_{};  // the film's
-    ColourCode colours_;              // the film's
-    std::optional<ToneMap> tones_;    // the film's; none: not HDR
+    GstVideoColorimetry followed_{};  // the film's colours
+    ColourCode colours_;              // the same colours, as the renderer needs them
+    std::optional<ToneMap> tones_;    // none: the film is not HDR
 };
 
 }  // namespace vitrine::player

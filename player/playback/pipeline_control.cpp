@@ -11,7 +11,7 @@ constexpr const char* stop_word = "vitrine-stop";
 void post_to(GstBus* bus, const char* word) {
     if (bus == nullptr) return;
     GstStructure* content = gst_structure_new_empty(word);
-    gst_bus_post(bus, gst_message_new_application(nullptr, content));  // takes both
+    gst_bus_post(bus, gst_message_new_application(nullptr, content));  // takes the message and its content
 }
 
 }  // namespace

@@ -13,35 +13,35 @@ namespace vitrine::player {
 /// The reason why a film or its sound ended by itself.
 struct PlaybackFailure {
     std::string text;        // in plain words
-    bool is_of_film = true;  // else of the device that plays it
+    bool is_of_film = true;  // false: the device that plays it failed
 };
 
-/// Thread-safe. Lets other threads talk to the one thread that runs a GStreamer pipeline, over the pipeline's
-/// bus: they post words and stop it; it tells how it ended.
+/// Thread-safe. Lets other threads talk to the one thread that runs a GStreamer pipeline. Over the pipeline's
+/// bus they post words and stop it; it reports how it ended.
 class PipelineControl {
   public:
-    /// The pipeline's bus is there now: words reach who waits in next_message().
+    /// Connects the bus of the new pipeline: words reach the caller of next_message().
     /// @param bus  lent until detach()
-    /// @return false: the pipeline is not to run, it was stopped before
+    /// @return false: stopped already, do not run the pipeline
     bool attach(GstBus* bus);
 
-    /// The bus is about to go.
+    /// Call before the bus is destroyed.
     void detach();
 
-    /// Posts a word, as an application message of that name. It is lost where no bus is attached.
+    /// Posts a word, as an application message of that name. Without a bus it is lost.
     void post(const char* word);
 
     /// Ends next_message() for good.
     void stop();
 
-    /// The next message of a failure, an end, a state reached or a word; for the pipeline's own thread.
-    /// @return nothing: stopped, or no message came within `patience`
+    /// The next message about a failure, an end, a reached state or a word. For the pipeline's own thread.
+    /// @return none: stopped, or no message came within `patience`
     GstPtr<GstMessage> next_message(GstClockTime patience = GST_CLOCK_TIME_NONE) const;
 
     void set_failure(PlaybackFailure failure);
     std::optional<PlaybackFailure> failure() const;
 
-    /// The pipeline's thread has let go of everything.
+    /// Call when the pipeline's thread has released everything.
     void set_ended();
     bool has_ended() const;
 

@@ -10,9 +10,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_cost = 0.01;  // cores, of a film that works
+constexpr double min_cost = 0.01;  // cores; a working film costs more
 constexpr std::chrono::nanoseconds rebuild_time =
-    std::chrono::milliseconds(300);  // until a film that is built anew plays
+    std::chrono::milliseconds(300);  // a rebuilt film plays by then
 
 /// The part of the screen that an item covers, in [0, 1].
 double share_of_screen(const DrawItem& item, Vec2 canvas) {
@@ -29,7 +29,7 @@ PlayingShot::PlayingShot(ShotRequest request, PoolState& pool) : pool_(pool), re
     start(true, {});
 }
 
-/// The copy in the store is preferred.
+/// Prefers the copy in the store.
 void PlayingShot::start(bool may_be_stored, std::chrono::nanoseconds at) {
     if (pool_.before_opening) pool_.before_opening(request_.path);
     opened_ = std::chrono::steady_clock::now();
@@ -75,7 +75,7 @@ void PlayingShot::collect_events(std::vector<SourceEvent>& events) {
     if (is_told_failed_) return;
     std::optional<std::string> failure = given_up_ ? given_up_ : source_->failure();
     if (!failure) return;
-    const bool may_be_damaged = is_stored_ && !is_told_ready_;  // the file itself may be sound
+    const bool may_be_damaged = is_stored_ && !is_told_ready_;  // the file itself may be undamaged
     const bool may_be_decoder = !is_software_ && !pool_.options.film.decoders.empty() && !given_up_;
     if (may_be_damaged || may_be_decoder) {
         if (!may_be_damaged) is_software_ = true;
@@ -114,7 +114,7 @@ void PlayingShot::open_clip() {
     handover_.open_clip(request_, pool_.places, pool_.options, local_);
 }
 
-/// Goes over to the clip at its seam, if it is ready; else the film plays on as it is.
+/// Changes to the clip at its seam if the clip is ready; else the film goes on from the media folder.
 void PlayingShot::take_clip() {
     std::unique_ptr<ShotSource> clip = handover_.take_clip();
     const bool is_ready = clip->is_ready() && !given_up_;
@@ -147,7 +147,7 @@ void PlayingShot::watch(std::chrono::nanoseconds now) {
     }
 }
 
-/// The picture shown last stays until there is another.
+/// Replaces the source. The last picture is shown until the new source has one.
 void PlayingShot::rebuild() {
     pool_.late += source_->counts().late;
     const Detail detail = source_->detail();
@@ -162,7 +162,7 @@ std::optional<FilmLoad> PlayingShot::measure_load(std::chrono::nanoseconds since
     const bool plays = is_told_ready_ && !given_up_ && meter_.was_shown_after(since);
     if (request_.kind == MediaKind::photo || !plays) return std::nullopt;
     const FilmLoad load = meter_.measure(request_.source, source_->counts(), now - since);
-    if (source_->is_starved() && load.cost < min_cost) return std::nullopt;  // the watchdog's matter
+    if (source_->is_starved() && load.cost < min_cost) return std::nullopt;  // left to the watchdog
     return load;
 }
 

@@ -19,30 +19,30 @@
 
 namespace vitrine::player {
 
-/// A source as it stands now, for reports.
+/// The present state of a source, for reports.
 struct SourceState {
     std::string path;
     bool is_film = false;
-    Detail detail = Detail::all;  // a film's
+    Detail detail = Detail::all;  // a film's; all for a photo
     bool is_stored = false;       // played from the store
     bool is_ready = false;
-    std::uint64_t late = 0;  // pictures that were due and not there
+    std::uint64_t late = 0;  // pictures that were missing when due
 };
 
 /// The state that all shots of a pool share.
 struct PoolState {
     MediaPlaces places;
-    SourceOptions options;                                        // for sources to come
+    SourceOptions options;                                        // for new sources
     std::function<void(const std::string& path)> before_opening;  // path: below the media folder
     std::vector<std::unique_ptr<ShotSource>> ending;              // destroyed once their threads have ended
-    std::uint64_t late = 0;  // pictures, of sources that were replaced or retired
+    std::uint64_t late = 0;  // late pictures of sources that were replaced or retired
 };
 
-/// One shot as long as it is asked for. Keeps it playing whatever becomes of its sources: a stored copy that
-/// is damaged, a hardware decoder that fails, a film that stands still; and hands it over to its clip.
+/// One shot for as long as it is asked for. Keeps it playing if its stored copy is damaged, a hardware
+/// decoder fails or the film stands still. Hands it over to its clip.
 class PlayingShot {
   public:
-    /// Begins to read.
+    /// Starts to read.
     /// @param pool  outlives this
     PlayingShot(ShotRequest request, PoolState& pool);
 
@@ -52,20 +52,21 @@ class PlayingShot {
 
     SourceState state() const;
 
-    /// True until it was told that it is ready, or has failed.
+    /// True until collect_events() has reported that it is ready or has failed.
     bool is_preparing() const { return !is_told_ready_ && !is_told_failed_; }
 
-    /// True if it gets ready for so long that others need not wait for it.
+    /// True if it has been preparing for so long that others need not wait for it.
     bool is_stuck() const;
 
-    /// Another size, or a clip that the store has got since.
+    /// Sets another size, or a clip that the store has got since.
     void change_request(const ShotRequest& request);
 
-    /// Appends the news since the last call. Starts the shot from elsewhere where its source has failed.
+    /// Appends the news since the last call. If the source has failed, starts the shot from another file or
+    /// in software.
     void collect_events(std::vector<SourceEvent>& events);
 
-    /// Goes to the item's time, and moves the item's slide to the very picture. Where sources keep time, a
-    /// film without a picture for two seconds is built anew (watchdog.hpp).
+    /// Goes to the item's time, and sets the item's slide to that of the shown picture. If sources keep time,
+    /// a film without a picture for two seconds is rebuilt (watchdog.hpp).
     void advance(DrawItem& item, const Frame& frame);
 
     /// The picture as of the last advance().
@@ -81,10 +82,11 @@ class PlayingShot {
     /// Opens the clip for the end of a loop. @pre is_clip_wanted()
     void open_clip();
 
-    /// The cost of a film that was shown since that time; nothing of others, and of one that stands still.
+    /// The cost of a film that was shown since that time. None: a photo, a film that was not shown, or one
+    /// that stands still.
     std::optional<FilmLoad> measure_load(std::chrono::nanoseconds since, std::chrono::nanoseconds now);
 
-    /// Ends the sources in the background. Nothing else may be called after.
+    /// Ends the sources in the background. Call nothing else afterwards.
     void retire();
 
   private:
@@ -97,15 +99,15 @@ class PlayingShot {
     ShotRequest request_;
     std::unique_ptr<ShotSource> source_;
     bool is_stored_ = false;    // read from the store
-    bool is_software_ = false;  // without a hardware decoder
+    bool is_software_ = false;  // decoded without hardware
     std::chrono::steady_clock::time_point opened_;
     ClipHandover handover_;
-    std::chrono::nanoseconds local_{0};  // shot time of the last frame that showed it
+    std::chrono::nanoseconds local_{0};  // shot time of its last frame
     std::optional<Sample> sample_;
     Vec2 slide_;  // source px
     Watchdog watchdog_;
     FilmMeter meter_;
-    std::optional<std::string> given_up_;  // the reason
+    std::optional<std::string> given_up_;  // the reason why it is not rebuilt again
     bool is_told_ready_ = false;
     bool is_told_failed_ = false;
 };

@@ -14,9 +14,9 @@ namespace vitrine::player {
 /// The layout of a picture's bytes, 8 bits a channel.
 enum class PixelLayout {
     rgba,  // one plane, opaque
-    bgra,  // likewise, in the order that Mesa's software renderer copies without looking at each pixel
-    i420,  // brightness, then two planes of colour differences with half the columns and rows, rounded up
-    nv12,  // brightness, then one such plane with both differences side by side
+    bgra,  // like rgba, in the order that Mesa's software renderer copies without looking at each pixel
+    i420,  // a plane of brightness, then two of colour differences with half the columns and rows, rounded up
+    nv12,  // a plane of brightness, then one plane with both differences side by side
 };
 
 /// True if the pixels are colours, not brightness and differences.
@@ -25,33 +25,33 @@ inline bool is_rgb(PixelLayout layout) {
 }
 
 /// The form of pictures that the renderer draws at the least cost. A graphics card draws the decoder's
-/// planes, uploaded or, if it can, in the decoder's own memory (shared); where the processor draws, BGRA at
-/// the very size costs least.
+/// planes: uploaded or, if it can, in the decoder's own memory (shared). If the processor draws, BGRA at the
+/// shown size costs least.
 enum class PictureForm { bgra, planes, shared };
 
-/// The meaning of the brightness and the colour differences of a picture.
+/// The meaning of a picture's brightness and colour differences.
 struct ColourCode {
     enum class Matrix { bt601, bt709, bt2020 };
 
     Matrix matrix = Matrix::bt601;
-    bool is_full_range = false;  // 0 to 255, else 16 to 235 and 16 to 240
+    bool is_full_range = false;  // true: 0 to 255; false: 16 to 235 and 16 to 240
 
     bool operator==(const ColourCode&) const = default;
 };
 
-/// The planes of a picture in memory that a graphics card can read as well as the processor: Linux' dma-bufs.
+/// The planes of a picture in memory that both a graphics card and the processor can read: Linux' dma-bufs.
 struct SharedPlanes {
     struct Plane {
-        int file = -1;             // the memory's descriptor, lent by the sample's owner
+        int file = -1;             // descriptor of the memory, lent by the sample's owner
         std::uint32_t offset = 0;  // bytes
         std::uint32_t stride = 0;  // bytes a row
     };
 
-    std::array<Plane, 3> planes;            // the first ones, by the layout, are used
-    std::optional<std::uint64_t> modifier;  // DRM's name for the order of the pixels; none: row by row
+    std::array<Plane, 3> planes;            // the layout says how many of them are used
+    std::optional<std::uint64_t> modifier;  // DRM's number for the order of the pixels; none: row by row
 };
 
-/// One picture ready for the renderer: upright, square pixels once it is shown at the size asked for.
+/// One picture ready for the renderer: upright; its pixels are square at the size asked for.
 struct Sample {
     struct Plane {
         std::size_t stride = 0;            // bytes a row
@@ -61,17 +61,17 @@ struct Sample {
     int width = 0;  // px
     int height = 0;
     std::size_t stride = 0;             // bytes a row
-    std::span<const std::byte> pixels;  // height * stride bytes, lent by `owner`; the brightness of planes
+    std::span<const std::byte> pixels;  // height * stride bytes, lent by `owner`; for planes, the brightness
     PixelLayout layout = PixelLayout::rgba;
-    std::array<Plane, 2> chroma;              // i420: both, nv12: the first
-    ColourCode colours;                       // for all layouts but rgba and bgra
-    std::shared_ptr<const void> owner;        // shared: the decoder's buffer pool and the renderer's queue
-    std::chrono::nanoseconds stream_time{0};  // when in the film
+    std::array<Plane, 2> chroma;              // i420 uses both, nv12 the first
+    ColourCode colours;                       // for planes, not for rgba and bgra
+    std::shared_ptr<const void> owner;        // shared by the decoder's buffer pool and the renderer's queue
+    std::chrono::nanoseconds stream_time{0};  // its time in the film
 
-    /// The memory of the planes; then there are no bytes above.
+    /// The memory of the planes. If set, `pixels` and `chroma` have no bytes.
     std::optional<SharedPlanes> shared;
     std::function<std::optional<Sample>()>
-        copied;  // the same with bytes: of shared planes that nobody can read
+        copied;  // makes the same sample with bytes, if shared planes cannot be read
 };
 
 }  // namespace vitrine::player

@@ -15,32 +15,31 @@ namespace vitrine::player {
 /// A picture of a shot that plays in a loop.
 struct LoopedSample {
     Sample sample;
-    std::uint64_t loop = 0;                // number of times that the shot had been played whole before
-    std::chrono::nanoseconds duration{0};  // the time that this picture is shown
+    std::uint64_t loop = 0;                // number of complete loops before this one
+    std::chrono::nanoseconds duration{0};  // the time for which this picture is shown
 };
 
-/// Thread-safe. Pictures in the order in which they are to be shown, from the thread that decodes to the one
-/// that shows. It is bounded, which keeps a decoder from running ahead, and it bridges the seam between two
-/// loops.
+/// Thread-safe. Carries pictures, in the order of showing, from the decoding thread to the thread that shows
+/// them. Its capacity keeps a decoder from running ahead. Its pictures bridge the seam between two loops.
 class SampleQueue {
   public:
     explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits while the queue is full. False: closed; the picture is dropped.
+    /// Waits while the queue is full. False: the queue is closed and the picture is dropped.
     bool put(LoopedSample sample);
 
-    /// The oldest picture where it fits, else nothing, without waiting.
+    /// Takes the oldest picture if `fits` accepts it; else none. Does not wait.
     std::optional<LoopedSample> take_if(const std::function<bool(const LoopedSample&)>& fits);
 
-    /// @param refuses  true: put() drops pictures without waiting, also one that waits by now
+    /// @param refuses  true: put() drops pictures without waiting, even in a call that is waiting already
     void refuse(bool refuses);
 
     bool is_empty() const;
 
-    /// Waits until there is a picture. False: none in time, or closed.
+    /// Waits for a picture. False: none came in time, or the queue is closed.
     bool wait(std::chrono::nanoseconds patience) const;
 
-    /// Ends all waiting; nothing can be put any more. Pictures in the queue can still be taken.
+    /// Ends all waiting. put() then drops pictures; pictures in the queue can still be taken.
     void close();
 
     bool is_closed() const;

@@ -17,7 +17,7 @@ struct Description {
     std::optional<std::uint64_t> modifier;
 };
 
-// "NV12:0x0100000000000001", after DRM's names; without a number: row by row.
+// Reads DRM's name of a format such as "NV12:0x0100000000000001"; without a number: row by row.
 bool read_drm_format(std::string_view words, Description& made) {
     const std::string_view name = words.substr(0, words.find(':'));
     if (name != "NV12" && name != "YU12") return false;
@@ -50,7 +50,7 @@ std::optional<Description> described(const GstCaps* caps) {
     return made;
 }
 
-// The memory that a plane begins in; nothing where it is not shared.
+// The memory that a plane starts in. None: it is not shared.
 std::optional<SharedPlanes::Plane> shared_plane(GstBuffer* buffer, gsize offset, int stride) {
     guint first = 0;
     guint count = 0;

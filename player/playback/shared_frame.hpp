@@ -8,13 +8,14 @@
 
 namespace vitrine::player {
 
-/// A decoded frame where its planes lie, without reading it; nothing where they do not lie in memory that is
-/// shared, or in another layout than I420 or NV12. How the pixels lie is taken from the caps (drm-format, of
-/// GStreamer 1.24 and later); the earlier caps that only say memory:DMABuf do not tell, so such frames are
-/// not asked for. The sample has the frame for its owner, the film's colours and no bytes.
+/// A sample that refers to a decoded frame's planes in shared memory, without copying them. None: the memory
+/// is not shared, or the layout is neither I420 nor NV12. The order of the pixels comes from the caps
+/// (drm-format, GStreamer 1.24 and later). Older caps say only memory:DMABuf and not the order, so such
+/// frames are not asked for. The sample owns the frame; it has the film's colours and no bytes.
 std::optional<Sample> shared_frame(GstSample* frame);
 
-/// Tells decoders before a pad that planes may lie as they like, or those in hardware would copy them.
+/// Tells the decoder before a pad that any placement of the planes is accepted; else a hardware decoder would
+/// copy them.
 void let_planes_lie(GstPad* pad);
 
 }  // namespace vitrine::player

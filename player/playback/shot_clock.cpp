@@ -6,9 +6,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::nanoseconds max_behind = 250ms;  // before time gives way
-constexpr std::chrono::nanoseconds hopeless = 1s;       // behind: the film is sent ahead
-constexpr std::chrono::nanoseconds jump_time = 300ms;   // until a film plays elsewhere
+constexpr std::chrono::nanoseconds max_behind = 250ms;  // then the shot's time is set back
+constexpr std::chrono::nanoseconds hopeless = 1s;       // then the film is sent ahead
+constexpr std::chrono::nanoseconds jump_time = 300ms;   // the time that a jump takes until the film plays
 constexpr std::chrono::nanoseconds between_jumps = 3s;
 
 }  // namespace

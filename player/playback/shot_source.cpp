@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t max_pictures = 12;  // decoded ahead; they bridge 400 ms of a film of 30 a second
+constexpr std::size_t max_pictures = 12;  // decoded ahead; they bridge 400 ms at 30 pictures a second
 constexpr std::size_t min_pictures = 4;
 constexpr std::size_t max_bytes = 24U << 20;  // memory of the pictures decoded ahead
 
@@ -45,7 +45,7 @@ ShotSource::ShotSource(std::string file, const ShotRequest& request, const Sourc
 
 std::optional<std::string> ShotSource::failure() const {
     if (film_) return film_->failure();
-    return current_ ? std::nullopt : photo_->failure();  // a photo once read stays good
+    return current_ ? std::nullopt : photo_->failure();  // a photo that was read once stays valid
 }
 
 std::optional<Sample> ShotSource::picture_at(std::chrono::nanoseconds local) {
@@ -62,7 +62,7 @@ bool ShotSource::wait_for(std::chrono::nanoseconds local, std::chrono::nanosecon
     while (true) {
         take_due_pictures(clock_.target(local));
         if (current_ && (photo_ ? !is_photo_coming_ : !queue_.is_empty()))
-            return true;  // the rest is not due
+            return true;  // the next picture is not due yet
         const auto left = deadline - std::chrono::steady_clock::now();
         if (left.count() <= 0 || !queue_.wait(left)) return false;
     }
@@ -108,7 +108,7 @@ bool ShotSource::has_ended() const {
     return film_ ? film_->has_ended() : photo_->has_ended();
 }
 
-/// The place of a picture in loops of the shot.
+/// The place of a picture, in time over all loops.
 std::chrono::nanoseconds ShotSource::position(const LoopedSample& sample) const {
     if (!film_) return std::chrono::nanoseconds(0);
     const auto loops = static_cast<std::chrono::nanoseconds::rep>(sample.loop);

@@ -15,44 +15,43 @@ namespace vitrine::player {
 
 /// The options of a source.
 struct SourceOptions {
-    Colour background;  // shows through where a photo is transparent
+    Colour background;  // behind the transparent parts of a photo
     FilmOptions film;
-    FilmFactory make_film;    // empty: FilmLoop
-    bool keeps_time = false;  // a film too slow for the machine skips pictures; else it falls behind
+    FilmFactory make_film;    // empty: makes a FilmLoop
+    bool keeps_time = false;  // a film that is too slow skips pictures; else it falls behind
     std::chrono::nanoseconds opening_patience = std::chrono::seconds(15);  // then others need not wait for it
 };
 
 /// Plays one shot of a film in a loop, or holds a photo. Decodes in threads of its own, a few pictures ahead.
-/// A file that is deleted meanwhile plays on. Never throws for a bad file: failure() tells.
+/// Goes on if the file is deleted meanwhile. Throws nothing for a bad file: failure() reports.
 class ShotSource {
   public:
-    /// Begins to read at once.
-    /// @param at  the time that the shot has been shown already, by the source before this one
+    /// Starts to read at once.
+    /// @param at  the time that the shot was already shown, from an earlier source
     ShotSource(std::string file, const ShotRequest& request, const SourceOptions& options = {},
                std::chrono::nanoseconds at = {});
 
     /// True once there is a first picture.
     bool is_ready() const { return current_ || !queue_.is_empty(); }
 
-    /// The reason why no picture comes any more, in plain words; the last picture stays.
+    /// The reason why no more pictures come, in plain words. The last picture stays.
     std::optional<std::string> failure() const;
 
-    /// The newest picture that is due, without waiting; nothing before the first one is ready. Where decoding
+    /// The newest picture that is due. None: the first picture is not ready. Does not wait. If decoding
     /// cannot keep up, pictures are skipped or the shot falls behind `local`, as the options say.
-    /// @param local  time since the shot began to be shown, never going back; it plays in loops of its
-    /// duration
+    /// @param local  time since the shot was first shown; never goes back, and counts over all loops
     std::optional<Sample> picture_at(std::chrono::nanoseconds local);
 
     /// Waits until picture_at(local) is exact: for rendering at its own pace. False: not within `patience`.
     bool wait_for(std::chrono::nanoseconds local, std::chrono::nanoseconds patience);
 
-    /// Waits until is_ready() or failure(), but not beyond `patience`.
+    /// Waits until is_ready() or failure(), at most for `patience`.
     void wait_until_ready(std::chrono::nanoseconds patience) const { queue_.wait(patience); }
 
-    /// The way that the subject has moved in the picture that picture_at() gave last, source px.
+    /// The shift of the subject in the last picture of picture_at(), source px.
     Vec2 slide() const;
 
-    /// Pictures to come get another size; a photo gets it when it is read anew.
+    /// Changes the size of the pictures to come. A photo changes when it is read again.
     void resize(int width, int height);
 
     /// True if another size was asked for since the photo was read.
@@ -61,24 +60,24 @@ class ShotSource {
                (request_.width != photo_->width() || request_.height != photo_->height());
     }
 
-    /// Reads the photo in the size last asked for; the picture there is stays meanwhile.
-    /// @pre the source is of a photo, and the last reading has ended
+    /// Reads the photo again, in the size last asked for. The present picture stays meanwhile.
+    /// @pre the source is a photo, and its last reading has ended
     void read_photo();
 
     ShotCounts counts() const;
 
-    /// True if the film has given nothing though it could: no picture was new at the last time, and the next
-    /// one is not there. A film that is merely late, on a busy machine, gives some now and then.
+    /// True if the film stands still: the last picture_at() found no new picture, and the next one is
+    /// missing. A film that is only late, on a busy machine, gives a picture now and then.
     bool is_starved() const {
         return film_ && detail_ != Detail::still && !has_news_ && queue_.is_empty() && !queue_.is_closed();
     }
 
-    /// Chooses which of a film's pictures are shown from now on; a photo has but one.
+    /// Sets the share of a film's pictures that is decoded; a photo has only one picture.
     void set_detail(Detail detail);
 
     Detail detail() const { return detail_; }
 
-    /// Begins to end; the destructor does not wait for long once has_ended().
+    /// Starts to end. The destructor does not wait for long once has_ended().
     void stop();
     bool has_ended() const;
 
@@ -93,9 +92,9 @@ class ShotSource {
     SampleQueue queue_;
     std::unique_ptr<FilmFeed> film_;    // none: a photo
     std::unique_ptr<PhotoLoad> photo_;  // none: a film
-    bool is_photo_coming_ = false;      // read, but not taken from the queue yet
+    bool is_photo_coming_ = false;      // a reading whose picture was not yet taken from the queue
     std::optional<LoopedSample> current_;
-    bool has_news_ = false;  // the last picture_at() found another picture than the one before
+    bool has_news_ = false;  // the last picture_at() found a new picture
     ShotClock clock_;
     Detail detail_ = Detail::all;
 };

@@ -8,16 +8,16 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::chrono::nanoseconds judging_period = std::chrono::seconds(1);
-constexpr long max_preparing = 3;      // sources that are read to their first picture at a time
-constexpr std::size_t max_stuck = 32;  // beside them, stuck or ending; each has a thread
+constexpr long max_preparing = 3;      // sources that may prepare their first picture at a time
+constexpr std::size_t max_stuck = 32;  // further sources that are stuck or ending; each has a thread
 
-/// The number of shots that others wait for.
+/// The number of preparing shots for which others wait.
 long count_preparing(const std::map<SourceId, PlayingShot>& shots) {
     return std::ranges::count_if(
         shots, [](const auto& entry) { return entry.second.is_preparing() && !entry.second.is_stuck(); });
 }
 
-/// True if one more source may begin. Too many that hang, in opening or in ending, keep all others back.
+/// True if one more source may start. If too many hang, in opening or in ending, no other starts.
 bool may_start(const std::map<SourceId, PlayingShot>& playing, std::size_t ending) {
     const auto stuck =
         std::ranges::count_if(playing, [](const auto& entry) { return entry.second.is_stuck(); });
@@ -156,7 +156,7 @@ void SourcePool::read_one_photo_anew() {
     if (next != playing_.end()) next->second.source().read_photo();
 }
 
-/// One film at a time gets its clip ready for the end of its loop.
+/// Opens the clip of one film at a time, for the end of the film's loop.
 void SourcePool::open_one_clip() {
     if (std::ranges::any_of(playing_, [](const auto& entry) { return entry.second.has_clip(); })) return;
     const auto next =

@@ -24,7 +24,7 @@ Sample load_picture(const std::string& file) {
                 .stride = std::size_t{4} * static_cast<std::size_t>(picture->width),
                 .pixels = picture->pixels,
                 .owner = picture};
-    } catch (const std::exception&) {  // a coarser level shows in its place
+    } catch (const std::exception&) {  // a coarser level is shown in its place
         return {};
     }
 }
@@ -33,7 +33,7 @@ std::optional<ZoomField> load_field(const std::string& file) {
     if (file.empty()) return std::nullopt;
     try {
         return zoom_field_from_bytes(read_file(file, max_field_bytes));
-    } catch (const std::exception&) {  // its tile is left out while one zooms
+    } catch (const std::exception&) {  // without it the tile is left out during a zoom
         return std::nullopt;
     }
 }

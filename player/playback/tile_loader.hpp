@@ -14,17 +14,17 @@
 
 namespace vitrine::player {
 
-/// The files of one tile, with a number of the caller's.
+/// The files of one tile, with a number that the caller chooses.
 struct TileFile {
     std::uint64_t number = 0;
     std::string file;
-    std::string to_coarser;  // files of its zoom fields; empty: there is none
+    std::string to_coarser;  // files of its zoom fields; empty: none
     std::string to_finer;
 };
 
 struct LoadedTile {
     std::uint64_t number = 0;
-    Sample sample;                        // without pixels where the file cannot be read
+    Sample sample;                        // without pixels if the file cannot be read
     std::optional<ZoomField> to_coarser;  // none: it cannot be read, or there is none
     std::optional<ZoomField> to_finer;
 };
@@ -33,7 +33,7 @@ struct LoadedTile {
 LoadedTile load_tile(const TileFile& tile);
 
 /// Thread-safe. Reads the tiles of a tapestry on a thread of its own, so that no frame waits for one. Stops
-/// reading while too many tiles wait to be taken.
+/// while too many tiles wait to be taken.
 class TileLoader {
   public:
     TileLoader();
@@ -43,13 +43,13 @@ class TileLoader {
     TileLoader& operator=(TileLoader&&) = delete;
     ~TileLoader();
 
-    /// Asks for these tiles, the most urgent first, in place of all that were asked for before.
+    /// Asks for these tiles, the most urgent first. They replace all that were asked for before.
     void want(std::vector<TileFile> files);
 
-    /// Tiles that have been read since. @param most  of them
+    /// Takes tiles that have been read. @param most  limit of their number
     std::vector<LoadedTile> take(std::size_t most);
 
-    /// Tiles that lie ready to be taken, at most.
+    /// Limit of the tiles that wait to be taken.
     static constexpr std::size_t most_waiting = 8;
 
   private:
@@ -61,7 +61,7 @@ class TileLoader {
     std::optional<std::uint64_t> reading_;  // guarded by mutex_
     std::deque<LoadedTile> loaded_;         // guarded by mutex_
     bool is_stopping_ = false;              // guarded by mutex_
-    std::thread thread_;                    // last: runs on all of the above
+    std::thread thread_;                    // last: it uses all members above
 };
 
 }  // namespace vitrine::player

@@ -7,8 +7,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::nanoseconds patience = 2s;
-constexpr std::chrono::nanoseconds forgiven_after = 60s;  // without starving
-constexpr int max_rebuilds = 3;                           // with the decoder chosen at first
+constexpr std::chrono::nanoseconds forgiven_after = 60s;  // after this time without starving
+constexpr int max_rebuilds = 3;                           // with the first decoder
 
 }  // namespace
 

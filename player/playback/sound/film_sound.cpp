@@ -19,9 +19,9 @@ using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
 constexpr const char* leave_word = "vitrine-leave";
-constexpr nanoseconds lead = 150ms;            // until it plays where it was sent
+constexpr nanoseconds lead = 150ms;            // the time that a seek takes until the sound plays
 constexpr nanoseconds rounding = 1ms;          // Matroska rounds times to this
-constexpr nanoseconds leave_patience = 600ms;  // for a device to take what is faded out
+constexpr nanoseconds leave_patience = 600ms;  // the time in which a device plays the faded rest
 constexpr nanoseconds end_patience = 1s;
 constexpr int max_barren_loops = 4;
 
@@ -29,19 +29,19 @@ nanoseconds monotonic_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
-/// The pipeline's time is the monotonic clock, and its running time begins at `origin`.
+/// Makes the monotonic clock the pipeline's clock. Its running time starts at `origin`.
 void set_clock(GstElement* pipeline, nanoseconds origin) {
     GstClock* clock = gst_system_clock_obtain();  // the monotonic one
     gst_pipeline_use_clock(GST_PIPELINE(pipeline), clock);
     gst_object_unref(clock);
-    gst_element_set_start_time(pipeline, GST_CLOCK_TIME_NONE);  // its base time is ours
+    gst_element_set_start_time(pipeline, GST_CLOCK_TIME_NONE);  // we set the base time, not the pipeline
     gst_element_set_base_time(pipeline, static_cast<GstClockTime>(origin.count()));
 }
 
 }  // namespace
 
-/// All but the thread. The order of its life: open, preroll, a seek to where the picture is, play; at the end
-/// of each loop a seek to the begin.
+/// Everything but the thread. Its life: open, preroll, seek to the picture's place, play; at the end of each
+/// loop it seeks to the start.
 class FilmSound::Work {
   public:
     Work(SoundPart part, SoundSink make_sink)
@@ -67,7 +67,7 @@ class FilmSound::Work {
         control_.post(leave_word);
     }
 
-    /// False: it goes on, for something in it does not answer.
+    /// False: the thread still runs, because something in it does not answer.
     bool stop() {
         control_.stop();
         return control_.wait_for_end(end_patience);
@@ -88,7 +88,7 @@ class FilmSound::Work {
         }
     }
 
-    /// False: told to stop meanwhile.
+    /// False: stopped meanwhile.
     bool open() {
         start_gstreamer();
         sink_ = make_sink_();
@@ -101,17 +101,17 @@ class FilmSound::Work {
         return control_.attach(chain_->bus()) && !is_leaving_;
     }
 
-    /// False: told to stop meanwhile.
+    /// False: stopped meanwhile, or there is no sound.
     bool preroll() {
         gst_element_set_state(chain_->pipeline(), GST_STATE_PAUSED);  // a failure comes as a message
         while (const GstPtr<GstMessage> message = next_message()) {
             if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ASYNC_DONE) return true;
-            if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_EOS) return false;  // there is none in it
+            if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_EOS) return false;  // there is no sound
         }
         return false;
     }
 
-    /// Seeks to the place where the picture will be.
+    /// Seeks to the place that the picture will have reached.
     void land() {
         gint64 whole = -1;
         const bool is_known =
@@ -124,7 +124,7 @@ class FilmSound::Work {
             throw std::runtime_error("its sound cannot be searched");
     }
 
-    /// False: there is nothing to be heard in this part.
+    /// False: this part has no sound.
     bool rewind() {
         barren_loops_ = stream_.take_sounded() ? 0 : barren_loops_ + 1;
         if (barren_loops_ >= max_barren_loops) return false;
@@ -133,7 +133,7 @@ class FilmSound::Work {
         return true;
     }
 
-    /// The next message of the pipeline; none: told to stop, faded out for long enough, or failed.
+    /// The next message of the pipeline. None: stopped, faded out for long enough, or failed.
     GstPtr<GstMessage> next_message() {
         while (true) {
             GstPtr<GstMessage> message = control_.next_message(
@@ -159,7 +159,7 @@ class FilmSound::Work {
     PipelineControl control_;
     std::atomic<bool> is_leaving_{false};
     SoundStream stream_;
-    // The sound's own thread has the rest.
+    // The members below belong to the sound's own thread.
     GstPtr<GstElement> sink_;
     std::unique_ptr<SoundChain> chain_;
     LoopSeeker seeker_;

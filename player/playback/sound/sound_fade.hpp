@@ -9,10 +9,10 @@ namespace vitrine::player {
 /// Fades a sound in and out, linearly within a fifth of a second. For the streaming thread, except leave().
 class SoundFade {
   public:
-    /// Fades out from here on. Thread-safe.
+    /// Fades out from now on. Thread-safe.
     void leave() { is_leaving_ = true; }
 
-    /// Begins anew, from silence.
+    /// Starts again from silence.
     void come() { gain_ = 0; }
 
     /// Applies the fade to a buffer of interleaved float samples.

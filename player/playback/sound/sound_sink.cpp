@@ -7,13 +7,13 @@ namespace vitrine::player {
 
 namespace {
 
-// The fade stands behind the queue, so that sound that is decoded ahead does not delay it. Conversion to the
-// device's format stands behind the fade.
+// The fade comes after the queue, so that sound decoded ahead does not delay it. Conversion to the device's
+// format comes after the fade.
 constexpr const char* decoding_words =
     "audioconvert ! audioresample ! capsfilter caps=\"audio/x-raw,format=F32LE,layout=interleaved\""
     " ! queue name=ahead max-size-buffers=0 max-size-bytes=0 max-size-time=600000000"
     " ! identity name=fade ! audioconvert";
-constexpr std::int64_t device_buffer = 100'000;  // microseconds: the delay of a fade
+constexpr std::int64_t device_buffer = 100'000;  // microseconds: a fade is delayed by this
 
 }  // namespace
 
@@ -35,7 +35,7 @@ GstPtr<GstElement> sound_tail(GstElement* sink) {
     if (!gst_element_link(decoding.get(), sink))
         throw std::runtime_error("the sound's sink cannot be linked");
     const GstPtr<GstPad> pad(gst_element_get_static_pad(decoding.get(), "sink"));
-    gst_element_add_pad(tail.get(), gst_ghost_pad_new("sink", pad.get()));  // which it takes
+    gst_element_add_pad(tail.get(), gst_ghost_pad_new("sink", pad.get()));  // takes the pad
     return tail;
 }
 

@@ -7,15 +7,16 @@
 
 namespace vitrine::player {
 
-/// Makes an element that plays raw sound. @throws std::runtime_error where there is none
+/// Makes an element that plays raw sound. @throws std::runtime_error if none can be made
 using SoundSink = std::function<GstPtr<GstElement>()>;
 
-/// A device of ALSA, "default" for the one that ALSA takes.
+/// Makes a sink for an ALSA device; "default" is the device that ALSA chooses.
 SoundSink alsa_sink(const std::string& device);
 
-/// A sink behind what makes any raw sound fit for it, as one element with a pad "sink". Within it an element
-/// "fade" sees the sound as interleaved floats, with nothing that is decoded ahead between it and the sink.
-/// @throws std::runtime_error where they cannot be linked
+/// Puts converters in front of a sink, so that it accepts any raw sound. The result is one element with a pad
+/// "sink". Its inner element "fade" gets interleaved floats; no queue lies between the fade and the sink, so
+/// that no decoded sound waits there.
+/// @throws std::runtime_error if they cannot be linked
 GstPtr<GstElement> sound_tail(GstElement* sink);
 
 }  // namespace vitrine::player

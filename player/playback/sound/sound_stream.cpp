@@ -12,7 +12,7 @@ void SoundStream::connect(GstPad* pad, bool is_stamped) {
     gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, &SoundStream::on_buffer, this, nullptr);
 }
 
-/// A loop's place in running time is the shot's own time.
+/// Places each loop: its place in running time is the shot's own time.
 GstPadProbeReturn SoundStream::on_event(GstPad*, GstPadProbeInfo* info, gpointer self) {
     GstEvent* event = gst_pad_probe_info_get_event(info);
     auto* const stream = static_cast<SoundStream*>(self);

@@ -10,25 +10,25 @@
 namespace vitrine::player {
 
 /// The streaming side of a film's sound: puts each loop at its place on the wall's clock, and fades the sound
-/// in and out. GStreamer's streaming thread calls it, the other threads only what is said to be thread-safe.
+/// in and out. GStreamer's streaming thread calls it; other threads call only the thread-safe methods.
 class SoundStream {
   public:
-    /// Posted to the pipeline's thread once the sound has faded out.
+    /// Name of the message that is posted to the pipeline's thread once the sound has faded out.
     static constexpr const char* silent_word = "vitrine-silent";
 
     /// @param begin, duration  the part's, in stream time
-    /// @param control          the pipeline's; outlives this
+    /// @param control          the pipeline's control; outlives this
     SoundStream(std::chrono::nanoseconds begin, std::chrono::nanoseconds duration, PipelineControl& control)
         : timeline_(begin, duration), control_(control) {}
 
-    /// Watches what passes a pad in front of the sink, whose pipeline this outlives.
+    /// Watches a pad in front of the sink. This outlives the pipeline.
     /// @param is_stamped  the film's time stamps are stream times (container_ways.hpp)
     void connect(GstPad* pad, bool is_stamped);
 
-    /// The seek of this number begins that loop of the part, the first being 0. Thread-safe.
+    /// Tells that this seek starts this loop of the part; the first loop is 0. Thread-safe.
     void expect_loop(std::uint32_t seek, std::int64_t loop) { timeline_.expect(seek, loop); }
 
-    /// Begins to fade out. Thread-safe.
+    /// Starts to fade out. Thread-safe.
     void fade_out() { fade_.leave(); }
 
     /// True once any sound has reached the sink. Thread-safe.

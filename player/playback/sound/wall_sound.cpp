@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::nanoseconds max_apart = 80ms;  // picture and sound
-constexpr std::size_t max_ending = 4;                 // there are more only where a device does not answer
+constexpr std::chrono::nanoseconds max_apart = 80ms;  // largest offset of sound and picture
+constexpr std::size_t max_ending = 4;                 // only a device that does not answer leads to more
 constexpr std::size_t max_told = 1000;
 
 }  // namespace
@@ -35,7 +35,7 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     if (one && !now_ && ending_.size() < max_ending) start(*one, origin);
 }
 
-/// The copy in the store is preferred; the store may have lost it since.
+/// Prefers the copy in the store; the store may have lost it since.
 void WallSound::start(const AudibleShot& shot, std::chrono::nanoseconds origin) {
     const bool is_kept = shot.stored && !shot.stored->is_dropped;
     if (is_kept && shot.stored->file.empty()) {

@@ -21,15 +21,14 @@ struct SoundEvent {
     bool is_trouble = false;
 };
 
-/// The sound of the walls: one film at a time, for as long as it is on a wall. The player never waits for the
-/// sound.
+/// The sound of the walls: one film at a time, for as long as it is on a wall. The player never waits for it.
 class WallSound {
   public:
     WallSound(MediaPlaces places, SoundSink make_sink)
         : places_(std::move(places)), make_sink_(std::move(make_sink)) {}
 
-    /// Updates the sound to the shots on the walls; to be called with every frame. A sound fades out whose
-    /// shot is gone, or that is not at the same place of its loop as the picture.
+    /// Updates the sound to the shots on the walls. Call with every frame. Fades a sound out if its shot is
+    /// gone, or if it is not at the same place of its loop as the picture.
     /// @param shots   the shots that may be heard
     /// @param moment  time of the frame, by the monotonic clock
     void follow(std::span<const AudibleShot> shots, std::chrono::nanoseconds moment);
@@ -37,7 +36,7 @@ class WallSound {
     /// Fades the sound out.
     void fall_silent() { follow({}, {}); }
 
-    /// The source that is heard, or gets ready to be; none: silence.
+    /// The source that is heard, or prepares to be. None: silence.
     std::optional<SourceId> heard() const { return now_ ? std::optional(now_->shot.source) : std::nullopt; }
 
     /// The events since the last call.
@@ -60,8 +59,8 @@ class WallSound {
     std::optional<Playing> now_;
     std::set<SourceId> failed_;
     std::vector<std::unique_ptr<FilmSound>> ending_;
-    std::string complaint_;       // about the device, as last told
-    std::set<std::string> told_;  // texts about films
+    std::string complaint_;       // the last complaint about the device
+    std::set<std::string> told_;  // texts about films, each logged once
     std::vector<SoundEvent> events_;
 };
 
