@@ -62,7 +62,7 @@ void DisplaySession::make_renderer() {
     log::info("films: {}", in_words(form));
 }
 
-/// The renderer's GL objects must end in the context in which they were made.
+/// The renderer's GL objects must be destroyed while their context is current.
 void DisplaySession::drop_renderer() {
     if (!renderer_) return;
     gl_->make_current(EGL_NO_SURFACE);
@@ -112,7 +112,7 @@ std::string DisplaySession::description() const {
     return complaint_.empty() ? "no graphics card for now" : complaint_;
 }
 
-/// The analyzer makes clips no larger than the screens show them.
+/// Tells the analyzer the size of the screens: it makes clips no larger.
 void DisplaySession::note_screens() {
     int side = 0;
     for (const Screen* screen : screens())

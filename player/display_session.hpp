@@ -20,20 +20,20 @@ class Renderer;
 class Screen;
 struct DisplayTraits;
 
-/// Calls of the session when its renderer comes and goes.
+/// Functions that the session calls when its renderer comes and goes.
 struct RendererCalls {
-    std::function<void(PictureForm)> began;  // with the form of picture that it draws fastest
-    std::function<void()> ends;              // all that it has is about to go
+    std::function<void(PictureForm)> began;  // gets the form of picture that it draws fastest
+    std::function<void()> ends;              // called before the renderer is destroyed
 };
 
-/// The display of a player, for as long as the player runs: opens it and tries again where that fails, loses
-/// it with its graphics card, leaves it to another terminal and takes it back. Has the renderer, which lasts
-/// as long as the GL context that it was made in. Logs.
+/// The display of a player, during the player's whole run. Opens it, and tries again if that fails. Loses it
+/// with its graphics card, leaves it to another terminal and takes it back. Owns the renderer, which lasts as
+/// long as its GL context. Logs.
 class DisplaySession {
   public:
     /// @param loop    outlives this
-    /// @param opener  of the displays that output.screen names
-    /// @param state   the state directory, for a note of the screens' size
+    /// @param opener  opens the displays that output.screen names
+    /// @param state   the state directory, for the note of the screens' size
     DisplaySession(EventLoop& loop, std::unique_ptr<DisplayOpener> opener, std::filesystem::path state,
                    RendererCalls calls);
     DisplaySession(const DisplaySession&) = delete;
@@ -42,24 +42,24 @@ class DisplaySession {
     DisplaySession& operator=(DisplaySession&&) = delete;
     ~DisplaySession();
 
-    /// Tries to open the display. Where there may be one later that is not an error: follow_display() tries
-    /// again. @throws std::runtime_error where there will be none
+    /// Tries to open the display. If a display may come later, a failure is no error: follow_display() tries
+    /// again. @throws std::runtime_error if none can come
     void open();
 
-    /// To be called at every tick, before screens().
+    /// Call at every tick, before screens().
     void follow_display();
 
-    /// The screens to draw on; none: no panel, no card, or somebody else has it. Lent until the next call of
-    /// follow_display().
+    /// The screens to draw on. None: there is no panel or no card, or another program has it. Lent until the
+    /// next follow_display().
     std::span<Screen* const> screens() const;
 
     /// @pre !screens().empty()
     Renderer& renderer() { return *renderer_; }
 
-    /// For a source that is given up; nothing happens where there is no renderer.
+    /// Call when a source is retired. Does nothing without a renderer.
     void forget_source(SourceId source);
 
-    /// The facts about the kind of display.
+    /// The properties of this kind of display.
     const DisplayTraits& traits() const;
 
     /// True: the display shows a picture of an earlier run.
@@ -68,15 +68,15 @@ class DisplaySession {
     /// True: another program, or another terminal, has the display.
     bool is_away() const;
 
-    /// Card, modes and renderer in words, or why there is no display.
+    /// Card, modes and renderer in words, or the reason why there is no display.
     std::string description() const;
 
-    /// Console::leave_signal and Console::enter_signal came.
+    /// Call on Console::leave_signal and Console::enter_signal.
     void leave_terminal();
     void return_to_terminal();
 
-    /// The run ends as it should: the last picture stays where the display can do that, and the files that
-    /// the run writes are completed. @throws std::runtime_error naming the file
+    /// Call when the run ends in order. The last picture stays if the display can keep it, and the files of
+    /// the run are completed. @throws std::runtime_error naming the file
     void finish();
 
   private:
@@ -90,13 +90,13 @@ class DisplaySession {
     std::filesystem::path state_;
     RendererCalls calls_;
     std::unique_ptr<Console> console_;       // none: off screen
-    std::unique_ptr<Display> display_;       // none: no graphics card for now
-    std::string complaint_;                  // why there is no display, as last logged
+    std::unique_ptr<Display> display_;       // none: no graphics card at present
+    std::string complaint_;                  // the last logged reason why there is no display
     std::shared_ptr<Egl> gl_;                // the renderer's context, shared with the display
-    std::unique_ptr<Renderer> renderer_;     // none: no display so far, or its context went with the card
-    EventLoop::Clock::time_point next_try_;  // to open the display
+    std::unique_ptr<Renderer> renderer_;     // none: no display so far, or its context was lost with the card
+    EventLoop::Clock::time_point next_try_;  // time of the next try to open the display
     EventLoop::Source events_;               // the display's events
-    int noted_side_ = 0;                     // px, the size of the screens in the note for the analyzer
+    int noted_side_ = 0;                     // px; the size that the analyzer was told last
 };
 
 }  // namespace vitrine::player

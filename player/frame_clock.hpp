@@ -6,22 +6,22 @@
 
 namespace vitrine::player {
 
-/// Tells when each frame of a steady rate is due, and counts those that came too late. Knows no clock: `now`
-/// is passed in, since the player's start.
+/// Tells when each frame of a steady rate is due, and counts late frames. Knows no clock: `now` is passed in,
+/// since the player's start.
 class FrameClock {
   public:
     explicit FrameClock(int rate) : rate_(rate) {}
 
-    /// When the next frame is due.
+    /// The time at which the next frame is due.
     std::chrono::nanoseconds due() const { return due_of(index_); }
 
-    /// The next frame has been shown. Frames whose time is over by then are left out and count as late.
+    /// Call when the next frame has been shown. Frames whose time is over are left out and count as late.
     void advance(std::chrono::nanoseconds now);
 
-    /// The next frame has been shown at its own time, however long it took.
+    /// Call when the next frame has been shown at its own time, however long it took.
     void advance_exactly() { ++index_; }
 
-    /// There was no picture to show until now: frames that were due meanwhile are not late.
+    /// Call while there was no picture to show: the frames until now are not late.
     void skip_to(std::chrono::nanoseconds now);
 
     std::int64_t pictures() const { return index_ - skipped_ - late_; }

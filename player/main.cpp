@@ -19,7 +19,7 @@ namespace {
 using namespace vitrine;
 using namespace vitrine::player;
 
-/// "20s", "1500ms", "2m" or "20", in seconds.
+/// Reads "20s", "1500ms", "2m" or "20", which are seconds.
 std::chrono::nanoseconds duration_of(const std::string& text) {
     std::size_t end = 0;
     const double number = std::stod(text, &end);

@@ -26,7 +26,7 @@ namespace {
 
 struct FirstWall {
     std::vector<NamedItem> items;
-    std::vector<int> groups;  // one an item
+    std::vector<int> groups;  // one for each item
 };
 
 FirstWall first_wall(const Settings& settings, const std::filesystem::path& directory, int screens) {
@@ -51,7 +51,7 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
     return wall;
 }
 
-/// Writes a film that shows each layout on the way for a moment.
+/// Writes a film that shows each layout of the packing for a moment.
 void write_film(const std::filesystem::path& path, const FirstWall& wall, std::vector<Layout> layouts,
                 const CellStyle& style) {
     constexpr auto moment = std::chrono::milliseconds(80);

@@ -14,11 +14,11 @@ struct PlanOptions {
     int height = 0;
     int wall_width = 0;  // px of a wall that pans; 0: none is planned
     std::optional<std::filesystem::path> svg;
-    std::optional<std::filesystem::path> json;  // neither: JSON to the standard output
-    std::optional<std::filesystem::path> film;  // shows how the packing came about
+    std::optional<std::filesystem::path> json;  // neither json nor film: JSON to the standard output
+    std::optional<std::filesystem::path> film;  // a film of the packing's steps
 };
 
-/// Lays out the first wall that the player would show of a catalogue, without a display. An empty catalogue
+/// Lays out, without a display, the first wall that the player would show of a catalogue. An empty catalogue
 /// gives an empty plan. @throws std::runtime_error naming the file that cannot be read or written
 void write_plan(const Settings& settings, const PlanOptions& options);
 

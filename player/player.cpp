@@ -34,11 +34,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto invisible_pause = 200ms;    // between two looks at screens that are not there
-constexpr auto busy_pause = 2ms;           // between two looks at a screen whose flip is under way
-constexpr auto old_picture_patience = 4s;  // then it gives way to a wall that is not whole
+constexpr auto invisible_pause = 200ms;    // between two tries while no screen is there
+constexpr auto busy_pause = 2ms;           // between two tries while a flip is under way
+constexpr auto old_picture_patience = 4s;  // then a wall with gaps replaces the old picture
 
-/// True: all screens can take a picture; or one can, and the others have been waited for.
+/// True: all screens can take a picture; or one can, and the frame is too late to wait for the others.
 bool can_draw(std::span<Screen* const> screens, bool is_late) {
     const auto ready = std::ranges::count_if(screens, &Screen::is_ready);
     return ready == std::ssize(screens) || (ready > 0 && is_late);
@@ -78,8 +78,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
         loop_, display_->traits().has_terminal ? settings.input.devices : "none");
     service_ = std::make_unique<PlayerService>(loop_, view(), actions());
     begin_stages();
-    // While the display is opened, which takes a tenth of a second, the first wall is laid out for the size
-    // that most displays have.
+    // Opening the display takes a tenth of a second. Meanwhile the first wall is laid out for the most usual
+    // size.
     const ScreenSize size = display_->traits().expected;
     if (!is_paced_by_pictures()) stages_->first().expect_screen(size.width, size.height);
     display_->open();
@@ -160,7 +160,7 @@ void Player::run() {
     finish();
 }
 
-/// True: the clock waits for the sources, not the sources for the clock.
+/// True: time waits for the pictures; false: pictures that are late are skipped.
 bool Player::is_paced_by_pictures() const {
     return display_->traits().can_wait_for_pictures && !options_.is_realtime;
 }
@@ -173,7 +173,7 @@ void Player::give_files() {
     if (stages_) stages_->set_catalogue(files_->records(), files_->hints());
 }
 
-/// Draws one picture, or waits until there can be one.
+/// Draws one frame, or waits until one can be drawn.
 void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
@@ -202,7 +202,7 @@ void Player::tick() {
     tick_.arm(std::max(0ns, clock_.due() - now()));
 }
 
-/// The rehearsal's events come before those of a visitor.
+/// Handles the rehearsal's events first, then those of visitors.
 void Player::handle_input(std::chrono::nanoseconds time) {
     if (options_.rehearsal) {
         if (options_.rehearsal->advance(time)) files_->apply_filters();
@@ -218,7 +218,7 @@ void Player::look_at_files(std::chrono::nanoseconds time) {
     files_->look(time, EventLoop::Clock::now(), [this] { return content_of(*stages_, *sources_); });
 }
 
-/// Plays the sound of the walls as they are at this time; where no wall is shown, none.
+/// Updates the sound to the films now on the walls; silent while no wall is shown.
 void Player::play_sound(std::chrono::nanoseconds time) {
     if (!sound_) return;
     sound_->follow(stages_->audible(), (start_ + time).time_since_epoch());
@@ -226,14 +226,14 @@ void Player::play_sound(std::chrono::nanoseconds time) {
         log::write(event.is_trouble ? log::Level::warning : log::Level::info, "sound: " + event.text);
 }
 
-/// For the status page: the first wall, where it is shown.
+/// Takes the picture of the first wall for the status page, if the wall is shown.
 void Player::take_wall_picture(std::chrono::nanoseconds time) {
     const Stage& stage = stages_->first();
     if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
     wall_picture_->write(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
 }
 
-/// @throws SettingsError; the settings then stay as they are
+/// Reads the settings again. @throws SettingsError; then the settings stay as they are
 void Player::reload() {
     if (!options_.read_settings) return;
     SettingsChange change = settings_change(settings_, options_.read_settings());

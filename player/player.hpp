@@ -25,23 +25,24 @@ class WallSound;
 struct PlayerActions;
 struct PlayerView;
 
-/// The part of a run that only the command line says.
+/// The options of a run that are not settings.
 struct PlayOptions {
     std::optional<std::chrono::nanoseconds> duration;  // none: until stopped
     std::optional<std::filesystem::path> film;         // off screen only
     std::optional<std::filesystem::path> snapshot;     // off screen only: the last picture
-    std::optional<std::filesystem::path> tapestry;     // a directory: shown in place of the wall
-    std::optional<Rehearsal> rehearsal;                // events that need neither files nor a visitor
-    std::function<Settings()> read_settings;           // again; empty: the settings stay as they are
-    bool is_realtime = false;  // off screen: pictures at their time, late or not, instead of each exact
+    std::optional<std::filesystem::path> tapestry;  // a directory; its tapestry is shown in place of the wall
+    std::optional<Rehearsal> rehearsal;             // events for a run without new files or visitors
+    std::function<Settings()> read_settings;        // reads the settings again; empty: they stay as they are
+    bool is_realtime = false;  // off screen: pictures at their time, even if late; else each picture exact
 };
 
-/// The player put together: VisibleFiles says which files there are, the Stages make walls of them, and at
-/// each tick of the frame clock a picture of every wall is drawn on the screens of the DisplaySession.
-/// Screens and whole graphics cards come and go meanwhile; without them the player waits. Logs.
+/// The whole player: VisibleFiles lists the files, the Stages make walls of them, and at each tick of the
+/// frame clock a frame of every wall is drawn on the screens of the DisplaySession. Screens and graphics
+/// cards come and go meanwhile; without them the player waits. Logs.
 class Player {
   public:
-    /// @throws std::runtime_error naming what cannot be opened; a missing graphics card is awaited
+    /// @throws std::runtime_error naming what cannot be opened. A missing graphics card is no error: the
+    /// player waits for it
     Player(const Settings& settings, const PlayOptions& options);
     ~Player();
     Player(const Player&) = delete;
@@ -49,7 +50,7 @@ class Player {
     Player(Player&&) = delete;
     Player& operator=(Player&&) = delete;
 
-    /// Until the duration is over, or SIGTERM or SIGINT.
+    /// Runs until the duration is over, or SIGTERM or SIGINT comes.
     void run();
 
   private:
@@ -74,12 +75,12 @@ class Player {
     PlayOptions options_;
     EventLoop loop_;
     std::vector<EventLoop::Source>
-        signals_;  // blocked before any thread starts, or they would end the player
+        signals_;  // blocked before any thread starts; otherwise they would end the player
     std::unique_ptr<DisplaySession> display_;
     std::unique_ptr<VisibleFiles> files_;
     std::unique_ptr<SourcePool> sources_;
     std::unique_ptr<Stages> stages_;
-    std::unique_ptr<WallSound> sound_;           // none: there is no device for it
+    std::unique_ptr<WallSound> sound_;           // none: no sound device is set
     std::unique_ptr<WallPicture> wall_picture_;  // none: there is no status page
     std::unique_ptr<PlayerService> service_;
     std::unique_ptr<InputDevices> input_devices_;

@@ -30,7 +30,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto report_interval = 5s;
-constexpr std::size_t max_status_bytes = 64U << 20;  // largest size of the analyzer's status.json
+constexpr std::size_t max_status_bytes = 64U << 20;  // limit of the analyzer's status.json
 
 const char* tier_of(const SourceState& source) {
     if (!source.is_film) return "photo";
@@ -78,7 +78,7 @@ void PlayerService::look(std::chrono::nanoseconds now) {
     if (health_.feed_watchdog_now(now)) service::feed_watchdog();
 }
 
-/// Tells systemd, and the node exporter, what is shown and how well.
+/// Reports to systemd and to the node exporter which pictures are shown, and at which rate.
 void PlayerService::report_status() {
     report_.arm(report_interval);
     const std::span<Screen* const> screens = view_.display.screens();
@@ -129,7 +129,7 @@ PlayerReport PlayerService::report() const {
     return report;
 }
 
-/// Empty: there is no analyzer, or it has left no word.
+/// The analyzer's status. Empty: there is no analyzer, or it has written none.
 std::string PlayerService::analyzer_status() const {
     try {
         return read_file(std::filesystem::path(view_.settings.state.directory) / "status.json",
@@ -167,7 +167,7 @@ FileReport PlayerService::report_file(const std::string& given, const std::strin
     return {.path = given, .state = "unknown"};
 }
 
-/// The record of a file that can be shown. Lent until the event loop runs again.
+/// The record of a file that is shown. Lent until the event loop runs again.
 const MediaRecord& PlayerService::require_shown(const std::string& given, const std::string& folder) const {
     const FileReport file = report_file(given, folder);
     const RecordList::Record record = view_.files.find(file.path);
@@ -234,7 +234,7 @@ CommandAnswer PlayerService::remove(const CommandCall& call) {
     return {.text = record.path, .pictures = {}};
 }
 
-/// One for each method of commands().
+/// One handler for each method of commands().
 CommandHandlers PlayerService::handlers() {
     using Call = CommandCall;
     const auto text = [](std::string said) { return CommandAnswer{.text = std::move(said), .pictures = {}}; };

@@ -31,7 +31,7 @@ class SourcePool;
 class Stages;
 class VisibleFiles;
 
-/// The parts of a player that the service reads. Each outlives it.
+/// The parts of a player that the service reads. Each outlives the service.
 struct PlayerView {
     const Settings& settings;
     const DisplaySession& display;
@@ -41,24 +41,24 @@ struct PlayerView {
     const FrameClock& clock;
 };
 
-/// The changes of a player that the service asks for.
+/// The changes that the service makes to a player.
 struct PlayerActions {
     std::function<void(const ShowControls&)> set_controls;  // sets the controls of all walls
     std::function<void(const MediaRecord&)> dismiss;        // takes a file off the wall
-    std::function<void()> reload;                           // the settings; throws what is wrong with them
+    std::function<void()> reload;  // reads the settings again; throws if they are wrong
 };
 
-/// Serves those who look after a player: systemd, whose watchdog it feeds while pictures reach the displays;
-/// vitrinectl, over the bus; a node exporter, through a file.
+/// Serves everything that looks after a player: systemd, whose watchdog it feeds while pictures reach the
+/// displays; vitrinectl, over the bus; a node exporter, through a file.
 class PlayerService {
   public:
     /// @param loop  outlives this
     PlayerService(EventLoop& loop, const PlayerView& view, PlayerActions actions);
 
-    /// People reach the player over the system bus from now on, where there is one.
+    /// Exports the player on the system bus, if there is one.
     void export_to_bus();
 
-    /// To be called at every tick. @param now  since the player's start
+    /// Call at every tick. @param now  since the player's start
     void look(std::chrono::nanoseconds now);
 
   private:
@@ -84,9 +84,9 @@ class PlayerService {
     ShowControls controls_;
     MetricsFile metrics_;
     std::chrono::nanoseconds now_{0};       // the time of the last look()
-    std::chrono::nanoseconds reported_{0};  // when systemd was told last
+    std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
     std::uint64_t flips_ = 0;               // flips of the first screen at that time
-    double rate_ = 0;                       // flips a second since the report before
+    double rate_ = 0;                       // flips a second between the last two reports
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

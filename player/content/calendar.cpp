@@ -13,7 +13,7 @@ using std::chrono::system_clock;
 
 namespace {
 
-constexpr system_clock::time_point built{std::chrono::seconds(VITRINE_BUILT)};  // by CMake
+constexpr system_clock::time_point built{std::chrono::seconds(VITRINE_BUILT)};  // set by CMake
 constexpr auto set_by_network = "/run/systemd/timesync/synchronized";
 
 system_clock::time_point changed_at(const fs::path& file) {

@@ -6,9 +6,9 @@
 
 namespace vitrine::player {
 
-/// The earliest time that a clock may show and be plausible: no earlier than this program was built, nor than
-/// a record was written. A record more than ten years younger than the program proves nothing: it was written
-/// while the clock was wrong. A clock that is ahead cannot be found out.
+/// The earliest plausible time of the clock: not before this program was built, and not before the newest
+/// record was written. A record more than ten years newer than the program proves nothing: it was written
+/// while the clock was wrong. A clock that is ahead cannot be detected.
 class EarliestTime {
   public:
     explicit EarliestTime(std::chrono::system_clock::time_point built) : built_(built), time_(built) {}
@@ -25,11 +25,11 @@ class EarliestTime {
 /// The local time, once the clock is plausible.
 class Calendar {
   public:
-    /// @param catalogue  the directory of the records, read once: a record that is written later may have the
-    ///                   time of a wrong clock
+    /// @param catalogue  the directory of the records. It is read only once: a later record may have the time
+    /// of a wrong clock
     explicit Calendar(const std::filesystem::path& catalogue);
 
-    /// None: the clock is not plausible yet. A clock that systemd-timesyncd has set is.
+    /// None: the clock is not plausible yet. A clock that systemd-timesyncd has set is plausible.
     std::optional<std::chrono::local_seconds> now() const;
 
   private:

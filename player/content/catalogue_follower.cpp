@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto settle_time = 150ms;  // records that are written together are one change
 constexpr auto retry_time = 1s;
 
-/// The record of a file where that is ready.
+/// The record of a file. None: the file is not ready.
 RecordList::Record find_ready(const RecordList& records, const std::string& path) {
     RecordList::Record found = records.find(path);
     return found && is_ready(*found) ? found : nullptr;

@@ -12,13 +12,13 @@
 
 namespace vitrine::player {
 
-/// Paths of the ready files that a change of the catalogue concerns.
+/// Paths of the ready files that a change of the catalogue touches.
 struct CatalogueChange {
     std::vector<std::string> added;
-    std::vector<std::string> grown;  // the same content with further shots: a shot that plays goes on
+    std::vector<std::string> grown;  // the same content with further shots: a playing shot goes on
     std::vector<std::string> replaced;
     std::vector<std::string> gone;
-    bool has_others = false;  // files that are not ready, before or now, have changed
+    bool has_others = false;  // the records of files that are not ready have changed, too
 
     bool is_empty() const {
         return added.empty() && grown.empty() && replaced.empty() && gone.empty() && !has_others;
@@ -28,14 +28,14 @@ struct CatalogueChange {
 /// True: the analyzer has found shots in the file.
 bool is_ready(const MediaRecord& record);
 
-/// Keeps the records of a catalogue up to date while the event loop runs. Where the directory does not exist
-/// yet, the follower waits for it. Logs.
+/// Keeps the records of a catalogue up to date while the event loop runs. Waits for the directory if it does
+/// not exist yet. Logs.
 class CatalogueFollower {
   public:
     using Call = std::function<void(const CatalogueChange& change, const RecordList& records)>;
 
     /// @param loop  outlives this
-    /// @param call  called for every change; the first time from within this constructor
+    /// @param call  called on each change; the first time by this constructor
     CatalogueFollower(EventLoop& loop, Catalogue catalogue, Call call);
 
     /// All records, ready or not, ordered by path.
@@ -53,7 +53,7 @@ class CatalogueFollower {
     Call call_;
     RecordList records_;
     std::map<MediaState, std::size_t> counts_;
-    std::map<std::string, std::string> complaints_;  // file -> reason: each is logged once
+    std::map<std::string, std::string> complaints_;  // file -> reason; each is logged once
     DirectoryWatch directory_watch_;
     EventLoop::Source events_;
     EventLoop::Source settled_;  // fires a moment after the last change

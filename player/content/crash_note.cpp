@@ -18,9 +18,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto usual_opening = 10s;     // after an opening; a crash within it is put down to the file
-constexpr auto max_opening = 60s;       // the same for a file that has played in several crashes
-constexpr auto forgiving_time = 10min;  // without a crash
+constexpr auto usual_opening = 10s;     // a crash within this time is put down to the opened file
+constexpr auto max_opening = 60s;       // the same for a file that was open in several crashes
+constexpr auto forgiving_time = 10min;  // time without a crash until all is forgiven
 
 std::string content_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -46,7 +46,7 @@ CrashNote::CrashNote(fs::path state)
         log::info("{} files are shown again one after the other, for one of them may bring the player down",
                   suspects_.size());
     else
-        suspects_.clear();  // a further crash is its own anyway
+        suspects_.clear();  // a further crash counts for this file anyway
 }
 
 void CrashNote::count_crash() {
@@ -118,7 +118,7 @@ bool CrashNote::note_open(const std::set<ContentName>& open, Time now) {
     return is_acquitted;
 }
 
-/// True: there was a trial, and it has lasted long enough or all is forgiven.
+/// Ends a trial that has lasted long enough, or when all is forgiven. True: there was one.
 bool CrashNote::end_trial(Time now) {
     if (suspects_.empty()) return false;
     if (now - start_ > forgiving_time) {
@@ -143,7 +143,7 @@ void CrashNote::forgive() {
     }
 }
 
-/// Somebody reads the note only after this process has ended: a rename alone makes it whole.
+/// A rename alone makes the note whole: it is read only after this process has ended.
 void CrashNote::write() {
     if (!is_active_) return;
     const fs::path file = state_ / playing_file;
@@ -155,7 +155,7 @@ void CrashNote::write() {
     if (stream && !failure) return;
     is_active_ = false;
     fs::remove(unfinished(file), failure);
-    fs::remove(file, failure);  // its text is not true any more
+    fs::remove(file, failure);  // its text is out of date
     log::warning("what plays cannot be noted in '{}': a file that brings the player down is not found out",
                  state_.string());
 }

@@ -13,37 +13,37 @@
 
 namespace vitrine::player {
 
-/// Finds out which file brings the player down. It notes each file on the disk before the file is opened; a
-/// note that exists at the start is evidence of a crash. Nothing is fsynced: a crash of this process does not
-/// touch what the kernel has, and a crash of the machine does not count. Where the state directory cannot be
-/// written this is logged once, and only this protection is lost. Logs.
+/// Finds out which file makes the player crash. It notes each file on the disk before the file is opened; a
+/// note that exists at the start is evidence of a crash. Nothing is fsynced: what the kernel has outlasts a
+/// crash of this process, and a crash of the machine does not count. If the state directory cannot be
+/// written, this is logged once and only this protection is lost. Logs.
 class CrashNote {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Counts the crash of an earlier run, if it was one.
+    /// Counts a crash if the earlier run ended with one.
     explicit CrashNote(std::filesystem::path state);
 
-    /// True: the file has brought the player down too often.
+    /// True: the file has made the player crash too often.
     bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
 
     /// True: the file is one of several that may have caused the last crash. They are shown again one at a
     /// time, so that a further crash shows which one it was.
     bool is_on_hold(const MediaRecord& record) const;
 
-    /// To be called when there are other files: logs those that are quarantined, once each, and chooses which
-    /// suspect is shown next, where none is being tried.
+    /// Call when the files have changed. Logs each quarantined file once, and chooses the next suspect to
+    /// show if none is on trial.
     void set_files(const RecordList& files);
 
-    /// To be called before the file is opened.
+    /// Call before the file is opened.
     void note_opening(const MediaRecord& record, Time now);
 
-    /// Notes the files that are still open; to be called now and then. A run of ten minutes forgives all
-    /// files that are not quarantined.
+    /// Notes the files that are still open. Call now and then. A run of ten minutes forgives all files that
+    /// are not quarantined.
     /// @return  true: a suspect was cleared, so that another file may be shown
     bool note_open(const std::set<ContentName>& open, Time now);
 
-    /// Takes the note away: the run ends as it should.
+    /// Removes the note: the run ends in order.
     void end_run();
 
   private:
@@ -57,12 +57,12 @@ class CrashNote {
     Blame blame_;
     PlayingNote note_;                    // the note on the disk
     std::map<ContentName, Time> opened_;  // open files and when they were opened
-    Time start_{};                        // the first call
-    std::set<ContentName> suspects_;      // files that are on hold, and the one on trial
+    Time start_{};                        // time of the first call
+    std::set<ContentName> suspects_;      // the files on hold, and the one on trial
     std::optional<ContentName> on_trial_;
-    std::optional<Time> trial_begin_;  // when the file on trial was first opened
+    std::optional<Time> trial_begin_;  // time of the first opening of the file on trial
     std::set<std::string> logged_;     // paths of quarantined files
-    bool is_active_ = true;            // no other player has this state directory, and it can be written
+    bool is_active_ = true;  // false: another player has this state directory, or it cannot be written
 };
 
 }  // namespace vitrine::player

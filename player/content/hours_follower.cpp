@@ -28,7 +28,8 @@ std::string HoursFollower::hours_of(const std::string& path) const {
     return in_words(Hints{.period = found->second.period, .hours = found->second.hours});
 }
 
-/// The analyzer replaces the file as a whole. Where the file cannot be read, the folders' hints stay.
+/// Reads the folders' hints; the analyzer replaces the file as a whole. If the file cannot be read, the hints
+/// stay.
 void HoursFollower::read_folders() {
     std::error_code missing;
     const auto time = fs::last_write_time(file_, missing);
@@ -38,7 +39,7 @@ void HoursFollower::read_folders() {
     read_ = Version(time, size);
     try {
         hours_.set_folders(folder_hints_from_json(read_file(file_)));
-    } catch (const std::runtime_error& error) {  // somebody has damaged the file
+    } catch (const std::runtime_error& error) {  // the file is damaged
         log::warning("'{}' unreadable, ignoring: {}", file_.string(), error.what());
     }
 }

@@ -12,8 +12,8 @@
 
 namespace vitrine::player {
 
-/// Follows the clock and STATE/hints.json, by which the analyzer tells what folders say: which files may be
-/// shown now. Logs.
+/// Follows the clock and STATE/hints.json, in which the analyzer writes the hints of folders, and tells which
+/// files may be shown now. Logs.
 class HoursFollower {
   public:
     /// @param state  the state directory
@@ -21,9 +21,9 @@ class HoursFollower {
 
     void set_files(const RecordList& files) { hours_.set_files(files); }
 
-    /// To be called about once a second, and after set_files().
+    /// Call about once a second, and after set_files().
     /// @param rehearsed  a local time that replaces the present one
-    /// @return  true: other files may be shown than at the last call, or in another way
+    /// @return  true: other files may be shown than at the last call, or with other hints
     bool look(std::optional<std::chrono::local_seconds> rehearsed);
 
     bool is_open(const std::string& path) const { return hours_.is_open(path); }
@@ -40,10 +40,10 @@ class HoursFollower {
     void read_folders();
     void log_clock();
 
-    using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;  // written when, bytes
+    using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;  // time of writing, bytes
 
     std::filesystem::path file_;
-    std::optional<Version> read_;  // the version of the file that was read
+    std::optional<Version> read_;  // the version that was read
     OpeningHours hours_;
     Calendar calendar_;
     bool has_time_ = false;

@@ -11,20 +11,20 @@
 
 namespace vitrine::player {
 
-/// Decides which files may be shown now, by the periods and hours that names and folders say. Knows no clock:
-/// the time is passed in.
+/// Decides which files may be shown now, by the periods and hours in the hints of names and folders. Knows no
+/// clock: the time is passed in.
 class OpeningHours {
   public:
     void set_files(const RecordList& files);
     void set_folders(FolderHints folders);
 
-    /// @param now   local time; none: it is not known
-    /// @return whether other files may be shown than at the last call, or in another way
+    /// @param now   local time; none: unknown
+    /// @return  true: other files may be shown than at the last call, or with other hints
     bool advance(std::optional<std::chrono::local_seconds> now);
 
     bool is_open(const std::string& path) const { return !closed_.contains(path); }
 
-    /// Hints of the files that were set.
+    /// The hints of the files that were set.
     const ShowHints& hints() const { return hints_; }
 
     /// True: a file has a period or hours.
@@ -40,7 +40,7 @@ class OpeningHours {
     ShowHints hints_;
     std::set<std::string> closed_;  // paths of the files that may not be shown now
     bool has_hours_ = false;
-    bool is_new_ = true;  // files or folders are others than at the last advance()
+    bool is_new_ = true;  // files or folders have changed since the last advance()
 };
 
 }  // namespace vitrine::player

@@ -75,7 +75,7 @@ FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
     return judged;
 }
 
-/// The last filter: a screen must show the folder of the file.
+/// The last filter: is the file's folder shown on a screen?
 Visibility VisibleFiles::judge_folder(const std::string& path) const {
     const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
     const auto is_open = [&](const ShownFolder& shown) {
@@ -98,7 +98,7 @@ void VisibleFiles::apply_filters() {
     for (const RecordList::Record& record : records_)
         if (is_ready(*record)) ready.add(record);
     ready_ = ready.size();
-    // A file that has changed since it was dismissed, or is gone, is not dismissed any more.
+    // A dismissal ends when the file has changed or is gone.
     std::erase_if(dismissed_, [&](const auto& dismissed) {
         const RecordList::Record now = records_.find(dismissed.first);
         return !now || !is_same_content(*now, *dismissed.second);
@@ -109,7 +109,7 @@ void VisibleFiles::apply_filters() {
     select_visible();
 }
 
-/// A file that no screen shows now stays in the list: its screen may come at any time.
+/// Files whose folder no screen shows stay in the list: the screen may come at any time.
 void VisibleFiles::select_visible() {
     visible_ = {};
     for (const RecordList::Record& record : records_)
@@ -145,7 +145,7 @@ void VisibleFiles::set_content(WallContent content) {
     note_.set_changed();
 }
 
-/// Logs how many ready files the filters keep off the wall, where that has changed.
+/// Logs how many ready files the filters keep off the wall, if that has changed.
 void VisibleFiles::log_reasons() {
     std::map<Visibility, std::size_t> counts;
     for (const RecordList::Record& record : records_)

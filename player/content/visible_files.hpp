@@ -19,10 +19,10 @@ namespace vitrine::player {
 
 class Rehearsal;
 
-/// The folder that one screen or more show.
+/// A folder that at least one screen shows.
 struct ShownFolder {
     std::string folder;  // the output's folder, below the media folder; empty: all files
-    std::string opened;  // a visitor looks into this folder only; empty: into all
+    std::string opened;  // the only folder that a visitor looks into; empty: all
 
     bool operator==(const ShownFolder&) const = default;
 };
@@ -36,7 +36,7 @@ struct WallContent {
     bool operator==(const WallContent&) const = default;
 };
 
-/// The one list that says which files may be on the wall, and why the others may not. It follows the
+/// The one list of the files that may be on the wall, with the reason for each other file. It follows the
 /// catalogue, the hours, the crashes of the player and the files that vitrinectl took off; judge_file() has a
 /// line for each filter. It keeps STATE/visible.json up to date. Logs.
 class VisibleFiles {
@@ -45,46 +45,46 @@ class VisibleFiles {
 
     /// @param state      the state directory
     /// @param rehearsal  outlives this; none: there is no rehearsal
-    /// @param on_change  called when other files may be shown; the first time from within this constructor
+    /// @param on_change  called when other files may be shown; the first time by this constructor
     VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Rehearsal* rehearsal,
                  std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
     const RecordList& records() const { return visible_; }
 
-    /// The hints by which the files are shown.
+    /// The hints for showing the files.
     const ShowHints& hints() const { return hours_.hints(); }
 
     /// The number of files in each state of the analyzer.
     const std::map<MediaState, std::size_t>& counts() const { return follower_.counts(); }
 
-    /// The number of files that are ready, whether a filter keeps them off the wall or not.
+    /// The number of ready files, with those that a filter keeps off the wall.
     std::size_t count_ready() const { return ready_; }
 
-    /// The record of a file, whether it may be shown or not; none: the analyzer has written none.
+    /// The record of a file, visible or not. None: the analyzer has written no record.
     RecordList::Record find(const std::string& path) const { return follower_.records().find(path); }
 
     /// The first filter that keeps the file off the wall.
     FileVisibility judge(const MediaRecord& file) const;
 
-    /// Applies all filters anew: another rehearsal, another clock.
+    /// Applies all filters again: the rehearsal or the clock has changed.
     void apply_filters();
 
-    /// To be called at every tick; looks once a second, as hours begin and end on the second.
+    /// Call at every tick. Looks once a second, because hours begin and end on the second.
     /// @param time     since the player's start
-    /// @param content  gives what the screens show now
+    /// @param content  gives the present content of the screens
     void look(std::chrono::nanoseconds time, Time now, const std::function<WallContent()>& content);
 
     /// Takes a ready file off the wall until it changes.
     void dismiss(const MediaRecord& file);
 
-    /// Paths of the files that were dismissed.
+    /// Paths of the dismissed files.
     std::vector<std::string> dismissed() const;
 
-    /// To be called before the player opens a file of the media folder.
+    /// Call before the player opens a file of the media folder.
     void note_opening(const std::string& path, Time now);
 
-    /// The run ends as it should.
+    /// Call when the run ends in order.
     void end_run();
 
   private:
@@ -105,7 +105,7 @@ class VisibleFiles {
     RecordList records_;  // the whole catalogue
     RecordList visible_;
     std::size_t ready_ = 0;
-    std::string logged_;  // the last line of log_reasons()
+    std::string logged_;  // the last logged line of log_reasons()
     VisibleNote note_;
     CatalogueFollower follower_;  // last: it calls back from its constructor
 };

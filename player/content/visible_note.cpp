@@ -20,7 +20,7 @@ bool write_list(const std::vector<FileVisibility>& files, const fs::path& file) 
         replace_file_unsynced(file, visible_json(files));
         return true;
     } catch (
-        const std::exception& error) {  // no exception crosses a thread; the wall goes on without the file
+        const std::exception& error) {  // no exception may leave a thread; the wall goes on without the file
         log::debug("'{}' is not written: {}", file.string(), error.what());
         return false;
     }
@@ -52,7 +52,7 @@ void VisibleNote::write(std::vector<FileVisibility> files) {
     written_ = std::async(std::launch::async, write_list, std::move(files), file_);
 }
 
-/// Where somebody has deleted the file it is written again.
+/// Sets the file's time. If somebody has deleted the file, it is written again.
 void VisibleNote::set_time() {
     std::error_code missing;
     fs::last_write_time(file_, fs::file_time_type::clock::now(), missing);

@@ -31,10 +31,10 @@ class Polkit final : public Authority {
 
   private:
     struct Question {
-        Polkit* authority = nullptr;  // which owns it
+        Polkit* authority = nullptr;  // owns the question
         std::uint64_t number = 0;
         std::string sender;
-        sd_bus* bus = nullptr;  // outlives it
+        sd_bus* bus = nullptr;  // outlives the question
         Answer answer;
         SlotHandle slot;
     };
@@ -53,7 +53,7 @@ class Polkit final : public Authority {
         send(question, made, &on_polkit);
     }
 
-    /// The bus knows whose process the sender is.
+    /// Asks the bus for the user of the sender's process.
     static void ask_bus(Question& question) {
         sd_bus_message* made = nullptr;
         bus_checked(sd_bus_message_new_method_call(question.bus, &made, "org.freedesktop.DBus",
@@ -99,7 +99,7 @@ class Polkit final : public Authority {
         return 0;
     }
 
-    /// No exception reaches sd-bus.
+    /// Keeps exceptions from sd-bus.
     static int guarded(Question& question, void (*deed)(Question&)) {
         try {
             deed(question);
@@ -114,7 +114,7 @@ class Polkit final : public Authority {
         ended.mapped().answer(refusal);
     }
 
-    std::map<std::uint64_t, Question> questions_;  // under way
+    std::map<std::uint64_t, Question> questions_;  // questions that are not answered yet
     std::uint64_t last_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace vitrine::player {
 /// Decides who may change what is on the wall.
 class Authority {
   public:
-    /// @param refusal  why not, in plain words; empty: allowed
+    /// @param refusal  the reason in plain words; empty: allowed
     using Answer = std::function<void(const std::string& refusal)>;
 
     Authority() = default;
@@ -21,13 +21,13 @@ class Authority {
     Authority& operator=(Authority&&) = delete;
     virtual ~Authority() = default;
 
-    /// Answers at once or later, from the event loop, and not at all once this is gone.
-    /// @param call  lent; its sender is the one who asks
+    /// Answers at once or later, from the event loop; never after this is destroyed.
+    /// @param call  lent; its sender is asked about
     virtual void ask(sd_bus_message& call, Answer answer) = 0;
 };
 
-/// polkit, asked over the bus that the call came by whether its sender may do org.vitrine.player.control.
-/// Where there is no polkit, root and this process' own user may.
+/// Asks polkit, over the bus of the call, if the sender may do org.vitrine.player.control. Without polkit,
+/// root and this process' own user may.
 std::unique_ptr<Authority> polkit_authority();
 
 }  // namespace vitrine::player

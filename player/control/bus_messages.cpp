@@ -12,7 +12,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::uint32_t max_side = 32768;  // px, of a picture
+constexpr std::uint32_t max_side = 32768;  // px of a picture
 constexpr const char* picture_list = "a(suuh)";
 
 /// Calls `use` with each part of a signature: "ay", "u", "b".

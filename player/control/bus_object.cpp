@@ -25,14 +25,14 @@ constexpr const char* failed = "org.vitrine.Error.Failed";
 
 void reply_error(sd_bus_message& call, const char* error, const std::string& why) {
     if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) >= 0) return;
-    std::string plain = why;  // the bus takes only UTF-8, which names need not be
+    std::string plain = why;  // the bus takes only UTF-8; file names may hold other bytes
     std::ranges::replace_if(
         plain, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
     if (sd_bus_reply_method_errorf(&call, error, "%s", plain.c_str()) < 0)
         log::debug("nobody waits for: {}", why);
 }
 
-/// Answers a call with what `fill` appends, or with the error that it throws.
+/// Answers a call: appends with `fill`, or sends the error that it throws.
 void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fill) {
     try {
         sd_bus_message* made = nullptr;
@@ -40,7 +40,7 @@ void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fil
         const MessageHandle message(made);
         fill(*made);
         bus_checked(sd_bus_send(nullptr, made, nullptr), "answer");
-    } catch (const std::exception& error) {  // goes to who asked
+    } catch (const std::exception& error) {  // the caller gets it
         reply_error(call, failed, error.what());
     }
 }
@@ -72,7 +72,7 @@ std::vector<sd_bus_vtable> vtable_of_commands() {
 
 #pragma GCC diagnostic pop
 
-/// Lives as long as the process: sd-bus keeps a pointer to it.
+/// Static, because sd-bus keeps a pointer to it.
 const std::vector<sd_bus_vtable>& vtable() {
     static const std::vector<sd_bus_vtable> made = vtable_of_commands();
     return made;
@@ -104,7 +104,7 @@ void BusObject::connect() {
     close();
     try {
         open();
-    } catch (const std::system_error& error) {  // the wall needs no bus
+    } catch (const std::system_error& error) {  // the wall works without the bus
         complain(error.what());
     }
 }
@@ -113,7 +113,7 @@ void BusObject::open() {
     sd_bus* bus = nullptr;
     bus_checked(sd_bus_open_system(&bus), "reach the system bus");
     bus_.reset(bus);
-    // All that was asked is answered before another picture, which on a slow machine takes its time.
+    // Calls are answered before the next picture, which may take long on a slow machine.
     bus_checked(sd_bus_attach_event(bus, loop_.get(), SD_EVENT_PRIORITY_IMPORTANT),
                 "wait for the system bus");
     sd_bus_slot* slot = nullptr;

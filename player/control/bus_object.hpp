@@ -14,8 +14,8 @@ struct sd_bus_slot;
 namespace vitrine::player {
 
 /// The player on the system bus: /org/vitrine/Player1 of org.vitrine.Player1, with the methods of commands().
-/// Runs in the loop it is given; where there is no bus, or it goes, that is logged once and tried again every
-/// now and then.
+/// Runs in the given event loop. Without a bus, or if it is lost, it logs that once and tries again from time
+/// to time.
 class BusObject {
   public:
     /// @param loop      outlives this
@@ -27,7 +27,7 @@ class BusObject {
     BusObject& operator=(BusObject&&) = delete;
     ~BusObject();
 
-    /// Answers a call that has come: now or, where the authority has to be asked, later.
+    /// Answers a call: now, or later if the authority must be asked.
     void answer(sd_bus_message& call);
 
   private:
@@ -47,7 +47,7 @@ class BusObject {
     std::unique_ptr<sd_bus_slot, Unref> object_;
     std::unique_ptr<sd_bus_slot, Unref> gone_;
     std::unique_ptr<sd_bus_slot, Unref> named_;
-    std::unique_ptr<Authority> authority_;  // asks over the bus: ends before it
+    std::unique_ptr<Authority> authority_;  // last user of the bus: destroyed before the bus
     EventLoop::Source retry_;
     std::string complaint_;  // the complaint logged last
 };

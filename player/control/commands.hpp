@@ -14,25 +14,25 @@ namespace vitrine::player {
 /// The argument that a command takes on the command line of vitrinectl.
 enum class Operand { none, file, slot, picture };
 
-/// A command of vitrinectl and the D-Bus method that it calls: a line of commands(). A signature is made of
-/// `ay ay` (a file and the folder in which it was named), `u` (a slot) and `b` (on or off).
+/// A command of vitrinectl with the D-Bus method that it calls: a line of commands(). A signature consists of
+/// `ay ay` (a file, and the folder in which it was typed), `u` (a slot) and `b` (on or off).
 struct Command {
     const char* name;
     const char* help;
     Operand operand = Operand::none;
-    const char* method;       // several commands may have the same
+    const char* method;       // several commands may use the same one
     const char* arguments;    // D-Bus signature
     const char* result;       // "s": JSON; "ay": the path of a file; "a(suuh)": pictures; "": nothing
-    bool is_for_all = false;  // anyone may call it; else polkit decides
-    bool is_on = true;        // the flag `b`
-    const char* done = "";    // vitrinectl prints it before the path of the file
-    const char* undone = "";  // the same where the flag is off
+    bool is_for_all = false;  // true: anyone may call it; false: polkit decides
+    bool is_on = true;        // value of the flag `b`
+    const char* done = "";    // printed by vitrinectl before the path of the file
+    const char* undone = "";  // the same if the flag is off
 };
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();
 
-/// True: on the command line `off` may follow the operand.
+/// True: `off` may follow the operand on the command line.
 bool takes_off(const Command& command);
 
 /// The arguments of a call.
@@ -49,16 +49,16 @@ struct OutputPicture {
     Picture picture;
 };
 
-/// The answer to a call; which member counts follows from Command::result.
+/// The answer to a call. Command::result says which member is used.
 struct CommandAnswer {
     std::string text;  // JSON, or a path with any bytes
     std::vector<OutputPicture> pictures;
 };
 
-/// Does what a call asks for. @throws std::runtime_error with words for who called
+/// Carries out a call. @throws std::runtime_error with a text for the caller
 using CommandHandler = std::function<CommandAnswer(const CommandCall&)>;
 
-/// By D-Bus method.
+/// The handlers by D-Bus method.
 using CommandHandlers = std::map<std::string, CommandHandler, std::less<>>;
 
 }  // namespace vitrine::player

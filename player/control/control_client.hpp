@@ -10,7 +10,7 @@ struct sd_bus;
 
 namespace vitrine::player {
 
-/// Why the player did not do what it was asked.
+/// The reason why the player did not carry out a call.
 class ControlError : public std::runtime_error {
   public:
     enum class Kind { failed, not_allowed, not_running };

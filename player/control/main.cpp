@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// vitrinectl: asks the running player, and has it change what it shows. The commands stand in commands.cpp.
+// vitrinectl: asks the running player, or changes what it shows. The commands are in commands.cpp.
 
 namespace vitrine::player {
 
@@ -28,7 +28,7 @@ constexpr int exit_unknown_file = 2;
 constexpr int exit_not_allowed = 3;
 constexpr int exit_not_running = 4;
 
-/// Control characters of names from outside would change the terminal.
+/// Replaces control characters: in a name from outside they would change the terminal.
 std::string printable(const std::string& text) {
     std::string made;
     for (const char c : text) {
@@ -97,7 +97,7 @@ int print_why(const Json& report) {
     return state == "unknown" ? exit_unknown_file : 0;
 }
 
-/// Saves the first output's picture in the file, the others' beside it under their names.
+/// Saves the first output's picture in the file; the others' go beside it, under the outputs' names.
 Json save_pictures(const std::vector<OutputPicture>& pictures, const std::filesystem::path& path) {
     if (pictures.empty()) throw ControlError(ControlError::Kind::failed, "no display shows anything");
     Json saved = Json::array();
@@ -124,7 +124,7 @@ struct Words {
     bool is_json = false;
 };
 
-/// The line of the table that the words call: of several of one name the one that takes such an operand.
+/// The command that the words name. If several have the same name, the one with a fitting operand.
 const Command& command_of(const Words& words) {
     const Command* found = nullptr;
     for (const Command& command : commands())
@@ -142,7 +142,7 @@ CommandCall call_of(const Command& command, const Words& words) {
     return call;
 }
 
-/// Prints the answer. A command without words of its own here has its JSON or its path printed.
+/// Prints the answer. A command without a printer here prints its JSON or its path.
 int print_answer(const Command& command, const Words& words, const CommandAnswer& answer) {
     const std::string_view name = command.name;
     const bool is_json = std::string_view(command.result) == "s";
@@ -186,7 +186,7 @@ std::string operands_of(const std::string& name) {
     return operands;
 }
 
-/// For the completion of the shell: a line a command, with its operands.
+/// For the shell's completion: prints a line for each command, with its operands.
 void print_commands() {
     std::string last;
     for (const Command& command : commands()) {

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// True: the name is written as programs of another machine write it.
+// True: the name has the form that programs on another machine use.
 bool is_of_a_share(const std::string& given) {
     const bool has_drive =
         given.size() > 2 && std::isalpha(static_cast<unsigned char>(given[0])) != 0 && given[1] == ':';
@@ -25,8 +25,8 @@ void add(std::vector<std::string>& names, const fs::path& path) {
     if (!leads_out && std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// Adds the name without its first folder, without its first two, and so on: the share may have any name
-// there.
+// Adds the name without its first folder, without its first two, and so on: the other machine may use any
+// name for the share.
 void add_tails(std::vector<std::string>& names, std::string text) {
     std::ranges::replace(text, '\\', '/');
     for (std::size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {

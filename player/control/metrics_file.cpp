@@ -27,7 +27,7 @@ void MetricsFile::write_if_due(const std::string& file, std::chrono::nanoseconds
     try {
         replace_file_unsynced(file, text());
         complaint_.clear();
-    } catch (const std::system_error& error) {  // the wall needs no metrics
+    } catch (const std::system_error& error) {  // the wall works without metrics
         if (complaint_ != error.what()) log::warning("metrics: {}", error.what());
         complaint_ = error.what();
     }

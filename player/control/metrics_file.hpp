@@ -7,12 +7,12 @@
 
 namespace vitrine::player {
 
-/// A text for a node exporter, replaced by rename every 15 seconds. Not fsynced: after a power cut it is
-/// written anew anyway. Logs.
+/// Writes a text for a node exporter every 15 seconds, replacing the file by rename. Not fsynced: after a
+/// power cut it is written again anyway. Logs.
 class MetricsFile {
   public:
     /// @param file  empty: nothing is written
-    /// @param text  called where the file is due
+    /// @param text  called if the file is due
     void write_if_due(const std::string& file, std::chrono::nanoseconds now,
                       const std::function<std::string()>& text);
 
@@ -21,7 +21,7 @@ class MetricsFile {
     std::string complaint_;  // the complaint logged last
 };
 
-/// Degrees Celsius of the hottest thermal zone; none: the machine has no zone.
+/// Degrees Celsius of the hottest thermal zone. None: the machine has no zone.
 std::optional<double> temperature();
 
 }  // namespace vitrine::player

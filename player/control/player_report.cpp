@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Names hold any bytes, JSON only UTF-8.
+// The text of JSON. Bytes that are not UTF-8, as in file names, are replaced.
 std::string dumped(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -31,7 +31,7 @@ std::string label(const std::string& text) {
     return made;
 }
 
-/// The analyzer's status without its lists, which may have an entry for each file: in their place the number
+/// The analyzer's status without its lists, which may have an entry for each file. Instead it has the number
 /// of entries in each state.
 Json summary(const std::string& analyzer) {
     const Json said = Json::parse(analyzer, nullptr, false);
@@ -48,7 +48,7 @@ Json summary(const std::string& analyzer) {
     return kept;
 }
 
-/// The analyzer's entry for one file: the one that has its name as "path", "file" or "name".
+/// The analyzer's entry for one file: the one with this name as "path", "file" or "name".
 Json entry(const std::string& analyzer, const std::string& path) {
     const Json said = Json::parse(analyzer, nullptr, false);
     if (!said.is_object()) return {};
@@ -65,7 +65,7 @@ std::string answer(const FileReport& report) {
     if (report.state == "unknown") return "There is no such file in the media folder.";
     if (report.state == "new") return "It is in the media folder and has not been looked at yet.";
     FileVisibility file = report.visibility;
-    if (!report.slots.empty()) file.visibility = Visibility::on_wall;  // it came there this very moment
+    if (!report.slots.empty()) file.visibility = Visibility::on_wall;  // the report is newer than the list
     if (file.visibility == Visibility::on_wall && report.is_pinned)
         return "It is on the wall, where it is pinned.";
     if (file.visibility == Visibility::waits_for_turn && report.is_pinned)

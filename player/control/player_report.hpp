@@ -16,7 +16,7 @@ struct ScreenReport {
     std::string name;  // the output's name
     int width = 0;     // px
     int height = 0;
-    double refresh = 0;  // pictures a second, 0: not known
+    double refresh = 0;  // pictures a second; 0: unknown
     std::uint64_t flips = 0;
 };
 
@@ -29,25 +29,25 @@ struct CellReport {
 
 struct SourceReport {
     std::string path;
-    std::string tier;  // "photo"; of films the pictures that are decoded: "all", "reference", "key", "still"
+    std::string tier;        // "photo"; a film's share of pictures: "all", "reference", "key", "still"
     bool is_stored = false;  // played from the store, not from the media folder
-    std::uint64_t late = 0;  // pictures so far
+    std::uint64_t late = 0;  // late pictures so far
 };
 
-/// The facts about the player at one moment.
+/// The facts about the player at one moment, for reports.
 struct PlayerReport {
     ShowState state = ShowState::no_panel;
-    std::string display;  // card, modes and renderer in words, or why there is none
+    std::string display;  // card, modes and renderer in words, or the reason why there is no display
     std::vector<ScreenReport> screens;
     std::vector<CellReport> cells;
     std::vector<SourceReport> sources;
-    std::size_t files = 0;                    // ready ones
-    std::size_t queue = 0;                    // sources that have no picture yet
-    std::int64_t pictures = 0;                // shown since the start
-    std::int64_t late = 0;                    // left out, as they came too late
+    std::size_t files = 0;                    // number of ready files
+    std::size_t queue = 0;                    // sources without a picture yet
+    std::int64_t pictures = 0;                // frames shown since the start
+    std::int64_t late = 0;                    // frames that were left out because they came too late
     std::uint64_t film_late = 0;              // pictures of films that came too late
-    double rate = 0;                          // pictures a second that reach each display
-    std::chrono::milliseconds since_flip{0};  // time of the display that waits longest
+    double rate = 0;                          // frames a second that reach each display
+    std::chrono::milliseconds since_flip{0};  // the longest time that a display has waited
     bool is_paused = false;
     std::vector<std::string> pinned;     // files
     std::vector<std::string> dismissed;  // files
@@ -55,7 +55,7 @@ struct PlayerReport {
 
 /// The facts about one file of the media folder.
 struct FileReport {
-    std::string path;   // from the media folder on; where there is no such file the name that was given
+    std::string path;   // relative to the media folder; if there is no such file, the name as given
     std::string state;  // its record's state; "new": not looked at yet, "unknown": not in the media folder
     std::string reason;
     std::string kind;
@@ -63,7 +63,7 @@ struct FileReport {
     int height = 0;
     std::size_t shots = 0;
     FileVisibility visibility;  // for a file with a record
-    std::vector<int> slots;     // its places on the wall
+    std::vector<int> slots;     // its slots on the wall
     bool is_pinned = false;
     bool is_dismissed = false;
 };
@@ -71,11 +71,11 @@ struct FileReport {
 /// One line for `systemctl status`.
 std::string one_line(const PlayerReport& report);
 
-/// For programs, with the analyzer's own word where it has left one.
+/// JSON for programs, with the analyzer's status if there is one.
 /// @param analyzer  JSON, or empty
 std::string to_json(const PlayerReport& report, const std::string& analyzer);
 
-/// For programs, with a sentence for people and the analyzer's own word where it has left one.
+/// JSON for programs, with a sentence for people and the analyzer's entry if there is one.
 /// @param analyzer  JSON, or empty
 std::string to_json(const FileReport& report, const std::string& analyzer);
 

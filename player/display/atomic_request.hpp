@@ -19,7 +19,8 @@ struct OutputProperties {
     PropertyIds plane;
 };
 
-/// One change of a graphics card's state; a request is a list of them, taken whole or not at all.
+/// One change of a graphics card's state. A request is a list of changes; the card accepts all of them or
+/// none.
 struct PropertyValue {
     std::uint32_t object = 0;
     std::uint32_t property = 0;

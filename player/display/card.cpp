@@ -31,7 +31,7 @@ using RequestHandle = Handle<drmModeAtomicReq, &drmModeAtomicFree>;
 using ResourcesHandle = Handle<drmModeRes, &drmModeFreeResources>;
 using VersionHandle = Handle<drmVersion, &drmFreeVersion>;
 
-// libdrm takes a pointer and hands it to the card, which only gives it back.
+// libdrm takes a pointer; the card only returns it with the event.
 void* user_data(std::uint64_t number) {
     return reinterpret_cast<void*>(static_cast<std::uintptr_t>(number));  // NOLINT(performance-no-int-to-ptr)
 }
@@ -63,7 +63,7 @@ std::string name_of(const drmModeConnector& connector) {
     return fmt::format("{}-{}", type ? type : "unknown", connector.connector_type_id);
 }
 
-// A number that differs if the blobs' contents differ; 0: there is no content.
+// A number that differs if the blobs' contents differ. 0: there is no content.
 std::uint64_t content_number(int fd, std::uint64_t blob) {
     const BlobHandle content(blob == 0 ? nullptr
                                        : drmModeGetPropertyBlob(fd, static_cast<std::uint32_t>(blob)));

@@ -20,8 +20,8 @@ namespace vitrine::player {
 /// set modes; for this a program needs the right to open the file, not root.
 class Card {
   public:
-    /// @throws std::system_error, std::runtime_error naming the file: it cannot be opened, shows nothing, or
-    /// another program has it
+    /// @throws std::system_error, std::runtime_error naming the file: the card cannot be opened, has no
+    /// output, or another program has it
     Card(const std::filesystem::path& path, KmsApi api);
 
     int fd() const { return fd_.get(); }
@@ -35,38 +35,38 @@ class Card {
     /// The kernel's name of its driver: "i915".
     std::string driver() const;
 
-    /// @param is_asked  true: the connector's panel is asked afresh, which takes a while; false: the kernel's
-    ///                  last knowledge of it is used
-    /// @return nothing: the card was pulled out
+    /// @param is_asked  true: the connector's panel is queried again, which takes a while; false: the
+    /// kernel's last answer is used
+    /// @return none: the card was pulled out
     std::optional<CardState> state(const std::function<bool(std::uint32_t connector)>& is_asked) const;
 
     OutputProperties properties(const Output& output) const;
 
-    /// The buffers that it can show.
+    /// The buffers that the card can show.
     FrameBuffers& frame_buffers() const { return *frame_buffers_; }
 
-    /// Adds frame buffers through this opening from here on. @pre there are none yet
+    /// Adds all further frame buffers through this opening. @pre there are none yet
     void set_keeper(UniqueFd keeper);
 
     /// The numbers of the frame buffers that its outputs show now.
     std::vector<std::uint32_t> shown() const;
 
     /// @param flags  DRM_MODE_ATOMIC_*, DRM_MODE_PAGE_FLIP_EVENT
-    /// @param user   comes back with the event
-    /// @return 0, or the errno if nothing has changed
+    /// @param user   returned with the event
+    /// @return 0, or the errno; then nothing has changed
     int commit(const AtomicRequest& request, std::uint32_t flags, std::uint64_t user) const;
 
     /// Shows another frame buffer of the same size, by the legacy call (drmModePageFlip). @return as commit()
     int flip(std::uint32_t crtc, std::uint32_t frame_buffer, std::uint64_t user) const;
 
-    /// Reads the flips that have come about since the last call, by the `user` number of each.
+    /// Reads the flips since the last call, as the `user` number of each.
     /// @pre the card has something to read
     std::vector<std::uint64_t> read_flips() const;
 
-    /// True while this program is the card's master, and not another one.
+    /// True while this program is the card's master.
     bool is_ours() const;
 
-    /// Becomes its master again after another program has left it. False: that program still has it.
+    /// Becomes the card's master again after another program has left it. False: that program still has it.
     bool take_over() const;
 
   private:

@@ -21,22 +21,23 @@ class Console {
     Console& operator=(Console&&) = delete;
     ~Console();
 
-    /// Lets the other terminal come. Call after leave_signal, once the graphics card has been left.
+    /// Allows the other terminal to come to the front. Call after leave_signal, once the graphics card has
+    /// been left.
     void leave();
 
     /// Takes the screen back. Call after enter_signal, before the graphics card is taken back.
     void enter();
 
-    /// Leaves the terminal in graphics mode when this ends, so that the last picture stays: in text mode the
-    /// kernel would show the console, whoever has the card. The kernel restores the text when somebody
-    /// switches to another terminal, as it does after a crash.
+    /// Leaves the terminal in graphics mode when this ends, so that the last picture stays. In text mode the
+    /// kernel would show the console, no matter which program has the card. The kernel restores the text when
+    /// somebody switches to another terminal, as it does after a crash.
     void keep() { terminal_.reset(); }
 
     /// False from leave() to enter().
     bool is_in_front() const { return is_in_front_; }
 
   private:
-    UniqueFd terminal_;  // open while it is in graphics mode because of us
+    UniqueFd terminal_;  // open while this keeps it in graphics mode
     bool is_in_front_ = true;
 };
 

@@ -20,8 +20,8 @@ struct DisplayEvent {
     std::string text;  // "visible 1920x1080 on HDMI-A-1 at 60.00 Hz"
 };
 
-/// A graphics card with its panels, or memory in place of them. Has one EGL context for all its screens,
-/// which is current for as long as the display lives. One of the two true seams of the player.
+/// A graphics card with its panels, or memory instead. All its screens share one EGL context, which is
+/// current for as long as the display lives. One of the two true seams of the player.
 class Display {
   public:
     Display() = default;
@@ -31,8 +31,8 @@ class Display {
     Display& operator=(Display&&) = delete;
     virtual ~Display() = default;
 
-    /// The screens to draw on now, always in the same order; none: no panel, or another program has the card.
-    /// Lent until the next call.
+    /// The screens to draw on now, always in the same order. None: there is no panel, or another program has
+    /// the card. Lent until the next call.
     virtual std::span<Screen* const> screens() = 0;
 
     /// The descriptor to poll for POLLIN between frames, before dispatch() is called; -1: none.
@@ -50,7 +50,7 @@ class Display {
     virtual void leave() = 0;
     virtual void take_back() = 0;
 
-    /// True while it shows a picture of an earlier run, which stays until a frame is presented.
+    /// True while it shows a picture of an earlier run. That picture stays until a frame is presented.
     virtual bool has_old_picture() const { return false; }
 
     /// Call when the program ends in order: the shown picture stays for the next process. False: it cannot
@@ -58,7 +58,7 @@ class Display {
     virtual bool keep_picture() { return false; }
 
     /// Call when the program ends in order: completes the files that the run was asked for (`Recording`).
-    /// @return one line for the log a file
+    /// @return one line for the log per file
     /// @throws std::runtime_error naming the file
     virtual std::vector<std::string> finish_recording() { return {}; }
 
@@ -72,7 +72,7 @@ class Display {
     /// True if gl() outlives this display; else all GL objects must be destroyed before it.
     virtual bool has_lasting_gl() const { return false; }
 
-    /// For the log: the device, its modes, its renderer.
+    /// The device, its modes and its renderer, for the log.
     virtual std::string description() const = 0;
 };
 
@@ -82,22 +82,22 @@ struct Recording {
     std::optional<std::filesystem::path> snapshot;  // PNG: the last frame
 };
 
-/// The wishes of settings and command line that concern a display.
+/// The settings and command-line options for a display.
 struct DisplayRequest {
     Settings::Output output;
     Recording recording;
 };
 
-/// The facts about a kind of display that are known before one is open.
+/// The properties of a kind of display, known before one is open.
 struct DisplayTraits {
-    bool has_terminal = true;  // its panels belong to the terminal in front: input devices are read, too
-    bool is_awaited = true;    // a missing display is waited for; else the program ends without one
-    bool can_wait_for_pictures = false;  // nobody looks on: a frame may be late if it is exact
-    ScreenSize expected{.width = 1920, .height = 1080};  // the first screen's, as long as none is open
+    bool has_terminal = true;  // its panels belong to the terminal in front; input devices are read, too
+    bool is_awaited = true;    // the player waits for a missing display; else it ends without one
+    bool can_wait_for_pictures = false;  // nobody is watching: a frame may be late if it is exact
+    ScreenSize expected{.width = 1920, .height = 1080};  // size of the first screen, until one is open
 };
 
-/// Opens displays of one kind: the first, and another one after each that was lost. Keeps the parts that
-/// outlast a single display. A new kind of display needs one such class and a line in display_kinds.cpp.
+/// Opens displays of one kind: the first one, and another one after each loss. Keeps the parts that outlast a
+/// single display. A new kind of display needs one such class and a line in display_kinds.cpp.
 class DisplayOpener {
   public:
     explicit DisplayOpener(DisplayTraits traits) : traits_(traits) {}
@@ -110,8 +110,8 @@ class DisplayOpener {
 
     const DisplayTraits& traits() const { return traits_; }
 
-    /// @pre the display before has ended
-    /// @throws std::runtime_error, std::system_error: there is nothing to show on, or it cannot be drawn on
+    /// @pre the display before was destroyed
+    /// @throws std::runtime_error, std::system_error: there is no display, or it cannot be drawn on
     virtual std::unique_ptr<Display> open() = 0;
 
   private:

@@ -17,7 +17,7 @@ namespace {
 
 struct DisplayKind {
     std::string_view name;   // before the colon
-    std::string_view usage;  // the words for somebody who wrote something else
+    std::string_view usage;  // the allowed words, for the error text
     std::unique_ptr<DisplayOpener> (*make)(std::optional<std::string_view> argument,
                                            const DisplayRequest& request);  // nullptr: not understood
 };

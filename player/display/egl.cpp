@@ -62,7 +62,7 @@ EGLDisplay open_display(EGLenum platform, const char* extension, void* device) {
     return display;
 }
 
-// A GBM surface works only with an EGL config of its own format.
+// A GBM surface works only with an EGL config of the same format.
 EGLConfig choose_config(EGLDisplay display, EGLint visual) {
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
                              EGL_OPENGL_ES3_BIT,

@@ -10,8 +10,8 @@ struct gbm_device;
 
 namespace vitrine::player {
 
-/// An EGL display with one OpenGL ES 3 context, made current without a surface as soon as it exists.
-/// Thread-bound: its context is current on the thread that made it, until it ends.
+/// An EGL display with one OpenGL ES 3 context, made current without a surface from the start. Thread-bound:
+/// its context is current on the thread that made it, until this is destroyed.
 class Egl {
   public:
     /// Draws to memory only; works without any device (Mesa's surfaceless platform).
@@ -41,7 +41,7 @@ class Egl {
     void create_context(EGLint visual);
 
     EGLDisplay display_ = EGL_NO_DISPLAY;
-    End end_;  // `leave`: the EGL display is the process's own, which another Egl may use
+    End end_;  // `leave`: the EGL display stays, because another Egl of the process may use it
     EGLConfig config_ = nullptr;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
@@ -50,11 +50,11 @@ class Egl {
 /// from one display to the next, because making it and compiling its shaders takes most of the time to the
 /// first picture.
 struct SoftwareGl {
-    std::shared_ptr<Egl> egl;       // shared: with the displays and the renderer; none yet
-    std::set<std::string> drivers;  // drivers of the cards that it has drawn for so far
+    std::shared_ptr<Egl> egl;       // shared with the displays and the renderer; none: not made yet
+    std::set<std::string> drivers;  // drivers of the cards that used it so far
 };
 
-/// @throws std::runtime_error naming `what` was tried and EGL's error
+/// @throws std::runtime_error naming `what` was tried, and EGL's error
 [[noreturn]] void throw_egl(const char* what);
 
 }  // namespace vitrine::player

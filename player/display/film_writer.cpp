@@ -17,9 +17,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr guint64 pictures_waiting = 4;                    // for the encoder, each width * height * 4 bytes
-constexpr GstClockTime room_patience = 2 * GST_MSECOND;    // between two looks
-constexpr GstClockTime max_ending_time = 60 * GST_SECOND;  // to encode those and write the index
+constexpr guint64 pictures_waiting = 4;  // limit of the encoder's queue; each has width * height * 4 bytes
+constexpr GstClockTime room_patience = 2 * GST_MSECOND;    // between two looks for room
+constexpr GstClockTime max_ending_time = 60 * GST_SECOND;  // to encode the queue and write the index
 
 void unref_element(GstElement* element) {
     gst_object_unref(element);
@@ -54,7 +54,7 @@ struct Part {
     const char* package;
 };
 
-// In the order of the chain.
+// The elements in the order of the chain.
 constexpr std::array<Part, 7> parts{{{"appsrc", "gstreamer1.0-plugins-base"},
                                      {"videoconvert", "gstreamer1.0-plugins-base"},
                                      {"capsfilter", "libgstreamer1.0-0"},
@@ -118,14 +118,14 @@ struct FilmWriter::Chain {
         g_object_set(elements[6], "location", path.c_str(), nullptr);
     }
 
-    /// Waits for a message of `type` or an error; nullptr when none comes in time.
+    /// Waits for a message of `type` or an error; nullptr if none comes in time.
     GstMessageHandle next(GstMessageType type, GstClockTime patience) const {
         const GstBusHandle bus(gst_element_get_bus(pipeline.get()));
         const auto wanted = static_cast<GstMessageType>(type | GST_MESSAGE_ERROR);
         return GstMessageHandle(gst_bus_timed_pop_filtered(bus.get(), patience, wanted));
     }
 
-    // A blocking appsrc would wait for ever for room in a chain that has failed; the bus tells which it is.
+    // A blocking appsrc would wait for ever for room in a chain that has failed. Here the bus is asked, too.
     void wait_for_room() const {
         while (gst_app_src_get_current_level_buffers(source()) >= pictures_waiting)
             if (const GstMessageHandle error = next(GST_MESSAGE_ERROR, room_patience))
@@ -138,10 +138,10 @@ struct FilmWriter::Chain {
         fail(error ? reason_of(*error) : gst_flow_get_name(result));
     }
 
-    /// Ends the film; says why it is not whole, nothing when it is.
+    /// Ends the film. Returns the reason if it is not complete.
     std::optional<std::string> end() const {
         if (!last) return "no picture came";
-        gst_app_src_end_of_stream(source());  // a failure here comes on the bus as well
+        gst_app_src_end_of_stream(source());  // a failure comes on the bus as well
         const GstMessageHandle message = next(GST_MESSAGE_EOS, max_ending_time);
         if (!message) return "the encoder does not come to an end";
         if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) return reason_of(*message);
@@ -175,7 +175,7 @@ void FilmWriter::add(const Picture& picture, std::chrono::nanoseconds time) {
     gst_buffer_fill(buffer, 0, picture.pixels.data(), picture.pixels.size());
     GST_BUFFER_PTS(buffer) = static_cast<GstClockTime>((time - *chain_->first).count());
     GST_BUFFER_DURATION(buffer) = chain_->frame_time;
-    chain_->expect(gst_app_src_push_buffer(chain_->source(), buffer));  // owns the buffer from here on
+    chain_->expect(gst_app_src_push_buffer(chain_->source(), buffer));  // takes the buffer
 }
 
 void FilmWriter::finish() {

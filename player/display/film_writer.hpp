@@ -13,7 +13,7 @@ namespace vitrine::player {
 /// GStreamer's threads; add() waits if the encoder falls behind by more than a few pictures.
 class FilmWriter {
   public:
-    /// @param rate  frames a second that the film is told to hold, > 0
+    /// @param rate  frames a second that are written into the film's header, > 0
     /// @throws std::runtime_error naming the film: an encoder is missing, or the file cannot be written
     FilmWriter(const std::filesystem::path& path, int width, int height, double rate);
     FilmWriter(const FilmWriter&) = delete;
@@ -21,15 +21,15 @@ class FilmWriter {
     FilmWriter(FilmWriter&&) = delete;
     FilmWriter& operator=(FilmWriter&&) = delete;
 
-    /// Ends the film if finish() has not; a failure then shows as a broken file only.
+    /// Ends the film if finish() was not called. A failure then only leaves a broken file.
     ~FilmWriter();
 
-    /// Shows `picture` in the film from `time` on, counted from the first picture's time; a picture that
-    /// is not later than the one before is left out.
+    /// Shows `picture` in the film from `time` on, counted from the first picture's time. A picture that is
+    /// not later than the last one is left out.
     /// @throws std::runtime_error naming the film
     void add(const Picture& picture, std::chrono::nanoseconds time);
 
-    /// Ends the film, so that the file is whole. Nothing is added after.
+    /// Ends the film and completes the file. Call add() no more.
     /// @throws std::runtime_error naming the film
     void finish();
 

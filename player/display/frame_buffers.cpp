@@ -31,7 +31,7 @@ std::uint32_t announced(int fd, const BufferForm& form) {
     return result == 0 ? number : 0;
 }
 
-/// A buffer's handle in another opening of the same card; 0: it is not passed on.
+/// A buffer's handle in another opening of the same card. 0: it cannot be passed.
 std::uint32_t passed_on(int from, std::uint32_t handle, int to) {
     int shared = -1;
     if (drmPrimeHandleToFD(from, handle, DRM_CLOEXEC, &shared) != 0) return 0;

@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-/// A buffer in a card's memory, described as the card must know it to show it.
+/// A buffer in a card's memory, with the data that the card needs to show it.
 struct BufferForm {
     std::uint32_t width = 0;  // px
     std::uint32_t height = 0;
     std::uint32_t format = 0;                // DRM_FORMAT_*
-    std::array<std::uint32_t, 4> handles{};  // one a plane; 0: no such plane
+    std::array<std::uint32_t, 4> handles{};  // one for each plane; 0: no such plane
     std::array<std::uint32_t, 4> pitches{};  // bytes a row
     std::array<std::uint32_t, 4> offsets{};  // bytes
     std::array<std::uint64_t, 4> modifiers{};
@@ -40,13 +40,13 @@ class FrameBuffers {
     FrameBuffers& operator=(FrameBuffers&&) = delete;
     ~FrameBuffers() = default;
 
-    /// Adds a buffer and returns its number, which keeps the buffer alive; 0: the card refuses it, see errno.
+    /// Adds a buffer and returns its number, which keeps the buffer alive. 0: the card refuses it, see errno.
     std::uint32_t add(const BufferForm& form);
 
     void remove(std::uint32_t number);
 
-    /// Removes no frame buffer from here on: the program ends, and the picture stays.
-    /// @return false: the frame buffers end with the card's opening all the same
+    /// From now on removes no frame buffer: the program ends, and the picture stays.
+    /// @return false: the frame buffers will end with the card's opening anyway
     bool keep();
 
     /// True while pictures of an earlier run are left.
@@ -64,16 +64,16 @@ class FrameBuffers {
     bool is_keeper_refused_ = false;
     bool keeps_ = false;
     std::vector<std::uint32_t> old_;  // pictures of an earlier run, in the keeper
-    std::vector<std::uint32_t> own_;  // added through the card's own opening, where the keeper has refused
+    std::vector<std::uint32_t> own_;  // added through the card's own opening, because the keeper refused
 };
 
-/// The numbers that are not among the others.
+/// The numbers without the others.
 std::vector<std::uint32_t> without(std::span<const std::uint32_t> numbers,
                                    std::span<const std::uint32_t> others);
 
-/// A keeper for this card: the descriptor that an earlier run left, if it is an opening of this card, else a
-/// new one. Neither may set modes. None: the card cannot be opened.
-/// @param left  used or closed
+/// A keeper for this card: the descriptor from an earlier run if it is an opening of this card, else a new
+/// one. Neither may set modes. None: the card cannot be opened.
+/// @param left  the descriptor from an earlier run; used or closed
 UniqueFd keeper_of(int card, UniqueFd left);
 
 }  // namespace vitrine::player

@@ -11,7 +11,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The card's number for a buffer; it ends with the buffer.
+// The card's number for a buffer. Removed when the buffer is destroyed.
 struct FrameBuffer {
     FrameBuffer(FrameBuffers& of, std::uint32_t number) : all(of), id(number) {}
 
@@ -82,7 +82,7 @@ ScanoutBuffer GbmScanout::lock_front_buffer() {
     auto* known = static_cast<FrameBuffer*>(gbm_bo_get_user_data(buffer));
     if (!known) {
         known = announce(card_, *buffer).release();
-        gbm_bo_set_user_data(buffer, known, &end_frame_buffer);  // owns it from here on
+        gbm_bo_set_user_data(buffer, known, &end_frame_buffer);  // takes `known`
     }
     return {.frame_buffer = known->id, .lease = lease};
 }

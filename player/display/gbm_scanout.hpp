@@ -10,11 +10,11 @@
 
 namespace vitrine::player {
 
-/// Buffers of the graphics card that GL itself draws to.
+/// Buffers of the graphics card. GL draws directly to them.
 class GbmScanout final : public Scanout {
   public:
-    /// @param card, device, egl  outlive this; egl is on the device
-    /// @throws std::runtime_error where the card has no room or no such format
+    /// @param card, device, egl  outlive this; egl belongs to the device
+    /// @throws std::runtime_error if the card has no room or no such format
     GbmScanout(const Card& card, gbm_device& device, Egl& egl, int width, int height);
     GbmScanout(const GbmScanout&) = delete;
     GbmScanout& operator=(const GbmScanout&) = delete;

@@ -20,7 +20,7 @@ inline bool is_software(std::string_view device) {
     return false;
 }
 
-/// True if a list of words, as EGL and GL list their extensions, has this word.
+/// True if this word is in a list of words, as EGL and GL list their extensions.
 inline bool has_word(const char* words, std::string_view word) {
     for (std::string_view rest = words ? words : ""; !rest.empty();) {
         const std::size_t end = rest.find(' ');

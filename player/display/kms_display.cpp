@@ -16,7 +16,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int ticks_before_asking = 5;  // of 2 s each: then dark panels are asked while others are lit
+constexpr int ticks_before_asking = 5;  // 2 s each; then dark panels are queried, too
 constexpr int ticks_with_old_pictures = 5;
 constexpr int ticks_before_mercy = 15;  // then refused modes are tried again
 
@@ -33,7 +33,7 @@ DeviceHandle open_device(const Card& card, SoftwareGl* software) {
     return nullptr;
 }
 
-// Current from here on.
+// Makes the context current.
 std::shared_ptr<Egl> make_gl(gbm_device* device, SoftwareGl* software) {
     if (device != nullptr) return std::make_shared<Egl>(Egl::on(*device));
     if (software == nullptr) return std::make_shared<Egl>(Egl::surfaceless());
@@ -62,7 +62,8 @@ long milliseconds_since(KmsScreen::Time time) {
     return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::steady_clock::now() - time).count();
 }
 
-// Keeps, from display to display, GL in software and the keeper that the process before has left.
+// Opens displays on a graphics card. Keeps software GL, and the keeper from the process before, from display
+// to display.
 class KmsOpener final : public DisplayOpener {
   public:
     KmsOpener(std::filesystem::path card, const Settings::Output& output)
@@ -78,7 +79,7 @@ class KmsOpener final : public DisplayOpener {
   private:
     SoftwareGl software_;
     KmsOptions options_;
-    UniqueFd keeper_;  // left by the process before; until a display takes it
+    UniqueFd keeper_;  // from the process before, until a display takes it
 };
 
 }  // namespace
@@ -100,7 +101,7 @@ KmsDisplay::KmsDisplay(const KmsOptions& options, UniqueFd& left)
     look_for_panels(KmsPanels::Ask::all);
 }
 
-// Without the picture there is nothing to keep the card open for.
+// Without a picture to keep, the card need not stay open.
 KmsDisplay::~KmsDisplay() {
     if (!is_kept_) service::forget(keeper_name);
 }
@@ -186,7 +187,7 @@ void KmsDisplay::leave() {
     (void)drmDropMaster(card_.fd());
 }
 
-// Another program may be slow to leave the card: the next picture or the next tick asks again.
+// Another program may be slow to leave the card: if it still has it, the next frame or tick tries again.
 void KmsDisplay::take_back() {
     is_left_ = false;
     const bool is_ours = card_.is_ours() || card_.take_over();

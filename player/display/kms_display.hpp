@@ -22,10 +22,10 @@
 namespace vitrine::player {
 
 struct KmsOptions {
-    std::filesystem::path card;  // empty: the first with a panel
+    std::filesystem::path card;  // empty: the first card with a panel
     ModeWishes modes;
     KmsApi api = KmsApi::best;
-    SoftwareGl* software = nullptr;  // kept from one display to the next, outlives them; none: made anew
+    SoftwareGl* software = nullptr;  // kept from display to display, outlives them; none: made here
 };
 
 /// Shows on the panels of a graphics card, without a desktop. Some events are states and not errors: there is
@@ -33,7 +33,7 @@ struct KmsOptions {
 class KmsDisplay final : public Display {
   public:
     /// @throws std::runtime_error, std::system_error: no card to show on, or it cannot be drawn on
-    /// @param left  the keeper that an earlier run left (frame_buffers.hpp); taken once there is a card
+    /// @param left  the keeper from an earlier run (frame_buffers.hpp); taken once a card is open
     KmsDisplay(const KmsOptions& options, UniqueFd& left);
     KmsDisplay(const KmsDisplay&) = delete;
     KmsDisplay& operator=(const KmsDisplay&) = delete;
@@ -41,7 +41,7 @@ class KmsDisplay final : public Display {
     KmsDisplay& operator=(KmsDisplay&&) = delete;
     ~KmsDisplay() override;
 
-    /// The name under which systemd holds the keeper.
+    /// The name of the keeper at systemd.
     static constexpr const char* keeper_name = "card";
 
     std::span<Screen* const> screens() override;
@@ -76,10 +76,10 @@ class KmsDisplay final : public Display {
     void set_master(bool is_master);
     void lose_card(const std::string& why);
 
-    bool is_any_card_;                                // none was named
+    bool is_any_card_;                                // the settings named no card
     Card card_;                                       // with the keeper
     Handle<gbm_device, &gbm_device_destroy> device_;  // none: GL draws in software, to memory
-    std::shared_ptr<Egl> egl_;                        // shared where it draws in software: with SoftwareGl
+    std::shared_ptr<Egl> egl_;                        // shared with SoftwareGl if it draws in software
     KmsSurface surface_;
     PanelWatch watch_;
     std::vector<DisplayEvent> events_;
@@ -87,13 +87,13 @@ class KmsDisplay final : public Display {
     bool is_master_ = true;
     bool is_left_ = false;
     bool is_gone_ = false;
-    bool is_kept_ = false;  // the picture stays over the end of this
+    bool is_kept_ = false;  // the picture stays after this ends
     int ticks_ = 0;
 };
 
-/// Makes displays on a graphics card: "kms", "kms:/dev/dri/card1".
-/// @param argument  the text behind the colon of `output.screen`
-/// @return nothing where the argument is not understood
+/// Makes an opener of displays on a graphics card: "kms", "kms:/dev/dri/card1".
+/// @param argument  the text after the colon of `output.screen`
+/// @return none: the argument is not understood
 std::unique_ptr<DisplayOpener> make_kms_opener(std::optional<std::string_view> argument,
                                                const DisplayRequest& request);
 

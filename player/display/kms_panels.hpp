@@ -16,7 +16,7 @@ namespace vitrine::player {
 /// is, whatever happens to the others.
 class KmsPanels {
   public:
-    enum class Ask { none, unlit, all };  // the panels that are asked afresh, which takes a while
+    enum class Ask { none, unlit, all };  // the panels to query again, which takes a while
 
     /// @param surface, events  outlive this
     KmsPanels(KmsSurface& surface, ModeWishes modes, std::vector<DisplayEvent>& events);
@@ -24,7 +24,7 @@ class KmsPanels {
     /// Lights new panels and drops those that are gone. False: the card was pulled out.
     bool look(Ask ask);
 
-    /// True if look() is due before the next frame, as a mode was refused; told once.
+    /// True if look() is due before the next frame because a mode was refused. Reported once.
     bool take_due_look();
 
     std::span<const std::unique_ptr<KmsScreen>> lit() const { return lit_; }
@@ -32,16 +32,16 @@ class KmsPanels {
     /// The screens in the order of the card's outputs. Lent until the next look().
     std::span<Screen* const> screens() const { return lent_; }
 
-    /// The panel has refused its mode: another one is tried.
+    /// Call when the panel has refused its mode: another mode is tried.
     void refuse(const KmsScreen& screen, const std::string& reason);
 
-    /// Modes that were refused may be tried again.
+    /// Allows refused modes to be tried again.
     void forgive() { refusals_.clear(); }
 
-    /// Every panel's next picture comes with the mode again.
+    /// Sets the mode again with every panel's next picture.
     void start_over();
 
-    /// "HDMI-A-1 1920x1080 at 60.00 Hz, ..."; empty: none is lit.
+    /// A text such as "HDMI-A-1 1920x1080 at 60.00 Hz, ..."; empty: no panel is lit.
     std::string description() const;
 
   private:

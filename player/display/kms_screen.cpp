@@ -16,7 +16,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The card's copy of a mode.
+// A mode in the card's memory.
 class ModeBlob {
   public:
     ModeBlob(int card, const drmModeModeInfo& mode) : card_(card) {

@@ -16,22 +16,22 @@
 
 namespace vitrine::player {
 
-/// The card and the GL that all screens of a card draw with.
+/// The card and the GL of all its screens.
 struct KmsSurface {
     const Card& card;
     gbm_device* device = nullptr;  // egl draws to its buffers; nullptr: egl draws to memory
     Egl& egl;
-    std::uint64_t flips = 0;  // requested so far; each has its number
+    std::uint64_t flips = 0;  // number of the last requested flip
 };
 
-/// One panel of a card. Its owner asks it for the card's answer to each frame (take_presented()).
+/// One panel of a card. Its owner asks for the card's answer to each frame with take_presented().
 class KmsScreen final : public Screen {
   public:
     using Time = OutputState::Time;
 
     /// @param surface     outlives this
-    /// @param in_the_way  obstacles of the output, removed with the first frame
-    /// @throws std::runtime_error where the card has no room for its pictures
+    /// @param in_the_way  obstacles of the output; the first frame removes them
+    /// @throws std::runtime_error if the card has no room for its pictures
     KmsScreen(KmsSurface& surface, const Output& output, const Obstacles& in_the_way);
 
     const std::string& name() const override { return output_.name; }
@@ -58,22 +58,22 @@ class KmsScreen final : public Screen {
     /// The answer of the card to a picture.
     struct Presented {
         Outcome outcome = Outcome::nothing;
-        std::string reason;  // in words, where it went wrong
+        std::string reason;  // the reason in words, if it failed
     };
 
-    /// The answer to the last picture, told once.
+    /// The answer to the last picture. Reported once.
     Presented take_presented();
 
     /// The time at which the panel was last known to be wanted lit.
     Time awaited_since() const { return awaited_since_; }
 
-    /// The card has reported this flip.
+    /// Call when the card has reported this flip.
     void flipped(std::uint64_t flip);
 
-    /// To be called every now and then. True: the card never reported the last flip.
+    /// Call now and then. True: the card never reported the last flip.
     bool give_up_waiting();
 
-    /// The next frame comes with the mode again.
+    /// Sets the mode again with the next frame.
     void start_over();
 
   private:
@@ -87,9 +87,9 @@ class KmsScreen final : public Screen {
     OutputProperties properties_;
     OutputState state_;
     Presented presented_;
-    bool is_lost_ = true;  // the last frame is not to be seen
+    bool is_lost_ = true;  // the last frame will not be seen
     Time awaited_since_ = std::chrono::steady_clock::now();
-    std::uint64_t flip_ = 0;   // the last one requested
+    std::uint64_t flip_ = 0;   // number of the last requested flip
     std::uint64_t flips_ = 0;  // flips that the card has reported
     std::unique_ptr<Scanout> scanout_;
     std::optional<ScanoutBuffer> on_screen_;

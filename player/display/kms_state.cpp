@@ -50,7 +50,7 @@ const drmModeModeInfo* wished(const std::vector<drmModeModeInfo>& modes, const M
     return best;
 }
 
-// A primary plane for a CRTC; one that lies there already comes before others; 0: none.
+// A primary plane for a CRTC; prefers one that is on it already; 0: none.
 std::uint32_t free_plane(const CardState& card, std::size_t crtc, std::span<const Output> taken) {
     std::uint32_t found = 0;
     for (const CardState::Plane& plane : card.planes) {
@@ -61,13 +61,14 @@ std::uint32_t free_plane(const CardState& card, std::size_t crtc, std::span<cons
     return found;
 }
 
-// Assigns CRTCs to connectors, so that as many connectors as possible are fed, each by a CRTC of its own.
+// Assigns CRTCs to connectors, so that as many connectors as possible have a CRTC of their own.
 class Feeding {
   public:
     Feeding(const CardState& card, bool needs_plane)
         : card_(card), needs_plane_(needs_plane), fed_(card.crtcs.size()) {}
 
-    // True: the connector is fed, if need be by the CRTC of another one, which then gets a different CRTC.
+    // Gives the connector a CRTC, if need be that of another connector, which then gets a different one.
+    // True: it has one.
     bool feed(const Connector& connector) {
         std::vector<bool> tried(card_.crtcs.size(), false);
         return feed(connector, tried);
@@ -85,8 +86,8 @@ class Feeding {
         for (std::size_t i = 0; i < card_.crtcs.size(); ++i)
             if (has_bit(connector.crtcs, i) && (!needs_plane_ || free_plane(card_, i, {}) != 0))
                 order.push_back(i);
-        const auto rank = [&](std::size_t i) {  // first the CRTC that feeds it already, then free ones, then
-                                                // those of others
+        // First the connector's present CRTC, then free ones, then others' CRTCs.
+        const auto rank = [&](std::size_t i) {
             if (card_.crtcs[i] == connector.crtc_id) return 0;
             return fed_[i] == nullptr ? 1 : 2;
         };
@@ -104,7 +105,7 @@ class Feeding {
 
     const CardState& card_;  // outlives this
     bool needs_plane_;
-    std::vector<const Connector*> fed_;  // by crtcs[i]
+    std::vector<const Connector*> fed_;  // index: as in crtcs
 };
 
 }  // namespace
@@ -147,7 +148,7 @@ std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& cont
     }
 
     Feeding feeding(card, needs_plane);
-    for (const bool is_lit : {true, false})  // panels that are lit choose first
+    for (const bool is_lit : {true, false})  // lit panels choose first
         for (const auto& [connector, mode] : wanted)
             if ((connector->crtc_id != 0) == is_lit) feeding.feed(*connector);
 

@@ -16,11 +16,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr GLenum bgra = GL_BGRA_EXT;  // GL_EXT_read_format_bgra, which Mesa always has
+constexpr GLenum bgra = GL_BGRA_EXT;  // from GL_EXT_read_format_bgra, which Mesa always has
 
 }  // namespace
 
-// A dumb buffer of the card, mapped for as long as it lives, also after the card has gone.
+// A dumb buffer of the card. It stays mapped while this lives, even if the card is pulled out.
 class MemoryScanout::Buffer {
   public:
     Buffer(const Card& card, int width, int height) : card_(card.fd()), frame_buffers_(card.frame_buffers()) {

@@ -11,13 +11,13 @@ namespace vitrine::player {
 
 /// Buffers in plain memory that a card shows. GL draws elsewhere; each picture is copied into one of them.
 ///
-/// For GL in software, which draws to memory anyway: a copy costs a twentieth of the drawing (render_bench),
-/// and GL then has nothing to do with the card. Mesa's software renderer, drawing to a card that is pulled
-/// out, ends the process: it maps the card's memory anew for each picture, and does not check that it could.
+/// For software GL, which draws to memory anyway: a copy costs a twentieth of the drawing (render_bench), and
+/// GL then does not touch the card. If Mesa's software renderer draws to a card that is pulled out, it ends
+/// the process: it maps the card's memory again for each picture without checking the result.
 class MemoryScanout final : public Scanout {
   public:
     /// @param card  outlives this
-    /// @throws std::runtime_error where the card has no room or no such format
+    /// @throws std::runtime_error if the card has no room or no such format
     MemoryScanout(const Card& card, int width, int height);
     MemoryScanout(const MemoryScanout&) = delete;
     MemoryScanout& operator=(const MemoryScanout&) = delete;
@@ -34,7 +34,7 @@ class MemoryScanout final : public Scanout {
     class Buffer;
 
     std::array<std::shared_ptr<Buffer>, 3>
-        buffers_;  // shared with what is lent: one on screen, one on its way
+        buffers_;  // shared with the lent buffers: one on screen, one under way
     MemoryTarget drawn_;
 };
 

@@ -10,12 +10,12 @@
 namespace vitrine::player {
 
 /// A picture in memory that GL draws to, 8 bits a channel, blue first: the order of scan-out. In this order
-/// Mesa's software renderer draws pictures pixel for pixel at half the cost of any other. Made, used and
-/// ended while one context is current.
+/// Mesa's software renderer draws pictures pixel for pixel at half the cost of any other order. Create, use
+/// and destroy it with the same context current.
 class MemoryTarget {
   public:
     /// The pixels are not defined yet.
-    /// @throws std::runtime_error where GL has no room
+    /// @throws std::runtime_error if GL has no room
     MemoryTarget(int width, int height);
 
     int width() const { return width_; }
@@ -27,7 +27,7 @@ class MemoryTarget {
 
     /// Calls `take` with each row of the picture, from the top, each 4 * width() bytes and lent for the call.
     /// @param format  GL_RGBA, or another order that the context can read
-    /// @throws std::runtime_error where GL cannot
+    /// @throws std::runtime_error if GL cannot read it
     void read(GLenum format, const std::function<void(std::span<const std::byte> row)>& take);
 
   private:
@@ -47,7 +47,7 @@ class MemoryTarget {
     int width_;  // px
     int height_;
     Names names_;
-    std::vector<std::byte> rows_;  // in the order of GL: from the bottom
+    std::vector<std::byte> rows_;  // in the order of GL: the bottom row first
 };
 
 }  // namespace vitrine::player

@@ -12,20 +12,21 @@
 
 namespace vitrine::player {
 
-/// `path` for the first of several files; with a number before its ending for each further one: "wall-2.mp4".
+/// The path of the file with this index: `path` itself for the first; further ones have a number before the
+/// ending: "wall-2.mp4".
 std::filesystem::path numbered(const std::filesystem::path& path, std::size_t index);
 
-/// The screens that `output.screen` asks for in memory instead of panels.
+/// The screens in memory that `output.screen` asks for.
 struct OffscreenChoice {
-    std::vector<ScreenSize> screens;  // one at least
+    std::vector<ScreenSize> screens;  // at least one
 };
 
 /// Screens in memory, "offscreen-1" and so on, that are always there.
 class OffscreenDisplay final : public Display {
   public:
     /// @param recording  the first screen's files; the others' are numbered()
-    /// @param rate       frames a second that the films are told to hold
-    /// @throws std::runtime_error where EGL cannot draw without a device, or a film cannot be written
+    /// @param rate       frames a second that are written into the films' headers
+    /// @throws std::runtime_error if EGL cannot draw without a device, or a film cannot be written
     OffscreenDisplay(const OffscreenChoice& choice, Recording recording, double rate);
 
     std::span<Screen* const> screens() override { return lent_; }
@@ -46,7 +47,7 @@ class OffscreenDisplay final : public Display {
 
     std::string description() const override;
 
-    /// Completes the films, and writes what the screens show now as the snapshots.
+    /// Completes the films, and saves the last frames as the snapshots.
     std::vector<std::string> finish_recording() override;
 
   private:
@@ -56,9 +57,9 @@ class OffscreenDisplay final : public Display {
     std::vector<Screen*> lent_;
 };
 
-/// Makes off-screen displays: "offscreen:1280x720+640x360".
-/// @param argument  the text behind the colon of `output.screen`
-/// @return nothing where the argument is not understood
+/// Makes an opener of off-screen displays: "offscreen:1280x720+640x360".
+/// @param argument  the text after the colon of `output.screen`
+/// @return none: the argument is not understood
 std::unique_ptr<DisplayOpener> make_offscreen_opener(std::optional<std::string_view> argument,
                                                      const DisplayRequest& request);
 

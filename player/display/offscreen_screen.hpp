@@ -15,16 +15,16 @@ namespace vitrine::player {
 struct OffscreenOptions {
     int width = 1280;  // px
     int height = 720;
-    std::optional<std::filesystem::path> film;  // every frame presented goes into this file
-    double film_rate = 30;                      // frames a second that the film is told to hold
+    std::optional<std::filesystem::path> film;  // gets every presented frame
+    double film_rate = 30;                      // frames a second that are written into the film's header
     std::string name = "offscreen-1";
 };
 
-/// A screen in memory, always ready. What is presented can be read back, and filmed.
+/// A screen in memory, always ready. Its frames can be read back, and filmed.
 class OffscreenScreen final : public Screen {
   public:
-    /// @param egl  shared: of screens side by side one context is current; none: a context of its own
-    /// @throws std::runtime_error where EGL cannot draw without a device, or the film cannot be written
+    /// @param egl  shared, because screens beside each other use one context; none: a context of its own
+    /// @throws std::runtime_error if EGL cannot draw without a device, or the film cannot be written
     explicit OffscreenScreen(const OffscreenOptions& options, std::shared_ptr<Egl> egl = {});
     OffscreenScreen(const OffscreenScreen&) = delete;
     OffscreenScreen& operator=(const OffscreenScreen&) = delete;
@@ -50,10 +50,10 @@ class OffscreenScreen final : public Screen {
 
     std::optional<Picture> shown() override;
 
-    /// The picture that was drawn last.
+    /// The last picture that was drawn.
     Picture picture();
 
-    /// Ends the film, so that the file is whole; nothing is filmed after. Nothing to do without a film.
+    /// Ends the film and completes the file; nothing is filmed afterwards. Does nothing without a film.
     /// @throws std::runtime_error naming the film
     void finish_film();
 

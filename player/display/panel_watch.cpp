@@ -22,7 +22,7 @@ UniqueFd kernel_events() {
     UniqueFd socket(::socket(AF_NETLINK, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT));
     sockaddr_nl address{};
     address.nl_family = AF_NETLINK;
-    address.nl_groups = 1;  // from the kernel itself, not from udev
+    address.nl_groups = 1;  // messages of the kernel itself, not of udev
     if (socket.is_open() &&
         ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
         socket.reset();
@@ -48,7 +48,7 @@ bool take_messages(int socket) {
     for (int i = 0; i < max_messages; ++i) {
         std::array<char, 4096> message{};
         const ssize_t size = ::recv(socket, message.data(), message.size(), 0);
-        if (size < 0 && errno == ENOBUFS) return true;  // some are lost: look
+        if (size < 0 && errno == ENOBUFS) return true;  // some messages were lost: look anyway
         if (size <= 0) break;
         found |= is_about_panels({message.data(), static_cast<std::size_t>(size)});
     }
@@ -90,7 +90,7 @@ PanelWatch::Events PanelWatch::read_events() {
     return events;
 }
 
-// The time counts from the first message, so that a panel that never stops sending is looked at all the same.
+// The time counts from the first message: a panel that never stops sending is looked at all the same.
 void PanelWatch::await_rest() {
     itimerspec left{};
     if (::timerfd_gettime(settled_.get(), &left) == 0 && left.it_value.tv_nsec != 0) return;

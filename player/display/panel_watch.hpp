@@ -4,15 +4,15 @@
 
 namespace vitrine::player {
 
-/// Reports that panels may have come, gone or changed: a moment after the kernel's message, as the kernel
-/// sends several for one change, and every two seconds, as it does not always send one. Also wakes for the
-/// card's own events.
+/// Reports that panels may have come, gone or changed: a moment after the kernel's message, because the
+/// kernel sends several for one change; and every two seconds, because it does not always send one. Also
+/// wakes for the card's own events.
 class PanelWatch {
   public:
     struct Events {
         bool card = false;    // the card has an event to read
         bool panels = false;  // the kernel has reported a change of panels or cards
-        bool tick = false;    // two seconds have gone by
+        bool tick = false;    // two seconds have passed
     };
 
     /// @param card  file descriptor, outlives this

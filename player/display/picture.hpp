@@ -14,18 +14,19 @@ struct Picture {
     std::vector<std::byte> pixels;  // width * height * 4
 };
 
-/// Appends a row of pixels as graphics cards have them (XRGB8888: blue, green, red, nothing) to a picture's.
+/// Appends a row of pixels in a graphics card's order (XRGB8888: blue, green, red, unused) to a picture's
+/// pixels.
 void append_xrgb(const std::byte* row, int width, std::vector<std::byte>& pixels);
 
-/// Writes an opaque picture as a PNG file, replacing what is there.
+/// Writes an opaque picture as a PNG file. Replaces an existing file.
 /// @throws std::runtime_error naming the file
 void save_png(const Picture& picture, const std::filesystem::path& path);
 
-/// The same as a JPEG file, replacing what is there as a whole: written beside and renamed.
+/// Writes a picture as a JPEG file. It replaces an existing file by rename, so no half file is seen.
 void save_jpeg(const Picture& picture, const std::filesystem::path& path);
 
-/// A drawing as a picture of a size in px, on white.
-/// @throws std::runtime_error where it cannot be read as SVG
+/// Draws an SVG text as a picture of this size in px, on white.
+/// @throws std::runtime_error if the text cannot be read as SVG
 Picture drawn_svg(const std::string& svg, int width, int height);
 
 }  // namespace vitrine::player

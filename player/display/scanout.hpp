@@ -7,14 +7,14 @@
 
 namespace vitrine::player {
 
-/// A finished picture in the card's memory, lent by a Scanout, which outlives it; given back at its end.
+/// A finished picture in the card's memory, lent by a Scanout, which outlives it. Destroy it to give it back.
 struct ScanoutBuffer {
     std::uint32_t frame_buffer = 0;  // the card's number for it
     std::shared_ptr<const void>
-        lease;  // gives the buffer back at its end; shared only to hide its type: has one owner
+        lease;  // gives the buffer back when destroyed; shared only to hide its type, has one owner
 };
 
-/// The buffers that GL draws to and a card shows, of one size. Ends after every buffer it lent.
+/// The buffers that GL draws to and a card shows, all of one size. Outlives every buffer that it lends.
 class Scanout {
   public:
     Scanout() = default;
@@ -31,11 +31,11 @@ class Scanout {
     virtual bool has_free_buffer() const = 0;
 
     /// Ends the drawing and lends the buffer that was drawn to, ready to be shown.
-    /// @throws std::runtime_error where the card has no room, no such format, or is gone
+    /// @throws std::runtime_error if the card has no room or no such format, or is gone
     virtual ScanoutBuffer lock_front_buffer() = 0;
 
-    /// The picture in a buffer that it lent.
-    /// @throws std::runtime_error where it cannot be read
+    /// The picture in a lent buffer.
+    /// @throws std::runtime_error if it cannot be read
     virtual Picture picture(const ScanoutBuffer& buffer) const = 0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace vitrine::player {
 
-/// A place to show pictures: a panel, or memory when off screen. Thread-bound to the thread that made it,
-/// which holds its EGL context current.
+/// A place to show frames: a panel, or memory when off screen. Thread-bound to the thread that made it, on
+/// which its EGL context is current.
 class Screen {
   public:
     Screen() = default;
@@ -26,28 +26,29 @@ class Screen {
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
 
-    /// Frames a second that it can show; 0: as many as come.
+    /// Frames a second that it can show; 0: no limit.
     virtual double refresh() const { return 0; }
 
     /// The number of frames that have reached it so far: flips that the card has reported, not those
     /// requested.
     virtual std::uint64_t flips() const = 0;
 
-    /// The picture that it shows now, read back from the buffer that is shown; nothing before the first one.
-    /// @throws std::runtime_error where it cannot be read
+    /// The picture on the screen, read back from the shown buffer. None: no frame was shown yet.
+    /// @throws std::runtime_error if it cannot be read
     virtual std::optional<Picture> shown() = 0;
 
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;
 
-    /// True if the frame presented last is not on the screen and will not be: the next one must be drawn,
-    /// even if it is equal.
+    /// True if the last presented frame is not on the screen and will not be. The next frame must then be
+    /// drawn, even if it is equal.
     virtual bool wants_picture() const = 0;
 
     /// Makes the surface of the next frame current.
     virtual void begin_frame() = 0;
 
-    /// Shows the frame drawn since begin_frame(), meant to appear at `time` since the player's start.
+    /// Shows the frame drawn since begin_frame(). @param time  when it should appear, since the player's
+    /// start
     virtual void present(std::chrono::nanoseconds time) = 0;
 };
 

@@ -9,7 +9,7 @@ namespace vitrine::player {
 
 /// A change of one finger on the panel, or of a mouse whose button is held.
 struct Contact {
-    enum class Kind { down, move, up, cancel };  // cancel: the panel takes the finger back, it was none
+    enum class Kind { down, move, up, cancel };  // cancel: the panel takes the contact back, it was no finger
 
     Kind kind = Kind::down;
     int finger = 0;  // number among the fingers that touch at the same time
@@ -21,7 +21,7 @@ struct Contact {
 
 /// A turn of a mouse wheel.
 struct Wheel {
-    double notches = 0;  // > 0: away from the hand
+    double notches = 0;  // > 0: away from the user
     Vec2 at;             // the pointer, canvas px
     std::chrono::nanoseconds time{0};
 
@@ -37,7 +37,7 @@ struct KeyPress {
     bool operator==(const KeyPress&) const = default;
 };
 
-/// Input of a visitor. All times are of one clock and never go back.
+/// An input of a visitor. All times are from one clock and never go back.
 using InputEvent = std::variant<Contact, Wheel, KeyPress>;
 
 }  // namespace vitrine::player

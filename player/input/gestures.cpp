@@ -9,7 +9,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr double min_spread = 1;        // px between two fingers
-constexpr std::size_t max_fingers = 2;  // further ones are a palm
+constexpr std::size_t max_fingers = 2;  // more fingers are a palm
 
 }  // namespace
 
@@ -123,7 +123,7 @@ void Gestures::tap(const Finger& finger, std::chrono::nanoseconds time) {
     gestures_.push_back(gesture);
 }
 
-/// The finger does not hold or drag any more.
+/// Ends the hold or the drag of a finger.
 void Gestures::end_hold_or_drag(const Finger& finger, std::chrono::nanoseconds time, bool may_flick) {
     if (state_ == State::holding)
         gestures_.push_back({.kind = Gesture::Kind::release, .at = finger.at, .from = finger.from});
@@ -144,7 +144,7 @@ void Gestures::recognise_hold(std::chrono::nanoseconds now) {
     gestures_.push_back({.kind = Gesture::Kind::hold, .at = finger.at, .from = finger.from});
 }
 
-/// The speed in the last moment before `now`, px a second; 0 of a finger that has come to rest since.
+/// The speed in the last moment before `now`, px a second; 0 if the finger has stopped since.
 Vec2 Gestures::velocity(const Finger& finger, std::chrono::nanoseconds now) const {
     if (now - finger.trail.back().time > rules_.trail) return {};
     const double passed =

@@ -9,15 +9,15 @@
 
 namespace vitrine::player {
 
-/// Limits from which on a contact means something. Lengths in canvas px.
+/// The limits of gestures. Lengths in canvas px.
 struct GestureRules {
-    double slop = 12;   // way that a finger may tremble before it drags
-    double fast = 600;  // px a second from which on a lifted finger flicks
-    std::chrono::nanoseconds hold = std::chrono::milliseconds(500);   // a resting finger holds from then on
-    std::chrono::nanoseconds twice = std::chrono::milliseconds(350);  // between the taps of a double tap
+    double slop = 12;   // a finger that moves farther drags
+    double fast = 600;  // px a second; a finger that is lifted at this speed flicks
+    std::chrono::nanoseconds hold = std::chrono::milliseconds(500);   // a finger that rests this long holds
+    std::chrono::nanoseconds twice = std::chrono::milliseconds(350);  // longest pause in a double tap
     std::chrono::nanoseconds trail =
-        std::chrono::milliseconds(80);  // last way of a finger that gives its speed
-    double notch = 1.25;                // factor of one notch of the wheel
+        std::chrono::milliseconds(80);  // the finger's speed is measured over this last time
+    double notch = 1.25;                // factor for one notch of the wheel
 };
 
 /// The rules for a canvas of this size, px: a finger covers the same share of every panel.
@@ -28,7 +28,7 @@ class Gestures {
   public:
     explicit Gestures(const GestureRules& rules = {}) : rules_(rules) {}
 
-    /// The rules hold for fingers that come down from now on.
+    /// Sets the rules for fingers that come down from now on.
     void set_rules(const GestureRules& rules) { rules_ = rules; }
 
     void handle_input(const InputEvent& event);
@@ -48,7 +48,7 @@ class Gestures {
         dragging,
         pinching,
         over
-    };  // over: nothing more until all are lifted
+    };  // over: ignores everything until all fingers are lifted
 
     struct Point {
         Vec2 at;
@@ -80,8 +80,8 @@ class Gestures {
     GestureRules rules_;
     State state_ = State::idle;
     std::map<int, Finger> fingers_;
-    Vec2 middle_;                  // between two fingers, as of the last contact
-    double spread_ = 1;            // px between them, likewise
+    Vec2 middle_;                  // the point between two fingers, at the last contact
+    double spread_ = 1;            // px between two fingers, at the last contact
     std::optional<Point> tapped_;  // the last tap, if it may become a double tap
     std::vector<Gesture> gestures_;
 };

@@ -11,7 +11,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t max_events = 4096;  // kept while no frame is shown; more come from a broken panel
+constexpr std::size_t max_events = 4096;  // limit while no frame is shown; only a broken panel sends more
 
 /// The event with its time counted from the player's start.
 InputEvent counted_from(InputEvent event, std::chrono::nanoseconds start) {
@@ -33,7 +33,7 @@ InputDevices::InputDevices(EventLoop& loop, const std::string& devices) {
     }
 }
 
-/// The wall goes on without input where the devices cannot be read any more.
+/// Reads the input. If the devices cannot be read any more, the wall goes on without input.
 void InputDevices::read() {
     try {
         std::vector<PanelEvent> events = touch_->read_events();

@@ -18,9 +18,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double max_seconds = 1e6;
-constexpr auto sampling = 10ms;     // between two places of a moving finger
-constexpr auto tap_time = 80ms;     // a tapping finger is down
-constexpr auto flick_time = 120ms;  // a flicking finger moves
+constexpr auto sampling = 10ms;     // between two points of a moving finger
+constexpr auto tap_time = 80ms;     // length of a tap
+constexpr auto flick_time = 120ms;  // length of a flick
 constexpr auto rest_time = 200ms;   // a dragging finger rests before it is lifted, so that it does not flick
 constexpr double min_finger_gap = 120;  // px, in a pinch
 constexpr std::array<std::pair<const char*, Key>, 6> keys{{{"left", Key::left},
@@ -40,11 +40,11 @@ std::chrono::nanoseconds time_of(const InputEvent& event) {
     return std::visit([](const auto& one) { return one.time; }, event);
 }
 
-/// The rest of a line behind its word.
+/// The words after the first word of a line.
 struct Arguments {
     std::istream& words;
-    std::chrono::nanoseconds time{0};  // when the event comes
-    const char* usage = "";            // the text of the error where an argument is missing
+    std::chrono::nanoseconds time{0};  // time of the event
+    const char* usage = "";            // the error text for a missing argument
 
     double number() {
         double number = 0;
@@ -65,9 +65,9 @@ struct Stroke {
     int finger = 0;
     Vec2 from;
     Vec2 to;
-    std::chrono::nanoseconds time{0};  // when the first contact comes
+    std::chrono::nanoseconds time{0};  // time of the first contact
     std::chrono::nanoseconds duration{0};
-    std::chrono::nanoseconds rest{0};  // before the finger is lifted
+    std::chrono::nanoseconds rest{0};  // rest before the finger is lifted
 };
 
 using Input = std::vector<InputEvent>;
@@ -121,7 +121,7 @@ Input flick(Arguments& arguments) {
     return contacts({.from = from, .to = to, .time = arguments.time, .duration = flick_time});
 }
 
-/// The fingers lie beside each other and are so many times farther apart in the end.
+/// Two fingers beside each other; at the end their gap is larger by the factor.
 Input pinch(Arguments& arguments) {
     const Vec2 at = arguments.place();
     const double factor = arguments.number();
@@ -155,7 +155,7 @@ Input key(Arguments& arguments) {
     throw std::runtime_error(arguments.usage);
 }
 
-/// A word that stands for input of a visitor.
+/// A word of the script for a visitor's input.
 struct InputWord {
     const char* word;
     const char* usage;

@@ -11,22 +11,22 @@
 
 namespace vitrine::player {
 
-/// A script of events for a wall, so that they can be seen and tested without waiting for them: files come
-/// and go, a visitor touches. One event a line, times in seconds since the start, lengths in canvas px:
+/// A script of events for a wall, so that they can be seen and tested without waiting: files come and go, a
+/// visitor touches. One event a line, times in seconds since the start, lengths in canvas px:
 ///
-///     4 add FILE             it was not there before
+///     4 add FILE             the file was not there before
 ///     9 remove FILE          relative to the media folder
 ///     12 tap X Y             and the other words of the table `input_words` in rehearsal.cpp
-///     0 clock 2026-12-24 17:59:50      the local time, which goes on from there
+///     0 clock 2026-12-24 17:59:50      sets the local time, which goes on from there
 class Rehearsal {
   public:
     /// @throws std::runtime_error naming line and fault
     explicit Rehearsal(const std::string& script);
 
-    /// Goes on to a time. @return  true: other files are there than before
+    /// Goes on to a time. @return  true: files have come or gone
     bool advance(std::chrono::nanoseconds now);
 
-    /// True: the file, named from the media folder on, is there now.
+    /// True: the file, relative to the media folder, is there now.
     bool is_present(const std::string& path) const;
 
     /// The local time that the script sets; none: the real time.
@@ -39,7 +39,7 @@ class Rehearsal {
     struct FileEvent {
         std::chrono::nanoseconds time{0};
         std::string path;
-        bool is_added = false;  // else removed
+        bool is_added = false;  // false: the file is removed
     };
 
     struct Clock {
@@ -51,9 +51,9 @@ class Rehearsal {
     void read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added);
 
     std::vector<FileEvent> files_;     // in order of time
-    std::vector<InputEvent> touches_;  // likewise
-    std::size_t passed_ = 0;           // number of files_ whose time has come
-    std::size_t touched_ = 0;          // number of touches_ that were handed out
+    std::vector<InputEvent> touches_;  // in order of time
+    std::size_t passed_ = 0;           // number of files_ that are over
+    std::size_t touched_ = 0;          // number of touches_ that were passed on
     std::vector<Clock> clocks_;
     std::chrono::nanoseconds now_{0};
 };

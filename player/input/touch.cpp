@@ -22,7 +22,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int pointer_finger = -1;         // a mouse whose button is held; slots count from 0
+constexpr int pointer_finger = -1;         // a mouse whose button is held; touch slots count from 0
 constexpr Vec2 pointer_reach{1920, 1080};  // px that a mouse moves for a panel's width and height
 constexpr double notch_angle = 120;        // libinput's unit for one notch
 constexpr std::array<std::pair<unsigned, Key>, 15> keys{{{KEY_LEFT, Key::left},
@@ -61,7 +61,7 @@ void close_device(int fd, void* /*refused*/) {
 constexpr libinput_interface devices_interface{.open_restricted = open_device,
                                                .close_restricted = close_device};
 
-/// Drops libinput's own lines: the player logs each device once itself.
+/// Drops libinput's own log lines: the player logs each device once itself.
 void ignore_log(libinput* /*context*/, libinput_log_priority /*priority*/, const char* /*format*/,
                 va_list /*arguments*/) {}
 
@@ -81,11 +81,11 @@ struct Touch::Context {
     int finger_of(libinput_event_touch* touch);
     void report_refusals();
 
-    std::map<int, int> refused;  // errno -> devices that could not be opened
+    std::map<int, int> refused;  // errno -> number of devices that could not be opened
     Handle<udev, &udev_unref> rules;
     Handle<libinput, &libinput_unref> input;
     std::map<std::pair<libinput_device*, int>, int> fingers;  // device and slot -> number
-    Vec2 pointer{0.5, 0.5};                                   // shares of the panel
+    Vec2 pointer{0.5, 0.5};                                   // shares of the panel's sides
     bool is_pressed = false;
     std::vector<PanelEvent> events;
     std::vector<std::string> news;
@@ -145,7 +145,7 @@ void Touch::Context::handle_event(libinput_event* event) {
     }
 }
 
-/// Events of their own lift the fingers of a device that goes.
+/// Adds or removes a device. libinput itself sends the events that lift a removed device's fingers.
 void Touch::Context::handle_device(libinput_device* device, bool is_added) {
     news.push_back(fmt::format("{} '{}'", is_added ? "found" : "gone:", libinput_device_get_name(device)));
     if (is_added && libinput_device_config_tap_get_finger_count(device) > 0)
@@ -256,7 +256,7 @@ void Touch::suspend() {
 }
 
 void Touch::resume() {
-    (void)libinput_resume(context_->input.get());  // read_events() reports devices that are refused
+    (void)libinput_resume(context_->input.get());  // read_events() reports devices that cannot be opened
 }
 
 }  // namespace vitrine::player

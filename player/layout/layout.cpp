@@ -8,10 +8,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_side = 8;  // source px, of a core that can be shown
+constexpr double min_side = 8;  // source px of a core that can be shown
 constexpr double min_area = 1;  // source px^2 of a region
 constexpr double middle_share =
-    0.6;  // side of the box in place of a missing region, as a share of the core's
+    0.6;  // side of the box that replaces a missing region, as a share of the core's
 
 Polygon middle_box(const Box& core) {
     const Vec2 half = (core.max - core.min) * (middle_share / 2);

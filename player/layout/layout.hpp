@@ -17,11 +17,11 @@ struct Shot;
 
 namespace vitrine::player {
 
-/// One item to be packed: a shot's I-Region with the pixels around it. All in source px at the shot's begin.
+/// One item for packing: a shot's I-Region and the pixels around it. All in source px at the shot's start.
 struct LayoutItem {
     Polygon region;     // convex, counter-clockwise, inside `core`
-    Box core;           // the part that every frame of the shot shows: a cell may show no more
-    double weight = 1;  // wished area relative to the others, > 0
+    Box core;           // the part in every frame of the shot; a cell shows no more
+    double weight = 1;  // wished area relative to the other items', > 0
 
     bool operator==(const LayoutItem&) const = default;
 };
@@ -34,7 +34,8 @@ struct Placement {
     bool operator==(const Placement&) const = default;
 };
 
-/// Items that stand together, as the items of one folder: the hull of their I-Regions counts as one.
+/// Items that are placed together, such as the items of one folder. The hull of their I-Regions counts as
+/// one.
 struct LayoutGroup {
     std::vector<std::size_t> items;
 
@@ -45,14 +46,14 @@ struct LayoutGroup {
 struct Layout {
     Vec2 canvas;  // px
     std::vector<Placement> placements;
-    std::vector<LayoutGroup> groups;  // none: all stand by themselves
+    std::vector<LayoutGroup> groups;  // none: there are no groups
     double energy = 0;                // share of the canvas that no I-Region covers, in [0, 1]
     std::uint64_t generation = 0;
-    bool is_final = false;  // no better one follows for the same request
+    bool is_final = false;  // no better layout of the same request follows
 };
 
-/// The item of a shot: its I-Region inside the part that every frame shows. A region that is missing or lies
-/// outside becomes a box in the middle. A film whose drift leaves no common part counts its whole frame.
+/// The item of a shot: its I-Region inside the part that every frame shows. A region that is missing or
+/// outside becomes a box in the middle. If a film's drift leaves no common part, the whole frame is taken.
 LayoutItem layout_item(const MediaRecord& record, const Shot& shot);
 
 /// The canvas polygon of an item's I-Region.

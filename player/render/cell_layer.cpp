@@ -7,8 +7,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double fringe_width = 1;         // canvas px
-constexpr double same_size = 0.75;         // canvas px that a picture of the very size may differ
-constexpr std::uint64_t kept_unused = 15;  // frames that a cell's vertices outlast their last use
+constexpr double same_size = 0.75;         // canvas px of difference at which pictures count as of equal size
+constexpr std::uint64_t kept_unused = 15;  // frames that a cell's vertices are kept after their last use
 
 bool is_opaque(const DrawItem& item) {
     return item.alpha >= 1;
@@ -101,8 +101,8 @@ const PicturePrograms& CellLayer::programs(const DrawItem& item) {
     return *programs;
 }
 
-/// True if a texel of the picture is a pixel of the screen: then it is not filtered, which is sharper, and
-/// half of what the picture costs where the processor draws it.
+/// True if a texel of the picture is a pixel of the screen. Then it is not filtered, which is sharper, and
+/// costs half if the processor draws.
 bool CellLayer::is_exact(const PictureTexture& texture, const DrawItem& item) const {
     const Vec2 shown = item.picture * item.placement.scale;
     return is_on_pixels_ && is_rgb(texture.layout()) && item.slide == Vec2{} &&

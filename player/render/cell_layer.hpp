@@ -20,7 +20,7 @@ namespace vitrine::player {
 class CellMeshes {
   public:
     struct Mesh {
-        std::shared_ptr<const Cell> cell;  // shared: while it lives no other cell has its address
+        std::shared_ptr<const Cell> cell;  // shared, so that no other cell gets its address meanwhile
         GlBuffer vertices;
         GlVertexArray array;
         CellMesh::Layer parts;
@@ -30,7 +30,7 @@ class CellMeshes {
 
     const Mesh& of(const std::shared_ptr<const Cell>& cell);
 
-    /// Drops meshes that have not been drawn for a while; to be called once a frame.
+    /// Drops meshes that have not been drawn for a while. Call once a frame.
     void drop_old();
 
   private:
@@ -44,12 +44,12 @@ class CellLayer {
     /// @param pictures  outlives this
     explicit CellLayer(UploadedPictures& pictures) : pictures_(pictures) {}
 
-    /// Draws a run of items of one opacity, which is one layer of cells that meet in seams. Items without a
+    /// Draws a run of items of one opacity. They form one layer of cells that meet in seams. Items without a
     /// picture are left out.
-    /// @param is_on_pixels  canvas points of whole numbers are corners of pixels, in this frame
+    /// @param is_on_pixels  in this frame, canvas points with whole numbers are corners of pixels
     void draw(std::span<const DrawItem> items, const ToNdc& view, bool is_on_pixels);
 
-    /// Drops meshes that have not been drawn for a while; to be called once a frame.
+    /// Drops meshes that have not been drawn for a while. Call once a frame.
     void drop_old() { meshes_.drop_old(); }
 
   private:
@@ -63,7 +63,7 @@ class CellLayer {
 
     UploadedPictures& pictures_;  // outlives this
     CellMeshes meshes_;
-    std::array<std::optional<PicturePrograms>, 4> programs_;  // by layout, each made when it is first needed
+    std::array<std::optional<PicturePrograms>, 4> programs_;  // by layout; each is made when first needed
     bool is_on_pixels_ = true;
 };
 

@@ -18,13 +18,13 @@ struct CellMesh {
         float coverage = 1;
     };
 
-    /// Some of the vertices.
+    /// A range of the vertices.
     struct Range {
         int first = 0;
         int count = 0;
     };
 
-    /// The vertices of the parts, or of the filler.
+    /// The vertices of the cell's parts, or those of its filler.
     struct Layer {
         Range outline;    // pairs: lines
         Range triangles;  // triples
@@ -36,7 +36,7 @@ struct CellMesh {
     Layer filler;
 };
 
-/// @param fringe  width of the fringe where the cell has no fade_edges, canvas px, >= 0
+/// @param fringe  width of the fringe at edges without fade_edges, canvas px, >= 0
 CellMesh cell_mesh(const Cell& cell, double fringe);
 
 }  // namespace vitrine::player

@@ -26,7 +26,7 @@ const char* error_name(GLenum error) {
     }
 }
 
-// A shader ends with its program once it is attached and marked.
+// Attaches a shader. It is deleted with its program.
 void attach(GLuint program, GLenum type, const char* source) {
     const char* const lines[] = {"#version 300 es\n", source};
     const GLuint shader = glCreateShader(type);

@@ -9,7 +9,7 @@
 
 namespace vitrine::player {
 
-/// The one owner of a GL object; it ends while its context is current. 0: none.
+/// The only owner of a GL object. Destroy it while its context is current. 0: no object.
 template <void (*generate)(GLsizei, GLuint*), void (*destroy)(GLsizei, const GLuint*)> class GlObject {
   public:
     GlObject() { generate(1, &id_); }
@@ -38,7 +38,7 @@ using GlBuffer = GlObject<&glGenBuffers, &glDeleteBuffers>;
 using GlTexture = GlObject<&glGenTextures, &glDeleteTextures>;
 using GlVertexArray = GlObject<&glGenVertexArrays, &glDeleteVertexArrays>;
 
-/// Throws std::runtime_error with GL's name for the first error since the last call, if there was one.
+/// Throws std::runtime_error with GL's name of the first error since the last call, if there was one.
 void check_gl(const char* what);
 
 inline void set(GLint uniform, Vec2 value) {
@@ -48,7 +48,7 @@ inline void set(GLint uniform, Vec2 value) {
 /// A compiled and linked pair of shaders (GLSL ES 3.00, without the #version line).
 class GlProgram {
   public:
-    /// @throws std::runtime_error with the compiler's words
+    /// @throws std::runtime_error with the compiler's message
     GlProgram(const char* vertex, const std::string& fragment);
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;

@@ -11,9 +11,9 @@ namespace {
 constexpr int columns = 40;
 constexpr int rows = 25;
 constexpr double period =
-    3600;  // s, after which the lights stand as at the start: a float keeps its precision
+    3600;  // s; then the lights are at their start again, so that a float keeps its precision
 
-// Everything moves by whole turns in `period` seconds (turns are of 3600 s), so the picture has no seam.
+// Everything makes whole turns in `period` seconds, so the movement has no seam.
 constexpr const char* idle_vertex_shader = R"(
 precision highp float;
 layout(location = 0) in vec2 corner;   // [0, 1], y down
@@ -52,7 +52,7 @@ void main() {
 }
 )";
 
-// Half a step of noise hides the steps of eight bits, which show on slow gradients.
+// Noise of half a step hides the steps of eight bits, which are visible on slow gradients.
 constexpr const char* idle_fragment_shader = R"(
 precision mediump float;
 in vec3 colour;

@@ -21,7 +21,7 @@ constexpr EGLint one_channel = fourcc('R', '8', ' ', ' ');
 constexpr EGLint two_channels = fourcc('G', 'R', '8', '8');
 constexpr std::uint64_t row_by_row = 0;  // DRM_FORMAT_MOD_LINEAR
 
-// A display that cannot be asked may take them all the same.
+// A display that cannot list its formats may still accept this one.
 bool takes(EGLDisplay display, EGLint format) {
     const auto ask =
         reinterpret_cast<PFNEGLQUERYDMABUFFORMATSEXTPROC>(eglGetProcAddress("eglQueryDmaBufFormatsEXT"));
@@ -52,7 +52,7 @@ void PictureImport::read(const SharedPlanes& shared, const PlaneShape& plane) co
         throw std::runtime_error(fmt::format("read a decoder's plane of {}x{}: EGL error {:#x}", plane.width,
                                              plane.height, eglGetError()));
     into_texture_(GL_TEXTURE_2D, image);
-    eglDestroyImage(display_, image);  // the texture holds it
+    eglDestroyImage(display_, image);  // the texture keeps it
     check_gl("read a decoder's plane");
 }
 

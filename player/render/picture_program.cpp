@@ -45,7 +45,7 @@ void PictureProgram::use(const DrawItem& item, const PictureTexture& texture, co
 }
 
 // texel = (u - offset) / scale + slide, as a share of the picture. A picture that is drawn pixel for pixel is
-// moved to whole pixels, by less than half of one.
+// moved to whole pixels, by less than half a pixel.
 void PictureProgram::set_texels(const DrawItem& item, const PictureTexture& texture, bool is_exact) const {
     const Vec2 offset = item.placement.offset;
     if (is_exact) {
@@ -62,7 +62,7 @@ void PictureProgram::set_texels(const DrawItem& item, const PictureTexture& text
 void PictureProgram::set_blur(const PictureTexture& texture) const {
     const double radius = filler_blur * std::min(texture.width(), texture.height());  // texels
     set(blur_, {radius / texture.width(), radius / texture.height()});
-    glUniform1f(level_, static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius wide
+    glUniform1f(level_, static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius a texel
 }
 
 PicturePrograms::PicturePrograms(PixelLayout layout)

@@ -17,9 +17,9 @@ class PictureProgram {
   public:
     explicit PictureProgram(const std::string& fragment_shader);
 
-    /// Takes the program into use for an item, all of whose uniforms are set.
+    /// Takes the program into use and sets all uniforms for an item.
     /// @param texture   the item's picture, or a reduced copy of it
-    /// @param is_exact  a texel is drawn as a pixel
+    /// @param is_exact  each texel is drawn as one pixel
     void use(const DrawItem& item, const PictureTexture& texture, const ToNdc& view, bool is_exact) const;
 
     /// True if it fills a cell with the blurred picture.

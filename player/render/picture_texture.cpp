@@ -11,17 +11,16 @@ namespace vitrine::player {
 namespace {
 
 struct PlaneForm {
-    GLenum storage = 0;  // 0: as `format` says (GL_EXT_texture_format_BGRA8888)
+    GLenum storage = 0;  // 0: the same as `format` (GL_EXT_texture_format_BGRA8888)
     GLenum format = 0;
     int bytes = 0;    // a texel
-    int divisor = 1;  // the plane has this part of the picture's width and height, rounded up
+    int divisor = 1;  // the plane has the picture's width and height divided by this, rounded up
 };
 
 using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
 
-constexpr double small_picture = 1.5;  // texels a canvas px, from which single ones are stepped over
-constexpr int reduction =
-    4;  // factor by which shared planes are made smaller, to fill cells with when blurred
+constexpr double small_picture = 1.5;  // texels a canvas px; above this, single texels would be skipped
+constexpr int reduction = 4;           // factor by which shared planes are reduced for the filler's blur
 
 constexpr PlaneForm rgba{GL_RGBA8, GL_RGBA, 4};
 constexpr PlaneForm bgra{0, GL_BGRA_EXT, 4};
@@ -67,7 +66,7 @@ void upload_plane(const Sample::Plane& plane, const PlaneForm& form, int width, 
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, form.format, GL_UNSIGNED_BYTE, plane.bytes.data());
 }
 
-/// Makes room in the bound texture, for smaller copies too.
+/// Reserves memory for the bound texture, also for its smaller copies.
 void reserve(const PlaneForm& form, int width, int height) {
     if (form.storage == 0) {
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(form.format), width, height, 0, form.format,
@@ -141,7 +140,7 @@ void PictureTexture::bind_sampled(Sampling sampling, double texels) {
     bind(has_smaller_copies_ ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR, wrap);
 }
 
-/// Binds to the texture units 0 and on, with the same filter and wrap for all planes.
+/// Binds the planes to the texture units from 0 on, all with the same filter and wrap.
 void PictureTexture::bind(GLint smaller, GLint larger, GLint wrap) const {
     for (std::size_t i = plane_count(layout_); i-- > 0;) {
         glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + i));
@@ -158,12 +157,12 @@ PictureTexture& PictureTexture::reduced() {
     if (reduced_) return *reduced_;
     const auto part = [](int length) { return std::max(1, length / reduction); };
     reduced_.reset(
-        new PictureTexture(part(width_), part(height_), layout_, colours_));  // a private constructor
+        new PictureTexture(part(width_), part(height_), layout_, colours_));  // the constructor is private
     reduced_->copy_from(*this);
     return *reduced_;
 }
 
-// Half of the texels in each direction are left out, which does no harm: the copy is only used blurred.
+// Half of the texels in each direction are skipped. This does no harm: the copy is only used blurred.
 void PictureTexture::copy_from(const PictureTexture& larger) {
     GLint drawn_to = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_to);

@@ -69,7 +69,7 @@ void Renderer::draw(const Frame& frame) {
     check_gl("draw a frame");
 }
 
-/// Makes all of the screen black, and limits what follows to the place of the canvas.
+/// Makes the whole screen black, and limits further drawing to the canvas.
 void Renderer::clear() const {
     glDisable(GL_SCISSOR_TEST);
     glClearColor(0, 0, 0, 1);
@@ -78,7 +78,7 @@ void Renderer::clear() const {
     const int across = width_ - view_.left - view_.right;
     const int down = height_ - view_.top - view_.bottom;
     glViewport(view_.left, view_.bottom, across, down);
-    glScissor(view_.left, view_.bottom, across, down);  // lines may reach beyond the viewport
+    glScissor(view_.left, view_.bottom, across, down);  // limits lines too, which may leave the viewport
     glEnable(GL_SCISSOR_TEST);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
@@ -94,7 +94,7 @@ bool Renderer::leaves_holes(const Frame& frame) const {
                                [&](const DrawItem& i) { return is_opaque(i) && !has(i.source); });
 }
 
-/// Draws the idle picture only where it is seen, as it costs more a pixel than pictures do.
+/// Draws the idle picture only where it is seen, because it costs more per pixel than pictures do.
 void Renderer::draw_idle(const Frame& frame, const ToNdc& view) {
     const bool has_holes = leaves_holes(frame);
     const double opacity = has_holes ? 1 : frame.idle;
@@ -112,7 +112,7 @@ void Renderer::draw_idle(const Frame& frame, const ToNdc& view) {
     set_scissor(all, view);
 }
 
-/// Includes all pixels that a part of the canvas has a share of.
+/// Limits drawing to all pixels that the part of the canvas touches.
 void Renderer::set_scissor(const Box& part, const ToNdc& view) const {
     const Vec2 room{static_cast<double>(width_ - view_.left - view_.right),
                     static_cast<double>(height_ - view_.top - view_.bottom)};

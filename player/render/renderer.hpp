@@ -15,31 +15,31 @@
 
 namespace vitrine::player {
 
-/// Draws frames with OpenGL ES 3. Thread-bound: made, used and ended on the thread that has the screen's
-/// context current, before that screen ends; every call asserts it.
+/// Draws frames with OpenGL ES 3. Thread-bound: made, used and destroyed on the thread that has the screen's
+/// context current, before that screen is destroyed. Every call asserts this.
 class Renderer {
   public:
     /// @param width, height  the screen's size, px
     Renderer(int width, int height, const View& view = {});
 
-    /// Aims at a screen of this size, with the canvas lying on it like this, for all draws to come. Uploaded
-    /// pictures stay.
+    /// Sets the screen's size and the place of the canvas on it for all further draws. Uploaded pictures
+    /// stay.
     void aim(int width, int height, const View& view);
 
-    /// True if upload() can leave shared planes where they are.
+    /// True if upload() can leave shared planes in place.
     bool reads_shared_planes() const { return pictures_.reads_shared_planes(); }
 
-    /// Takes the source's newest picture. The pixels are copied before this returns; shared planes are copied
-    /// only where they cannot be read in their place.
-    /// @return the reason why they cannot, told once a source
-    /// @throws std::runtime_error when the graphics card has no room
+    /// Takes the source's newest picture. The pixels are copied before this returns. Shared planes are copied
+    /// only if they cannot be read in place.
+    /// @return the reason why they cannot be read in place, once for each source
+    /// @throws std::runtime_error if the graphics card has no room
     std::optional<std::string> upload(SourceId source, const Sample& sample);
 
     void forget(SourceId source);
 
     bool has(SourceId source) const { return pictures_.has(source); }
 
-    /// Draws onto the current surface. An item whose source has no picture yet is left out; where that could
+    /// Draws onto the current surface. An item whose source has no picture yet is left out. If that could
     /// leave a hole, the idle picture is drawn below.
     void draw(const Frame& frame);
 
@@ -58,7 +58,7 @@ class Renderer {
     UploadedPictures pictures_;
     IdlePicture idle_;
     CellLayer cells_;
-    std::optional<ZoomLayer> zooms_;  // made when it is first needed
+    std::optional<ZoomLayer> zooms_;  // made when first needed
 };
 
 }  // namespace vitrine::player

@@ -21,11 +21,11 @@ void main() {
 }
 )";
 
-// The functions that read a pixel of the picture for the shaders below: `picture_at` and `opaque_at` by the
-// smaller copies that the sampler chooses, `copy_at` by one of them.
+// The functions that read a pixel of the picture for the shaders below: `picture_at` and `opaque_at` read the
+// smaller copies that the sampler chooses, `copy_at` reads a given one.
 
-// Mesa's software renderer (22.3) copies whole tiles where a shader does nothing but look up a texel: one
-// that only sets the opacity to 1 has red and blue swapped there, one that rounds is not copied.
+// Mesa's software renderer (22.3) copies whole tiles if a shader only looks up a texel. If a shader also sets
+// the opacity to 1, red and blue are swapped there; if it rounds, it is not copied.
 inline constexpr const char* rgba_picture = R"(
 precision highp float;
 uniform highp sampler2D picture;
@@ -43,7 +43,7 @@ vec3 copy_at(highp vec2 uv, float level) {
 }
 )";
 
-// Brightness in one plane, its colour differences in one or two of half the size.
+// A plane of brightness, and one or two planes of colour differences of half the size.
 inline constexpr const char* i420_picture = R"(
 precision highp float;
 uniform sampler2D picture, blue, red;
@@ -116,7 +116,7 @@ void main() {
 }
 )";
 
-// The mirrored picture, so blurred that nothing in it is recognised, and dark: a frame, not a second picture.
+// The mirrored picture, dark and so blurred that nothing in it is recognised: a frame, not a second picture.
 // The taps lie on a sunflower's spiral and are the same for each pixel, so that still pictures stand still.
 inline constexpr const char* filler_shader = R"(
 in highp vec2 uv;

@@ -7,16 +7,16 @@
 
 namespace vitrine::player {
 
-/// The form in which pictures are to be uploaded: where the processor draws, each operation on a pixel is
-/// dear, so that it gets them ready for copying; a graphics card gets less to carry, or nothing.
+/// The form for uploading pictures. If the processor draws, each operation on a pixel is expensive, so the
+/// pictures are prepared for plain copying. A graphics card gets less data to carry, or none.
 /// @param device               gl_device()
-/// @param reads_shared_planes  whether decoders' pictures can be drawn from where they lie
+/// @param reads_shared_planes  true: decoders' pictures can be drawn in place
 inline PictureForm picture_form(std::string_view device, bool reads_shared_planes) {
     if (is_software(device)) return PictureForm::bgra;
     return reads_shared_planes ? PictureForm::shared : PictureForm::planes;
 }
 
-/// For the log.
+/// The form in words, for the log.
 inline const char* in_words(PictureForm form) {
     switch (form) {
     case PictureForm::bgra:

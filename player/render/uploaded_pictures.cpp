@@ -36,7 +36,8 @@ void UploadedPictures::replace(SourceId source, PictureTexture texture) {
     place->second = std::move(texture);
 }
 
-/// A decoder writes into what it gets back, which the graphics card may still be reading for what was drawn.
+/// Keeps a replaced picture for a while: the decoder will write into it, but the graphics card may still read
+/// it.
 void UploadedPictures::give_back(const PictureTexture& texture) {
     if (texture.lender()) {
         Lent lent{.lender = texture.lender(), .read = {}};

@@ -17,17 +17,17 @@
 
 namespace vitrine::player {
 
-/// The newest picture of each source, on the graphics card. Keeps what a decoder has lent until the card has
-/// read it. Belongs to a Renderer.
+/// The newest picture of each source, on the graphics card. Keeps a decoder's picture until the card has read
+/// it. Belongs to a Renderer.
 class UploadedPictures {
   public:
-    /// True if upload() can leave shared planes where they are.
+    /// True if upload() can leave shared planes in place.
     bool reads_shared_planes() const { return import_.is_possible(); }
 
-    /// Takes the source's newest picture. The pixels are copied before this returns; shared planes are copied
-    /// only where they cannot be read in their place.
-    /// @return the reason why they cannot, told once a source
-    /// @throws std::runtime_error when the graphics card has no room
+    /// Takes the source's newest picture. The pixels are copied before this returns. Shared planes are copied
+    /// only if they cannot be read in place.
+    /// @return the reason why they cannot be read in place, once for each source
+    /// @throws std::runtime_error if the graphics card has no room
     std::optional<std::string> upload(SourceId source, const Sample& sample);
 
     void forget(SourceId source);
@@ -42,7 +42,7 @@ class UploadedPictures {
         void operator()(GLsync sync) const { glDeleteSync(sync); }
     };
 
-    /// A picture that a decoder has lent and that was replaced, until the graphics card has read it.
+    /// A replaced picture of a decoder, kept until the graphics card has read it.
     struct Lent {
         std::shared_ptr<const void> lender;  // shared: the decoder's buffer pool
         std::unique_ptr<std::remove_pointer_t<GLsync>, EndSync> read;
@@ -53,7 +53,7 @@ class UploadedPictures {
     void give_back(const PictureTexture& texture);
 
     PictureImport import_;
-    std::set<SourceId> copied_;  // sources whose shared planes could not be read in their place
+    std::set<SourceId> copied_;  // sources whose shared planes cannot be read in place
     std::deque<Lent> lent_;      // the oldest first
     std::unordered_map<SourceId, PictureTexture> textures_;
 };

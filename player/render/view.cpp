@@ -44,7 +44,7 @@ Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 sha
     switch (view.rotation) {
     case Rotation::none:
         break;
-    case Rotation::right:  // the canvas' right side is at the panel's top
+    case Rotation::right:  // the canvas' right side is at the top of the panel's pixels
         return {canvas.x * (1 - y), canvas.y * x};
     case Rotation::half:
         return {canvas.x * (1 - x), canvas.y * (1 - y)};

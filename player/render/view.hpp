@@ -23,26 +23,26 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// The canvas that fills a screen of width x height px within the margins without a change of shape.
+/// The canvas that fills a screen of width x height px within the margins, in the same shape.
 /// @pre the margins leave at least one pixel
 Vec2 canvas_size(int width, int height, const View& view);
 
-/// The view with further margins, so that a canvas of another shape keeps it: as large as there is room, in
-/// the middle.
+/// The view with further margins for a canvas of another shape: as large as there is room, in the middle.
 View letterboxed(int width, int height, View view, Vec2 canvas);
 
-/// The canvas point that is shown at a place of a screen, as a share of its pixels; within the canvas.
+/// The canvas point that is shown at a place of a screen. @param share  the place as shares of the screen's
+/// pixels; the result lies within the canvas
 Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 share);
 
-/// Canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.
+/// Maps canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.
 struct ToNdc {
     Vec2 x_axis;
     Vec2 y_axis;
     Vec2 origin;
 };
 
-/// A canvas of `size` onto the whole square; its right side shows at the top of the pixels where the panel
-/// is turned to the right, so that it is upright for who looks at the turned panel.
+/// Maps a canvas of `size` onto the whole square. On a panel that is turned to the right, the canvas' right
+/// side is at the top of the pixels, so that viewers see it upright.
 inline ToNdc to_ndc(Vec2 size, Rotation rotation) {
     const double sx = 2 / size.x;
     const double sy = 2 / size.y;
@@ -59,7 +59,7 @@ inline ToNdc to_ndc(Vec2 size, Rotation rotation) {
     return {};
 }
 
-/// The same with another canvas point at the top left.
+/// The same map with another canvas point at the top left.
 inline ToNdc seen_from(ToNdc view, Vec2 point) {
     view.origin = view.origin - view.x_axis * point.x - view.y_axis * point.y;
     return view;

@@ -5,7 +5,7 @@
 
 namespace vitrine::player {
 
-/// The uniforms of each program for the place of the canvas: `uniform vec2 x_axis, y_axis, origin`.
+/// A program's uniforms for the place of the canvas: `uniform vec2 x_axis, y_axis, origin`.
 struct ViewUniforms {
     explicit ViewUniforms(const GlProgram& program)
         : x_axis(program.uniform("x_axis")),

@@ -7,7 +7,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int kept_unused = 120;  // frames that a tile's points outlast their last use
+constexpr int kept_unused = 120;  // frames that a tile's points are kept after their last use
 
 constexpr const char* zoom_vertex_shader = R"(
 precision highp float;

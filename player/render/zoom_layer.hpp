@@ -9,8 +9,8 @@
 
 namespace vitrine::player {
 
-/// Draws tiles of tapestries on their way from level to level. The graphics card has both places of each
-/// point; a moment in between costs a few numbers. Belongs to a Renderer.
+/// Draws tiles of tapestries on the way from one level to the next. The graphics card has both places of each
+/// point, so a moment in between costs only a few numbers. Belongs to a Renderer.
 class ZoomLayer {
   public:
     ZoomLayer();
@@ -18,16 +18,16 @@ class ZoomLayer {
     /// @pre item.zoom; the tile's picture is bound
     void draw(const DrawItem& item, const ToNdc& view);
 
-    /// Drops meshes that have not been drawn for a while; to be called once a frame.
+    /// Drops meshes that have not been drawn for a while. Call once a frame.
     void drop_old();
 
   private:
     struct Mesh {
-        std::shared_ptr<const ZoomMesh> zoom;  // shared: while it lives no other has its address
+        std::shared_ptr<const ZoomMesh> zoom;  // shared, so that no other mesh gets its address meanwhile
         GlBuffer vertices;
         GlBuffer triangles;
         GlVertexArray array;
-        int unused = 0;  // frames
+        int unused = 0;  // frames since the last use
     };
 
     struct MeshProgram {
@@ -38,13 +38,13 @@ class ZoomLayer {
         GLint offset;
         GLint scale;
         GLint share;
-        GLint alpha;  // -1: it draws whole
+        GLint alpha;  // -1: the program draws opaque
     };
 
     Mesh& mesh(const std::shared_ptr<const ZoomMesh>& zoom);
 
-    MeshProgram whole_;    // lets nothing through
-    MeshProgram blended_;  // lets through as much as each point says
+    MeshProgram whole_;    // draws opaque
+    MeshProgram blended_;  // draws each point with its own opacity
     std::unordered_map<const ZoomMesh*, Mesh> meshes_;
 };
 

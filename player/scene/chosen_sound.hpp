@@ -13,7 +13,7 @@ namespace vitrine::player {
 /// A shot of a film that is on the wall and may be heard.
 struct AudibleShot {
     SourceId source = 0;
-    std::string path;                   // relative to the media root
+    std::string path;                   // relative to the media folder
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in the film
     std::chrono::nanoseconds end{0};
     std::optional<StoredSound> stored;
@@ -26,8 +26,8 @@ struct AudibleShot {
 /// Chooses the one film to be heard, because nobody understands two at once. Keeps the current film unless
 /// another one is at least twice as large (a visitor has tapped it); without a current film, chooses the
 /// largest.
-/// @param heard  the source that is heard now
-/// @return nullptr if no shot is given
+/// @param heard  the source that is heard at present
+/// @return nullptr: no shot is given
 const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
 
 }  // namespace vitrine::player

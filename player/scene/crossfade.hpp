@@ -14,12 +14,11 @@ namespace vitrine::player {
 /// Eases a progress in [0, 1] in and out; clamps.
 double eased(double progress);
 
-/// The frame of a wall that stands. A wall without shots is the idle picture.
+/// The frame of a wall that does not change. A wall without shots is the idle picture.
 Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
 
-/// A frame of the crossfade from one wall to the next: the old wall whole and the new one over it, or either
-/// alone. A wall without shots is the idle picture. A shot that is the same in both is not drawn a second
-/// time.
+/// A frame of the crossfade from one wall to the next: the old wall opaque and the new one over it, or one of
+/// them alone. A wall without shots is the idle picture. A shot that is the same in both is drawn only once.
 ///
 /// @param progress  0: only the old wall, 1: only the new one
 Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
@@ -30,9 +29,9 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
 Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
                    std::chrono::nanoseconds now);
 
-/// Fades a whole frame in over the idle picture, and fades out the items of the frame before.
-/// @param before    none: only the idle picture was there
-/// @param progress  0: only the frame before, 1: only the frame
+/// Fades a whole frame in over the idle picture, and fades out the items of the previous frame.
+/// @param before    items of the previous frame; none: only the idle picture was shown
+/// @param progress  0: only the previous frame, 1: only the new one
 void fade_in(Frame& frame, std::span<const DrawItem> before, double progress);
 
 }  // namespace vitrine::player

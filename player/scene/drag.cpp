@@ -10,11 +10,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_way = 1;      // canvas px from the held shot to where it is wanted
-constexpr double held_size = 0.7;  // share of the scale at its start: it needs less room on its way
-constexpr double min_seen = 0.85;  // share of the area seen before a step; else the held shot waits
+constexpr double min_way = 1;      // canvas px from the held shot to its wished place
+constexpr double held_size = 0.7;  // share of the first scale: a smaller shot needs less room
+constexpr double min_seen = 0.85;  // share of the area seen before a step; with less, the held shot waits
 constexpr double worth_of_way =
-    1;  // share of the canvas seen, for the canvas' diagonal between finger and shot
+    1;  // share of the canvas seen that is worth as much as the canvas' diagonal between finger and shot
 
 Vec2 place_of(const LayoutItem& item, const Placement& at) {
     return seat_of(item, at).centre;
@@ -24,18 +24,19 @@ Vec2 place_of(const PlacedShot& placed) {
     return place_of(placed.shot.item, placed.placement);
 }
 
-/// Share of the canvas that I-Regions cover.
+/// The share of the canvas that I-Regions cover.
 double seen_of(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
-/// The placement of a scale that puts an item's centroid at a place.
+/// The placement at this scale that puts an item's centroid at a place.
 Placement about(const LayoutItem& item, const Placement& at, Vec2 place, double scale) {
     const Vec2 centroid = (seat_of(item, at).centre - at.offset) * (1 / at.scale);
     return {scale, place - centroid * scale};
 }
 
-/// The other item whose home is nearest to a place and nearer than the held item's own home; none: no other.
+/// The other item whose home is nearest to a place, if it is nearer than the held item's home. None: there is
+/// no such item.
 std::optional<std::size_t> nearest_home(const WallState& wall, std::size_t held, Vec2 place) {
     const auto way = [&](std::size_t i) {
         return length(seat_of(wall.items[i], wall.homes[i]).centre - place);
@@ -72,9 +73,9 @@ std::optional<std::vector<Placement>> Drag::next_placements(std::span<const Plac
     return making_way(standing, item, wish).placements;
 }
 
-/// Tries several steps. Takes the step after which most of the shots is seen and the held shot is nearest to
-/// the finger. The other shots make way from their homes or from their present places; or the shot whose
-/// place is taken changes to the place that the held shot came from.
+/// Tries several steps. Takes the one after which most of the shots is seen and the held shot is nearest to
+/// the finger. In a step the other shots make room from their homes or from their present places; or the shot
+/// at the finger changes places with the held shot.
 WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)

@@ -10,12 +10,12 @@
 
 namespace vitrine::player {
 
-/// A shot of the wall that a finger holds. It follows the finger; the others make way, and go back once it
+/// A shot of the wall that a finger holds. It follows the finger. The others make room, and return once it
 /// has passed. When the finger is lifted, all shots settle. Source: Dynamic Media Assemblage, chapter 4 and
 /// fig. 4.1.
 class Drag {
   public:
-    /// The held shot, and its place when it was taken.
+    /// The held shot, and its place when it was taken hold of.
     struct Held {
         SourceId source = 0;
         Placement home;
@@ -23,7 +23,7 @@ class Drag {
 
     explicit Drag(const EditRules& rules) : rules_(rules) {}
 
-    /// @param finger, from  where the finger is and where it came down, canvas px
+    /// @param finger, from  present place of the finger, and the place where it came down, canvas px
     void follow_finger(Vec2 finger, Vec2 from) {
         finger_ = finger;
         from_ = from;
@@ -31,7 +31,7 @@ class Drag {
 
     void lift_finger() { finger_.reset(); }
 
-    /// The held shot leaves the wall.
+    /// Call when the held shot leaves the wall.
     void let_go();
 
     /// True while a finger is down, or a shot was dropped and has not settled yet.
@@ -39,10 +39,10 @@ class Drag {
 
     const std::optional<Held>& held() const { return held_; }
 
-    /// The next step of the wall after the finger.
-    /// @param wall    as it stands, with cells
+    /// The next step of the wall towards the finger.
+    /// @param wall    the present wall, with cells
     /// @param canvas  px
-    /// @return        one placement for each shot of the wall; none: nothing is to be moved
+    /// @return        one placement for each shot of the wall; none: nothing moves
     std::optional<std::vector<Placement>> next_placements(std::span<const PlacedShot> wall, Vec2 canvas);
 
   private:
@@ -53,10 +53,10 @@ class Drag {
     EditRules rules_;
     std::optional<Vec2> finger_;
     Vec2 from_;
-    bool has_tried_ = false;  // to take hold where the finger came down
+    bool has_tried_ = false;  // a try to take hold of a shot where the finger came down
     std::optional<Held> held_;
     Vec2 grip_;                            // from the finger to the centroid of the held I-Region, canvas px
-    std::map<SourceId, Placement> homes_;  // places of all shots when the shot was taken
+    std::map<SourceId, Placement> homes_;  // places of all shots when the held one was taken
 };
 
 }  // namespace vitrine::player

@@ -10,8 +10,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double max_growth = 2.5;     // factor of the scale
-constexpr double wished_share = 0.62;  // share of the canvas' width or height that the I-Region is to take
-constexpr double softness = 2;  // times the largest scale that the wall allows: somebody looks at the shot
+constexpr double wished_share = 0.62;  // share of the canvas' width or height for the I-Region
+constexpr double softness = 2;  // times the largest scale on the wall, because somebody looks at the shot
 
 std::vector<SourceId> sources_of(std::span<const PlacedShot> wall) {
     std::vector<SourceId> sources;
@@ -41,7 +41,7 @@ void Enlargement::hold(SourceId source) {
 
 std::optional<std::vector<Placement>>
 Enlargement::next_placements(std::span<const PlacedShot> wall, Vec2 canvas, std::chrono::nanoseconds now) {
-    if (large_ != 0 && sources_ != sources_of(wall)) wish_ = large_ = 0;  // there is no way back any more
+    if (large_ != 0 && sources_ != sources_of(wall)) wish_ = large_ = 0;  // the old places are not valid
     if (large_ != 0 && !is_held_ && now - since_ >= patience_) wish_ = 0;
     if (wish_ == large_) return std::nullopt;
     if (large_ != 0) return go_back();

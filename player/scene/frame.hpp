@@ -11,38 +11,34 @@
 
 namespace vitrine::player {
 
-/// Names a playing shot for as long as it is on the wall; never used twice.
+/// The number of a playing shot for as long as it is on the wall. Never used twice.
 using SourceId = std::uint64_t;
 
 /// One cell of a frame, plain data.
 struct DrawItem {
     SourceId source = 0;
     std::shared_ptr<const Cell> cell;      // shared by all frames of a layout
-    std::shared_ptr<const ZoomMesh> zoom;  // in place of a cell: canvas = scale * strip px + offset; shared
-    double share = 0;                   // share of the way between both places of the mesh's points, [0, 1]
-    Placement placement;                // canvas = source px * scale + offset, at the shot's begin
-    Vec2 picture;                       // size of the upright source picture, source px
-    Vec2 slide;                         // drift * time into the shot, source px: the texel at canvas
-                                        // point u is (u - offset) / scale + slide
-    std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
-    double alpha = 1;                   // opacity over the items drawn before it, [0, 1]
+    std::shared_ptr<const ZoomMesh> zoom;  // instead of a cell: canvas = scale * strip px + offset; shared
+    double share = 0;                      // position between the two places of the mesh's points, [0, 1]
+    Placement placement;                   // canvas = source px * scale + offset, at the shot's start
+    Vec2 picture;                          // size of the upright source picture, source px
+    Vec2 slide;                            // drift * time into the shot, source px: the texel at canvas
+                                           // point u is (u - offset) / scale + slide
+    std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
+    double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
 };
 
-/// Everything that one refresh of a screen shows, in the order of drawing;
-/// testable without GL.
+/// The content of one refresh of a screen, in the order of drawing; testable without GL.
 struct Frame {
     Vec2 canvas;  // px
-    Vec2 view;    // canvas point at the top left, px: a wall wider than the screen
-                  // passes by
+    Vec2 view;    // canvas point at the top left, px; moves if the wall is wider than the screen
     std::vector<DrawItem> items;
-    std::vector<Box> covered;          // canvas px: boxes that the items cover whole, if
-                                       // all can be drawn
-    double idle = 0;                   // opacity of the idle picture drawn first, in [0, 1]
+    std::vector<Box> covered;  // canvas px: boxes that the items cover completely, if all can be drawn
+    double idle = 0;           // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };
 
-/// True if both look the same as long as the sources' pictures are the same:
-/// they may differ in times only.
+/// True if both look the same as long as the sources' pictures are the same: they may differ in times only.
 bool looks_alike(const Frame& a, const Frame& b);
 
 }  // namespace vitrine::player

@@ -13,11 +13,11 @@
 
 namespace vitrine::player {
 
-/// The shots that come next on a panning wall. Each shot comes in its turn; if there are too few files, a
-/// shot may stand a second time.
+/// Chooses the next shots of a panning wall. The shots take turns; if there are too few files, a shot may be
+/// on the wall twice.
 class PanningShots {
   public:
-    /// @param last_source  sources are numbered from there on
+    /// @param last_source  sources are numbered from here on
     PanningShots(ShotOrder order, std::uint64_t seed, SourceId last_source)
         : rotation_(order, seed), last_source_(last_source) {}
 
@@ -27,7 +27,7 @@ class PanningShots {
 
     bool is_empty() const { return files_.empty(); }
 
-    /// @param is_on_wall  whether a shot stands already
+    /// @param is_on_wall  true: the shot is on the wall already
     std::vector<WallShot> next_shots(std::size_t count,
                                      const std::function<bool(const ShotKey&)>& is_on_wall);
 

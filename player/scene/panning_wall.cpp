@@ -10,8 +10,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double ahead = 0.3;  // screens right of the view, where sources are asked for
-constexpr auto max_step = std::chrono::milliseconds(100);  // made up for after a pause, at most
+constexpr double ahead = 0.3;  // screens right of the view; the sources of shots up to there are asked for
+constexpr auto max_step = std::chrono::milliseconds(100);  // longer pauses are not made up for
 
 Box bounds_of(const Cell& cell) {
     Box bounds;
@@ -48,7 +48,7 @@ void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hint
     coming_.set_files(records, hints);
 }
 
-/// Drops the shots that have passed. Also drops shots to come whose files are gone.
+/// Drops the shots that have left the view, and those to come whose files are gone.
 void PanningWall::drop_passed() {
     const double right = view_ + canvas_.x * (1 + ahead);
     for (std::size_t i = shots_.size(); i-- > 0;) {
@@ -119,7 +119,7 @@ bool PanningWall::is_in_view(const Shown& shown) const {
     return shown.bounds.max.x > view_ && shown.bounds.min.x < view_ + canvas_.x;
 }
 
-/// Moves the view on, if all shots in it are ready.
+/// Moves the view, if all shots in it are ready.
 void PanningWall::advance(std::chrono::nanoseconds now) {
     const std::chrono::nanoseconds passed =
         std::min<std::chrono::nanoseconds>(now - last_.value_or(now), max_step);

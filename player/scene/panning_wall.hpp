@@ -16,14 +16,12 @@ struct PanSettings {
     int items_a_screen = 12;
     double speed = 30;  // canvas px a second
     CellStyle cells;
-    SourceId last_source = 0;  // its own sources are numbered from there on, apart
-                               // from those of other walls
+    SourceId last_source = 0;  // its sources are numbered from here on, apart from those of other walls
 };
 
-/// A wall that passes slowly by, for more shots than fit on the screen. Shots
-/// are laid out ahead of the view; their sources are asked for shortly before
-/// they come into view, and retire once they have left it. Nothing in view ever
-/// moves against its neighbours. The view waits for sources that are late.
+/// A wall that passes by slowly, for more shots than fit on the screen. Shots are laid out ahead of the view.
+/// Their sources are asked for shortly before they come into view, and retire once they have left it. Nothing
+/// in view ever moves against its neighbours. The view waits for sources that are late.
 class PanningWall final : public Show {
   public:
     PanningWall(Vec2 canvas, const PanSettings& settings);
@@ -42,7 +40,7 @@ class PanningWall final : public Show {
     std::size_t count() const override;
     std::vector<SlotShot> standing() const override;
 
-    /// Left edge of the view, px from where the wall began.
+    /// Left edge of the view, px from the wall's start.
     double view() const { return view_; }
 
   private:
@@ -65,12 +63,12 @@ class PanningWall final : public Show {
     Vec2 canvas_;
     PanningShots coming_;
     Ribbon ribbon_;
-    std::vector<Shown> shots_;    // one an item of the ribbon
-    std::vector<SourceId> left_;  // sources of a wall that was given up; to be retired
+    std::vector<Shown> shots_;    // one for each item of the ribbon
+    std::vector<SourceId> left_;  // sources of a wall that was given up, to be retired
     std::optional<RibbonExtension> extension_;
-    std::vector<WallShot> newcomers_;  // the extension's shots
+    std::vector<WallShot> newcomers_;  // the shots of the extension
     double view_ = 0;                  // ribbon px
-    double base_ = 0;                  // ribbon px that the cells' px count from
+    double base_ = 0;                  // origin of the cells' px, in ribbon px
     std::optional<std::chrono::nanoseconds> last_;
     bool is_paused_ = false;
     std::uint64_t generation_ = 0;

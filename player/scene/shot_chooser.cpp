@@ -39,7 +39,7 @@ bool ShotChooser::end_avoidance(std::chrono::nanoseconds now) {
     return std::erase_if(avoided_, [&](const auto& avoided) { return avoided.second <= now; }) > 0;
 }
 
-/// The next shot of one file, even if it is not its turn.
+/// The next shot of one file, even before its turn.
 std::optional<ShotKey> ShotChooser::next_shot_of(const std::string& path, const FreeSlot& slot) {
     const auto fits = [&](const ShotKey& key) { return key.path == path; };
     if (auto key = rotation_.next_shot(fits)) return key;
@@ -61,8 +61,8 @@ std::optional<ShotKey> ShotChooser::next_shot(const FreeSlot& slot) {
     const auto stands_alone = [&](const ShotKey& key) {
         return is_free(key) && count(key.path) == (key.path == slot.leaving ? 1 : 0);
     };
-    // A shot beside another of its own film is better than a free slot, but does not replace another file's
-    // only shot, unless the files take turns anyway and no shot may repeat yet.
+    // A shot beside another one of its own film is better than a free slot. But it does not replace another
+    // file's only shot, unless the files take turns anyway and no shot may repeat yet.
     const bool can_double = slot.leaving.empty() || count(slot.leaving) > 1;
     const bool is_strict = film_ == FilmShow::side_by_side;
     const bool takes_turns = files_ > slot.slots;

@@ -17,36 +17,36 @@ namespace vitrine::player {
 /// The files that a wall may show, by path.
 using WallFiles = std::map<std::string, RecordList::Record>;
 
-/// The records of which every shot can be shown.
+/// The records whose shots can all be shown.
 WallFiles wall_files(const RecordList& records);
 
-/// The slot that wants another shot, and the wall around it.
+/// The slot that needs another shot, and the wall around it.
 struct FreeSlot {
-    std::vector<ShotKey> on_wall;         // all shots that stand, the leaving one included
+    std::vector<ShotKey> on_wall;         // all shots on the wall, including the leaving one
     std::string leaving;                  // path of the file that leaves the slot; empty: the slot is free
     std::size_t slots = 0;                // the wall's number of slots
-    const std::string* pinned = nullptr;  // a file that is to come first; lent for the call
+    const std::string* pinned = nullptr;  // a file that shall come first; lent for the call
 };
 
 /// Chooses the next shot for a slot, from a rotation of all shots.
 ///
-/// Every shot is shown once before any repeats, new files first; no shot stands twice. Exception: a file that
-/// holds a single place may repeat there. As long as shots of other files wait, a file stands once; a film
-/// alone fills all slots with its shots in time order.
+/// Every shot is shown once before any repeats, new files first. No shot is on the wall twice. Exception: a
+/// file that has a single place may repeat there. As long as shots of other files wait, a file is on the wall
+/// once. A film alone fills all slots with its shots in time order.
 class ShotChooser {
   public:
     ShotChooser(ShotOrder order, std::uint64_t seed, FilmShow film) : rotation_(order, seed), film_(film) {}
 
-    /// @param before  the files that were there before; one that has changed since is not avoided any more
-    /// @param hints   how often files come
+    /// @param before  the previous files; one that has changed since is not avoided any more
+    /// @param hints   tell the frequency of files
     void set_files(const WallFiles& files, const WallFiles& before, const ShowHints& hints);
 
-    /// No shot of the file is chosen until this time, unless the file changes.
+    /// Chooses no shot of the file until this time, unless the file changes.
     void avoid_file(const std::string& path, std::chrono::nanoseconds until) { avoided_[path] = until; }
 
     bool is_avoided(const std::string& path) const { return avoided_.contains(path); }
 
-    /// @return true if a file may be chosen again from now on
+    /// @return true: a file may be chosen again from now on
     bool end_avoidance(std::chrono::nanoseconds now);
 
     std::optional<ShotKey> next_shot(const FreeSlot& slot);
@@ -57,7 +57,7 @@ class ShotChooser {
     ShotRotation rotation_;
     FilmShow film_;
     std::size_t files_ = 0;                                    // number of files
-    std::map<std::string, std::chrono::nanoseconds> avoided_;  // until when, by path
+    std::map<std::string, std::chrono::nanoseconds> avoided_;  // path -> end of the avoidance
 };
 
 }  // namespace vitrine::player

@@ -77,9 +77,9 @@ void ShotRotation::append(std::vector<ShotKey> again, const Fits& is_on_wall, co
     waiting_.insert(waiting_.end(), again.begin(), again.end());
 }
 
-/// A round in which each shot comes as often as its file. Each turn is as far along its part of the round as
-/// the shot is in the order.
-/// @param left  turns that a shot still has
+/// A round in which each shot has as many turns as its file's frequency says. Its turns are spread over the
+/// round, starting at the shot's place in the order.
+/// @param left  the turns that each shot still has
 std::vector<ShotKey> ShotRotation::repeated(const std::vector<ShotKey>& keys, const Turns& left) const {
     std::vector<std::pair<double, const ShotKey*>> places;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -111,7 +111,7 @@ std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
     return keys;
 }
 
-/// Each file keeps the places it drew, but fills them in time order.
+/// Each file keeps the places that it drew, but fills them in time order.
 void ShotRotation::keep_time_order(std::vector<ShotKey>& keys) const {
     std::map<std::string, std::vector<int>> shots;
     for (const ShotKey& key : keys)

@@ -17,7 +17,7 @@
 
 namespace vitrine::player {
 
-/// Names one shot of the catalogue.
+/// The name of one shot in the catalogue.
 struct ShotKey {
     std::string path;
     int shot = 0;  // index into MediaRecord::shots
@@ -26,28 +26,25 @@ struct ShotKey {
     auto operator<=>(const ShotKey&) const = default;
 };
 
-/// The order in which shots take their turns: each shot once before any of its
-/// file repeats, new files first. A shot of a file that repeats has several
-/// turns in a round, evenly spread over it.
+/// The order of the shots' turns: each shot once before any of its file repeats, new files first. A shot of a
+/// file that repeats has several turns in a round, evenly spread over it.
 class ShotRotation {
   public:
     using Fits = std::function<bool(const ShotKey&)>;
 
     ShotRotation(ShotOrder order, std::uint64_t seed) : order_(order), engine_(seed) {}
 
-    /// Sets the files there are. Shots that are gone lose their turn; the first
-    /// shot of a new file is next, its other shots come last.
-    /// @param hints  how often files come
+    /// Sets the files. Shots that are gone lose their turn. The first shot of a new file is next; its other
+    /// shots come last.
+    /// @param hints  tell the frequency of files
     void set_files(std::span<const MediaRecord* const> files, const ShowHints& hints = {});
 
-    /// Removes and returns the first shot of the round that fits; none: no shot
-    /// fits.
+    /// Removes and returns the first shot of the round that fits. None: no shot fits.
     std::optional<ShotKey> next_shot(const Fits& fits);
 
     bool has_shot(const Fits& fits) const { return std::any_of(waiting_.begin(), waiting_.end(), fits); }
 
-    /// Appends all shots of the files that have no turn left, those on the wall
-    /// last.
+    /// Appends all shots of the files that have no turn left, those on the wall last.
     /// @param only  the only file whose shots are appended; empty: all files
     void restart_finished(const Fits& is_on_wall, const std::string& only = "");
 

@@ -16,31 +16,29 @@
 
 namespace vitrine::player {
 
-/// A layout that is asked for.
+/// A request for a layout.
 struct WallPlan {
-    std::uint64_t generation = 0;  // to be handed back with the layout
+    std::uint64_t generation = 0;  // the layout must have the same
     Vec2 canvas;                   // px
-    std::vector<PlanItem> items;   // each where it stands now, or with the seat of
-                                   // its slot's last shot
+    std::vector<PlanItem> items;   // each at its present place, or with the seat of its slot's last shot
 };
 
-/// The work of one frame, beside drawing it.
+/// The work of one frame, besides drawing it.
 struct WallStep {
     Frame frame;
     std::optional<WallPlan> plan;       // replaces a plan under way
     std::vector<ShotRequest> requests;  // new sources, or other sizes of those that play
-    std::vector<SourceId> retired;      // sources that are neither in this frame nor in a later one
+    std::vector<SourceId> retired;      // sources that neither this frame nor a later one needs
 };
 
 /// A shot on the wall and its slot.
 struct SlotShot {
-    int slot = 0;  // on a panning wall the position from the left, which changes
-                   // as it moves
+    int slot = 0;  // on a panning wall: the position from the left, which changes as the wall moves
     ShotKey key;
 };
 
-/// Something that a stage shows over time: a wall or a panning wall. Knows no
-/// clock: it is told of events, and step() returns what follows.
+/// A show of a stage: a wall or a panning wall. Knows no clock: events are passed in, and step() returns the
+/// work that follows.
 class Show {
   public:
     Show() = default;
@@ -50,17 +48,17 @@ class Show {
     Show& operator=(Show&&) = default;
     virtual ~Show() = default;
 
-    /// The screen mode has changed.
+    /// Call when the screen's mode has changed.
     virtual void set_canvas(Vec2 canvas) = 0;
 
-    /// @param hints  how long files stay and how often they come
+    /// @param hints  tell the dwell and the frequency of files
     virtual void set_catalogue(const RecordList& records, const ShowHints& hints) = 0;
 
     /// Sets files without hints.
     void set_catalogue(const RecordList& records) { set_catalogue(records, {}); }
 
-    /// Takes the layout of a plan of this show, in the order of its items;
-    /// ignores that of an outdated plan. It may be final, or another one follows.
+    /// Takes the layout of a plan of this show, in the order of the plan's items. Ignores the layout of an
+    /// outdated plan. After a layout that is not final another one follows.
     /// @pre one placement for each item of the plan
     virtual void set_layout(const Layout& layout) = 0;
 
@@ -68,16 +66,13 @@ class Show {
 
     virtual void source_failed(SourceId source, std::chrono::nanoseconds now) = 0;
 
-    /// Follows a visitor's gesture, canvas px. A show that cannot be touched
-    /// ignores it.
+    /// Handles a visitor's gesture, canvas px. A show that cannot be touched ignores it.
     virtual void handle_gesture(const Gesture& /*gesture*/) {}
 
-    /// The shot that is seen at a canvas point; none: no shot, or the show cannot
-    /// be touched.
+    /// The shot that is seen at a canvas point. None: no shot is there, or the show cannot be touched.
     virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
-    /// Sets the operator's controls. A show without turns ignores those of turns
-    /// and pins.
+    /// Sets the operator's controls. A show without turns ignores turns and pins.
     virtual void set_controls(const ShowControls& /*controls*/) {}
 
     /// @param now  since the player's start; never goes back

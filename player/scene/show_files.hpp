@@ -16,8 +16,8 @@ namespace vitrine::player {
 /// Hints by path. A file without hints has no entry.
 using ShowHints = std::map<std::string, Hints>;
 
-/// Records that several parts of the player keep at the same time. A copy of the list shares the records:
-/// they are large, and while a film grows they would be copied twice a second during drawing.
+/// Records that several parts of the player keep at the same time. Copies of the list share the records.
+/// Records are large: while a film grows, they would otherwise be copied twice a second during drawing.
 class RecordList {
   public:
     using Record =
@@ -27,7 +27,7 @@ class RecordList {
 
     explicit RecordList(std::vector<Record> records) : records_(std::move(records)) {}
 
-    // Implicit: every list of plain records is one. The records are copied.
+    // Implicit, so that a list of plain records can be passed. The records are copied.
     RecordList(std::span<const MediaRecord> records);  // NOLINT
 
     RecordList(const std::vector<MediaRecord>& records) : RecordList(std::span(records)) {}  // NOLINT
@@ -42,10 +42,10 @@ class RecordList {
 
     bool is_empty() const { return records_.empty(); }
 
-    /// The record of a file; none: it is not in the list. @pre the list is ordered by path
+    /// The record of a file. None: it is not in the list. @pre the list is ordered by path
     Record find(const std::string& path) const;
 
-    /// The records of the files in a folder below the media folder, or in one of its folders.
+    /// The records of the files in a folder of the media folder, including its sub-folders.
     /// @param folder  empty: all records
     RecordList in_folder(const std::string& folder) const;
 

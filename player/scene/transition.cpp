@@ -12,8 +12,8 @@ namespace {
 
 using Shots = std::vector<PlacedShot>;
 
-constexpr double shrinking = 0.93;      // factor per try, for a slot's last shot that is in the way
-constexpr double min_remainder = 0.55;  // share of its scale; a shot that had to be smaller fades out first
+constexpr double shrinking = 0.93;      // factor of each try to shrink a slot's last shot that is in the way
+constexpr double min_remainder = 0.55;  // share of its scale; below it the shot fades out first
 constexpr double clearance = 1.0 / 64;  // canvas px
 
 bool is_free(const LayoutItem& item, const Placement& at, std::span<const PlacedShot> others) {
@@ -24,7 +24,7 @@ bool is_free(const LayoutItem& item, const Placement& at, std::span<const Placed
     });
 }
 
-/// The place where a slot's last shot waits for its next one among the shots that have moved; none: it would
+/// The place where a slot's last shot waits for its next one among the shots that have moved. None: it would
 /// be too small.
 std::optional<Placement> making_room(const PlacedShot& last, std::span<const PlacedShot> moved) {
     const Vec2 place = seat_of(last.shot.item, last.placement).centre;
@@ -40,7 +40,7 @@ std::optional<Placement> making_room(const PlacedShot& last, std::span<const Pla
     return std::nullopt;
 }
 
-/// The shots that stay while others come and go, before and after they have moved.
+/// The shots that stay while others come and go, before and after their motion.
 struct StayingShots {
     Shots before;
     Shots after;

@@ -116,7 +116,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     if (change_ && change_->is_fading()) end_change(now);
     const bool is_touched = touch_.is_active();
     if (is_touched && change_ && !change_->is_fading() && !change_->is_by_touch && !shown_.empty())
-        change_.reset();  // the change comes once nobody touches the wall
+        change_.reset();  // the change is planned once nobody touches the wall
     if (!change_ && canvas_ == shown_canvas_) follow_touch(now);
     const bool is_left_alone = !is_touched && !(change_ && change_->is_by_touch);
     if (!change_ && is_left_alone) slots_.advance(now);
@@ -146,8 +146,8 @@ void Wall::end_change(std::chrono::nanoseconds now) {
     std::erase_if(left_seats_, [&](const auto& seat) { return find_slot(shown_, seat.first) != nullptr; });
 }
 
-/// Begins a small change where a visitor moves, enlarges or dismisses a shot. The next shot of a dismissed
-/// one's slot comes to the place that it was taken from.
+/// Starts a small change if a visitor moves, enlarges or dismisses a shot. The next shot of a dismissed
+/// shot's slot comes to the place of the dismissed shot.
 void Wall::follow_touch(std::chrono::nanoseconds now) {
     std::optional<TouchedWall> next;
     if (std::optional<DismissedShot> dismissed = touch_.take_dismissed(shown_)) {
@@ -167,8 +167,8 @@ void Wall::follow_touch(std::chrono::nanoseconds now) {
     give_cells(change_->wall, canvas_, settings_.transition.cells);
 }
 
-/// Begins a change if the slots hold other shots than those that stand or are on their way.
-/// @return the plan of the new wall; none: nothing changes, or nothing is to be shown any more
+/// Starts a change if the slots hold other shots than those on the wall or on their way to it.
+/// @return the plan of the new wall; none: nothing changes, or there is nothing to show
 std::optional<WallPlan> Wall::follow_slots() {
     const std::vector<WallShot> wanted = slots_.shots();
     if (is_same(change_ ? change_->wall : shown_, wanted) && !is_canvas_new_) return std::nullopt;
@@ -190,7 +190,7 @@ std::optional<WallPlan> Wall::follow_slots() {
     return plan;
 }
 
-/// Begins the fade once all is ready and it is time; gives up on sources that do not get ready.
+/// Starts the fade when everything is ready and the time has come. Gives up on sources that are too late.
 void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     if (!is_ready(*change_, sources_, shown_.empty())) {
         if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
@@ -199,8 +199,8 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     TransitionStyle style = settings_.transition;
     const bool is_other_canvas = change_->canvas != shown_canvas_;
     const bool is_resized = is_other_canvas && !shown_.empty();
-    if (is_resized || settings_.nests) style.motion = {};  // hulls of groups might meet on the way
-    if (is_resized) style.crossfade = {};                  // the old wall does not fit any more
+    if (is_resized || settings_.nests) style.motion = {};  // on the way, hulls of groups might overlap
+    if (is_resized) style.crossfade = {};                  // the old wall does not fit the new canvas
     const std::chrono::nanoseconds duration = prepare_acts(*change_, shown_, style);
     const bool waits_for_turn = !change_->is_by_touch && !is_other_canvas;
     const auto due = waits_for_turn ? slots_.due() : std::nullopt;
@@ -210,7 +210,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     tell_appeared();
 }
 
-/// Lets shots of the first wall appear whose sources are ready by now, and gives up on those that are late.
+/// Shows the shots of the first wall whose sources are ready, and gives up on those that are too late.
 void Wall::advance_arrival(std::chrono::nanoseconds now) {
     let_arrive(*change_, sources_, now);
     tell_appeared();
@@ -222,7 +222,7 @@ void Wall::give_up_pending(std::chrono::nanoseconds now) {
         source_failed(source, now);
 }
 
-/// Starts the time of the shots that have appeared, or are about to.
+/// Starts the time of the shots that have appeared or are about to appear.
 void Wall::tell_appeared() {
     for (const PlacedShot& placed : change_->wall)
         if (placed.began != never) slots_.shot_appeared(placed.shot.source, placed.began);

@@ -18,50 +18,50 @@ namespace vitrine::player {
 struct WallSettings {
     SlotSettings slots;
     TransitionStyle transition;
-    bool nests = false;                                            // the files of a folder stand together
-    std::chrono::nanoseconds patience = std::chrono::seconds(10);  // for a source that is late
+    bool nests = false;                                            // the files of a folder are grouped
+    std::chrono::nanoseconds patience = std::chrono::seconds(10);  // time to wait for a late source
     EditRules touch;                                               // rules by which a finger moves shots
-    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // time after which a tapped shot goes back
+    std::chrono::nanoseconds idle = std::chrono::seconds(30);      // then a tapped shot returns to its place
 };
 
-/// The number of the folder under the media root that a file lies in, as PlanItem::group.
+/// The number of a file's top folder in the media folder, as PlanItem::group.
 /// @param folders  the folders known so far; a new one is added
 int folder_number(const std::string& path, std::map<std::string, int>& folders);
 
-/// The wall on the screen over time. WallSlots decides which shots are to be shown. The wall has them laid
-/// out, asks for their sources, and once these are ready and the shot that leaves has had its time, moves and
-/// fades from the old wall, which plays on, to the new one; then it retires the sources that are not needed
-/// any more. One change at a time (WallChange): before its fade has begun it is replaced when the slots
-/// change again. The first wall waits for its first source only; its shots fade in over the idle picture,
-/// each when it is ready.
+/// The wall on the screen over time. WallSlots decides which shots are shown. The wall requests a layout and
+/// the sources. When the sources are ready and the leaving shot has had its time, it moves and fades from the
+/// old wall, which continues to play, to the new one. Then it retires the sources that are not needed any
+/// more. There is one change at a time (WallChange). If the slots change again before its fade has started,
+/// the change is replaced. The first wall waits for its first source only; its shots fade in over the idle
+/// picture, each when it is ready.
 ///
 /// A change moves the shots that stay as little as possible. If that leaves much more of the canvas empty
-/// than a wall that is laid out anew, it is laid out anew.
+/// than a completely new layout, the new layout is used.
 class Wall final : public Show {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);
 
-    /// The screen mode has changed: the same shots are laid out anew.
+    /// Call when the screen's mode has changed: the same shots are laid out again.
     void set_canvas(Vec2 canvas) override;
 
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
-    /// Moves, enlarges or dismisses the touched shot (WallTouch). Until the wall has settled again no other
-    /// change begins. Folders that stand together cannot be touched.
+    /// Moves, enlarges or dismisses the touched shot (WallTouch). No other change starts until the wall has
+    /// settled. Folders whose files are grouped cannot be touched.
     void handle_gesture(const Gesture& gesture) override;
 
     std::optional<ShotKey> shot_at(Vec2 point) const override;
 
-    /// Takes the layout of a plan of this wall, in the order of its items; ignores that of an outdated plan.
-    /// For the first wall also takes layouts that are not final: while a better one is made its sources get
-    /// ready.
+    /// Takes the layout of a plan of this wall, in the order of the plan's items. Ignores the layout of an
+    /// outdated plan. The first wall also takes layouts that are not final, so that its sources get ready
+    /// while a better layout is made.
     /// @pre one placement for each item of the plan
     void set_layout(const Layout& layout) override;
 
     void source_ready(SourceId source) override { sources_.set_ready(source); }
 
-    /// The source's file gives way to another; its shots stay on the wall until the others are ready.
+    /// Replaces the source's file by another. Its shots stay on the wall until the others are ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
     void set_controls(const ShowControls& controls) override { slots_.set_controls(controls); }
@@ -73,7 +73,7 @@ class Wall final : public Show {
 
     std::vector<SlotShot> standing() const override;
 
-    /// The shots that stand, without those that fade in.
+    /// The shots on the wall, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }
 
   private:
@@ -92,12 +92,12 @@ class Wall final : public Show {
     WallSources sources_;
     std::map<int, Seat> left_seats_;  // seats in slots whose shots were dismissed
     std::vector<PlacedShot> shown_;
-    Vec2 shown_canvas_;  // the canvas that shown_ was laid out for
+    Vec2 shown_canvas_;  // the canvas of shown_'s layout
     std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
-    double usual_waste_ = 1;  // waste of the last wall that was laid out anew, share of the canvas
+    double usual_waste_ = 1;  // waste of the last new layout, as a share of the canvas
     std::uint64_t generation_ = 0;
-    std::vector<ShotRequest> restored_;  // requests for shots that the store has got since
+    std::vector<ShotRequest> restored_;  // requests for shots that are in the store since the last step
 };
 
 }  // namespace vitrine::player

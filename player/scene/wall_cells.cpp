@@ -9,7 +9,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// True if a point lies inside an outline of any shape, found by the edges to its right.
+/// True if a point lies inside an outline of any shape. Counts the edges to the point's right.
 bool is_in(std::span<const Vec2> outline, Vec2 point) {
     bool is_inside = false;
     for (std::size_t i = 0; i < outline.size(); ++i) {

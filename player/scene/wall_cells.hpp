@@ -8,7 +8,7 @@
 
 namespace vitrine::player {
 
-/// Gives each shot its cell in a layout of these shots alone. Shots of one group form one cell group.
+/// Gives each shot its cell in a layout of only these shots. Shots of one group form one cell group.
 void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style);
 
 /// The share of the canvas on which no I-Region is seen, plus the share on which no shot has pixels.

@@ -19,8 +19,8 @@ void lay_out(WallChange& change, const Layout& layout, const CellStyle& style) {
     give_cells(change.wall, change.canvas, style);
     change.acts.clear();
     change.is_final = layout.is_final;
-    // For a first layout that is not final, the sources are asked for at once; for later layouts, only when
-    // the final one is there.
+    // For a first layout that is not final, the sources are requested at once; for later layouts, only when
+    // the final one has come.
     if (layout.is_final || !change.waiting_since) change.phase = Phase::laid_out;
 }
 

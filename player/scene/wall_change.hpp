@@ -14,68 +14,69 @@
 
 namespace vitrine::player {
 
-/// A change of the wall under way. It passes through the phases from top to bottom; each function below is of
-/// one phase.
+/// A change of the wall under way. It passes through the phases from top to bottom. The comment of each
+/// function below begins with its phase.
 struct WallChange {
     enum class Phase {
-        planned,   // its layout is awaited
-        wasteful,  // its layout leaves much of the canvas empty: another plan is to be made
-        laid_out,  // its sources are to be asked for
+        planned,   // waits for its layout
+        wasteful,  // its layout leaves much of the canvas empty: another plan will be made
+        laid_out,  // its sources must be requested
         waiting,   // waits for its sources and for the end of the leaving shot's time
         fading,    // from the old wall to the new one
-        arriving,  // the first wall: each shot fades in when it is ready
+        arriving,  // the first wall: each shot fades in when its source is ready
     };
 
     Phase phase = Phase::planned;
     std::uint64_t generation = 0;  // its plan's generation
     Vec2 canvas;                   // px
     std::vector<PlacedShot> wall;
-    std::vector<PlacedShot> calm;  // the wasteful layout, in which shots move little; empty: none
-    bool is_final = false;         // the layout: no better one follows
+    std::vector<PlacedShot> calm;  // the wasteful layout, which moves the shots little; empty: none
+    bool is_final = false;         // the layout is final: no better one follows
     bool is_by_touch = false;
-    std::optional<std::chrono::nanoseconds> pace;  // by touch: duration of its one act; none: the usual
-    std::optional<std::chrono::nanoseconds> waiting_since;  // for sources
-    std::chrono::nanoseconds began{0};                      // to fade
-    std::vector<Act> acts;                                  // its transition's acts
+    std::optional<std::chrono::nanoseconds> pace;  // for a touch: duration of its one act; none: the usual
+    std::optional<std::chrono::nanoseconds> waiting_since;  // start of waiting for sources
+    std::chrono::nanoseconds began{0};                      // start of the fade
+    std::vector<Act> acts;                                  // the acts of its transition
 
     bool is_fading() const { return phase == Phase::fading || phase == Phase::arriving; }
 
-    /// True if the shots are laid out a second time, without regard to where they stand.
+    /// True if the shots are laid out a second time, without regard to their present places.
     bool is_replanned() const { return phase == Phase::planned && !calm.empty(); }
 };
 
 /// planned: the layout has come, or a better one for the first wall.
 void lay_out(WallChange& change, const Layout& layout, const CellStyle& style);
 
-/// laid_out: the shots were laid out anew. Goes back to the calm layout unless that wastes so much more.
-/// @param worth  share of the canvas
+/// laid_out: compares the new layout with the calm one. Returns to the calm layout unless that wastes too
+/// much.
+/// @param worth  the additional waste that justifies the new layout, as a share of the canvas
 void choose_layout(WallChange& change, double worth);
 
-/// laid_out: keeps the layout as the calm one; the change is to be planned anew.
+/// laid_out: keeps the layout as the calm one and asks for another plan.
 void reject_layout(WallChange& change);
 
-/// wasteful: a plan of the same shots without regard to where they stand.
+/// wasteful: a plan of the same shots without regard to their present places.
 WallPlan plan_anew(WallChange& change, std::uint64_t generation);
 
-/// laid_out: asks for the sources in their sizes.
+/// laid_out: requests the sources in their sizes.
 std::vector<ShotRequest> ask_for_sources(WallChange& change, WallSources& sources,
                                          std::chrono::nanoseconds now);
 
-/// waiting: true if all sources are ready; for the first wall, if one is.
+/// waiting: true if all sources are ready; for the first wall, if one is ready.
 bool is_ready(const WallChange& change, const WallSources& sources, bool is_first);
 
-/// waiting: computes the acts that lead from the shown wall to the new one, if they are not yet, and their
-/// duration.
+/// waiting: computes the acts that lead from the shown wall to the new one, unless that is done. @return
+/// their duration
 std::chrono::nanoseconds prepare_acts(WallChange& change, std::span<const PlacedShot> shown,
                                       TransitionStyle style);
 
-/// waiting: the new wall begins to fade in; the first wall begins to arrive.
+/// waiting: starts to fade in the new wall; the first wall starts to arrive.
 void begin_fade(WallChange& change, std::span<const PlacedShot> shown, std::chrono::nanoseconds now);
 
-/// arriving: shots whose sources are ready appear.
+/// arriving: shows the shots whose sources are ready.
 void let_arrive(WallChange& change, const WallSources& sources, std::chrono::nanoseconds now);
 
-/// fading, arriving: true once the new wall stands. A shot that has failed does not arrive.
+/// fading, arriving: true once the new wall is complete. A failed shot does not arrive.
 bool has_ended(const WallChange& change, const WallSources& sources, std::chrono::nanoseconds crossfade,
                std::chrono::nanoseconds now);
 

@@ -14,7 +14,7 @@
 
 namespace vitrine::player {
 
-/// A shot that has a slot on the wall, with all that is needed to show it: it outlives its record.
+/// A shot that has a slot on the wall, with all data for showing it: it outlives its record.
 struct WallShot {
     SourceId source = 0;
     int slot = 0;
@@ -27,7 +27,7 @@ struct WallShot {
     bool operator==(const WallShot&) const = default;
 };
 
-/// @param key  names a shot of this record
+/// @param key  a shot of this record
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
 
 /// A shot at its place on the canvas.
@@ -35,13 +35,13 @@ struct PlacedShot {
     WallShot shot;
     Placement placement;
     std::shared_ptr<const Cell> cell;   // shared with the frames under way
-    std::chrono::nanoseconds began{0};  // when it first appeared; `never`: it has not yet
-    int group = PlanItem::no_group;     // shots of one group stand together
+    std::chrono::nanoseconds began{0};  // time of its first appearance; `never`: not yet
+    int group = PlanItem::no_group;     // shots of one group are placed together
 };
 
 constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();
 
-/// The request for a shot's source at its present size: no more pixels than are shown.
+/// The request for a shot's source at its present size, without more pixels than are shown.
 ShotRequest request_of(const PlacedShot& placed);
 
 /// The shot with this source; nullptr if the wall has none.
@@ -50,8 +50,8 @@ const PlacedShot* find_source(std::span<const PlacedShot> wall, SourceId source)
 /// The shot in this slot; nullptr if the wall has none.
 const PlacedShot* find_slot(std::span<const PlacedShot> wall, int slot);
 
-/// Takes over the places that the shots have in the store by now.
-/// @param known  the shots as their records have them now
+/// Updates the shots' places in the store.
+/// @param known  the shots from the present records
 /// @return       requests for the shots whose place in the store has changed
 std::vector<ShotRequest> update_stored(std::span<PlacedShot> wall, std::span<const WallShot> known);
 

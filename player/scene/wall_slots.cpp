@@ -31,7 +31,7 @@ void WallSlots::follow_changes(const WallFiles& before) {
             due_.reset();
         } else {
             slot.shot->shot =
-                found->second->shots[static_cast<std::size_t>(key.shot)];  // the store may have it now
+                found->second->shots[static_cast<std::size_t>(key.shot)];  // the store may have it by now
         }
     }
 }
@@ -75,8 +75,8 @@ void WallSlots::advance(std::chrono::nanoseconds now) {
     if (!next.empty()) next_turn_ = now + std::chrono::seconds(1);  // all shots are on the wall already
 }
 
-/// The time at which a shot leaves. A film that has to stay longer than its time leaves at the end of a loop,
-/// unless that would hold up the next change.
+/// The time at which a shot leaves. A film that stays longer than its time leaves at the end of a loop,
+/// unless that would delay the next change.
 std::chrono::nanoseconds WallSlots::leaving_time(const Turn& turn, std::chrono::nanoseconds earliest) const {
     if (earliest <= turn.due) return turn.due;
     if (turn.loop.count() <= 0) return earliest;
@@ -134,8 +134,9 @@ void WallSlots::fill_slots() {
     spread_leaving(filled);
 }
 
-/// Shots of one film in sequence that came at once leave one after the other, evenly spread over their time.
-/// Source: Dynamic Media Assemblage, chapter 4, "sequentially with time overlaps"; docs/algorithms.md, (d).
+/// Makes shots of one film that came at once in sequence leave one after the other, evenly spread over their
+/// time. Source: Dynamic Media Assemblage, chapter 4, "sequentially with time overlaps"; docs/algorithms.md,
+/// (d).
 void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
     if (settings_.film != FilmShow::sequence) return;
     std::map<std::string, std::vector<Slot*>> films;
@@ -150,7 +151,7 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
     }
 }
 
-/// The slots whose shots will have had their time by then, the longest overdue first.
+/// The slots whose shots will have had their time at `until`, the longest overdue first.
 std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until) {
     std::vector<Turn> turns;
     for (Slot& slot : slots_) {
@@ -166,8 +167,8 @@ std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until
     return turns;
 }
 
-/// The time that a shot stays: as long as its hints say; else a film for whole loops, unless that takes too
-/// long, and one in sequence beside other shots of its own for one loop.
+/// The time that a shot stays: as its hints say; else a film stays for whole loops, unless they take too
+/// long, and a film in sequence beside its own other shots for one loop.
 std::chrono::nanoseconds WallSlots::time_to_stay(const WallShot& shot) const {
     const auto hints = hints_.find(shot.key.path);
     if (hints != hints_.end() && hints->second.dwell) return *hints->second.dwell;

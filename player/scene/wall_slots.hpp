@@ -23,68 +23,64 @@ struct SlotSettings {
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
     FilmShow film = FilmShow::side_by_side;
-    std::chrono::nanoseconds dwell = std::chrono::seconds(20);      // shortest time that a shot stays
-    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);  // with whole loops that take longer
-    std::chrono::nanoseconds spacing = std::chrono::seconds(3);     // between two changes of turn
-    std::chrono::nanoseconds lead = std::chrono::seconds(4);  // time by which the next shot is chosen early
-    std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // for a file that failed
-    SourceId last_source = 0;  // its own sources are numbered from there on, apart
-                               // from those of other walls
+    std::chrono::nanoseconds dwell = std::chrono::seconds(20);        // shortest time that a shot stays
+    std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);    // limit for whole loops
+    std::chrono::nanoseconds spacing = std::chrono::seconds(3);       // between two turns
+    std::chrono::nanoseconds lead = std::chrono::seconds(4);          // the next shot is chosen so early
+    std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // time to avoid a file that failed
+    SourceId last_source = 0;  // its sources are numbered from here on, apart from those of other walls
 };
 
-/// The shots on a wall: a fixed number of slots, each with a shot that after its time makes room for the next
-/// one in the same place. ShotChooser decides which comes next. Source: Dynamic Media Assemblage, chapter 4
-/// ("we simply substitute the old shot with the new shot in the same position"). Ours: the choice of the slot
+/// The shots on a wall: a fixed number of slots. After its time, the shot in a slot is replaced by the next
+/// one in the same place. ShotChooser chooses the next one. Source: Dynamic Media Assemblage, chapter 4 ("we
+/// simply substitute the old shot with the new shot in the same position"). Ours: the choice of the slot
 /// whose turn it is, one at a time, and a catalogue that changes.
 ///
-/// If all files fit on the wall, none ever leaves it altogether. The shots of a
-/// film alone on the wall leave one after the other.
+/// If all files fit on the wall, each file is always on it. If a film is alone on the wall, its shots leave
+/// one after the other.
 class WallSlots {
   public:
     explicit WallSlots(const SlotSettings& settings);
 
-    /// Sets the files there are. Files that are gone or not ready any more leave
-    /// at once, a file that changed is loaded anew in its slots, free slots are
-    /// filled.
-    /// @param hints  how long files stay and how often they come
+    /// Sets the files. Files that are gone or no longer ready leave at once, a changed file is loaded again
+    /// in its slots, and free slots are filled.
+    /// @param hints  tell the dwell and the frequency of files
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
-    /// A turn that is asked for is taken whatever else holds; a file that is
-    /// pinned and not on the wall takes the next one.
+    /// Sets the controls. A turn that is asked for is always taken. A pinned file that is not on the wall
+    /// gets the next turn.
     void set_controls(const ShowControls& controls);
 
-    /// Replaces at most one shot whose time is nearly over, so that the next one
-    /// can be got ready; fills free slots.
+    /// Replaces at most one shot whose time is nearly over, early enough to prepare the next one. Fills free
+    /// slots.
     void advance(std::chrono::nanoseconds now);
 
-    /// The time at which the shot that was replaced last leaves; none: as soon as possible.
+    /// The time at which the last replaced shot leaves. None: as soon as possible.
     std::optional<std::chrono::nanoseconds> due() const { return due_; }
 
-    /// The time of this shot counts from now on.
+    /// Starts the time of this shot.
     void shot_appeared(SourceId source, std::chrono::nanoseconds now);
 
-    /// Avoids the file until it changes or `retry_after` has passed; its slots go
-    /// to others.
+    /// Avoids the file until it changes or `retry_after` has passed. Its slots go to other files.
     void source_failed(SourceId source, std::chrono::nanoseconds now);
 
-    /// Replaces the shot now; if there is no next one, its file is avoided for
-    /// `retry_after`.
+    /// Replaces the shot now. If there is no other shot, avoids its file for `retry_after`.
     void dismiss_shot(SourceId source, std::chrono::nanoseconds now);
 
-    /// The shots to be shown, in the order of the slots, without free slots.
+    /// The shots to show, in the order of the slots, without free slots.
     std::vector<WallShot> shots() const;
 
   private:
     struct Slot {
         std::optional<WallShot> shot;
         std::optional<std::chrono::nanoseconds> shown;
-        std::chrono::nanoseconds ahead{0};  // time by which it leaves early
+        std::chrono::nanoseconds ahead{0};  // it may leave so much earlier
     };
 
     struct Turn {
         Slot* slot = nullptr;
         std::chrono::nanoseconds due{0};
-        std::chrono::nanoseconds loop{0};  // a film's loop, if it is due at the end of one; else 0
+        std::chrono::nanoseconds loop{0};  // a film's loop if it leaves at the end of one; else 0
     };
 
     bool is_pinned(const Slot& slot) const;
@@ -106,8 +102,8 @@ class WallSlots {
     std::vector<Slot> slots_;
     SourceId last_source_;
     ShowControls controls_;
-    std::uint64_t turns_taken_ = 0;          // number of the wished turns that were taken
-    std::chrono::nanoseconds next_turn_{0};  // not before
+    std::uint64_t turns_taken_ = 0;          // number of the requested turns that were taken
+    std::chrono::nanoseconds next_turn_{0};  // no turn comes before
     std::optional<std::chrono::nanoseconds> due_;
     std::chrono::nanoseconds last_due_ = std::chrono::nanoseconds::min() / 2;
 };

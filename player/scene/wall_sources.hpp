@@ -9,10 +9,10 @@
 
 namespace vitrine::player {
 
-/// The sources that a wall has asked for and not retired, each with its state.
+/// The sources that a wall has requested and not retired, each with its state.
 class WallSources {
   public:
-    /// Asks for the sources of these shots, each in its present size.
+    /// Requests the sources of these shots, each in its present size.
     std::vector<ShotRequest> request(std::span<const PlacedShot> wall);
 
     void set_ready(SourceId source);
@@ -25,7 +25,7 @@ class WallSources {
     /// The sources of these shots that are neither ready nor failed.
     std::vector<SourceId> pending(std::span<const PlacedShot> wall) const;
 
-    /// Retires all sources but these and returns them.
+    /// Retires all other sources and returns them.
     std::vector<SourceId> retire_all_but(const std::set<SourceId>& kept);
 
   private:

@@ -9,9 +9,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr auto drag_step = std::chrono::milliseconds(120);       // from one step after a finger to the next
-constexpr auto dismissal_fade = std::chrono::milliseconds(250);  // time in which a dismissed shot fades
-constexpr double flight = 0.2;                                   // seconds that a flicked shot would fly on
+constexpr auto drag_step = std::chrono::milliseconds(120);       // between two steps towards a finger
+constexpr auto dismissal_fade = std::chrono::milliseconds(250);  // fade of a dismissed shot
+constexpr double flight = 0.2;  // seconds for which a flicked shot would fly on
 
 /// True if a flicked shot would leave the canvas.
 bool leaves(const Gesture& flick, Vec2 canvas) {

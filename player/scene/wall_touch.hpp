@@ -15,40 +15,40 @@ namespace vitrine::player {
 
 /// A small change of the wall that follows a touch.
 struct TouchedWall {
-    std::vector<PlacedShot> wall;  // its cells are outdated
+    std::vector<PlacedShot> wall;  // with outdated cells
     std::optional<std::chrono::nanoseconds>
-        pace;  // duration of the change, which is one act; none: the usual
+        pace;  // duration of the change's one act; none: the usual duration
 };
 
 /// A shot that was flicked out of the canvas.
 struct DismissedShot {
     SourceId source = 0;
     int slot = 0;
-    Seat seat;         // the place that it was taken from
+    Seat seat;         // the place that it had
     TouchedWall rest;  // the wall without it
 };
 
-/// The visitors' touches on the shots of a wall. A finger drags a shot; a tap enlarges it for a while; a long
-/// touch enlarges it until it is let go; a flick beyond the edge of the canvas dismisses it.
+/// Visitors' touches on the shots of a wall. A finger drags a shot. A tap enlarges it for a while. A long
+/// touch enlarges it until the finger is lifted. A flick beyond the edge of the canvas dismisses it.
 class WallTouch {
   public:
-    /// @param idle  time after which a tapped shot goes back
+    /// @param idle  time after which a tapped shot returns
     WallTouch(const EditRules& rules, std::chrono::nanoseconds idle)
         : drag_(rules), enlargement_(rules, idle) {}
 
-    /// @param wall  as it stands, with cells
+    /// @param wall  the present wall, with cells
     void handle_gesture(const Gesture& gesture, std::span<const PlacedShot> wall, Vec2 canvas);
 
-    /// Enlarged shots go back: the wall has changed otherwise.
+    /// Ends the enlargement, because the wall has changed otherwise.
     void end_enlargement() { enlargement_.end(); }
 
-    /// True while a finger moves a shot, a shot is large, or one is to be dismissed.
+    /// True while a finger moves a shot, a shot is large, or one is being dismissed.
     bool is_active() const { return drag_.is_active() || enlargement_.is_on() || dismissed_ != 0; }
 
-    /// Removes and returns the shot to be dismissed; none: nobody flicked one that is on the wall.
+    /// Removes and returns the dismissed shot. None: nobody has flicked a shot that is on the wall.
     std::optional<DismissedShot> take_dismissed(std::span<const PlacedShot> wall);
 
-    /// The next small change of the wall; none: nothing is to be moved.
+    /// The next small change of the wall. None: nothing moves.
     std::optional<TouchedWall> next_wall(std::span<const PlacedShot> wall, Vec2 canvas,
                                          std::chrono::nanoseconds now);
 

@@ -6,7 +6,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_growth = 0.02;  // smaller values are within the rounding of a file's numbers
+constexpr double least_growth = 0.02;  // smaller values are rounding errors of the file's numbers
 
 void widen(double& left, double& right, double x) {
     left = std::min(left, x);

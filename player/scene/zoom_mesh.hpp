@@ -8,41 +8,37 @@
 
 namespace vitrine::player {
 
-/// A tile on its way between two levels. Each point is drawn between its places
-/// in both levels.
+/// A tile on its way between two levels. Each point is drawn between its places on both levels.
 struct ZoomMesh {
     struct Vertex {
-        float coarse_x = 0;  // in the coarser level, px from `coarse_origin`
+        float coarse_x = 0;  // place on the coarser level, px from `coarse_origin`
         float coarse_y = 0;
-        float fine_x = 0;  // in the finer one, px from `fine_origin`
+        float fine_x = 0;  // place on the finer level, px from `fine_origin`
         float fine_y = 0;
         float u = 0;  // share of the tile's picture, [0, 1]
         float v = 0;
-        float growth = 0;  // px of the coarser strip per px of the finer one; < 0: drawn whole
+        float growth = 0;  // px of the coarser strip per px of the finer one; < 0: drawn opaque
     };
 
     std::vector<Vertex> vertices;
     std::vector<std::uint16_t> triangles;  // triples of vertices
-    bool is_whole = false;                 // it is opaque
+    bool is_whole = false;                 // the tile is opaque
     double coarse_origin = 0;              // px of the coarser strip
     double fine_origin = 0;
-    double coarse_left = 0;  // px of the strip: all of the tile lies between them
+    double coarse_left = 0;  // px of the strip; left and right bounds of the tile's points
     double coarse_right = 0;
     double fine_left = 0;
     double fine_right = 0;
 };
 
 /// @param left          left edge of the tile, px of its strip
-/// @param is_to_finer   true: the tile is of the coarser level, and drawn
-/// whole; false: of the finer one, which is drawn
-///                      over it, everywhere with the share that it has of the
-///                      width by then
+/// @param is_to_finer   true: the tile is on the coarser level and opaque; false: it is on the finer level
+/// and drawn everywhere over the coarser one; its opacity is its share of the width at that time
 ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer);
 
-/// Opacity, in [0, 1], of a finer level's tile over the coarser one's at a
-/// point of this growth. Where both levels show the same they blend evenly;
-/// where the finer one shows something new (growth < 0) it is opaque.
-/// @param share  of the way from the coarser level to the finer one
+/// Opacity, in [0, 1], of a finer level's tile over the coarser one's at a point of this growth. If both
+/// levels show the same, they blend evenly; if the finer one shows something new (growth < 0), it is opaque.
+/// @param share  position between the coarser level (0) and the finer one (1)
 double zoom_coverage(double growth, double share);
 
 }  // namespace vitrine::player

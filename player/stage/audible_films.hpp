@@ -10,7 +10,7 @@
 
 namespace vitrine::player {
 
-/// Remembers which films a stage has asked for, and finds those on the screen that may be heard.
+/// Remembers the films that a stage has asked for, and finds those on the screen that may be heard.
 class AudibleFilms {
   public:
     /// @param records  the stage's records; they tell where a film's sound is stored
@@ -18,7 +18,7 @@ class AudibleFilms {
 
     void forget(SourceId source) { films_.erase(source); }
 
-    /// The shots of a frame whose names or folders say that they are to be heard.
+    /// The shots of a frame whose hints ask for sound.
     std::vector<AudibleShot> shots(const Frame& frame, const ShowHints& hints) const;
 
   private:

@@ -47,7 +47,7 @@ bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->shot));
 }
 
-/// A tap on a folder whose files stand together opens it; a tap into an open folder, or a key, closes it.
+/// A tap on a grouped folder opens it; a tap into an open folder, or a key, closes it.
 bool GestureDispatch::open_or_close_folder(const Gesture& gesture) {
     if (settings_.layout.folders != FolderMode::nested) return false;
     const bool is_tap = gesture.kind == Gesture::Kind::tap;

@@ -9,7 +9,7 @@
 
 namespace vitrine::player {
 
-/// Takes each gesture of a visitor to the part of the stage that handles it: a tapestry, the opening of a
+/// Passes each gesture of a visitor to the part of the stage that handles it: the tapestry, the opening of a
 /// tapestry or a folder, or the wall.
 class GestureDispatch {
   public:
@@ -22,7 +22,7 @@ class GestureDispatch {
     /// @param event  canvas px; its time is since the player's start
     void handle_input(const InputEvent& event) { gestures_.handle_input(event); }
 
-    /// Has every gesture since the last call handled; closes a folder that nobody has touched for long.
+    /// Dispatches the gestures since the last call, and closes a folder that nobody has touched for long.
     void dispatch(std::chrono::nanoseconds now);
 
   private:
@@ -36,7 +36,7 @@ class GestureDispatch {
     ShowSwitch& shows_;         // outlives this
     StageFiles& files_;         // outlive this
     Gestures gestures_;
-    double parted_ = 1;  // factor of the pinch that goes on
+    double parted_ = 1;  // factor of the present pinch
     std::chrono::nanoseconds touched_{0};
 };
 

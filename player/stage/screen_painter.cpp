@@ -13,9 +13,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto idle_period = 100ms;  // between two frames with the idle picture, which moves slowly
-constexpr auto still_period = 1s;    // between equal frames: brings back a picture that a card lost silently
+constexpr auto still_period = 1s;    // between equal frames; restores a picture that a card lost silently
 
-/// Part of the frame is the idle picture: it is asked for, or a source has no picture yet.
+/// True: a part of the frame is the idle picture, because it is asked for or a source has no picture yet.
 bool shows_idle(const Frame& frame, const Renderer& renderer) {
     return frame.idle > 0 ||
            std::ranges::any_of(frame.items, [&](const DrawItem& item) { return !renderer.has(item.source); });
@@ -59,7 +59,7 @@ void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Rend
     }
 }
 
-/// Gives the renderer the newest pictures. True: any of them is new.
+/// Uploads the newest pictures. True: at least one is new.
 bool ScreenPainter::upload(const Frame& frame, Renderer& renderer) {
     bool is_new = false;
     for (const DrawItem& item : frame.items) {

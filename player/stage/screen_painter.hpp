@@ -16,12 +16,12 @@
 
 namespace vitrine::player {
 
-/// Draws a stage's frames on its screens. Knows which pictures the renderer has, and which frame each screen
-/// shows: a screen is drawn only when something on it is new.
+/// Draws a stage's frames on its screens. Knows the renderer's pictures and each screen's frame: a screen is
+/// drawn only if something on it is new.
 ///
-/// Each screen is drawn by itself, not copied from one picture: the result is sharp at every size. With
-/// llvmpipe it costs half as much as copying for one screen, the same for two and an eighth more for three
-/// (bench/render).
+/// Each screen is drawn from the frame itself, not copied from another screen: the result is sharp at every
+/// size. With llvmpipe this costs half as much as copying for one screen, the same for two and an eighth more
+/// for three (bench/render).
 class ScreenPainter {
   public:
     /// @param settings, sources  outlive this
@@ -36,18 +36,19 @@ class ScreenPainter {
     /// The canvas that fills the largest screen, px. @pre there is a screen
     Vec2 largest_canvas() const;
 
-    /// The point of a canvas that is seen at a place of a screen, given as a share of the screen.
+    /// The canvas point that is seen at a place of a screen. @param share  the place as shares of the
+    /// screen's sides
     Vec2 canvas_point(const Screen& screen, Vec2 canvas, Vec2 share) const;
 
-    /// Shows the frame on every screen that can take a picture and does not show it already.
+    /// Shows the frame on every screen that is ready and does not show it yet.
     /// @param now             since the player's start
-    /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
+    /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
 
-    /// The source is gone; the renderer forgets its picture.
+    /// Call when the source is gone: the renderer drops its picture.
     void forget(SourceId source, Renderer& renderer);
 
-    /// Another renderer is used from now on: it has no pictures.
+    /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads() { uploaded_.clear(); }
 
   private:
@@ -60,7 +61,7 @@ class ScreenPainter {
     const SourcePool& sources_;  // outlives this
     std::vector<Screen*> screens_;
     std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // the renderer's pictures; shared with it
-    Frame drawn_;                                               // the frame that was numbered last
+    Frame drawn_;                                               // the frame that got the last number
     std::uint64_t number_ = 0;                                  // counts the frames that look different
     std::map<const Screen*, std::uint64_t> shown_;              // number of the frame on each screen
 };

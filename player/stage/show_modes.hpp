@@ -12,7 +12,7 @@ struct ShowMode {
     using Factory = std::unique_ptr<Show> (*)(const Settings& settings, Vec2 canvas, SourceId last_source);
 
     WallMode mode = WallMode::fit;
-    bool has_turns = true;  // shots take turns in numbered slots: they can be asked for, and pinned
+    bool has_turns = true;  // shots take turns in numbered slots, so they can be asked for and pinned
     Factory make;           // the show's sources are numbered from `last_source` on
 };
 

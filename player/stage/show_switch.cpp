@@ -16,10 +16,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set for a tapestry's sources
+constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set in a tapestry's sources
 
-/// Nearly opaque, so that the items below are drawn too: the renderer may leave out items below an opaque
-/// one.
+/// Nearly opaque: the renderer may leave out items below an opaque one, and here they must be drawn.
 constexpr double max_alpha_behind = 0.999;
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto source_patience = 10s;    // longest wait of a frame that its sources pace for one of them
-constexpr int max_settling_steps = 100;  // each gives up on a file at least
+constexpr auto source_patience = 10s;    // longest wait of a frame for one source, if pictures set the pace
+constexpr int max_settling_steps = 100;  // each gives up at least one file
 
 }  // namespace
 
@@ -101,7 +101,7 @@ WallStep Stage::next_step(Renderer& renderer) {
     WallStep step = shows_->step(renderer);
     carry_out(step, renderer);
     for (int i = 0; awaits_sources_ && i < max_settling_steps && (step.plan || !step.requests.empty()); ++i) {
-        // The clock stands still until the layout and the sources are there.
+        // The clock stands still until the layout and the sources are ready.
         sources_.wait_until_ready(source_patience);
         step = shows_->step(renderer);
         carry_out(step, renderer);
@@ -112,7 +112,7 @@ WallStep Stage::next_step(Renderer& renderer) {
 void Stage::carry_out(const WallStep& step, Renderer& renderer) {
     if (step.plan) {
         planner_->request_layout(*step.plan);
-        if (const std::optional<Layout> layout = planner_->pop_layout())  // the planner made it at once
+        if (const std::optional<Layout> layout = planner_->pop_layout())  // made during the call above
             shows_->wall().set_layout(*layout);
     }
     for (const ShotRequest& request : step.requests) {

@@ -36,14 +36,14 @@ struct SourceListener;
 struct WallStep;
 
 struct StageOptions {
-    std::uint64_t number = 0;     // owner of the stage's sources; another for each stage
+    std::uint64_t number = 0;     // owner number of the stage's sources; different for each stage
     std::string folder;           // below the media folder; empty: the whole media folder
-    bool awaits_sources = false;  // the clock stands still until the layout and the sources are there
+    bool awaits_sources = false;  // the clock stands still until the layout and the sources are ready
 };
 
-/// One show and the screens that show it. Its canvas is that of the largest screen; each other screen shows
-/// the same in its own resolution, between black bars if its shape is another. While no screen shows it, its
-/// time stands still.
+/// One show and the screens that show it. The largest screen determines the canvas. Every other screen shows
+/// the same canvas in its own resolution, between black bars if its shape differs. While no screen shows the
+/// stage, its time stands still.
 class Stage {
   public:
     /// @param settings, sources  outlive this
@@ -57,10 +57,10 @@ class Stage {
     /// The files that pass the filters: the stage's folder and a folder that a visitor has opened.
     const StageFiles& files() const { return files_; }
 
-    /// @param records  of all files that may be shown, ordered by path; the stage takes those of its folder
+    /// @param records  all files that may be shown, ordered by path; the stage takes those of its folder
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
-    /// Has the wall laid out for a screen of this size, px, which is still being opened.
+    /// Lays the wall out for a screen of this size, px, while it is still being opened.
     void expect_screen(int width, int height);
 
     /// @param screens  lent until the next call
@@ -69,20 +69,21 @@ class Stage {
 
     std::span<Screen* const> screens() const;
 
-    /// Input of a visitor. @param event  canvas px, time since the player's start
+    /// Handles a visitor's input. @param event  canvas px, time since the player's start
     void handle_input(const InputEvent& event);
 
-    /// The canvas point that is seen at a place of one of its screens, given as a share of that screen.
+    /// The canvas point that is seen at a place of a screen. @param share  the place as shares of the
+    /// screen's sides
     Vec2 canvas_point(const Screen& screen, Vec2 share) const;
 
-    /// Shows one frame on every screen that can take one and does not show it already.
-    /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
+    /// Shows one frame on every screen that is ready and does not show it yet.
+    /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall = false);
 
-    /// Another renderer is used from now on: it has no pictures.
+    /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
-    /// A film's tapestry is shown in place of the wall, which waits meanwhile.
+    /// Shows a film's tapestry in place of the wall, which waits meanwhile.
     /// @param directory  the tapestry's directory
     /// @param patience   time without a touch until the wall comes back; none: it never does
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
@@ -91,8 +92,7 @@ class Stage {
 
     void set_controls(const ShowControls& controls);
 
-    /// The shots in frame() that are to be heard by what names and folders say; none while the wall is
-    /// paused.
+    /// The shots in frame() whose hints ask for sound; none while the wall is paused.
     std::vector<AudibleShot> audible() const;
 
     /// The frame of the last show().
@@ -115,9 +115,9 @@ class Stage {
     std::unique_ptr<ScreenPainter> painter_;
     std::unique_ptr<AudibleFilms> films_;
     bool is_paused_ = false;
-    Frame frame_;                                              // the last
-    std::chrono::nanoseconds hidden_{0};                       // time that no screen showed it, in all
-    std::optional<std::chrono::nanoseconds> hidden_since_{0};  // none: a screen shows it
+    Frame frame_;                         // the last frame
+    std::chrono::nanoseconds hidden_{0};  // total time in which no screen showed this stage
+    std::optional<std::chrono::nanoseconds> hidden_since_{0};  // none: a screen shows the stage now
     std::shared_ptr<const SourceListener> listener_;           // shared: the pool calls it while it exists
 };
 

@@ -37,7 +37,7 @@ MediaPlaces media_places(const Settings& settings) {
 View view_of(const Settings& settings, int width, int height) {
     const Margins margins = margins_named(settings.output.margins).value_or(Margins{});
     const auto pixels = [](const ScreenLength& length, int side) {
-        const double most = side * 0.4;  // px; larger margins are meant for a larger screen
+        const double most = side * 0.4;  // px; larger margins are meant for larger screens
         return static_cast<int>(std::lround(std::min(length.pixels + length.share * side, most)));
     };
     return {.rotation = rotation_of(settings.output.rotation),

@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-// Translates the settings into those of the stages' parts.
+// Converts the settings for the parts of a stage.
 
 SlotSettings slot_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
 
-/// @param keeps_time  pictures are shown at their time and late ones are skipped; else each is shown
+/// @param keeps_time  true: pictures are shown at their time and late ones are skipped; false: all are shown
 SourceOptions source_options(const Settings& settings, bool keeps_time);
 
 MediaPlaces media_places(const Settings& settings);
@@ -22,7 +22,7 @@ MediaPlaces media_places(const Settings& settings);
 /// The view of a canvas on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);
 
-/// A request without its items.
+/// A request without items.
 PlanRequest plan_request(const Settings& settings, Vec2 canvas);
 
 }  // namespace vitrine::player

@@ -21,10 +21,10 @@ struct SlotShot;
 class Stages {
   public:
     /// @param settings, sources  outlive this
-    /// @param awaits_sources     the clock stands still until the sources of a picture are there
+    /// @param awaits_sources     the clock stands still until the sources of a frame are ready
     Stages(const Settings& settings, SourcePool& sources, bool awaits_sources);
 
-    /// Makes the stages anew, without files: the settings have changed.
+    /// Replaces all stages with new ones without files, because the settings have changed.
     void make_anew();
 
     void set_catalogue(const RecordList& records, const ShowHints& hints);
@@ -34,14 +34,14 @@ class Stages {
     /// Gives each screen to the stage of its output. @param screens  lent until the next call
     void set_screens(std::span<Screen* const> screens, std::chrono::nanoseconds now);
 
-    /// @param event  its places are shares of the screen
+    /// @param event  its places are shares of the screen's sides
     void handle_input(const Screen& screen, InputEvent event);
 
-    /// Draws one picture on every screen that can take one.
-    /// @param waits_for_wall  no screen is given a picture through which the idle picture is seen
+    /// Draws one frame on every screen that is ready.
+    /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
 
-    /// Another renderer is used from now on: it has none of the pictures.
+    /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
     /// The stage of all outputs without a folder of their own.
@@ -52,10 +52,10 @@ class Stages {
     /// The shots that may be heard.
     std::vector<AudibleShot> audible() const;
 
-    /// The number of shots that are shown.
+    /// The number of shown shots.
     std::size_t count() const;
 
-    /// All shots that are shown.
+    /// All shown shots.
     std::vector<SlotShot> standing() const;
 
   private:
@@ -66,9 +66,9 @@ class Stages {
     SourcePool& sources_;       // outlives this
     bool awaits_sources_;
     ShowControls controls_;
-    std::map<std::string, std::size_t> number_of_;  // output -> stages_; the other outputs show the first
+    std::map<std::string, std::size_t> number_of_;  // output -> stages_; other outputs show the first
     std::vector<std::unique_ptr<Stage>> stages_;
-    std::map<std::string, std::size_t> logged_;  // folder -> shots on its wall in the last log line
+    std::map<std::string, std::size_t> logged_;  // folder -> the last logged number of shots on its wall
 };
 
 }  // namespace vitrine::player

@@ -9,7 +9,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int tile_bits = 32;  // bits of a tile's number, below its level
+constexpr int tile_bits = 32;  // bits of a tile's number below its level
 /// A tapestry's height in bricks: it has two rows, three quarters of a brick apart.
 constexpr double rows_of_bricks = 1.5;
 constexpr std::array<std::byte, 4> white{std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
@@ -22,7 +22,7 @@ TileId tile_of(std::uint64_t number) {
     return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
 }
 
-/// The film is played from the path in its record: it may have moved since the tapestry was woven.
+/// The film is played from the path in its record, because it may have moved since the tapestry was woven.
 TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                      const TapestryPlaybackOptions& options) {
     Tapestry tapestry = read_tapestry(directory);
@@ -80,7 +80,7 @@ WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer
     return done;
 }
 
-/// Gives the renderer tiles that have been read. True: there were some.
+/// Gives tiles that have been read to the renderer. True: at least one.
 bool TapestryPlayback::give_tiles(const std::vector<TileId>& missing, Renderer& renderer) {
     if (options_.awaits_tiles) {
         for (const TileFile& file : files(missing))

@@ -16,18 +16,18 @@
 namespace vitrine::player {
 
 struct TapestryPlaybackOptions {
-    SourceId first_source = 0;                         // its sources are numbered from there on
-    std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it is over; none: never
-    bool awaits_tiles = false;                         // every frame is whole, however long its tiles take
-    RecordList::Record film;                           // none: nothing is known of the film
+    SourceId first_source = 0;                         // its sources are numbered from here on
+    std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it ends; none: never
+    bool awaits_tiles = false;                         // each frame waits for all its tiles
+    RecordList::Record film;                           // none: the film has no record
     std::chrono::nanoseconds first_seen{0};            // film time in the middle of the first view
 };
 
-/// True: the tapestry was woven from the film as it is now.
+/// True: the tapestry was woven from the present content of the film.
 bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 
-/// Shows a film's tapestry with its tiles. They are read in the background and given to the renderer a few a
-/// frame, so that neither reading nor uploading holds a frame up.
+/// Shows a film's tapestry with its tiles. They are read in the background and a few of them are given to the
+/// renderer with each frame, so that neither reading nor uploading delays a frame.
 class TapestryPlayback {
   public:
     /// @param directory  the tapestry's directory
@@ -42,23 +42,23 @@ class TapestryPlayback {
 
     void source_failed(SourceId source) { show_.source_failed(source); }
 
-    /// Follows the record of its film. If the film has changed, the tapestry is over.
+    /// Updates the film's record. If the film has changed, the tapestry is over.
     void set_catalogue(const RecordList& records);
 
     bool is_over() const { return show_.is_over(); }
 
-    /// The next frame. The tiles that it needs are given to the renderer.
+    /// The next frame. Gives the tiles that it needs to the renderer.
     WallStep step(std::chrono::nanoseconds now, Renderer& renderer);
 
-    /// Another renderer is used from now on.
+    /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
-    /// Ends it. @return the sources that it used
+    /// Ends the tapestry. @return the sources that it used
     std::vector<SourceId> close() { return show_.close(); }
 
     const TapestryShow& show() const { return show_; }
 
-    /// Tiles that the renderer is given in one frame, unless they are awaited.
+    /// Limit of the tiles that the renderer gets in one frame, unless frames wait for tiles.
     static constexpr std::size_t max_uploads = 2;
 
   private:
@@ -70,8 +70,8 @@ class TapestryPlayback {
     TapestryPlaybackOptions options_;
     TapestryShow show_;
     std::set<TileId> unreadable_;  // tiles that are not asked for again
-    std::vector<TileId> asked_;    // tiles that the loader was told of last
-    bool has_mark_ = false;        // the renderer has the white picture that lines are drawn with
+    std::vector<TileId> asked_;    // the last tiles that the loader was asked for
+    bool has_mark_ = false;        // the renderer has the white picture for drawing lines
     TileLoader loader_;
 };
 

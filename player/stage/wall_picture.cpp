@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto interval = 30s;     // between two pictures of the same shots
-constexpr auto after_change = 2s;  // until a change of shots has ended
+constexpr auto after_change = 2s;  // wait until a change of shots has ended
 constexpr auto rest = 8s;          // between two pictures of any shots
 
 bool write_jpeg(const Picture& picture, const std::filesystem::path& file) {
     try {
         save_jpeg(picture, file);
         return true;
-    } catch (const std::exception& error) {  // no exception crosses a thread; the wall goes on without it
+    } catch (const std::exception& error) {  // no exception may leave a thread; the wall goes on
         log::debug("no picture of the wall: {}", error.what());
         return false;
     }

@@ -8,15 +8,15 @@
 
 namespace vitrine::player {
 
-/// Has the plans of a show laid out as the settings say: by a thread, or at once where the clock waits for
-/// the layout anyway. A layout bears the generation of the show's plan.
+/// Lays out the plans of a show by the settings: in a thread, or at once if the clock waits for the layout
+/// anyway. A layout has the generation of its plan.
 class WallPlanner {
   public:
     /// @param settings    outlive this
-    /// @param is_at_once  request_layout() returns when the layout is there
+    /// @param is_at_once  request_layout() returns when the layout is made
     WallPlanner(const Settings& settings, bool is_at_once) : settings_(settings), is_at_once_(is_at_once) {}
 
-    /// Replaces a plan whose layout is still being made.
+    /// Requests a layout. It replaces a plan whose layout is still being made.
     void request_layout(const WallPlan& wall);
 
     /// Removes and returns the best layout of the newest plan; none: no better one since the last call.

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// Takes half a gutter from each cell along every border between two cells.
+/// Takes half a gutter from each cell along every border of two cells.
 void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, double gutter) {
     if (gutter <= 0) return;
     std::vector<Loops> wide;
@@ -24,7 +24,7 @@ void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, d
     }
 }
 
-/// Rounds the corners of each cell, but never off its I-Region.
+/// Rounds the corners of each cell without cutting its I-Region.
 void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, double radius) {
     if (radius <= 0) return;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -34,8 +34,8 @@ void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, 
     }
 }
 
-/// The edge along which a cell fades out over its neighbours: not onto any other I-Region, and no farther
-/// than it has pixels.
+/// The edge along which a cell fades out over its neighbours: not over another I-Region, and no farther than
+/// the cell has pixels.
 FadeEdge fade_edge(const Polygon& outline, std::size_t item, std::span<const Polygon> regions,
                    const Box& core, double feather) {
     const double spacing = std::max(2.0, feather / 2);  // canvas px between corners
@@ -56,7 +56,7 @@ FadeEdge fade_edge(const Polygon& outline, std::size_t item, std::span<const Pol
     return edge;
 }
 
-/// Puts the part that holds the I-Region's centroid first.
+/// Puts the part with the I-Region's centroid first.
 void put_first(std::vector<Polygon>& parts, const Polygon& region) {
     if (region.empty()) return;
     const Vec2 p = centroid(region);

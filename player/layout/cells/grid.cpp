@@ -97,7 +97,7 @@ Polygon from_grid(const Loop& loop) {
 }
 
 double twice_area(const Loop& loop) {
-    std::int64_t sum = 0;  // terms are below 2^61 and cancel; taken about the first corner
+    std::int64_t sum = 0;  // terms are below 2^61 and cancel; relative to the first corner
     for (std::size_t i = 1; i + 1 < loop.size(); ++i)
         sum += (loop[i].x - loop[0].x) * (loop[i + 1].y - loop[0].y) -
                (loop[i].y - loop[0].y) * (loop[i + 1].x - loop[0].x);

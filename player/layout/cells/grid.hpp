@@ -9,7 +9,7 @@
 namespace vitrine::player {
 
 /// Steps of the cells' grid per canvas px. Neighbouring cells share their corners on it exactly. Boolean
-/// operations round to it, so a border is true to 1/2^15 px.
+/// operations round to it, so a border is exact to 1/2^15 px.
 inline constexpr double cell_grid = 32768;
 
 /// A point of the cells' grid; |x|, |y| < 2^30.
@@ -34,18 +34,18 @@ Polygon from_grid(const Loop& loop);
 /// Twice the signed area, grid units^2.
 double twice_area(const Loop& loop);
 
-/// Area of all loops, holes counted off, canvas px^2.
+/// Area of all loops without their holes, canvas px^2.
 double area_of(const Loops& loops);
 
-/// Boolean operations, by the non-zero rule. The results' outer loops run counter-clockwise.
+/// Boolean operations by the non-zero rule. The outer loops of the results run counter-clockwise.
 Loops intersection_of(const Loops& a, const Loops& b);
 Loops difference_of(const Loops& a, const Loops& b);
 Loops union_of(const Loops& a, const Loops& b);
 
-/// Everything within `distance` px of the loops.
+/// The area within `distance` px of the loops.
 Loops grown(const Loops& loops, double distance);
 
-/// The same area as loops without holes: rings are cut open through their holes.
+/// The same area as loops without holes: an outline with a hole is cut open through the hole.
 Loops without_holes(const Loops& loops);
 
 }  // namespace vitrine::player

@@ -13,9 +13,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double whole_share = 0.004;  // share of the canvas: a smaller leftover goes to one taker
+constexpr double whole_share = 0.004;  // share of the canvas; a smaller leftover goes to one taker as a whole
 
-/// A part of the canvas whose nearest item has no pixels there, with the items that have.
+/// A part of the canvas where the nearest item has no pixels. The takers are the items that have pixels
+/// there.
 struct Leftover {
     Loops area;
     std::set<std::size_t> takers;
@@ -33,7 +34,7 @@ Box bounds_of(const Loops& loops) {
     return bounding_box(corners);
 }
 
-/// Splits an area whose nearest item has no pixels there by the items that have.
+/// Splits such an area by the sets of items that have pixels.
 std::vector<Leftover> split_by_takers(const Loops& orphaned, const std::vector<Loops>& cores) {
     std::vector<Leftover> leftovers;
     if (!orphaned.empty()) leftovers.push_back({orphaned, {}});
@@ -77,7 +78,7 @@ double max_distance(const Box& box, const Polygon& region) {
     return least;
 }
 
-/// The takers that can be the nearest somewhere in a leftover.
+/// The takers that may be the nearest ones somewhere in a leftover.
 std::set<std::size_t> likely_takers(const Leftover& leftover, std::span<const Polygon> regions) {
     const Box bounds = bounds_of(leftover.area);
     double reach = std::numeric_limits<double>::infinity();
@@ -89,7 +90,7 @@ std::set<std::size_t> likely_takers(const Leftover& leftover, std::span<const Po
     return likely;
 }
 
-/// Shares each leftover out among its nearest takers.
+/// Divides each leftover among its nearest takers.
 class LeftoverSharing {
   public:
     LeftoverSharing(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites)
@@ -107,7 +108,7 @@ class LeftoverSharing {
             append(shown[taker], intersection_of(leftover.area, diagram[taker]));
             rest = difference_of(rest, diagram[taker]);
         }
-        append(shown[*leftover.takers.begin()], rest);  // the slivers that rounding left
+        append(shown[*leftover.takers.begin()], rest);  // slivers from rounding
     }
 
   private:
@@ -119,7 +120,7 @@ class LeftoverSharing {
         });
     }
 
-    /// The diagram of some regions only, indexed like all regions.
+    /// The Voronoi diagram of some regions, with the indices of all regions.
     const std::vector<Loops>& diagram_of(const std::set<std::size_t>& some) {
         const auto known = diagrams_.find(some);
         if (known != diagrams_.end()) return known->second;
@@ -141,7 +142,7 @@ class LeftoverSharing {
     std::map<std::set<std::size_t>, std::vector<Loops>> diagrams_;
 };
 
-/// Pieces that meet become one, unless they would enclose a hole: cutting the hole open might cut a region.
+/// Joins pieces that touch, unless they would enclose a hole: to cut the hole open might cut a region.
 Loops joined(Loops pieces) {
     if (pieces.size() < 2) return pieces;
     Loops whole = union_of(pieces, {});
@@ -154,7 +155,7 @@ bool is_within(const Box& inner, const Box& outer) {
     return intersection(inner, outer) == inner;
 }
 
-/// Shares an area out among some regions.
+/// Divides an area among some regions.
 CanvasShares shared_among(std::span<const Polygon> regions, const std::vector<Loops>& cores,
                           const Box& canvas, const Loops& area, const VoronoiSites& sites) {
     const bool is_whole = area.size() == 1 && area[0] == to_grid(to_polygon(canvas));
@@ -183,7 +184,7 @@ CanvasShares shared_among(std::span<const Polygon> regions, const std::vector<Lo
     return shares;
 }
 
-/// Adds a group as one item: the hull of its regions, and the box round its cores.
+/// Adds a group as one item: the hull of its regions, and the box around its cores.
 void add_as_one(ItemAreas& units, const ItemAreas& sites, const LayoutGroup& group) {
     std::vector<Vec2> corners;
     std::optional<Box> frame;

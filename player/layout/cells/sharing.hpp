@@ -7,24 +7,24 @@
 
 namespace vitrine::player {
 
-/// The regions and cores of items that share a canvas.
+/// The regions and cores of the items on one canvas.
 struct ItemAreas {
     std::vector<Polygon> regions;  // canvas px, convex, disjoint
-    std::vector<Loops> cores;      // parts of the canvas where each has pixels
+    std::vector<Loops> cores;      // the parts of the canvas where each item has pixels
 };
 
-/// The parts of the canvas that each item shows.
+/// The part of the canvas for each item.
 struct CanvasShares {
-    std::vector<Loops> shown;   // one an item, shown from its own pixels
-    std::vector<Loops> filler;  // one an item, where no item has pixels
+    std::vector<Loops> shown;   // one for each item; shows the item's own pixels
+    std::vector<Loops> filler;  // one for each item; no item has pixels there
 };
 
 /// The distance from a point to a convex polygon; 0 inside.
 double distance_to(const Polygon& region, Vec2 point);
 
-/// Shares the canvas out among the groups and the items without a group, then each group's share among its
-/// items: every place goes to the nearest region whose item has pixels there. A small area whose nearest
-/// item has no pixels there goes whole to one other.
+/// Divides the canvas among the groups and the items without a group, then each group's share among its
+/// items. Every place goes to the nearest region whose item has pixels there. A small area whose nearest item
+/// has no pixels there goes to one other item as a whole.
 CanvasShares share_canvas(const ItemAreas& items, const std::vector<LayoutGroup>& groups, const Box& canvas,
                           const VoronoiSites& how);
 

@@ -15,7 +15,7 @@ bool is_in_triangle(CellPoint p, CellPoint a, CellPoint b, CellPoint c) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-/// Cuts ears off an outline until none is left.
+/// Cuts ears off an outline until no ear is left.
 class EarClipping {
   public:
     explicit EarClipping(const Loop& outline) : left_(outline) {}
@@ -28,7 +28,7 @@ class EarClipping {
             if (is_ear(at)) {
                 clip(at);
                 tried = 0;
-                ++at;  // not the same corner again, or thin fans arise
+                ++at;  // a second ear at the same corner would make thin fans
                 continue;
             }
             ++at;
@@ -53,7 +53,7 @@ class EarClipping {
     void clip(std::size_t at) {
         triangles_.push_back({corner(at + left_.size() - 1), corner(at), corner(at + 1)});
         left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
-        // A corner that comes to lie twice at one place encloses nothing between.
+        // Two equal corners in a row enclose no area between them: one is removed.
         for (std::size_t k = 0; k < left_.size() && left_.size() >= 3; ++k)
             if (corner(k) == corner(k + 1)) left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(k));
     }
@@ -64,7 +64,7 @@ class EarClipping {
 
 constexpr std::int64_t near_enough = 2;  // grid steps
 
-/// The place of a point along the side a -> b, in (0, 1); negative if it is not on that side.
+/// The position of a point along the side a -> b, in (0, 1); negative if the point is not on the side.
 double place_on_side(CellPoint p, CellPoint a, CellPoint b) {
     if (p == a || p == b) return -1;
     if (p.x < std::min(a.x, b.x) - near_enough || p.x > std::max(a.x, b.x) + near_enough ||

@@ -21,18 +21,18 @@ using Edge = Diagram::edge_type;
 using GridSegment = boost::polygon::segment_data<std::int32_t>;
 using SitePoint = boost::polygon::point_data<std::int32_t>;
 
-constexpr double bend_tolerance = 0.25;  // canvas px between a bend and its chords
+constexpr double bend_tolerance = 0.25;  // canvas px between a curve and its chords
 constexpr double beyond = 4;             // canvas sizes from the canvas to the guards, which bound all cells
 constexpr std::int32_t site_origin = 1 << 25;  // grid units added to sites, see CheckedCircles
 
-/// The input of the diagram, in units of grid_per_px from `site_origin` up and left of the canvas.
+/// The input of the diagram, in units of grid_per_px. Its origin is `site_origin` up and left of the canvas.
 struct Sites {
     std::vector<GridSegment> segments;
     std::vector<SitePoint> points;
     std::vector<std::size_t> owner_of_point;
     std::vector<std::size_t> owner_of_segment;
 
-    /// Boost numbers the points first, then the segments.
+    /// Boost numbers first the points, then the segments.
     std::size_t owner(const Edge& edge) const {
         const std::size_t source = edge.cell()->source_index();
         return source < points.size() ? owner_of_point[source] : owner_of_segment[source - points.size()];
@@ -80,7 +80,7 @@ void add_samples(Sites& sites, const Polygon& region, std::size_t owner, const V
     }
 }
 
-/// Four points far outside, so that every cell that reaches the canvas is bounded.
+/// Adds four points far outside, so that every cell that reaches the canvas is bounded.
 void add_guards(Sites& sites, const Box& canvas, std::size_t owner) {
     const double away = beyond * std::max(canvas.width(), canvas.height());
     const Vec2 c = canvas.centre();
@@ -90,8 +90,8 @@ void add_guards(Sites& sites, const Box& canvas, std::size_t owner) {
     }
 }
 
-/// The corners of the bend between a point site and a line, without its ends: y = x^2 / 2p + p / 2 over the
-/// line.
+/// The corners of the parabola between a point site and a line, without its ends: y = x^2 / 2p + p / 2 over
+/// the line.
 Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     const Vec2 along = (b - a) * (1 / length(b - a));
     const double p = std::abs(cross(along, focus - a));
@@ -111,7 +111,7 @@ Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     return corners;
 }
 
-/// Traces the outlines of the diagram's cells; the cells of one owner are traced as one.
+/// Traces the outlines of the diagram's cells. The cells of one owner are traced as one.
 class OutlineTracer {
   public:
     OutlineTracer(const Sites& sites, const Diagram& diagram, std::size_t owners)
@@ -130,7 +130,7 @@ class OutlineTracer {
 
     bool is_border(const Edge& edge) const { return sites_.owner(edge) != sites_.owner(*edge.twin()); }
 
-    /// The next border edge of the same owner, with the owner's area on the left.
+    /// The next border edge of the same owner. The owner's area is on its left.
     const Edge& after(const Edge& edge) const {
         const Edge* next = edge.next();
         while (!is_border(*next))
@@ -151,7 +151,7 @@ class OutlineTracer {
         if (loop.size() >= 3) loops_[sites_.owner(first)].push_back(std::move(loop));
     }
 
-    /// Appends the edge without its end. Both directions of an edge have the same corners.
+    /// Appends the edge without its end. An edge has the same corners in both directions.
     void append(Loop& loop, const Edge& edge) {
         const bool forward = &edge < edge.twin();
         const Edge& base = forward ? edge : *edge.twin();

@@ -10,17 +10,17 @@
 
 namespace vitrine::player {
 
-// boost's diagram finds the circle that touches three sites in double numbers, and falls back on exact ones
-// where they may be off by more than 64 units of their last place. Over canvas coordinates, many times as
-// large as the distances of the sites, that is so for most circles, and takes most of the diagram's time.
-// Here the circles are found about a corner near the sites, with rounding, and their largest error is
-// computed. Only where it is too large, which is where the sites hardly determine the circle, exact numbers
-// decide.
+// boost computes the circle that touches three sites in double numbers. If the error may exceed 64 units in
+// the last place, it computes the circle again with exact numbers. Canvas coordinates are many times as large
+// as the distances between sites, so this happens for most circles and takes most of the diagram's time. Here
+// the circles are computed relative to a corner near the sites, with rounding, and a bound of their error is
+// computed. Exact numbers are used only if the error is too large, that is, if the sites hardly determine the
+// circle.
 
-/// The coordinates of sites relative to a corner near them.
+/// The coordinates of sites relative to a nearby corner.
 template <typename Site, typename Circle> class NearbyCorner {
   public:
-    /// The corner lies left of and above the sites by their own extent, as results near 0 are never exact.
+    /// The corner is left of and above the sites by their own extent, because results near 0 are never exact.
     NearbyCorner(const Site& a, const Site& b, const Site& c) {
         const auto [left, right] = std::minmax({a.x0(), a.x1(), b.x0(), b.x1(), c.x0(), c.x1()});
         const auto [top, bottom] = std::minmax({a.y0(), a.y1(), b.y0(), b.y1(), c.y0(), c.y1()});
@@ -46,13 +46,13 @@ template <typename Site, typename Circle> class NearbyCorner {
     typename Site::coordinate_type x_ = 0, y_ = 0, extent_ = 0;
 };
 
-/// Checks a circle that was found to touch three sites: holds the linearised conditions on its centre and
-/// radius, and the errors by which they are missed.
+/// Checks a computed circle against the three sites that it shall touch. Holds the linearised conditions for
+/// its centre and radius, and the errors of these conditions.
 class CircleCheck {
   public:
     CircleCheck(double x, double y, double radius) : x_(x), y_(y), radius_(radius) {}
 
-    /// The circle touches a point.
+    /// Condition: the circle touches a point.
     void add_point(double x, double y) {
         const double dx = x_ - x;
         const double dy = y_ - y;
@@ -60,7 +60,7 @@ class CircleCheck {
         add({dx / distance, dy / distance, -1}, distance - radius_);
     }
 
-    /// The circle touches the line through two points.
+    /// Condition: the circle touches the line through two points.
     void add_line(double x0, double y0, double x1, double y1) {
         const double dx = x1 - x0;
         const double dy = y1 - y0;
@@ -70,7 +70,7 @@ class CircleCheck {
         add({-sign * dy / size, sign * dx / size, -1}, std::abs(side) - radius_);
     }
 
-    /// The circle touches the line through two points at the first.
+    /// Condition: the circle touches the line through two points at the first of them.
     void add_foot(double x0, double y0, double x1, double y1) {
         const double dx = x1 - x0;
         const double dy = y1 - y0;
@@ -78,13 +78,13 @@ class CircleCheck {
         add({dx / size, dy / size, 0}, (dx * (x_ - x0) + dy * (y_ - y0)) / size);
     }
 
-    /// True where centre and radius are true to `tolerance`, all in the sites' units. @pre three conditions
+    /// True if centre and radius are exact to `tolerance`, all in the sites' units. @pre three conditions
     bool holds(double tolerance) const {
         const auto& [a, b, c] = rows_;
         const double determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
                                    a[2] * (b[0] * c[1] - b[1] * c[0]);
-        constexpr double max_cofactors = 8;  // bound of the sum of three of them, each entry being at most 1
-        return max_cofactors * missed_ <= tolerance * std::abs(determinant);  // not so where any is NaN
+        constexpr double max_cofactors = 8;  // bound of the sum of three cofactors; each entry is at most 1
+        return max_cofactors * missed_ <= tolerance * std::abs(determinant);  // false if a value is NaN
     }
 
   private:
@@ -100,7 +100,7 @@ class CircleCheck {
     double missed_ = 0;
 };
 
-/// Finds the circles of three sites: relative to a corner nearby, with rounding; exactly where the error is
+/// Computes the circles of three sites relative to a nearby corner, with rounding; exactly if the error is
 /// too large.
 template <typename Site, typename Circle, typename Rounding, typename Exact> class CheckedCircles {
   public:
@@ -127,8 +127,8 @@ template <typename Site, typename Circle, typename Rounding, typename Exact> cla
     }
 
   private:
-    /// In the sites' units. boost takes two events for one where they differ by less than 2^-47 of their
-    /// coordinates, and those are 2^24 at least.
+    /// In the sites' units. For boost two events are equal if they differ by less than 2^-47 of their
+    /// coordinates, and these are at least 2^24.
     static constexpr double tolerance = 0x1p-26;
 
     template <typename Find>
@@ -147,7 +147,7 @@ template <typename Site, typename Circle, typename Rounding, typename Exact> cla
                 check.add_line(site.x0(), site.y0(), site.x1(), site.y1());
                 continue;
             }
-            const Site* own = nullptr;  // a segment of which the point is an end
+            const Site* own = nullptr;  // the segment of which the point is an end
             bool is_start = false;
             for (const Site& other : sites) {
                 if (!other.is_segment()) continue;

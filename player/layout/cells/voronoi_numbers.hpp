@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-/// An integer of up to 2048 bits, for the diagram's exact predicates: sign and 64-bit digits, the lowest
-/// first; as wide as boost's own.
+/// An integer of up to 2048 bits for the diagram's exact predicates: a sign and 64-bit digits, the lowest
+/// first. It is as wide as boost's own.
 // Moving is copying. NOLINTNEXTLINE(cppcoreguidelines-special-member-functions)
 class WideInt {
   public:
-    WideInt() {}  // the digits stay unset, as most are never used
+    WideInt() {}  // leaves the digits unset, because most are never used
 
     // not explicit: boost assigns its integers
     WideInt(std::int64_t value) : is_negative_(value < 0), count_(value != 0 ? 1 : 0) {
@@ -53,7 +53,7 @@ class WideInt {
         return is_negative_ ? -1 : 1;
     }
 
-    /// True to 2^-62 of the value.
+    /// Exact to 2^-62 of the value.
     explicit operator long double() const {
         long double value = 0;
         for (std::size_t k = count_; k > 0; --k)
@@ -79,7 +79,7 @@ class WideInt {
         return false;
     }
 
-    /// |a| + |b|. @pre a has as many digits at least
+    /// |a| + |b|. @pre a has at least as many digits as b
     static WideInt added(const WideInt& a, const WideInt& b, bool is_negative) {
         WideInt result;
         result.is_negative_ = is_negative;
@@ -121,8 +121,8 @@ class WideInt {
     std::uint64_t digits_[max_digits];
 };
 
-// Digits beyond count_ are never read, which gcc does not see where this is inlined.
-#ifndef __clang__  // which does not know the warning
+// Digits beyond count_ are never read; gcc does not see that in inlined code.
+#ifndef __clang__  // clang does not know the warning
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -151,7 +151,7 @@ inline WideInt WideInt::operator*(const WideInt& b) const {
 #pragma GCC diagnostic pop
 #endif
 
-// boost finds these three by their names.
+// boost looks these three up by name.
 
 inline bool is_zero(const WideInt& value) {
     return value.sign() == 0;
@@ -169,16 +169,16 @@ struct ToLongDouble {
     long double operator()(const WideInt& value) const { return static_cast<long double>(value); }
 };
 
-/// The numbers that boost's diagram uses where double is not enough. boost's own integers have 32-bit digits,
-/// and its floating type keeps the exponent apart and takes each number to pieces at every step; long double
-/// has a wide enough exponent by itself.
+/// The numbers that boost's diagram uses if double is not enough. boost's own integers have 32-bit digits.
+/// Its own floating type keeps the exponent apart and decomposes each number at every step; long double has a
+/// wide enough exponent by itself.
 struct VoronoiNumbers : boost::polygon::detail::voronoi_ctype_traits<boost::polygon::detail::int32> {
     using big_int_type = WideInt;
     using efpt_type = long double;
     using to_efpt_converter_type = ToLongDouble;
 };
 
-/// The same with rounding instead of exact integers: fast, and hardly ever far off.
+/// The same with rounded numbers instead of exact integers: fast, and rarely far off.
 struct RoundingNumbers : VoronoiNumbers {
     using big_int_type = long double;
 

@@ -49,7 +49,7 @@ std::vector<LayoutItem> items_of(const PlanRequest& request) {
     return items;
 }
 
-/// The wall as the request plans it; none where no sound layout was found.
+/// The wall by the request's plan. None: the plan is no sound layout.
 std::optional<WallState> planned_wall(const WallState& wall, const PlanRequest& request, const Box& window,
                                       const EditRules& rules) {
     const std::optional<Layout> layout = planned_in(window, request, {.should_stop = rules.should_stop});
@@ -64,7 +64,7 @@ std::optional<WallState> planned_wall(const WallState& wall, const PlanRequest& 
     return next;
 }
 
-/// Everything packed anew, for a wall that no change plan was found for.
+/// Packs everything again, for a wall without a change plan.
 WallState packed_anew(const WallState& wall, PlanRequest request, const EditRules& rules) {
     for (PlanItem& item : request.items) {
         if (!item.is_pinned) item.previous.reset();
@@ -88,7 +88,7 @@ bool is_on_pinned(const WallState& wall, std::size_t item, const Placement& at, 
     return false;
 }
 
-/// The placement moved so that its region lies in the canvas, as far as it is small enough.
+/// The placement, moved so that its region lies inside the canvas, if the region is small enough.
 Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
     const Box box = box_of(item, at);
     const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
@@ -98,12 +98,12 @@ Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double
     return at;
 }
 
-/// An item put down somewhere while the others make way.
+/// Puts an item down at a place; the others make room.
 std::optional<WallState> put_down(const WallState& wall, std::size_t item, const Placement& at,
                                   const Box& window, const EditRules& rules) {
     if (is_on_pinned(wall, item, at, rules.clearance)) return std::nullopt;
     PlanRequest request = request_of(wall, rules);
-    request.fills = false;  // items that are resized at every step of a finger would tremble
+    request.fills = false;  // resizing at every step of a finger would make items tremble
     request.items[item].previous = request.items[item].home = at;
     request.items[item].is_pinned = true;
     auto next = planned_wall(wall, request, window, rules);
@@ -111,7 +111,7 @@ std::optional<WallState> put_down(const WallState& wall, std::size_t item, const
     return next;
 }
 
-/// The scale that a newcomer would have among the items of a wall.
+/// The usual scale of a newcomer among the items of a wall.
 double usual_scale(const WallState& wall, const LayoutItem& newcomer) {
     if (wall.items.empty()) return 1;
     std::vector<LayoutItem> items = wall.items;
@@ -130,7 +130,7 @@ double usual_scale(const WallState& wall, const LayoutItem& newcomer) {
     return *middle * natural.back();
 }
 
-/// The newcomer put down at a place, made smaller where it must be.
+/// Puts the newcomer down at a place, smaller if necessary.
 std::optional<WallState> put_in(const WallState& wall, const LayoutItem& newcomer, Vec2 place,
                                 const EditRules& rules) {
     constexpr double factors[] = {0.95, 0.75, 0.5, 0.3};

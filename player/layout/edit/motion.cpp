@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-// Straight lines are free for most small changes. Where they are not, it is mostly because an item moves to a
-// place where another still stands: the other goes first. Items that would pass through each other become
-// smaller until they do not; a convex region that shrinks about an inner point stays within itself, which is
-// always free. Items that change places are left: they are sent by way of a halfway layout, its conflicts
-// pushed apart sideways.
+// Straight motion is free of overlap for most small changes. If it is not, mostly an item moves to a place
+// where another one still is: then that other one moves first. Items that would pass through each other
+// become smaller until they do not meet; a convex region that shrinks about an inner point stays within
+// itself, so shrinking is always free. There remain items that change places: they move by way of a halfway
+// layout, in which conflicts are pushed apart sideways.
 
 namespace vitrine::player {
 
@@ -19,12 +19,12 @@ namespace {
 
 using Placements = std::vector<Placement>;
 
-constexpr double apart = 1.0 / 128;  // canvas px; more than the grid of exact areas rounds by
+constexpr double apart = 1.0 / 128;  // canvas px; more than the rounding by the grid of exact areas
 constexpr std::size_t max_stages = 4;
-constexpr double shrink = 0.88;        // per try
-constexpr double min_factor = 0.5;     // times the smaller of both scales, on the way
-constexpr double detour_factor = 0.7;  // times the smaller of both scales, halfway
-constexpr int max_pushes = 60;         // rounds of pushing halfway places apart
+constexpr double shrink = 0.88;        // factor of each try
+constexpr double min_factor = 0.5;     // times the smaller of both scales, during the motion
+constexpr double detour_factor = 0.7;  // times the smaller of both scales, at the halfway layout
+constexpr int max_pushes = 60;         // rounds of pushing items apart at the halfway layout
 
 double support(const Polygon& outline, Vec2 direction) {
     double most = -std::numeric_limits<double>::infinity();
@@ -37,13 +37,13 @@ Placement mixed(const Placement& a, const Placement& b, double t) {
     return {a.scale * (1 - t) + b.scale * t, a.offset * (1 - t) + b.offset * t};
 }
 
-/// A region on the way: its outline is in source px, both placements map it to the canvas.
+/// A moving region. Its outline is in source px; both placements map it to the canvas.
 struct MovingRegion {
     const Polygon& outline;
     Placement from, to;
 };
 
-/// Cuts `inside` down to the times at which the gap along the outward normals of a's sides is negative.
+/// Limits `inside` to the times at which the gap along the outward normals of a's sides is negative.
 void cut_by_sides(const MovingRegion& a, const MovingRegion& b, double clearance, OverlapInterval& inside) {
     for (std::size_t k = 0; k < a.outline.size() && !inside.is_empty(); ++k) {
         const Vec2 edge = a.outline[(k + 1) % a.outline.size()] - a.outline[k];
@@ -78,7 +78,7 @@ bool are_apart(const Box& a, const Box& b) {
            b.max.y + apart <= a.min.y;
 }
 
-/// Looks for a motion of some items.
+/// Searches a motion of some items.
 class MotionSearch {
   public:
     MotionSearch(std::span<const LayoutItem> items, std::span<const Placement> from,
@@ -113,7 +113,7 @@ class MotionSearch {
         return !overlap_of({outlines_[i], a[i], b[i]}, {outlines_[j], a[j], b[j]}, apart).is_empty();
     }
 
-    /// The items that meet others on the straight way, one flag an item.
+    /// For each item: true if it meets another on the straight way.
     std::vector<bool> conflicts(const Placements& a, const Placements& b) const {
         std::vector<Box> swept;
         for (std::size_t i = 0; i < size(); ++i)
@@ -125,7 +125,7 @@ class MotionSearch {
         return found;
     }
 
-    /// Each stage moves all items that can go at once while the others stand.
+    /// Each stage moves all items that can move at once while the others stay.
     std::optional<Motion> staged() const {
         Motion motion{Motion::Kind::staged, {from_}};
         while (motion.keys.back() != to_ && motion.keys.size() <= max_stages) {
@@ -148,7 +148,7 @@ class MotionSearch {
         return {scale, place - centroids_[item] * scale};
     }
 
-    /// Items that meet others on the way get smaller first, and larger again in the end.
+    /// Shrinks the items that meet others, before the motion, and enlarges them again after it.
     std::optional<std::vector<Placements>> shrunk(const Placements& a, const Placements& b) const {
         std::vector<double> factors(size(), 1);
         for (;;) {
@@ -173,7 +173,8 @@ class MotionSearch {
         }
     }
 
-    /// Pushes places halfway apart until nothing overlaps; none where that does not come to rest.
+    /// Pushes the halfway places apart until nothing overlaps. None: some still overlap after max_pushes
+    /// rounds.
     std::optional<Placements> halfway() const {
         Placements middle;
         for (std::size_t i = 0; i < size(); ++i) {
@@ -196,7 +197,7 @@ class MotionSearch {
         return std::nullopt;
     }
 
-    /// Moves two items apart, aside from the way of the first rather than along it.
+    /// Moves two items apart, rather sideways than along the first one's way.
     void push(std::size_t i, std::size_t j, Placements& at) const {
         const auto place = [&](std::size_t k, const Placements& p) {
             return centroids_[k] * p[k].scale + p[k].offset;

@@ -51,7 +51,7 @@ bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Cont
                           range.max.y >= range.min.y - Contacts::precision;
         if (!fits || length(moved_into(place, range) - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
-            if (problem.pinned[i] && problem.pinned[j]) continue;  // neither of them can move
+            if (problem.pinned[i] && problem.pinned[j]) continue;  // both stay in place
             if (problem.keeps_order && order.violation(arrangement.places[j], place) > Contacts::precision)
                 return false;
             if (!contacts.is_clear(i, j, arrangement.places[j] - place)) return false;
@@ -97,7 +97,7 @@ bool is_in_order(const PackingProblem& problem, const std::vector<Vec2>& places,
 
 namespace {
 
-/// The largest scale at which the region of an item fits into the field where it stands.
+/// The largest scale at which the region of an item at this place fits into the field.
 double scale_in_field(const PackingProblem& problem, std::size_t item, Vec2 place) {
     const Box& extent = problem.shapes[item].extent;
     const double most = std::min(std::min((place.x - problem.field.min.x) / -extent.min.x,
@@ -113,7 +113,7 @@ double growth_in_field(const PackingProblem& problem, std::size_t item, Vec2 pla
     return most >= scale.limit ? std::numeric_limits<double>::infinity() : most / scale.rate;
 }
 
-/// A growth in [min, max], near the largest, at which the order holds; 0: it does not hold at `min`.
+/// A growth in [min, max], near the largest, with the right order; 0: the order is wrong even at `min`.
 double growth_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double min,
                        double max) {
     constexpr int halvings = 24;

@@ -12,22 +12,23 @@ namespace vitrine::player {
 struct PackingProblem {
     std::vector<Shape> shapes;
     std::vector<double> scales;  // wished canvas px per source px, relative: all are multiplied by one growth
-    std::vector<double> limits;  // no item beyond this scale: blur, or it would not fit on the canvas
-    std::vector<bool> pinned;    // keeps its place and its scale, which is scales[i] whatever the growth
-    std::vector<Vec2> pinned_places;  // canvas px, centroids; of pinned items only
-    Box field;                        // canvas px, where I-Regions may be
+    std::vector<double> limits;  // largest scale of each item: beyond it the picture is blurred, or does not
+                                 // fit on the canvas
+    std::vector<bool> pinned;    // the item keeps its place and its scale, which is scales[i] at every growth
+    std::vector<Vec2> pinned_places;  // canvas px, centroids; valid for pinned items only
+    Box field;                        // canvas px; I-Regions stay inside
     double clearance = 0;             // canvas px between I-Regions
-    bool keeps_order = false;         // the items are read in their order
+    bool keeps_order = false;         // the items keep their reading order
 
     std::size_t size() const { return shapes.size(); }
 
     /// The scale of an item at a growth: scales * growth, up to the limit.
     double scale(std::size_t item, double growth) const;
 
-    /// The same as a function of the growth.
+    /// The scale of an item as a function of the growth.
     GrowingScale growing_scale(std::size_t item) const;
 
-    /// The box of places at which an item's region lies in the field. A pinned item: anywhere.
+    /// The box of places at which an item's region is inside the field. For a pinned item it has no limits.
     Box place_range(std::size_t item, double growth) const;
 };
 
@@ -37,38 +38,37 @@ struct Arrangement {
     double growth = 1;
 };
 
-/// The lines in which the items are read at a growth.
+/// The lines of the items for reading, at a growth.
 ReadingOrder reading_order(const PackingProblem& problem, double growth);
 
-/// The point of a box that is nearest to a place.
+/// The point of a box nearest to a place.
 Vec2 moved_into(Vec2 place, const Box& range);
 
-/// True where all items keep clear of each other and inside the field, and the order where it counts. Sets
-/// the scales of `contacts`.
+/// True if all items are clear of each other, inside the field and, if required, in order. Sets the scales of
+/// `contacts`.
 bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Contacts& contacts);
 
-/// True where no two I-Regions share inner points, on the grid of exact areas; pinned items
-/// among themselves excepted.
+/// True if no two I-Regions share inner points, on the grid of exact areas. Pairs of pinned items are
+/// skipped.
 bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangement);
 
-/// True where an item may stand at a place, if the others stay. @pre the scales of `contacts` are those of
-/// the arrangement
+/// True if an item may be at a place while the others stay. @pre `contacts` has the scales of the arrangement
 bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, const Arrangement& arrangement,
                       std::size_t item, Vec2 place);
 
-/// True where the order holds wherever it counts.
+/// True if all items are in order, except pairs of pinned ones.
 bool is_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double growth);
 
-/// The largest growth in [min, max] at which all items are free where they stand; 0 where none is.
+/// The largest growth in [min, max] at which all items are free at their places; 0: there is none.
 double max_free_growth(const PackingProblem& problem, const Arrangement& arrangement,
                        const Contacts& contacts, double min, double max);
 
-/// The largest scale, up to `max`, at which an item is free where it stands if the others stay; 0 where none
-/// is. The order does not count.
+/// The largest scale, up to `max`, at which an item is free at its place while the others stay; 0: there is
+/// none. Ignores the order.
 double max_free_scale(const PackingProblem& problem, const Arrangement& arrangement, const Contacts& contacts,
                       std::size_t item, double max);
 
-/// The growth at which every item is at its limit.
+/// The growth at which every item has reached its limit.
 double final_growth(const PackingProblem& problem);
 
 /// The arrangement's scales for Contacts::set_scales.

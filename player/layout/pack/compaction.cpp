@@ -9,14 +9,14 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double trusted_share = 0.05;  // share of the field's diagonal: pairs farther apart are left out
+constexpr double trusted_share = 0.05;  // share of the field's diagonal; pairs farther apart are left out
 constexpr int max_rounds = 12;
-constexpr double min_gain = 1e-4;       // share of the growth, a round; less ends the rounds
-constexpr double shrinkage = 1e-6;      // share of the growth: rounding may have taken as much
-constexpr double jitter = 1e-7;         // canvas px, so that no two constraints tie
-constexpr double numbers_a_move = 500;  // numbers of the table changed in the time of an evaluated move
+constexpr double min_gain = 1e-4;       // share of the growth, gained in a round; less ends the search
+constexpr double shrinkage = 1e-6;      // share of the growth, for rounding errors
+constexpr double jitter = 1e-7;         // canvas px, so that no two constraints are equal
+constexpr double numbers_a_move = 500;  // numbers of the table changed in the time of one evaluated move
 
-/// One round: the linear program of the sides that separate the pairs now.
+/// One round: the linear program with the sides that separate the pairs at present.
 class CompactionProgram {
   public:
     CompactionProgram(const PackingProblem& problem, const Arrangement& from, const Contacts& contacts)
@@ -47,7 +47,7 @@ class CompactionProgram {
     }
 
   private:
-    /// The scale's change per growth: none where the item is at its limit or pinned.
+    /// The scale's change per growth; 0 if the item is at its limit or pinned.
     double rate(std::size_t item) const {
         const GrowingScale scale = problem_.growing_scale(item);
         return from_.growth < scale.end() * (1 - 1e-9) ? scale.rate : 0;
@@ -92,11 +92,11 @@ class CompactionProgram {
         row[2 * problem_.size()] = -(rate(i) * side.first + rate(j) * side.second);
     }
 
-    /// Pairs keep the line, or the lines, on which they stand.
+    /// Keeps the pairs on their lines.
     void add_order() {
         const std::size_t n = problem_.size();
         const ReadingOrder order = reading_order(problem_, from_.growth);
-        double rise = 0;  // change of half a line per growth
+        double rise = 0;  // change of half a line's height per growth
         for (std::size_t i = 0; i < n; ++i)
             rise += rate(i) * problem_.shapes[i].extent.height() / (2 * static_cast<double>(n));
         for (std::size_t i = 0; i < n; ++i)
@@ -123,7 +123,7 @@ class CompactionProgram {
         row[2 * problem_.size()] = growing;
     }
 
-    /// Ends the growth where the next item reaches its limit.
+    /// Limits the growth to the next item's limit.
     void add_limit() {
         double next = final_growth(problem_);
         for (std::size_t i = 0; i < problem_.size(); ++i)
@@ -134,7 +134,7 @@ class CompactionProgram {
     const PackingProblem& problem_;  // outlives this
     const Arrangement& from_;        // outlives this
     LinearProgram lp_;
-    double trust_;  // canvas px of slack, above which a pair is left out
+    double trust_;  // canvas px of slack; pairs with more are left out
     std::uint32_t noise_ = 1;
 };
 

@@ -5,9 +5,9 @@
 
 namespace vitrine::player {
 
-/// Moves all items at once so that they can grow as far as any small move lets them: a local maximum of the
-/// growth. For each pair the side that separates it best stays between the two, which makes all constraints
-/// linear in places and growth. A linear program is solved, the sides are chosen anew, until nothing is won.
+/// Moves all items at once so that they can grow as far as small moves allow: a local maximum of the growth.
+/// For each pair the best separating side stays between the two; so all constraints are linear in places and
+/// growth. A linear program is solved and the sides are chosen again, until nothing is gained.
 ///
 /// @param start  free of overlap
 /// @return       at least as large as `start`, free of overlap

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-// The clearance is added to each side, so it grows at the corners; sharper ones are cut off.
+// The clearance is added to each side, so it is larger at the corners; at sharp corners it is cut off.
 constexpr float corner_clearance = 3;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -24,8 +24,8 @@ std::vector<Vec2> normals(const Polygon& outline) {
     return result;
 }
 
-/// The supports of an outline along directions that turn in the order of its corners: the corner that reaches
-/// farthest moves on with them.
+/// The supports of an outline along directions that turn in the order of its corners. The farthest corner
+/// advances with them.
 class TurningSupport {
   public:
     explicit TurningSupport(const Polygon& outline) : outline_(outline) {}
@@ -59,7 +59,7 @@ double growth_within(double room, GrowingScale one, GrowingScale other) {
     if (one.end() > other.end()) std::swap(one, other);
     const double both = room / (one.rate + other.rate);
     if (both <= one.end()) return both;
-    return std::max(0.0, (room - one.limit) / other.rate);  // the one grows no more
+    return std::max(0.0, (room - one.limit) / other.rate);  // the first length has reached its limit
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ void Contacts::add_pair(std::size_t a, std::size_t b) const {
         const Vec2 normal = normals_[b][k] * -1;
         add_side(normal, along_first.along(normal), dot(second[k], normals_[b][k]));
     }
-    const Vec2 last = normals_[b].back() * -1;  // repeated, so that all lanes are sides of the pair
+    const Vec2 last = normals_[b].back() * -1;  // repeated, so that all lanes hold sides of the pair
     const double last_support = along_first.along(last);
     while (count % lanes != 0)
         add_side(last, last_support, dot(second[normals_[b].size() - 1], normals_[b].back()));
@@ -186,7 +186,7 @@ double Contacts::weighted_depth(std::size_t item, Vec2 place, const PlaceLanes& 
         std::memcpy(&reaches, reach + j, sizeof(Lanes));
         to_x -= x;
         to_y -= y;
-        const Mask near = to_x * to_x + to_y * to_y < reaches;  // never the item itself: its reach is 0
+        const Mask near = to_x * to_x + to_y * to_y < reaches;  // excludes the item itself: its reach is 0
         if ((near[0] | near[1] | near[2] | near[3]) == 0) continue;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             if (near[lane] == 0) continue;
@@ -261,7 +261,7 @@ RayStretch Contacts::blocked_stretch(std::size_t a, std::size_t b, Vec2 origin, 
         const Sides& sides = sides_[k];
         const Lanes speed = sides.x * to_x + sides.y * to_y;
         const Lanes room = sides.offset - sides.x * x - sides.y * y;
-        const Lanes along = room > 0 ? never : -never;  // where the ray runs along the side
+        const Lanes along = room > 0 ? never : -never;  // the ray is parallel to the side
         const Lanes crossing = speed == 0 ? along : room / speed;
         const Lanes in = speed < 0 ? crossing : begins;
         const Lanes out = speed < 0 ? ends : crossing;

@@ -13,7 +13,7 @@ namespace {
 constexpr auto unit_step = static_cast<std::int32_t>(grid_per_px);
 constexpr double min_gain = 1e-9;  // in ln E
 
-/// A layout on the grid with the energy of its present state.
+/// A layout on the grid with its present energy.
 class Descent {
   public:
     Descent(const ScaledShapes& shapes, std::span<const Vec2> places, double ratio)
@@ -24,7 +24,7 @@ class Descent {
         result_.first_energy = now_;
     }
 
-    /// Moves an item one step where that lowers the energy most. @return whether it moved
+    /// Moves an item one step in the direction that lowers the energy most. @return true: it has moved
     bool improve(std::size_t item, SearchBudget& budget) {
         GridPoint best_way;
         double best = now_ - min_gain;
@@ -72,7 +72,7 @@ class Descent {
     std::vector<Vec2> places_;
     double ratio_;
     double now_;
-    DescentResult result_;  // all but the places
+    DescentResult result_;  // complete but for the places
 };
 
 }  // namespace

@@ -15,21 +15,21 @@ namespace {
 constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
 constexpr double background_weight = 3;
-constexpr double unevenness_weight = 0.05;  // times the variance of ln(scale), against shares of the canvas
-constexpr double nearest = 0.003;           // share of the field's diagonal, of a random move
+constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
+constexpr double nearest = 0.003;           // shortest random move, share of the field's diagonal
 constexpr double farthest = 0.3;
 constexpr double farthest_from_home = 0.05;
 constexpr double pull_weight =
-    0.15;  // times the mean distance from home in diagonals, against shares of the canvas
+    0.15;  // factor of the mean distance from home in diagonals; costs are shares of the canvas
 constexpr double max_resize_step = 0.12;  // ln(scale) of a random step
-constexpr double at_limit = 0.999;     // share of the largest scale that an item may have: it grows no more
-constexpr double max_resizing = 0.35;  // ln(scale), against the base
+constexpr double at_limit = 0.999;     // share of its largest scale from which an item counts as fully grown
+constexpr double max_resizing = 0.35;  // ln(scale) relative to the base
 constexpr double min_resizing = -0.5;
 constexpr double first_temperature = 0.01;
 constexpr std::size_t max_items = 48;  // more pictures fill the canvas by themselves
 
-/// The range of samples whose middle m has `from` <= m < `to`; `samples` of them lie over [origin, origin +
-/// size).
+/// The range of samples whose middle m has `from` <= m < `to`. There are `samples` samples on [origin, origin
+/// + size).
 std::array<int, 2> sample_range(double from, double to, double origin, double size, int samples) {
     const auto index = [&](double x) {
         return static_cast<int>(
@@ -51,14 +51,14 @@ Vec2 random_move(const PackingProblem& problem, double farthest_share, Random& r
     return {kind == 1 ? 0 : x, kind == 0 ? 0 : y};
 }
 
-/// A state of an annealing.
+/// A state of the annealing.
 struct FillingState {
     Arrangement arrangement;
     std::vector<double> scales;
     double cost = 0;
 };
 
-/// Mean square deviation of the sizes, kept up to date while single sizes change.
+/// The mean square deviation of the sizes, updated when single sizes change.
 class SizeSpread {
   public:
     void add(double size) {
@@ -77,10 +77,10 @@ class SizeSpread {
     double sum_ = 0, squares_ = 0;
 };
 
-/// An annealing from one arrangement, all of it made smaller at first so that there is room to move.
+/// Simulated annealing from one arrangement. All items are made smaller first, so that there is room to move.
 class GapFilling {
   public:
-    /// @param contacts   of the problem, at any scales
+    /// @param contacts   contacts of the problem, at any scales
     /// @param loosening  factor of all scales at the start, <= 1
     GapFilling(const PackingProblem& problem, const FillingTargets& targets, const Contacts& contacts,
                const Arrangement& start, double loosening)
@@ -128,8 +128,8 @@ class GapFilling {
         return background_weight * empty - covered_ + unevenness_weight * unevenness + pull() * moved_;
     }
 
-    /// Tries one change of an item. @param wide  from 1 at first to 0 at the end: steps get smaller, and the
-    /// temperature falls with its square
+    /// Tries one change of an item. @param wide  from 1 at the start to 0 at the end: steps get smaller with
+    /// it, and the temperature falls with its square
     void step(std::size_t item, double wide, Random& random) {
         const double temperature = first_temperature * wide * wide;
         const Vec2 place = now_.places[item];
@@ -153,10 +153,10 @@ class GapFilling {
     bool is_allowed(std::size_t item) const {
         if (!is_allowed_place(problem_, contacts_, now_, item, now_.places[item])) return false;
         return !problem_.keeps_order ||
-               is_in_order(problem_, now_.places, 1);  // sizes say how high a line is
+               is_in_order(problem_, now_.places, 1);  // resizing changes the height of a line
     }
 
-    /// Larger or smaller about a corner, the middle of a side or the middle.
+    /// Resizes an item about a corner, the middle of a side or the middle.
     void resize(std::size_t item, double wide, Random& random) {
         const double most =
             std::max(resized_[item], std::min(max_resizing, std::log(problem_.limits[item] / base_[item])));
@@ -171,8 +171,8 @@ class GapFilling {
         set(item, resized_[item], place + anchor * (before - problem_.scales[item]));
     }
 
-    /// Sets the base that sizes are measured by: the natural sizes, brought to the mean of the items that can
-    /// still grow.
+    /// Sets the base of the sizes: the natural sizes times one factor, the mean of the items that can still
+    /// grow.
     void set_base() {
         double sum = 0;
         double count = 0;
@@ -192,13 +192,13 @@ class GapFilling {
         }
     }
 
-    /// The cost of each px in moved_.
+    /// The cost of each px of moved_.
     double pull() const {
         const double diagonal = length(problem_.field.max - problem_.field.min);
         return pull_weight / (diagonal * static_cast<double>(problem_.size()));
     }
 
-    /// The limit of a random move, share of the field's diagonal.
+    /// The limit of a random move, as a share of the field's diagonal.
     double max_move() const { return targets_.homes.empty() ? farthest : farthest_from_home; }
 
     double distance_home(std::size_t item) const {
@@ -225,12 +225,12 @@ class GapFilling {
     const FillingTargets& targets_;  // outlives this
     Contacts contacts_;
     Arrangement now_;
-    std::vector<double> base_;         // scales that items would have if only their weights counted
-    std::vector<double> resized_;      // ln(scale / base), one an item
-    std::vector<double> min_resized_;  // limits of resized_: an item below its wished size shrinks no more
+    std::vector<double> base_;         // the scales that items would have if only their weights counted
+    std::vector<double> resized_;      // ln(scale / base), one for each item
+    std::vector<double> min_resized_;  // lower limits of resized_: items below their wish do not shrink
     SizeSpread spread_;                // spread of resized_
-    double covered_ = 0;               // share of the field
-    double moved_ = 0;                 // canvas px from home, the sum over all items
+    double covered_ = 0;               // area of the I-Regions, share of the field
+    double moved_ = 0;                 // sum of all items' distances from home, canvas px
     double cost_ = 0;
     FillingState best_;
 };

@@ -18,7 +18,7 @@ constexpr double touching = 1e-9;
 /// A place for the next item.
 struct Gap {
     Vec2 place;
-    double screen = 0;    // px^2 of screen that the layout then needs
+    double screen = 0;    // px^2 of the smallest screen with this item
     double distance = 0;  // from the centre
 };
 
@@ -27,7 +27,7 @@ bool is_better(const Gap& a, const Gap& b) {
     return a.screen < b.screen - slack || (a.screen <= b.screen + slack && a.distance < b.distance);
 }
 
-/// Packs one item after the other.
+/// Packs one item after another.
 class RadialPacking {
   public:
     RadialPacking(const ScaledShapes& shapes, const Contacts& contacts, double ratio)
@@ -43,7 +43,7 @@ class RadialPacking {
     std::vector<Vec2> places() const { return places_; }
 
   private:
-    /// The first gap along a ray.
+    /// The first gap on a ray.
     Gap gap(std::size_t item, double angle) {
         const Vec2 direction{std::cos(angle), std::sin(angle)};
         blocked_.clear();
@@ -84,12 +84,12 @@ class RadialPacking {
         return best;
     }
 
-    ScaledShapes shapes_;       // they outlive this
+    ScaledShapes shapes_;       // outlive this
     const Contacts& contacts_;  // outlives this
     double ratio_;
     std::vector<Vec2> places_;
     std::vector<std::size_t> placed_;
-    std::vector<RayStretch> blocked_;  // stretches of one ray; a member for its memory
+    std::vector<RayStretch> blocked_;  // blocked parts of one ray; a member, to reuse its memory
     Box bounds_;
 };
 

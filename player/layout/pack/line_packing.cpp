@@ -12,7 +12,7 @@ namespace {
 
 constexpr double gap = 2 * ReadingOrder::margin;  // px between boxes, and between centroids of a line
 
-/// Puts one shape beside the other until a line is as wide as it may be, then begins the next.
+/// Puts one shape beside another until the line has its full width, then starts the next line.
 class LinePacking {
   public:
     LinePacking(const ScaledShapes& shapes, double width)
@@ -38,7 +38,7 @@ class LinePacking {
         below_ = std::max(below_, box.max.y);
     }
 
-    /// Lowers the line until it is clear of the one above, and at least half a line below it.
+    /// Moves the line down until it is clear of the line above, and at least half a line below it.
     void end_line(std::size_t end) {
         const double y = begin_ == 0 ? 0 : std::max(bottom_ + above_ + gap, y_ + half_line_ + gap);
         for (std::size_t i = begin_; i < end; ++i)
@@ -49,14 +49,14 @@ class LinePacking {
         right_ = above_ = below_ = 0;
     }
 
-    ScaledShapes shapes_;  // they outlive this
-    double width_;         // px, the longest that a line may be
+    ScaledShapes shapes_;  // outlive this
+    double width_;         // px; limit of a line's width
     std::vector<Vec2> places_;
     double half_line_ = 0;
     std::size_t begin_ = 0;         // first item of the line
-    double right_ = 0;              // end of the line so far
+    double right_ = 0;              // right end of the line so far
     double above_ = 0, below_ = 0;  // reach of the line's items above and below their centroids
-    double y_ = 0, bottom_ = 0;     // centroids and lower edge of the line before
+    double y_ = 0, bottom_ = 0;     // centroids and lower edge of the previous line
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace vitrine::player {
 
-/// Packs all shapes in lines, in their order, so that each is read before the next. The number of lines is
-/// the one that needs the smallest screen.
+/// Packs all shapes in lines, in their reading order. Chooses the number of lines that needs the smallest
+/// screen.
 /// @param ratio  width / height of the screen
 /// @return       centroids in px, free of overlap, in the order of ReadingOrder
 std::vector<Vec2> packed_in_lines(const ScaledShapes& shapes, double ratio);

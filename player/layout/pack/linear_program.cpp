@@ -27,7 +27,7 @@ std::span<double> LinearProgram::add_row(double room) {
     return {row(rooms_.size() - 1), unknowns_};
 }
 
-/// The column whose unknown raises the objective fastest; one without sign may also fall.
+/// The column whose unknown raises the objective fastest. An unknown without sign may also fall.
 std::size_t LinearProgram::entering() const {
     std::size_t best = none;
     double most = min_gain;
@@ -40,7 +40,7 @@ std::size_t LinearProgram::entering() const {
     return best;
 }
 
-/// The constraint that stops the column's unknown first.
+/// The constraint that stops this column's unknown first.
 std::size_t LinearProgram::leaving(std::size_t column) {
     const double turn = gains_[column] > 0 ? 1 : -1;
     std::size_t best = none;
@@ -58,7 +58,7 @@ std::size_t LinearProgram::leaving(std::size_t column) {
     return best;
 }
 
-/// Exchanges a row's basic unknown and a column's.
+/// Exchanges a row's basic unknown with a column's unknown.
 void LinearProgram::pivot(std::size_t r, std::size_t column) {
     double* const from = row(r);
     const double inverse = 1 / from[column];

@@ -11,19 +11,19 @@ namespace vitrine::player {
 namespace {
 
 constexpr double rounding = 1e-6;          // share of the growth
-constexpr double loosening = 0.01;         // share of the growth, before a disturbed arrangement is separated
-constexpr double min_promising = 0.7;      // share of the best growth: a trial that overlaps more is given up
-constexpr double tolerated_loss = 0.002;   // share of the growth: the search continues from a trial no worse
-constexpr std::size_t trials_astray = 50;  // without a better one, then back to the best
-constexpr std::size_t vain_trials_an_item = 300;  // in a row: then the search has converged
+constexpr double loosening = 0.01;         // share of the growth taken off before a separation
+constexpr double min_promising = 0.7;      // share of the best growth; a trial is given up below it
+constexpr double tolerated_loss = 0.002;   // share of the growth; worse trials are dropped
+constexpr std::size_t trials_astray = 50;  // trials without a better one, then the search returns to the best
+constexpr std::size_t vain_trials_an_item = 300;  // in a row, per item: then the search has converged
 constexpr std::size_t min_vain_trials_an_item = 60;
-constexpr std::int64_t vain_share = 2;     // times the moves that led to the last gain: converged too
-constexpr double relocations = 0.3;        // share of the disturbances; the others are exchanges
-constexpr std::size_t max_compacted = 48;  // items; programs of more take too long
-constexpr double growing_step = 0.006;     // share of the growth, where nothing is compacted
-constexpr int exploring_patience = 4;      // rounds without less overlap
+constexpr std::int64_t vain_share = 2;  // times the moves up to the last gain: then it has converged, too
+constexpr double relocations = 0.3;  // share of the disturbances that move one item; the others exchange two
+constexpr std::size_t max_compacted = 48;  // items; with more, the programs take too long
+constexpr double growing_step = 0.006;     // share of the growth in one step, without compaction
+constexpr int exploring_patience = 4;      // rounds of separation without less overlap
 constexpr int growing_patience = 8;
-constexpr double calm_step = 0.008;  // share of the growth, at first
+constexpr double calm_step = 0.008;  // share of the growth in the first step
 constexpr SeparationStyle roaming{.finest_step = 1};
 
 #ifdef VITRINE_CHECKS_STATES
@@ -51,9 +51,8 @@ class BestArrangement {
 
     double stepped_up(double step) const { return std::min(limit_, arrangement_.growth * (1 + step)); }
 
-    /// Grows an arrangement where it stands, and keeps it if it is better. @pre found is free, but for
-    /// rounding
-    /// @return whether it is better
+    /// Grows an arrangement at its places, and keeps it if it is better. @pre found is free, but for rounding
+    /// @return true: it is better
     bool offer(const Arrangement& found) {
         constexpr double reach = 1.05;
         const double growth = max_free_growth(problem_, found, contacts_, found.growth * (1 - rounding),
@@ -73,7 +72,7 @@ class BestArrangement {
     Arrangement arrangement_;
 };
 
-/// Lets two items change places, or one go anywhere: separation by itself hardly ever does so.
+/// Exchanges two items, or moves one anywhere: separation alone rarely does that.
 void disturb(const PackingProblem& problem, Arrangement& arrangement, Random& random) {
     std::vector<std::size_t> movable;
     for (std::size_t i = 0; i < problem.size(); ++i)
@@ -87,13 +86,14 @@ void disturb(const PackingProblem& problem, Arrangement& arrangement, Random& ra
         std::swap(arrangement.places[a], arrangement.places[b]);
 }
 
-/// From one local maximum to another: disturbs, separates roughly, shrinks what still overlaps, compacts.
+/// Goes from one local maximum to another: disturbs, separates roughly, shrinks what still overlaps,
+/// compacts.
 void explore(const PackingProblem& problem, Contacts& contacts, BestArrangement& best, Random& random,
              SearchBudget& budget) {
     Separation separation(problem, contacts, random);
     best.offer(compacted(problem, best.arrangement(), contacts, budget));
     Arrangement current = best.arrangement();
-    std::size_t vain = 0;  // trials in a row without gain
+    std::size_t vain = 0;  // trials in a row without a gain
     const std::int64_t begin = budget.left();
     std::int64_t gained = begin;  // budget left at the last gain
     const auto has_converged = [&] {
@@ -119,7 +119,7 @@ void explore(const PackingProblem& problem, Contacts& contacts, BestArrangement&
     }
 }
 
-/// For many items: grows all by steps and separates the items that then overlap.
+/// For many items: grows all in steps and separates the items that then overlap.
 void grow(const PackingProblem& problem, Contacts& contacts, BestArrangement& best, Random& random,
           SearchBudget& budget) {
     constexpr int max_halvings = 6;

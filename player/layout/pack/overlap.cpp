@@ -36,7 +36,7 @@ std::int64_t twice_area_of(const GridPolygon& polygon) {
     return sum;
 }
 
-/// True where no corner of `other` lies on the inner side of an edge.
+/// True if no corner of `other` lies on the inner side of an edge.
 bool is_outside(const GridPolygon& polygon, std::size_t edge, const GridPolygon& other) {
     const GridPoint from = polygon[edge];
     const GridPoint along = difference(next_corner(polygon, edge), from);
@@ -100,7 +100,7 @@ UnionArea::UnionArea(std::vector<GridPolygon> polygons) : separators_(polygons.s
         item.exposed = exposed(item);
 }
 
-/// True where an edge of one has the whole other outside; remembers which.
+/// True if an edge of one polygon has the whole other polygon outside. Remembers the edge.
 bool UnionArea::separates(std::size_t one, std::size_t other) {
     const GridPolygon& polygon = items_[one].polygon;
     const GridPolygon& beyond = items_[other].polygon;
@@ -112,7 +112,7 @@ bool UnionArea::separates(std::size_t one, std::size_t other) {
     return false;
 }
 
-/// True where two polygons share no inner points.
+/// True if two polygons share no inner points.
 bool UnionArea::are_apart(std::size_t one, std::size_t other) {
     const Item& a = items_[one];
     const Item& b = items_[other];
@@ -122,8 +122,8 @@ bool UnionArea::are_apart(std::size_t one, std::size_t other) {
            separates(one, other) || separates(other, one);
 }
 
-/// The part of an edge inside another polygon; begin >= end: none.
-/// @param yields  whether an edge that lies on an edge of `other` of the same direction counts as inside
+/// The part of an edge inside another polygon. begin >= end: there is none.
+/// @param yields  true: an edge that lies on an edge of `other` with the same direction counts as inside
 UnionArea::Cover UnionArea::cover(const Item& item, std::size_t edge, const GridPolygon& other, bool yields) {
     constexpr Cover none{.begin = 1, .end = 0};
     const GridPoint a = item.polygon[edge];
@@ -160,13 +160,14 @@ void UnionArea::add_covers(std::size_t item, std::size_t by) {
     }
 }
 
-/// Sums over the parts of edges that nobody covers. Sorts the covers, so that their order does not count.
+/// The sum over the parts of edges that no polygon covers. Sorts the covers, so that their order does not
+/// matter.
 double UnionArea::exposed(Item& item) {
     std::sort(item.covers.begin(), item.covers.end(), [](const Cover& a, const Cover& b) {
         if (a.edge != b.edge) return a.edge < b.edge;
         return a.begin < b.begin || (a.begin == b.begin && a.end < b.end);
     });
-    std::int64_t whole = item.twice_area;  // sum over the edges that nobody covers: exact
+    std::int64_t whole = item.twice_area;  // sum over the uncovered edges: exact
     double partly = 0;
     for (std::size_t k = 0; k < item.covers.size();) {
         const std::size_t edge = item.covers[k].edge;
@@ -213,7 +214,7 @@ double UnionArea::area() const {
 }
 
 bool UnionArea::agrees_with_fresh() const {
-    constexpr double tolerance = 1e-9;  // share of the sum of areas; the other way is not exact
+    constexpr double tolerance = 1e-9;  // share of the sum of areas; the other computation is not exact
     std::vector<GridPolygon> polygons;
     std::vector<Polygon> in_px;
     for (const Item& item : items_) {

@@ -9,7 +9,7 @@
 
 namespace vitrine::player {
 
-/// Steps of the integer grid per px. On the grid every side test is exact in 64 bits.
+/// Steps of the integer grid per px. On this grid every side test is exact in 64 bits.
 inline constexpr double grid_per_px = 256;
 
 /// A point of the grid; |x|, |y| <= 2^22 (16384 px).
@@ -22,23 +22,23 @@ struct GridPoint {
 
 using GridPolygon = std::vector<GridPoint>;
 
-/// The convex polygon with its corners rounded to the grid, still convex and counter-clockwise, without
-/// collinear corners; empty where no area is left.
+/// The convex polygon with its corners rounded to the grid: still convex and counter-clockwise, without
+/// collinear corners. Empty: no area is left.
 GridPolygon snapped(std::span<const Vec2> convex);
 
 /// The same polygon in px, exact.
 Polygon to_px(const GridPolygon& polygon);
 
-/// Areas of convex polygons that may overlap, touch or coincide, kept up to date while single polygons move.
+/// Areas of convex polygons that may overlap, touch or coincide, updated when single polygons move.
 ///
 /// The area of the union is half the sum of x dy - y dx over the parts of all edges that no other polygon
-/// covers; an edge that lies on one of the same direction counts for the polygon that comes first. Moving
-/// a polygon changes only the covers between it and the others. Each polygon's share depends on the places
-/// alone, never on the moves before, so the sums equal the sums of a fresh object to the last bit. In debug
-/// builds every move is checked against a fresh object, and against union_area_by_pieces().
+/// covers. If two edges with the same direction lie on each other, the edge of the first polygon counts. A
+/// move of a polygon changes only the covers between it and the others. Each polygon's share depends only on
+/// the places, never on earlier moves, so the sums equal those of a new object to the last bit. In debug
+/// builds every move is checked against a new object, and against union_area_by_pieces().
 class UnionArea {
   public:
-    /// @param polygons  convex, counter-clockwise, as snapped() makes them; an empty one counts nothing
+    /// @param polygons  convex, counter-clockwise, from snapped(); empty ones have no area
     explicit UnionArea(std::vector<GridPolygon> polygons);
 
     void move(std::size_t index, GridPoint by);
@@ -47,17 +47,17 @@ class UnionArea {
 
     const GridPolygon& polygon(std::size_t index) const { return items_[index].polygon; }
 
-    /// Area of the union, px^2; the relative error is below 1e-14.
+    /// The area of the union, px^2, with a relative error below 1e-14.
     double area() const;
 
-    /// Sum of the polygons' own areas, px^2, exact.
+    /// The sum of the polygons' own areas, px^2, exact.
     double sum() const { return sum_; }
 
-    /// sum() - area(): exactly 0 where no two polygons share inner points.
+    /// sum() - area(): exactly 0 if no two polygons share inner points.
     /// Source: Dynamic Media Assemblage 3.4.2, eq. 3.6.
     double overlap() const { return sum_ - area(); }
 
-    /// The smallest box round all polygons, px.
+    /// The smallest box around all polygons, px.
     Box bounds() const;
 
   private:
@@ -65,7 +65,7 @@ class UnionArea {
         std::int32_t left = 0, top = 0, right = 0, bottom = 0;
     };
 
-    /// The stretch of an edge that lies inside another polygon, in [0, 1] of its length.
+    /// The part of an edge inside another polygon, in [0, 1] of its length.
     struct Cover {
         std::uint32_t edge = 0;
         std::uint32_t by = 0;
@@ -91,7 +91,7 @@ class UnionArea {
     bool agrees_with_fresh() const;
 
     std::vector<Item> items_;
-    std::vector<std::uint16_t> separators_;  // at [a * size + b]: the edge of a that last had b outside
+    std::vector<std::uint16_t> separators_;  // at [a * size + b]: the last edge of a that had b outside
     double sum_ = 0;
 };
 

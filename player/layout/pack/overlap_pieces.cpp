@@ -7,7 +7,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// The part on the inner (side 1) or outer (side -1) side of the line from -> to.
+/// The part on the inner (side 1) or the outer (side -1) side of the line from -> to.
 Polygon cut(const Polygon& convex, Vec2 from, Vec2 to, double side) {
     Polygon result;
     for (std::size_t i = 0; i < convex.size(); ++i) {
@@ -23,7 +23,7 @@ Polygon cut(const Polygon& convex, Vec2 from, Vec2 to, double side) {
     return result;
 }
 
-/// The convex pieces of a polygon outside another one.
+/// Appends the convex pieces of a polygon outside another one.
 void subtract(Polygon from, const Polygon& other, std::vector<Polygon>& pieces) {
     if (intersection(bounding_box(from), bounding_box(other)).is_empty()) {
         pieces.push_back(std::move(from));

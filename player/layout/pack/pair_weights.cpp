@@ -7,7 +7,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr double weight_decay = 0.95;
-constexpr double min_rise = 1.2;  // factor of the weight of a colliding pair; the deepest rises by max_rise
+constexpr double min_rise = 1.2;  // factor of a colliding pair's weight; max_rise for the deepest pair
 constexpr double max_rise = 2.0;
 constexpr float max_weight = 1e6F;
 
@@ -25,7 +25,7 @@ void PairWeights::update(std::span<const Conflict> conflicts) {
     for (const Conflict& c : conflicts) {
         if (row(c.a)[c.b] == 1) raised_.push_back({c.a, c.b});
         const double factor = min_rise + (max_rise - min_rise) * c.size / largest;
-        row(c.a)[c.b] *= static_cast<float>(factor / weight_decay);  // it decays with the others
+        row(c.a)[c.b] *= static_cast<float>(factor / weight_decay);  // the decay below applies to it as well
     }
     std::erase_if(raised_, [&](const std::pair<std::size_t, std::size_t>& pair) {
         const float lowered = row(pair.first)[pair.second] * static_cast<float>(weight_decay);

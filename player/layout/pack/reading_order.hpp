@@ -6,16 +6,16 @@
 
 namespace vitrine::player {
 
-/// One item is read before another when it stands at least half a line higher, or on the same line and not
-/// farther right. Lines go from top to bottom, and on a line from left to right.
-/// Source: Dynamic Media Assemblage 5 wishes for it; docs/algorithms.md, (d) "User order".
+/// An item is read before another if it is at least half a line higher, or on the same line and not farther
+/// right. Lines go from top to bottom, and a line from left to right.
+/// Source: Dynamic Media Assemblage 5 suggests it; docs/algorithms.md, (d) "User order".
 struct ReadingOrder {
     static constexpr double margin = 0.02;  // canvas px that a search keeps from all limits
 
     double half_line = 0;  // canvas px, half the mean height of the items
 
-    /// Distance along an axis by which `later` must move to be read after `earlier` with a margin, canvas px;
-    /// 0: it is read after it.
+    /// The distance along an axis by which `later` must move to be read after `earlier` with a margin, canvas
+    /// px; 0: it is read after it.
     double violation(Vec2 earlier, Vec2 later) const {
         const Vec2 by = later - earlier;
         const double lower = half_line + margin - by.y;

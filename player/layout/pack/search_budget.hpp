@@ -6,7 +6,7 @@
 
 namespace vitrine::player {
 
-/// The engine of every random choice in layouts.
+/// The random engine of all layouts.
 using Random = std::mt19937_64;
 
 /// Uniform in [0, 1), the same on every platform.
@@ -19,8 +19,8 @@ inline std::size_t uniform_index(Random& random, std::size_t count) {
     return static_cast<std::size_t>(random() % count);
 }
 
-/// The evaluated moves that a search may still make: one move is one place tried for one item. A search
-/// knows no clock; a caller who has one passes `should_stop`, which is asked now and then.
+/// The number of evaluated moves that a search may still make. A move is one place tried for one item. A
+/// search knows no clock. A caller with a clock passes `should_stop`, which is called now and then.
 class SearchBudget {
   public:
     explicit SearchBudget(std::int64_t moves, std::function<bool()> should_stop = {})

@@ -14,7 +14,7 @@ constexpr std::size_t kept_candidates = 2;
 constexpr double near_share = 0.08;  // share of the field's diagonal
 constexpr double step_growth = 1.1;
 constexpr double step_shrink = 0.5;
-constexpr std::size_t items_a_move = 64;  // looked at in the time of an evaluated move
+constexpr std::size_t items_a_move = 64;  // items looked at in the time of one evaluated move
 
 }  // namespace
 
@@ -46,13 +46,13 @@ double Separation::loss(std::size_t item, Vec2 place, double enough) {
     return sum + contacts_.weighted_depth(item, place, places_, weights_.row(item), enough - sum);
 }
 
-/// The px that keep items b < a from being free of each other.
+/// The px that the items b < a need to be free of each other.
 double Separation::conflict(std::size_t a, std::size_t b) const {
     const double depth = contacts_.depth(b, a, places_.at(a) - places_.at(b));
     return order_ ? depth + order_->violation(places_.at(b), places_.at(a)) : depth;
 }
 
-/// Finds anew the conflicts of the items that moved.
+/// Recomputes the conflicts of the items that moved.
 void Separation::update_conflicts() {
     std::erase_if(conflicts_, [&](const Conflict& c) { return has_moved_[c.a] || has_moved_[c.b]; });
     const std::size_t n = problem_.size();

@@ -11,36 +11,36 @@
 
 namespace vitrine::player {
 
-/// The ways in which items may move while they are separated.
+/// The rules for moving items during separation.
 struct SeparationStyle {
-    bool roams = true;          // tries places all over the field, not only near
-    std::vector<Vec2> homes;    // canvas px, places that items prefer; empty: none
-    double pull = 0;            // loss per px from home, against px of depth
+    bool roams = true;          // tries places on the whole field, not only near the item
+    std::vector<Vec2> homes;    // canvas px, preferred places; empty: none
+    double pull = 0;            // loss per px of distance from home, relative to a px of depth
     double finest_step = 0.02;  // canvas px, last step of a refinement
 };
 
-/// A place, uniform in a box.
+/// A random place, uniform in a box.
 Vec2 random_place(const Box& range, Random& random);
 
-/// Pulls overlapping items apart at one growth: guided local search.
+/// Separates overlapping items at one growth: guided local search.
 ///
 /// The loss is the sum over all pairs of weight times depth. A colliding item moves to the best of several
-/// places: some all over its range, some near it, and for each neighbour the place that clears it of that
-/// one; the best are refined along the axes. Where the order counts, the distance to a place in order is
-/// added to the depth.
+/// places: some in its whole range, some near it, and for each neighbour the place that clears it of that
+/// one. The best are refined along the axes. If the order matters, the distance to a place in order is added
+/// to the depth.
 /// Source: docs/algorithms.md, (d) "Escaping minima"; the idea is that of sparrow (arXiv
 /// 2509.13329, algorithms 9 and 11). Differs: the exact penetration depth of convex shapes instead of a proxy
 /// by circles.
 class Separation {
   public:
-    /// Both are borrowed and must outlive the object.
+    /// Both are borrowed and must outlive this.
     Separation(const PackingProblem& problem, Contacts& contacts, Random& random);
 
-    /// @param arrangement  in: where to begin; out: a free arrangement of the same growth, or where it ended
-    /// @return whether it is free
+    /// @param arrangement  in: the start; out: a free arrangement of the same growth, or the last state
+    /// @return true: it is free
     bool run(Arrangement& arrangement, const SeparationStyle& style, SearchBudget& budget, int patience);
 
-    /// The items that the last run left in each other's way, pinned ones excepted.
+    /// The items that still overlapped at the end of the last run, without pinned ones.
     const std::vector<std::size_t>& colliding() const { return colliding_; }
 
   private:
@@ -65,7 +65,7 @@ class Separation {
     std::vector<Conflict> conflicts_;
     double total_ = 0;  // sum of the conflicts
     std::vector<std::size_t> colliding_;
-    std::vector<bool> has_moved_;  // items that moved since the conflicts were found
+    std::vector<bool> has_moved_;  // items that moved since the conflicts were last computed
     std::vector<Box> ranges_;
     PlaceLanes places_;
     std::optional<ReadingOrder> order_;

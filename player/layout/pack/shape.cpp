@@ -10,15 +10,15 @@ namespace vitrine::player {
 namespace {
 
 constexpr double thinnest = 1;        // source px
-constexpr double sliver_ratio = 0.1;  // a region counts as at least this ratio times its length squared
-constexpr double max_apart = 2;       // quotient of a region's size and the median
+constexpr double sliver_ratio = 0.1;  // a region's size is at least this ratio times its length squared
+constexpr double max_apart = 2;       // factor by which a region's size may differ from the median
 
 Box thickened(Box box) {
     const Vec2 grow{std::max(0.0, thinnest - box.width()) / 2, std::max(0.0, thinnest - box.height()) / 2};
     return {box.min - grow, box.max + grow};
 }
 
-/// The area of the region for sizing, source px^2.
+/// The area of the region that counts for its size, source px^2.
 double size_of(const Shape& shape) {
     const double longest = std::max(shape.extent.width(), shape.extent.height());
     return std::max(shape.area, sliver_ratio * longest * longest);

@@ -20,8 +20,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double min_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr double filling_share = 0.3;       // share of the budget, and on top of it
-constexpr double usual_share = 0.5;         // share of the canvas covered after initial packing
+constexpr double filling_share = 0.3;       // share of the budget, in addition to it
+constexpr double usual_share = 0.5;         // covered share of the canvas after the initial packing
 
 /// The largest scale at which an item's region lies inside the field.
 double fitting_scale(const Shape& shape, const Box& field) {
@@ -56,8 +56,8 @@ PackingProblem problem_of(const PlanRequest& request) {
     return problem;
 }
 
-/// Brings the relative scales to canvas px: a growth of 1 then covers the usual share. An item that would not
-/// fit on the canvas at that size is made smaller, so that it does not shrink the others.
+/// Converts the relative scales to canvas px: at a growth of 1 they then cover the usual share. An item that
+/// would not fit on the canvas at that size is made smaller, so that it does not shrink the others.
 void bring_to_canvas(const PlanRequest& request, PackingProblem& problem) {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
@@ -79,7 +79,7 @@ PackingProblem problem_on_canvas(const PlanRequest& request) {
     return problem;
 }
 
-/// Brings a packing round the origin onto the field, as large as it is free there.
+/// Moves a packing from around the origin onto the field, as large as it is free there.
 Arrangement fitted(const PackingProblem& problem, std::span<const Vec2> places, Contacts& contacts) {
     const Box bounds = bounds_of({problem.shapes, problem.scales}, places);
     const double fit =
@@ -87,12 +87,12 @@ Arrangement fitted(const PackingProblem& problem, std::span<const Vec2> places, 
     Arrangement arrangement;
     for (const Vec2& place : places)
         arrangement.places.push_back(problem.field.centre() + (place - bounds.centre()) * fit);
-    const double least = fit * 1e-3;  // touching shapes made smaller about inner points are apart
+    const double least = fit * 1e-3;  // touching shapes that shrink about inner points come apart
     arrangement.growth = max_free_growth(problem, arrangement, contacts, least, fit);
     return arrangement;
 }
 
-/// The initial packing: in lines where the order counts, else the better of two orders round the first item.
+/// The initial packing: in lines if the order matters, else the better of two orders around the first item.
 Arrangement packed(const PackingProblem& problem, double ratio) {
     Contacts contacts(problem.shapes, problem.clearance);
     const ScaledShapes shapes{problem.shapes, problem.scales};
@@ -110,7 +110,7 @@ Arrangement packed(const PackingProblem& problem, double ratio) {
     return best;
 }
 
-/// The frame of each item about the centroid of its region, source px.
+/// The frame of each item relative to the centroid of its region, source px.
 std::vector<Box> frames_of(const PlanRequest& request, const PackingProblem& problem) {
     std::vector<Box> frames;
     frames.reserve(problem.size());
@@ -119,7 +119,7 @@ std::vector<Box> frames_of(const PlanRequest& request, const PackingProblem& pro
     return frames;
 }
 
-/// The places of the items before a change; newcomers count where they came in.
+/// The items' places before a change; for newcomers, the places where they came in.
 std::vector<Vec2> homes_of(const PlanRequest& request, const PackingProblem& problem,
                            const Arrangement& changed) {
     std::vector<Vec2> homes = changed.places;
@@ -136,16 +136,16 @@ bool has_kept_items(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value(); });
 }
 
-/// True where an item stands that may be moved.
+/// True if a placed item may be moved.
 bool has_movable_items(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
 }
 
-/// One plan being made: its random numbers and its budget are used up on the way.
+/// The making of one plan: uses up its random numbers and its budget.
 class FlatPlan {
   public:
-    /// @pre the request has items. Both are borrowed and must outlive the object.
+    /// @pre the request has items. Both are borrowed and must outlive this.
     FlatPlan(const PlanRequest& request, const PlanWatch& watch)
         : request_(request),
           watch_(watch),
@@ -154,7 +154,7 @@ class FlatPlan {
           problem_(problem_on_canvas(request)),
           ratio_(request.canvas.x / request.canvas.y) {}
 
-    /// The paper's way: items packed as given, then eq. 3.4 descended.
+    /// The paper's method: packs items in the given order, then descends eq. 3.4.
     Layout paper_layout() {
         Contacts contacts(problem_.shapes, 0);
         contacts.set_scales(problem_.scales);
@@ -165,7 +165,7 @@ class FlatPlan {
         return layout_of(problem_, fitted(problem_, end.places, apart));
     }
 
-    /// Kept items move as little as they can. @return none where no way was found
+    /// Moves kept items as little as possible. @return none: no such change was found
     std::optional<Layout> changed_layout() {
         PackingProblem problem = problem_;
         const auto settled = warm_start(request_, problem, random_, budget_);
@@ -174,7 +174,7 @@ class FlatPlan {
         return layout_of(problem, end);
     }
 
-    /// All but pinned items packed anew, as large as they can be.
+    /// Packs all items but pinned ones again, as large as possible.
     Layout fresh_layout() {
         const bool any_pinned =
             std::find(problem_.pinned.begin(), problem_.pinned.end(), true) != problem_.pinned.end();
@@ -203,8 +203,8 @@ class FlatPlan {
         return layout;
     }
 
-    /// Free of overlap round pinned items, which the initial packing cannot respect. The others shrink until
-    /// they find room.
+    /// An arrangement around pinned items, which the initial packing cannot respect, free of overlap. The
+    /// other items shrink until they find room.
     Arrangement scattered() {
         constexpr int max_shrinks = 60;
         constexpr double shrink = 0.85;
@@ -224,7 +224,7 @@ class FlatPlan {
         return arrangement;
     }
 
-    /// The finish of every layout. @param homes  canvas px, near which the items stay; none: they may go
+    /// The last step of every layout. @param homes  canvas px; the items stay near them; none: they may go
     /// anywhere
     Arrangement with_gaps_filled(PackingProblem& problem, const Arrangement& arrangement,
                                  std::vector<Vec2> homes) {

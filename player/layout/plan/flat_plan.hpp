@@ -6,16 +6,16 @@
 
 namespace vitrine::player {
 
-/// The plan of items on one canvas; groups do not count. See plan.hpp for what holds in every layout.
+/// Plans items on one canvas; ignores groups. plan.hpp lists the properties of every layout.
 ///
-/// The paper's energy: initial packing, then eq. 3.4 descended. Else, where nothing stands or all that stands
-/// is pinned: initial packing, then growing and separating. Else kept items move as little as possible:
-/// newcomers enter at their seat or where most room is, and only what is in their way makes room. At last,
-/// unless the request says otherwise, the gaps are filled (pack/filling.hpp).
+/// With the paper's energy: initial packing, then descent of eq. 3.4. Otherwise, if no item is placed or all
+/// placed items are pinned: initial packing, then growing and separating. Otherwise kept items move as little
+/// as possible: newcomers enter at their seat or at the emptiest place, and only items in their way make
+/// room. At last, unless the request forbids it, the gaps are filled (pack/filling.hpp).
 Layout plan_flat(const PlanRequest& request, const PlanWatch& watch = {});
 
-/// The same for a wall some of whose items stand, without ever packing it anew.
-/// @return none where nothing stands, or where pinned items leave no room
+/// The same for a wall with placed items, without ever packing it anew.
+/// @return none: no item is placed, or pinned items leave no room
 std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch = {});
 
 }  // namespace vitrine::player

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 namespace {
 
-/// Items that stand together, and the sum of their weights.
+/// Items that are placed together, and the sum of their weights.
 struct Group {
     std::vector<std::size_t> items;
     double weight = 0;
@@ -39,7 +39,7 @@ double weight_of(std::span<const Group> groups) {
     return sum;
 }
 
-/// Divides a box among groups: in two parts of about the same weight along its longer side, and so on.
+/// Divides a box among groups: into two parts of about the same weight along its longer side, and so on.
 void divide(std::span<const Group> groups, const Box& box, std::vector<Box>& parts) {
     if (groups.size() == 1) {
         parts.push_back(box);
@@ -61,7 +61,7 @@ void divide(std::span<const Group> groups, const Box& box, std::vector<Box>& par
 }
 
 /// Packs a group on its part of the canvas.
-/// @return one placement an item of the group, on the whole canvas
+/// @return one placement for each item of the group, on the whole canvas
 std::vector<Placement> packed(const PlanRequest& request, const Group& group, const Box& part,
                               const PlanWatch& watch) {
     PlanRequest inner = request;

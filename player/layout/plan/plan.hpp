@@ -10,7 +10,7 @@ namespace vitrine::player {
 //   items have groups          nesting     the canvas is divided among the groups, each part is planned alone
 //   energy = paper             flat_plan   eq. 3.4-3.7: pack/initial_packing, then pack/descent, down the
 //                                          paper_energy() of pack/energy
-//   items stand and may move   warm_start  newcomers are let in, the others move as little as they can
+//   placed items may move      warm_start  newcomers are let in, the others move as little as possible
 //   else (the default path)    flat_plan   pack/initial_packing, pack/line_packing for a reading order, or
 //                                          pack/separation round pinned items; then pack/optimizer
 //
@@ -18,12 +18,12 @@ namespace vitrine::player {
 // canvas. Other entries: `planner` makes plans on a thread of its own; `ribbon` plans a panning wall screen
 // by screen; edit/edit changes a wall that is touched. cells/cells then gives each item its cell.
 
-/// The layout of a request. In every layout, also those given to `on_better`, the I-Regions lie whole inside
-/// the canvas, pairwise at least `clearance` apart. Pinned items among themselves are excepted.
+/// The layout of a request. In every layout, also those for `on_better`, the I-Regions are completely inside
+/// the canvas and at least `clearance` apart. Exception: pinned items may overlap each other.
 ///
 /// Source: Dynamic Media Assemblage 3.4; docs/algorithms.md, (d) "Slots rotating". Differs from eq. 3.4:
-/// overlap has no price, it does not occur. The plan minimises the share of the screen without I-Regions, and
-/// then what filling.hpp adds to it.
+/// overlap has no price, because it does not occur. The plan minimises the share of the screen without
+/// I-Regions, and at last the costs of filling.hpp.
 Layout plan(const PlanRequest& request, const PlanWatch& watch = {});
 
 }  // namespace vitrine::player

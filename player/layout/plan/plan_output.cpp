@@ -24,7 +24,7 @@ Loops to_loops(std::span<const Polygon> polygons) {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounded to 1/1000 px: short, and far below what can be seen.
+/// Rounds to 1/1000 px: short text, and far below visible differences.
 Json to_json(const Polygon& polygon) {
     Json corners = Json::array();
     for (const Vec2& p : polygon)
@@ -50,7 +50,7 @@ Json to_json(const NamedItem& item, const Placement& placement, const Cell& cell
 
 using Text = std::back_insert_iterator<std::string>;
 
-/// Hues a golden angle apart, so that neighbours in the order differ.
+/// Hues a golden angle apart, so that neighbours in the order have different colours.
 std::string colour(std::size_t item, int lightness) {
     const double hue = 137.508 * static_cast<double>(item);
     return fmt::format("hsl({:.0f},55%,{}%)", hue - 360 * static_cast<int>(hue / 360), lightness);

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 /// An item of a plan and its file.
 struct NamedItem {
-    std::string path;  // relative to the media root, any bytes
+    std::string path;  // relative to the media folder, any bytes
     std::size_t shot = 0;
     LayoutItem item;
 };
@@ -20,17 +20,17 @@ struct PlanResult {
     std::vector<NamedItem> items;
     Layout layout;
     std::vector<Cell> cells;
-    double region_visible = 1;  // share of the I-Regions' area that lies in their own cells, on the canvas
-    double canvas_filled = 0;   // share of the canvas that shows real pixels
+    double region_visible = 1;  // share of the I-Regions' area inside their own cells, on the canvas
+    double canvas_filled = 0;   // share of the canvas with real pixels
 };
 
-/// Draws up the cells of a layout and measures it. @pre layout.placements is as long as items
+/// Computes the cells of a layout and measures it. @pre one placement for each item
 PlanResult plan_result(std::vector<NamedItem> items, Layout layout, const CellStyle& style = {});
 
 /// {"size":[w,h], "energy":e, "items":[{"path":p, "shot":i, "scale":s, "region":[[x,y],...],
 /// "cell":[[x,y],...], "cell_parts":[...], "filler":[...]}], "region_visible":v, "canvas_filled":f} in canvas
-/// px, on one line. "cell_parts" holds the parts of a cell apart from "cell"; it and "filler" stand only
-/// where there are any. Bytes of a path that are not UTF-8 become U+FFFD.
+/// px, on one line. "cell_parts" has the parts of a cell besides "cell". It and "filler" are left out if
+/// empty. Bytes of a path that are not UTF-8 become U+FFFD.
 std::string plan_json(const PlanResult& result);
 
 /// A picture of the plan: cells filled by colour, filler hatched, I-Regions, outlines of the frames, order

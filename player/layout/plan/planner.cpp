@@ -46,7 +46,7 @@ void Planner::run() {
 
 void Planner::plan_job(const Job& job) {
     constexpr double worth_showing = 0.005;  // share of the canvas
-    double shown = 2;                        // energy of the layout that was put last
+    double shown = 2;                        // energy of the last layout that was put
     const auto put = [&](Layout layout, bool is_final) {
         if (is_obsolete(job.generation)) return;
         if (!is_final && layout.energy > shown - worth_showing) return;

@@ -13,11 +13,11 @@
 
 namespace vitrine::player {
 
-/// Thread-safe. Makes plans on a thread of its own, so that no frame waits for one. A new request supersedes
+/// Thread-safe. Makes plans on a thread of its own, so that no frame waits for one. A new request replaces
 /// the one before, which is given up.
 class Planner {
   public:
-    /// @param on_layout  called on the planner's thread when a layout is ready; must not call back
+    /// @param on_layout  called on the planner's thread when a layout is ready; must not call the planner
     explicit Planner(std::function<void()> on_layout = {});
 
     Planner(const Planner&) = delete;
@@ -25,16 +25,15 @@ class Planner {
     Planner(Planner&&) = delete;
     Planner& operator=(Planner&&) = delete;
 
-    /// Gives up what is being planned and joins.
+    /// Gives up the plan in the making, and joins the thread.
     ~Planner();
 
-    /// @param generation  that the request's layouts will bear: the caller's own number, greater than all
-    ///                    before
+    /// @param generation  a number for the request's layouts, chosen by the caller: greater than all before
     void request_layout(PlanRequest request, std::uint64_t generation);
 
-    /// Removes and returns the best layout of the newest request; none: no new one since the last call. The
-    /// last layout of a request is marked `is_final`; the layouts before it are free of overlap too, but
-    /// looser.
+    /// Removes and returns the best layout of the newest request. None: there is no new one since the last
+    /// call. The last layout of a request is marked `is_final`. The layouts before it are free of overlap
+    /// too, but looser.
     std::optional<Layout> pop_layout();
 
   private:
@@ -56,7 +55,7 @@ class Planner {
     std::mutex mutex_;
     std::condition_variable wake_;
     bool has_news_ = false;  // guarded by mutex_
-    std::thread thread_;     // last: runs on all of the above
+    std::thread thread_;     // last: it uses all members above
 };
 
 }  // namespace vitrine::player

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-// An extension is an ordinary plan on a window two screens wide. Its left half screen holds firm items, so
-// the new ones fit to them; its right half screen stays loose, so that the next ones fit to it. So no
-// straight seam shows where two extensions meet.
+// An extension is an ordinary plan on a window two screens wide. Its left half screen has firm items, so that
+// the new ones fit to them. Its right half screen stays loose, so that the next ones fit to it. So no
+// straight seam is visible where two extensions meet.
 
 namespace vitrine::player {
 
@@ -81,7 +81,7 @@ Layout ribbon_layout(std::span<const LayoutItem> items, Vec2 screen, double widt
     while (used < items.size()) {
         std::size_t count = std::min(items.size() - used, wanted_newcomers(ribbon, a_screen));
         RibbonExtension next = extension(ribbon, items.subspan(used, count), rules);
-        if (next.end >= width) {  // the last: takes all that is left, and ends where the ribbon ends
+        if (next.end >= width) {  // the last window takes all items that are left, and ends with the ribbon
             next = extension(ribbon, items.subspan(used), rules);
             next.end = width;
             next.request.canvas.x = next.end - next.origin;

@@ -8,39 +8,39 @@
 
 namespace vitrine::player {
 
-/// The endless canvas of a panning wall: fixed height, continued to the right while a screen passes along it.
-/// Items left of `firm` are never moved again; items right of it are laid out, but may still make room for
-/// newcomers.
+/// The endless canvas of a panning wall: of fixed height, continued to the right while a screen moves along
+/// it. Items left of `firm` are never moved again. Items right of it are laid out, but may still make room
+/// for newcomers.
 struct Ribbon {
     Vec2 screen;  // px
     std::vector<LayoutItem> items;
-    std::vector<Placement> placements;  // one an item, ribbon px: x to the right from the begin of the ribbon
+    std::vector<Placement> placements;  // one for each item, ribbon px: x counts from the ribbon's start
     double firm = 0;                    // ribbon px
-    double end = 0;                     // ribbon px; no I-Region reaches beyond
+    double end = 0;                     // ribbon px; limit of all I-Regions
 };
 
-/// One extension of a ribbon: a screen's width of new items laid out ahead, on a window of two screens.
+/// One extension of a ribbon: new items for a screen's width, laid out ahead on a window of two screens.
 struct RibbonExtension {
-    PlanRequest request;             // the window: items that stand pinned, loose and new ones free
-    double origin = 0;               // begin of the window, ribbon px
+    PlanRequest request;             // the window: placed items are pinned, loose and new ones are free
+    double origin = 0;               // start of the window, ribbon px
     double end = 0;                  // end of the window, ribbon px
-    std::vector<std::size_t> items;  // indices in the ribbon, in the order of the request; newcomers follow
+    std::vector<std::size_t> items;  // indices in the ribbon, in the request's order, then the newcomers
     std::vector<LayoutItem> newcomers;
 };
 
-/// The number of newcomers that an extension wants, for so many items on a screen's width.
+/// The number of newcomers for an extension, if this many items shall be on a screen's width.
 std::size_t wanted_newcomers(const Ribbon& ribbon, std::size_t items_a_screen);
 
-/// @param rules  all of a request but its items and canvas
+/// @param rules  a request without items and canvas
 RibbonExtension extension(const Ribbon& ribbon, std::span<const LayoutItem> newcomers,
                           const PlanRequest& rules);
 
-/// The ribbon with an extension laid out; its newcomers are the last items.
-/// @param layout  of the extension's request
+/// Adds an extension to a ribbon. The newcomers become the last items.
+/// @param layout  the layout of the extension's request
 Ribbon extended(const Ribbon& ribbon, const RibbonExtension& extension, const Layout& layout);
 
 /// A ribbon of finite length with all items, laid out from left to right.
-/// @param width  px; the ribbon ends there
+/// @param width  px of the ribbon
 Layout ribbon_layout(std::span<const LayoutItem> items, Vec2 screen, double width, const PlanRequest& rules);
 
 }  // namespace vitrine::player

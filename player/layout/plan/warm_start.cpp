@@ -11,23 +11,23 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double max_apart = 2;  // quotient of a scale and the natural one
+constexpr double max_apart = 2;  // largest quotient of a scale and the natural one
 constexpr int patience = 4;      // rounds of separation without less overlap
 constexpr double newcomer_shrink = 0.93;
-constexpr double first_common_shrink = 0.02;  // share of the scale; each further one is larger
+constexpr double first_common_shrink = 0.02;  // share of the scale; it rises with each further shrink
 constexpr double common_shrink_rise = 1.35;
 constexpr double max_common_shrink = 0.2;
 constexpr int shrinks_of_newcomers = 6;
 constexpr double colliding_shrink = 0.95;
 constexpr int shrinks_of_colliding = 12;
 constexpr int shrinks_of_all = 16;
-constexpr int rounds_back = 3;  // home and to the old size
+constexpr int rounds_back = 3;  // rounds of returning home and to the old size
 
 bool takes_a_seat(const PlanItem& item) {
     return item.seat && item.seat->area > 0;
 }
 
-/// True where an item comes on top of what stands, so that the others have to make room.
+/// True if an item comes in addition to the placed items, so that they must make room.
 bool is_inserted(const PlanItem& item) {
     return !item.previous && !takes_a_seat(item);
 }
@@ -36,7 +36,7 @@ Placement home_of(const PlanItem& item) {
     return item.home.value_or(*item.previous);
 }
 
-/// The growth at which natural scales are those that the kept items have: the median of the quotients.
+/// The growth at which natural scales equal those of the kept items: the median of the quotients.
 double growth_of_kept(const PlanRequest& request, const PackingProblem& problem) {
     std::vector<double> growths;
     for (std::size_t i = 0; i < problem.size(); ++i)
@@ -46,7 +46,7 @@ double growth_of_kept(const PlanRequest& request, const PackingProblem& problem)
     return growths[growths.size() / 2];
 }
 
-/// Sets every scale for a growth of 1. Inserted items come on top, so all unpinned ones make room.
+/// Sets every scale for a growth of 1. Inserted items come in addition, so all unpinned items make room.
 void set_scales(const PlanRequest& request, PackingProblem& problem) {
     const double growth = growth_of_kept(request, problem);
     double kept_area = 0;
@@ -69,13 +69,13 @@ void set_scales(const PlanRequest& request, PackingProblem& problem) {
         if (!problem.pinned[i]) problem.scales[i] *= room;
 }
 
-/// The items that shrink where they cannot be separated.
+/// The items that shrink if they cannot be separated.
 enum class Shrinking { newcomers, colliding, all };
 
-/// One change of a wall on its way.
+/// One change of a wall in the making.
 class WarmStart {
   public:
-    /// All are borrowed and must outlive the object.
+    /// All are borrowed and must outlive this.
     WarmStart(const PlanRequest& request, PackingProblem& problem, Random& random, SearchBudget& budget)
         : request_(request),
           problem_(problem),
@@ -106,7 +106,7 @@ class WarmStart {
     }
 
   private:
-    /// The places of the items before anything moves, canvas px.
+    /// The places of the items before any move, canvas px.
     std::vector<Vec2> start_places() {
         contacts_.set_scales(problem_.scales);
         std::vector<Vec2> starts(problem_.size());
@@ -127,7 +127,7 @@ class WarmStart {
         return starts;
     }
 
-    /// The one of some random places where an item overlaps least with those that stand. px
+    /// The place, among some random ones, where an item overlaps least with the placed items. px
     Vec2 roomiest_place(const std::vector<Vec2>& places, const std::vector<bool>& stands, std::size_t item) {
         constexpr int tries = 400;
         const Box range = problem_.place_range(item, 1);
@@ -171,7 +171,7 @@ class WarmStart {
         }
     }
 
-    /// Newcomers make themselves small, then the items that are in each other's way, then all.
+    /// Shrinks first the newcomers, then the colliding items, then all.
     bool separate(Arrangement& arrangement, const std::vector<Vec2>& homes) {
         const SeparationStyle style = calm_style(homes);
         Separation separation(problem_, contacts_, random_);
@@ -193,7 +193,7 @@ class WarmStart {
         return false;
     }
 
-    /// The last resort: kept items keep their place and scale, newcomers get so small that they fit between.
+    /// The last resort: kept items keep their place and scale; newcomers shrink until they fit between them.
     bool squeeze_in(Arrangement& arrangement) {
         constexpr double smaller = 0.8;
         constexpr int tries = 40;
@@ -223,7 +223,7 @@ class WarmStart {
         }
     }
 
-    /// Items that shrank with all others grow again up to their wishes, each for itself where it stands.
+    /// Lets items that shrank with all others grow again up to their wished scales, each at its place.
     void grow_back(Arrangement& arrangement, const std::vector<double>& wished_scales) {
         problem_.scales = scales_at(problem_, arrangement.growth);
         arrangement.growth = 1;

@@ -66,7 +66,7 @@ void TapestryMotion::zoom_by_one(bool is_nearer, double at) {
     zoom_to((zoom_ ? zoom_->to : std::round(view_.level)) + (is_nearer ? 1 : -1), at);
 }
 
-/// Zooms to the nearest whole level, which is the sharpest.
+/// Starts a zoom to the nearest whole level, which is the sharpest.
 void TapestryMotion::settle(double at) {
     if (view_.level != std::round(view_.level)) zoom_to(std::round(view_.level), at);
 }
@@ -99,7 +99,7 @@ void TapestryMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) 
     if (progress >= 1) zoom_.reset();
 }
 
-/// Slows a flung strip down exponentially; it stops at its ends.
+/// Slows a flung strip down exponentially. It stops at its ends.
 void TapestryMotion::glide(nanoseconds passed, const TapestryPlace& place) {
     if (speed_ == 0) return;
     const double time = seconds(pace_.glide);

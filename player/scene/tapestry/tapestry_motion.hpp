@@ -11,13 +11,13 @@ namespace vitrine::player {
 struct TapestryPace {
     std::chrono::nanoseconds zoom = std::chrono::milliseconds(600);   // from one level to the next (paper, 6)
     std::chrono::nanoseconds glide = std::chrono::milliseconds(350);  // a flung strip loses 63 % of its speed
-    std::chrono::nanoseconds patience = std::chrono::seconds(8);  // without a touch, then it moves by itself
-    std::chrono::nanoseconds dwell = std::chrono::seconds(10);    // at a level, while it moves by itself
-    double drift = 0.05;  // share of the visible width per second, while it moves by itself
+    std::chrono::nanoseconds patience = std::chrono::seconds(8);  // without a touch, until it moves by itself
+    std::chrono::nanoseconds dwell = std::chrono::seconds(10);  // time at one level while it moves by itself
+    double drift = 0.05;  // share of the visible width per second while it moves by itself
 };
 
-/// Moves the view of a tapestry: with the fingers, on after a flick, from level to level, and by itself if
-/// nobody touches it: to and fro through the film, to finer and to coarser levels. Knows no clock.
+/// Moves the view of a tapestry: with the fingers, after a flick, from level to level. If nobody touches it,
+/// it moves by itself: to and fro through the film, to finer and to coarser levels. Knows no clock.
 class TapestryMotion {
   public:
     TapestryMotion(const TapestryView& view, const TapestryPace& pace) : view_(view), pace_(pace) {}
@@ -25,7 +25,7 @@ class TapestryMotion {
     /// Moves the view by drags, flicks, pinches, the wheel and keys; ignores other gestures.
     void handle_gesture(const Gesture& gesture, const TapestryPlace& place);
 
-    /// Somebody is there: the view does not begin to move by itself for `patience`.
+    /// Notes a touch: the view does not move by itself for `patience`.
     void touch() { touched_.reset(); }
 
     /// @param now  never goes back
@@ -41,8 +41,8 @@ class TapestryMotion {
   private:
     struct Zoom {
         double from = 0, to = 0;                        // levels
-        double at = 0;                                  // canvas px of the point that keeps its place
-        std::optional<std::chrono::nanoseconds> began;  // none: it begins with the next advance()
+        double at = 0;                                  // canvas px of the point that stays in place
+        std::optional<std::chrono::nanoseconds> began;  // none: it starts with the next advance()
     };
 
     void zoom_to(double level, double at);
@@ -57,12 +57,12 @@ class TapestryMotion {
     TapestryPace pace_;
     std::optional<Zoom> zoom_;
     double speed_ = 0;       // the tapestry's speed, canvas px per second to the right
-    double way_ = 1;         // by itself: 1: on through the film, -1: back
+    double way_ = 1;         // by itself: 1: forwards through the film, -1: backwards
     double level_step_ = 1;  // by itself: 1: to finer levels, -1: to coarser ones
-    double pinched_at_ = 0;  // canvas px
+    double pinched_at_ = 0;  // canvas px; the middle of the pinch
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last advance()
     std::optional<std::chrono::nanoseconds>
-        reached_level_;                             // by itself: when; none: it does not move by itself
+        reached_level_;  // by itself: time of reaching the level; none: it does not move by itself
     std::optional<std::chrono::nanoseconds> last_;  // the last advance()
 };
 

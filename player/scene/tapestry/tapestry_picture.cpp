@@ -14,20 +14,20 @@ using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
 constexpr double strip_top = 0.62;     // share of the canvas' height
-constexpr double strip_height = 0.31;  // likewise
-constexpr double preview_top = 0.05;   // likewise
-constexpr double preview_room = 0.52;  // likewise: the preview fills it as its shape allows
-constexpr double preview_width = 0.9;  // share of the canvas' width, at most
-constexpr int level_bits = 26;         // bits for a tile's number within its level, in its source's number
+constexpr double strip_height = 0.31;  // share of the canvas' height
+constexpr double preview_top = 0.05;   // share of the canvas' height
+constexpr double preview_room = 0.52;  // share of the canvas' height, filled as the shape allows
+constexpr double preview_width = 0.9;  // limit, as a share of the canvas' width
+constexpr int level_bits = 26;         // bits in a source's number for the number of a tile within its level
 constexpr SourceId film_bit = SourceId{1} << 40;
-constexpr auto appearing = 300ms;    // fade-in of a film that begins to play in place
-constexpr double blend_begin = 0.2;  // share of the way between two levels where the finer one begins to show
-constexpr double blend_end = 0.8;    // share of the way from which only the finer one shows
-constexpr double soft_edge = 0.14;   // width, as share of the height of the picture that plays in place
-constexpr int edge_points = 6;       // per side of the soft edge
-constexpr double nearly_opaque = 0.999;  // a soft edge is drawn only for an item that is not opaque
+constexpr auto appearing = 300ms;        // fade-in of a film that starts to play in place
+constexpr double blend_begin = 0.2;      // position between two levels from which the finer one is visible
+constexpr double blend_end = 0.8;        // position from which only the finer one is visible
+constexpr double soft_edge = 0.14;       // width, as a share of the height of the picture that plays in place
+constexpr int edge_points = 6;           // points of each side of the soft edge
+constexpr double nearly_opaque = 0.999;  // a soft edge needs an item that is not opaque
 constexpr double playhead_alpha = 0.85;
-constexpr double playhead_lines = 720;  // lines of the canvas for one px of half the playhead's width
+constexpr double playhead_lines = 720;  // canvas px of height for which half the playhead is 1 px wide
 
 std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
     const Vec2 right_top{box.max.x, box.min.y};
@@ -44,7 +44,7 @@ std::shared_ptr<const Cell> box_cell(const Box& box) {
                                              .fade_edges = {FadeEdge{}}});
 }
 
-/// A box as a cell whose edges fade into what lies around it.
+/// A box as a cell whose edges fade into the surroundings.
 std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
     const Box inner{box.min + Vec2{edge, edge}, box.max - Vec2{edge, edge}};
     const Polygon corners = to_polygon(inner);
@@ -110,7 +110,7 @@ void Drawing::draw_strip() {
     if (alpha > 0) draw_level(coarse + 1, alpha);
 }
 
-/// Draws a level's tiles on their way to a neighbouring level.
+/// Draws a level's tiles between their places on this and on a neighbouring level.
 void Drawing::draw_zoom(std::size_t level, bool is_to_finer) {
     const double share = drawn_.view.level - std::floor(drawn_.view.level);
     for (const auto& [tile, middle] : place_.tiles(drawn_.view, level, box().min.x, box().max.x)) {
@@ -137,20 +137,20 @@ void Drawing::draw_zoom(std::size_t level, bool is_to_finer) {
     }
 }
 
-/// True if every tile in view on a level is there.
+/// True if every tile in view on a level is loaded.
 bool Drawing::has_tiles(std::size_t level) const {
     return std::ranges::all_of(place_.tiles(drawn_.view, level, box().min.x, box().max.x),
                                [&](const auto& tile) { return drawn_.tiles.has(tile.first); });
 }
 
-/// True if every tile in view on a level is there with its mesh to the finer level.
+/// True if every tile in view on a level is loaded with its mesh to the finer level.
 bool Drawing::has_zooms(std::size_t level) const {
     return std::ranges::all_of(
         place_.tiles(drawn_.view, level, box().min.x, box().max.x),
         [&](const auto& tile) { return drawn_.tiles.zoom(tile.first, true) != nullptr; });
 }
 
-/// Tells the frame that the strip covers its box as far as the film reaches.
+/// Reports that the strip covers its box, as far as the film reaches.
 void Drawing::cover_strip() {
     const double left = place_.canvas_x(drawn_.view, 0ns);
     const double right = place_.canvas_x(drawn_.view, drawn_.tapestry.duration);

@@ -12,18 +12,18 @@ namespace vitrine::player {
 /// The parts of the canvas that a tapestry uses, canvas px.
 struct TapestryBoxes {
     Vec2 canvas;
-    Box strip;    // below
-    Box preview;  // above it, in the shape of the film's picture
+    Box strip;    // at the bottom
+    Box preview;  // above the strip, in the shape of the film's picture
 };
 
 /// @param picture  size of the film's upright picture; only its shape counts
 TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture);
 
-/// Numbers the sources of one tapestry from `first` on.
+/// The source numbers of one tapestry, from `first` on.
 struct TapestrySources {
     SourceId first = 0;
 
-    /// A picture of one white pixel, with which lines are drawn.
+    /// A picture of one white pixel, for drawing lines.
     SourceId mark() const { return first; }
 
     SourceId tile(const TileId& tile) const;
@@ -32,7 +32,7 @@ struct TapestrySources {
     SourceId film() const;
 };
 
-/// The parts from which a frame of a tapestry is drawn. Lent for the call.
+/// The parts of a tapestry's frame. Lent for the call.
 struct DrawnTapestry {
     const Tapestry& tapestry;
     const TileCache& tiles;
@@ -43,8 +43,8 @@ struct DrawnTapestry {
 };
 
 /// Draws the tapestry, the part that plays in place, the preview above, and a line in the tapestry at the
-/// time that the preview shows. Between two levels it draws the meshes of the zoom fields where the film has
-/// them; else one level fades into the other. Where tiles are missing the coarsest level shows.
+/// time of the preview. Between two levels it draws the meshes of the zoom fields if the film has them; else
+/// one level fades into the other. Where tiles are missing, the coarsest level is drawn.
 Frame tapestry_frame(const DrawnTapestry& drawn, std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

@@ -12,14 +12,14 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr auto span_above = 60s;    // plays above the strip, then it begins again
-constexpr auto span_in_strip = 4s;  // plays in place, then it begins again
-constexpr auto min_span = 1s;       // to the end of the film or of a shot
-constexpr auto preparing = 1500ms;  // before a span ends, the next one is asked for
+constexpr auto span_above = 60s;    // longest part above the strip; then the next part follows
+constexpr auto span_in_strip = 4s;  // longest part in place; then it repeats
+constexpr auto min_span = 1s;       // shortest time to the end of the film or of a shot
+constexpr auto preparing = 1500ms;  // the next span is requested so long before a span's end
 constexpr nanoseconds at_next_frame{-1};
 
-/// The shot that contains a time, or the next one: a time between two shots belongs to neither. After the
-/// last shot it is the last; nullptr if the shots are not known.
+/// The shot that contains a time. A time between two shots gives the next shot; a time after the last shot
+/// gives the last. nullptr: the shots are not known.
 const Shot* shot_at(const std::vector<Shot>& shots, nanoseconds time) {
     if (shots.empty()) return nullptr;
     const auto found =
@@ -114,7 +114,7 @@ TapestryPreview::Changes TapestryPreview::take_changes() {
     return std::exchange(changes_, {});
 }
 
-/// Asks for a part of the film as a source of its own. It begins inside a shot if the shots are known; if
+/// Requests a part of the film as a source of its own. It starts inside a shot if the shots are known. If
 /// that shot is stored, it plays from the store and ends with the shot at the latest.
 PlayingSpan TapestryPreview::request(const FilmSpan& wanted, double width) {
     Shot shot{.begin = std::clamp(wanted.begin, 0ns, std::max(0ns, film_.duration - min_span)), .stored = {}};

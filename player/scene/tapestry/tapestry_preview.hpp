@@ -9,12 +9,12 @@
 
 namespace vitrine::player {
 
-/// The data of a film that are needed to play parts of it.
+/// The data of a film that are needed to play its parts.
 struct PreviewedFilm {
-    std::string path;  // relative to the media root
+    std::string path;  // relative to the media folder
     std::chrono::nanoseconds duration{0};
     Vec2 picture;             // size of the upright picture, px; only its shape counts
-    std::vector<Shot> shots;  // the shots in the film's record; none: they are not known
+    std::vector<Shot> shots;  // the shots of the film's record; none: they are not known
 };
 
 /// A part of the film, half-open [begin, end).
@@ -29,41 +29,41 @@ struct FilmSpan {
 struct PlayingSpan {
     SourceId source = 0;
     FilmSpan span;
-    std::optional<std::chrono::nanoseconds> began;  // none: not ready yet; < 0: with the next frame
-    bool continues = false;                         // it comes once the span before it has ended
+    std::optional<std::chrono::nanoseconds> began;  // none: not ready yet; < 0: starts with the next frame
+    bool continues = false;                         // it starts when the span before it has ended
 };
 
-/// The parts of the film that play beside a tapestry's strip: one in the preview above it, followed by the
-/// next one without a gap, and one in place, within the strip. Each is a source of its own. Knows no clock.
+/// The parts of the film that play beside a tapestry's strip: one in the preview above it, which the next one
+/// follows without a gap, and one in place, within the strip. Each is a source of its own. Knows no clock.
 class TapestryPreview {
   public:
-    /// @param last_source  its own sources are numbered from there on
+    /// @param last_source  its sources are numbered from here on
     TapestryPreview(PreviewedFilm film, SourceId last_source);
 
     const PreviewedFilm& film() const { return film_; }
 
-    /// The film's record has changed: the store may have more of its shots.
+    /// Call when the film's record has changed: the store may have more of its shots.
     void set_shots(std::vector<Shot> shots) { film_.shots = std::move(shots); }
 
-    /// Plays the film from here above the strip, as soon as the source is ready.
+    /// Plays the film from this time above the strip, as soon as the source is ready.
     /// @param width  px of the picture
     void play(std::chrono::nanoseconds from, double width);
 
-    /// The span that plays in place for a tap on this time. It lies within one shot: the next shot has
-    /// another place on the tapestry.
+    /// The span that plays in place after a tap on this time. It lies within one shot, because the next shot
+    /// has another place on the tapestry.
     FilmSpan span_in_place(std::chrono::nanoseconds from) const;
 
     void play_in_place(const FilmSpan& span, double width);
 
-    /// Gets the next span of the preview ready in time, and shows it once the one before has ended.
+    /// Prepares the next span of the preview in time, and shows it once the last one has ended.
     void play_on(std::chrono::nanoseconds now, double width);
 
-    /// Closes the preview; a span that was asked for in its place still comes.
+    /// Closes the preview. A span that was requested to play in place still starts.
     void stop_preview();
 
     void stop_in_place();
 
-    /// The canvas has changed: gives up the spans that were asked for at another size.
+    /// Call when the canvas has changed: drops the spans that were requested for another size.
     void stop_outdated();
 
     void stop_all();
@@ -71,14 +71,14 @@ class TapestryPreview {
     void source_ready(SourceId source);
     void source_failed(SourceId source);
 
-    /// Spans whose sources are ready begin to play with this frame.
+    /// Starts the spans whose sources are ready, with this frame.
     void start_ready(std::chrono::nanoseconds now);
 
     /// The span above the strip; none: the preview is closed.
     const std::optional<PlayingSpan>& above() const { return above_; }
 
-    /// Time since the span above began. It stops just before the span's end if another span follows.
-    /// @pre the span above has begun
+    /// Time since the start of the span above. It stops just before the span's end if another span follows.
+    /// @pre the span above has started
     std::chrono::nanoseconds time_above(std::chrono::nanoseconds now) const;
 
     const std::optional<PlayingSpan>& in_place() const { return in_place_; }
@@ -98,7 +98,7 @@ class TapestryPreview {
     PreviewedFilm film_;
     SourceId last_source_;
     std::optional<PlayingSpan> above_;
-    std::optional<PlayingSpan> next_above_;  // takes the place of above_ once it is ready
+    std::optional<PlayingSpan> next_above_;  // replaces above_ once it is ready
     std::optional<PlayingSpan> in_place_;
     Changes changes_;
 };

@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr auto own_interval = 12s;      // between two previews that the show begins by itself
+constexpr auto own_interval = 12s;      // between two previews that the show starts by itself
 constexpr double closing_pinch = 0.75;  // factor of a pinch at the coarsest level that closes the tapestry
 constexpr std::int64_t min_tiles = 16;
 
@@ -74,8 +74,8 @@ void TapestryShow::handle_gesture(const Gesture& gesture) {
     motion_.handle_gesture(gesture, place());
 }
 
-/// A tap on the strip plays the film from there, one on the preview closes the preview, any other closes the
-/// tapestry.
+/// Handles a tap: on the strip it plays the film from there, on the preview it closes the preview, elsewhere
+/// it closes the tapestry.
 void TapestryShow::handle_tap(const Gesture& tap) {
     if (tap.from.y >= boxes_.strip.min.y) {
         preview_.play(place().time_at(view(), tap.at.x), boxes_.preview.width());
@@ -107,7 +107,7 @@ std::vector<SourceId> TapestryShow::close() {
     return retired;
 }
 
-/// While the strip moves by itself, the preview plays the middle of the view, anew in intervals.
+/// While the strip moves by itself, starts the preview at the middle of the view from time to time.
 void TapestryShow::play_by_itself(nanoseconds now) {
     if (!motion_.is_by_itself()) {
         played_ = now - own_interval;

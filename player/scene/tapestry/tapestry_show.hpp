@@ -14,29 +14,29 @@
 namespace vitrine::player {
 
 struct TapestrySettings {
-    SourceId first_source = 0;                         // its own sources are numbered from there on
-    std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it is over; none: never
-    std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // memory of tiles as RGBA textures
+    SourceId first_source = 0;                              // its sources are numbered from here on
+    std::optional<std::chrono::nanoseconds> patience;       // time without a touch until it ends; none: never
+    std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // limit of the tiles' memory as RGBA textures
     TapestryPace pace;
-    std::vector<Shot> shots;                 // the shots in the film's record; none: they are not known
-    bool plays_at_once = false;              // the preview plays from first_seen on
-    std::chrono::nanoseconds first_seen{0};  // in the middle at first, as far as the film's ends allow
+    std::vector<Shot> shots;                 // the shots of the film's record; none: they are not known
+    bool plays_at_once = false;              // the preview plays from first_seen on at once
+    std::chrono::nanoseconds first_seen{0};  // the first time in the middle, as far as the film's ends allow
 };
 
-/// The work of one frame, beside drawing it.
+/// The work of one frame, besides drawing it.
 struct TapestryStep {
     Frame frame;
     std::vector<TileId> missing;        // tiles to be read, the most urgent first; replaces the last list
-    std::vector<ShotRequest> requests;  // parts of the film to be played
-    std::vector<SourceId> retired;      // tiles and parts; not in this frame, nor later unless asked for anew
+    std::vector<ShotRequest> requests;  // parts of the film to play
+    std::vector<SourceId> retired;      // tiles and parts, no longer needed; requested again if needed later
 };
 
-/// A film's tapestry. Its strip in the lower part of the canvas is dragged, flung and zoomed; a tap plays the
+/// A film's tapestry. Its strip in the lower part of the canvas is dragged, flung and zoomed. A tap plays the
 /// film from there in the preview above, and the touched part plays in place for a while. Without a touch the
 /// strip moves through the film by itself. Knows no clock, files or textures: tiles and parts of the film are
-/// sources, and the caller tells when they are ready. Source: Video Tapestries 5 and 6 (preview above, zoom
-/// in 0.6 s); animated tapestries: 7, future work. Zooms follow the film's zoom fields (4.3) where it has
-/// any; else one level fades into the other.
+/// sources, and the caller reports when they are ready. Source: Video Tapestries 5 and 6 (preview above, zoom
+/// in 0.6 s); animated tapestries: 7, future work. Zooms follow the film's zoom fields (4.3) if it has any;
+/// else one level fades into the other.
 class TapestryShow {
   public:
     /// @param picture  size of the film's upright picture, px; only its shape counts
@@ -45,21 +45,21 @@ class TapestryShow {
 
     void set_canvas(Vec2 canvas);
 
-    /// The film's record has changed: the store may have more of its shots.
+    /// Call when the film's record has changed: the store may have more of its shots.
     void set_shots(std::vector<Shot> shots) { preview_.set_shots(std::move(shots)); }
 
     void handle_gesture(const Gesture& gesture);
 
-    /// A tile can be drawn from now on.
+    /// Call when a tile can be drawn.
     void tile_ready(const TileId& tile, TileZooms zooms = {});
 
     /// Retires everything and returns the sources.
     std::vector<SourceId> close();
 
-    /// The show is over: its film has changed.
+    /// Ends the show, because its film has changed.
     void end() { is_over_ = true; }
 
-    /// All tiles have been lost, with the renderer that had them.
+    /// Call when all tiles have been lost with the renderer.
     void forget_tiles() { tiles_.clear(); }
 
     void source_ready(SourceId source) { preview_.source_ready(source); }
@@ -98,9 +98,9 @@ class TapestryShow {
     TileCache tiles_;
     TapestryPreview preview_;
     std::vector<SourceId> retired_tiles_;
-    double pinched_ = 1;                               // factor of the pinch so far, at the coarsest level
+    double pinched_ = 1;                               // total factor of the pinch, at the coarsest level
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last step
-    std::chrono::nanoseconds played_{0};               // when the preview last played by itself
+    std::chrono::nanoseconds played_{0};               // time at which the preview last started by itself
     bool is_over_ = false;
 };
 

@@ -9,9 +9,9 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr int halvings = 60;  // steps from a film's length to less than a nanosecond
+constexpr int halvings = 60;  // bisection steps from a film's length to less than a nanosecond
 
-/// The levels on both sides of a real one, and how far it is from the coarser to the finer.
+/// The levels on both sides of a fractional level, and the position between them.
 struct Between {
     std::size_t coarse = 0;
     std::size_t fine = 0;
@@ -34,7 +34,7 @@ double TapestryPlace::strip_x(double level, nanoseconds time) const {
     return coarse + at.share * (tapestry_.x_at(at.fine, time) - coarse);
 }
 
-/// Found by bisection: at every level, x grows with time.
+/// Bisects: at every level, x grows with time.
 nanoseconds TapestryPlace::time_of(double level, double x) const {
     const Between at = between(level, tapestry_.levels.size());
     if (at.share == 0) return tapestry_.time_at(at.coarse, x);
@@ -47,8 +47,7 @@ nanoseconds TapestryPlace::time_of(double level, double x) const {
     return low;
 }
 
-/// True if the view lies between this level and a neighbouring one, and zoom fields lead from one to the
-/// other.
+/// True if the view lies between this level and a neighbouring one, and zoom fields connect the two.
 bool TapestryPlace::is_zooming(const TapestryView& view, std::size_t level) const {
     const Between at = between(view.level, tapestry_.levels.size());
     return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry_.levels[at.fine].has_zoom;
@@ -108,8 +107,8 @@ double TapestryPlace::levels_for(double level, double factor) const {
     return ratio > 1 ? std::log(factor) / std::log(ratio) : 0;
 }
 
-/// Between two keyframes of the next level, a tile's place on the way to that level is linear: so tiles are
-/// cut at those keyframes.
+/// Cuts a tile at the keyframes of the next level: between two of them, the tile's way to that level is
+/// linear.
 std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size_t level, double left,
                                              double right) const {
     std::vector<TilePiece> pieces;

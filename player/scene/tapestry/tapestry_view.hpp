@@ -12,12 +12,12 @@
 
 namespace vitrine::player {
 
-// The part of a tapestry that is in view. Between two levels, each moment of the film lies between its places
-// on both levels, so that everything moves at a constant speed during a zoom. Source: Video Tapestries 4.3,
-// where islands move with constant velocity; here the whole strip does.
+// The visible part of a tapestry. Between two levels, each moment of the film lies between its places on both
+// levels, so that everything moves at a constant speed during a zoom. Source: Video Tapestries 4.3, where
+// islands move with constant velocity; here the whole strip does.
 
 struct TapestryView {
-    std::chrono::nanoseconds centre{0};  // time in the film that is in the middle
+    std::chrono::nanoseconds centre{0};  // the film's time in the middle
     double level = 0;                    // in [0, levels - 1]; a whole number: that level alone
 
     bool operator==(const TapestryView&) const = default;
@@ -52,17 +52,17 @@ class TapestryPlace {
     double canvas_x(const TapestryView& view, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_at(const TapestryView& view, double canvas_x) const;
 
-    /// The nearest view that shows as little as possible beside the film.
+    /// The nearest view with as little room beside the film as possible.
     TapestryView bounded(TapestryView view) const;
 
-    /// The view after the strip was moved. @param by  canvas px to the right
+    /// The view after a move of the strip. @param by  canvas px to the right
     TapestryView moved(const TapestryView& view, double by) const;
 
-    /// The view at another level with the same moment at a canvas point. The level is clamped to those there
-    /// are.
+    /// The view at another level with the same moment at a canvas point. The level is clamped to the existing
+    /// levels.
     TapestryView zoomed(const TapestryView& view, double level, double canvas_x) const;
 
-    /// Difference of level, from this level on, that makes the strip wider by this factor.
+    /// The difference of level, from this level on, that makes the strip wider by this factor.
     double levels_for(double level, double factor) const;
 
     /// The parts of a level's tiles between two canvas points, from left to right.
@@ -70,14 +70,15 @@ class TapestryPlace {
                                   double right) const;
 
     /// The tiles of a level between two canvas points, with their middles, canvas px. Between two levels with
-    /// zoom fields it includes the tiles within a brick's width beyond, which may reach in.
+    /// zoom fields it includes the tiles within a brick's width beyond, because they may reach into the view.
     std::vector<std::pair<TileId, double>> tiles(const TapestryView& view, std::size_t level, double left,
                                                  double right) const;
 
-    /// Scale and origin by which a tile's mesh is drawn between the two levels around the view's.
+    /// Scale and origin for drawing a tile's mesh between the two levels around the view's level.
     Placement zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const;
 
-    /// About where the nearest keyframe's picture is drawn for a time: in the upper or in the lower row.
+    /// The approximate place of the picture of the keyframe nearest to a time: in the upper or in the lower
+    /// row.
     /// @param picture  size of the film's upright picture; only its shape counts
     Box brick(const TapestryView& view, std::chrono::nanoseconds time, Vec2 picture) const;
 

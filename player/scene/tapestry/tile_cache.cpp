@@ -10,14 +10,14 @@ namespace vitrine::player {
 
 namespace {
 
-/// A list of tiles in which each stands once, of limited length.
+/// A list of tiles without repeats, of limited length.
 class TileList {
   public:
     explicit TileList(std::size_t max_tiles) : max_tiles_(max_tiles) {}
 
-    /// Appends the tiles not listed yet, the nearest to `from` first; those behind it, seen in the direction
-    /// of motion, count twice their distance.
-    /// @param tiles  with their middles, canvas px
+    /// Appends the tiles that are not listed yet, the nearest to `from` first. Tiles behind it, seen in the
+    /// direction of motion, count with twice their distance.
+    /// @param tiles  tiles with their middles, canvas px
     void add(std::vector<std::pair<TileId, double>> tiles, double from, double direction) {
         const auto distance = [&](double x) {
             const bool is_ahead = (x - from) * direction >= 0;
@@ -46,7 +46,7 @@ std::vector<TileId> wanted_tiles(const TapestryPlace& place, const TapestryView&
     const auto last = static_cast<std::size_t>(place.max_level());
     const std::size_t fine = std::min(last, view.level > static_cast<double>(coarse) ? coarse + 1 : coarse);
     TileList list(max_tiles);
-    const double reach = place.brick_width();  // strip px that a zoom shows beyond the view
+    const double reach = place.brick_width();  // strip px that a zoom needs beyond the view
     for (const std::size_t level : {coarse, fine})
         list.add(place.tiles(view, level, box.min.x, box.max.x), middle, 0);
     list.add(place.tiles({.centre = view.centre, .level = 0}, 0, box.min.x, box.max.x), middle, 0);
