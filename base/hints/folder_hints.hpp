@@ -12,8 +12,8 @@ namespace vitrine {
 /// folder.
 using FolderHints = std::map<std::string, Hints>;
 
-/// The hints of one file. They come from the folders, the outermost first, each by its name and then by its
-/// `.vitrine.toml`, and last from the file's own name. Later hints count.
+/// The hints of one file. They come from its folders, the outermost first, each from its name and then from
+/// its `.vitrine.toml`, and last from the file's own name. A later hint replaces an earlier one.
 /// @param path  below the media folder, '/' between folders, any bytes
 Hints hints_of(std::string_view path, const FolderHints& folders);
 

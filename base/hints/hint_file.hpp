@@ -11,7 +11,7 @@ namespace vitrine {
 /// The name of a folder's file of hints.
 constexpr std::string_view hint_file_name = ".vitrine.toml";
 
-/// The content of a folder's file of hints. A fault in one line leaves the hints of the others in force.
+/// The content of a folder's file of hints. A fault in one line does not affect the hints of the others.
 struct HintFile {
     Hints hints;
     std::vector<std::string> faults;  // each with file, line and allowed values

@@ -9,11 +9,11 @@ namespace vitrine {
 
 // Periods and hours as text.
 
-/// Parses "2026-12-24". @return  nothing if there is no such date
+/// Parses "2026-12-24". @return  none: there is no such date
 std::optional<std::chrono::local_days> date_named(std::string_view text);
 
 /// Parses "2026-12-01..2026-12-24", "2026-12-01.." or "..2026-12-24".
-/// @return  nothing for other texts, for dates that do not exist, and if the first is after the last
+/// @return  none: another text, a date that does not exist, or the first date is after the last
 std::optional<Period> period_named(std::string_view text);
 
 /// The digits that each time must have.
@@ -21,8 +21,8 @@ enum class TimePrecision { hour, minute };
 
 /// Parses "08-18" or "08:30-18.00": two digits for the hours, at most "24", and two for the minutes after ':'
 /// or '.'.
-/// @param least  minute: each of the two times needs its minutes
-/// @return       nothing for other texts, and if both times are the same
+/// @param least  minute: both times need their minutes
+/// @return       none: another text, or both times are the same
 std::optional<Hours> hours_named(std::string_view text, TimePrecision least = TimePrecision::hour);
 
 /// "2026-12-24"; empty for no day.

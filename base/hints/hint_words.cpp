@@ -62,7 +62,7 @@ template <typename T> bool assigned(std::optional<T>& member, const std::optiona
     return value.has_value();
 }
 
-/// Sets a member that has not been said yet from a word. @return  false if there is no value, or it was said
+/// Sets a member from a word, if it was not set before. @return  false if there is no value, or it was set
 /// before
 template <typename T> bool said(std::optional<T>& member, const std::optional<T>& value) {
     return !member && assigned(member, value);

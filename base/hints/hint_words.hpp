@@ -32,14 +32,14 @@ using HintValue = std::variant<bool, std::int64_t, std::string>;
 /// its line in the operator's document.
 struct HintWord {
     std::string_view key;      // in `.vitrine.toml` and hints.json
-    std::string_view allowed;  // the values that may stand there, in words
+    std::string_view allowed;  // the allowed values, in words
 
-    bool (*assign)(Hints&, const HintValue&);                 // false: the value is not allowed
-    std::optional<HintValue> (*value)(const Hints&);          // none: the hints do not say it
-    bool (*read)(Hints&, std::string_view word, NameWords&);  // false: the word is another hint or a name, or
-                                                              // the hint was said before
-    std::string (*in_words)(const Hints&);                    // for the operator; only if the hint is said
-    void (*merge)(Hints& outer, const Hints& inner);          // the inner one counts, if it is said
+    bool (*assign)(Hints&, const HintValue&);         // false: the value is not allowed
+    std::optional<HintValue> (*value)(const Hints&);  // none: the hint is not set
+    /// false: the word is another hint or a name, or the hint was set before
+    bool (*read)(Hints&, std::string_view word, NameWords&);
+    std::string (*in_words)(const Hints&);            // for the operator; call it only if the hint is set
+    void (*merge)(Hints& outer, const Hints& inner);  // takes the inner hint if it is set
 };
 
 /// All hints, in the order in which files and sentences list them.
@@ -51,7 +51,7 @@ std::span<const HintWord> hint_words();
 /// @param name  one folder or file without its path, any bytes
 Hints hints_in_name(std::string_view name, NamePart part);
 
-/// The hints of something inside something else: of each kind the inner one counts.
+/// The hints of something inside something else: an inner hint replaces the outer one.
 Hints merged(const Hints& outer, const Hints& inner);
 
 /// A sentence part for the operator: "from 2026-12-01 to 2026-12-24, from 08:00 to 18:00, for 20 seconds, 3

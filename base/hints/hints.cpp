@@ -4,7 +4,7 @@ namespace vitrine {
 
 namespace {
 
-/// The day to which this moment counts; none: the moment is not within the hours.
+/// The day of the opening that contains this moment. None: the moment is outside the hours.
 std::optional<std::chrono::local_days> day_of(const std::optional<Hours>& hours,
                                               std::chrono::local_seconds now) {
     const auto day = std::chrono::floor<std::chrono::days>(now);

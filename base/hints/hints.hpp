@@ -22,13 +22,13 @@ struct Hours {
     bool operator==(const Hours&) const = default;
 };
 
-/// The operator's wishes for a file or folder, from its name or from a folder's `.vitrine.toml`. A missing
-/// member was not said. Each member has one entry in the table of hint_words.cpp.
+/// The operator's wishes for a file or folder, from its name or from a folder's `.vitrine.toml`. A member
+/// without a value was not given. Each member has one entry in the table of hint_words.cpp.
 struct Hints {
     std::optional<Period> period;
     std::optional<Hours> hours;
     std::optional<std::chrono::seconds> dwell;  // time on the wall
-    std::optional<int> repeat;                  // times as often as others in a round
+    std::optional<int> repeat;                  // turns in a round, compared with other files
     std::optional<bool> sound;
 
     bool operator==(const Hints&) const = default;
@@ -37,8 +37,8 @@ struct Hints {
 };
 
 /// Tells if a file with these hints may be shown now. All times are local civil time: hours that daylight
-/// saving repeats count twice, hours that it leaves out never come. Hours over midnight belong to the day on
-/// which they begin.
+/// saving repeats count twice, and hours that it skips never come. Hours over midnight belong to the day on
+/// which they start.
 /// @param now  none: the time is not known; then no file with a schedule may be shown
 bool is_open(const Hints& hints, std::optional<std::chrono::local_seconds> now);
 

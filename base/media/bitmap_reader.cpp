@@ -23,8 +23,8 @@ struct Header {
     int width = 0;                // px
     int height = 0;
     bool bottom_up = true;
-    int bits = 24;                         // a pixel
-    std::array<std::uint32_t, 3> masks{};  // red, green, blue of 16 and 32 bits
+    int bits = 24;                         // bits a pixel
+    std::array<std::uint32_t, 3> masks{};  // red, green and blue of 16 and 32 bits a pixel
     std::vector<Rgb> palette;
 
     std::size_t row_bytes() const {
@@ -156,7 +156,7 @@ StillPicture read_bitmap(const std::string& path) {
     for (std::size_t line = 0; line < height; ++line) {
         file.read(row);
         if (picture.pixels.empty())
-            picture.pixels.resize(4 * width * height);  // only now: a first row is there
+            picture.pixels.resize(4 * width * height);  // allocated only once the first row was read
         std::byte* out = picture.pixels.data() + 4 * width * (header.bottom_up ? height - 1 - line : line);
         for (std::size_t x = 0; x < width; ++x) {
             for (const std::uint8_t value : pixel_at(header, row, x))

@@ -7,8 +7,8 @@
 namespace vitrine {
 
 /// Reads a Windows bitmap (BMP) of 1, 4, 8, 16, 24 or 32 bits a pixel without run-length coding. libvips does
-/// not read bitmaps: it hands them to ImageMagick, which opens far more code to strangers' files than these
-/// lines.
+/// not read bitmaps: it passes them to ImageMagick, which is far more code that strangers' files could
+/// attack.
 ///
 /// @return  the picture at full size, opaque RGBA
 /// @throws MediaError if the file is cut short, run-length coded, or beyond max_bitmap_pixels

@@ -16,7 +16,7 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// Parses "#rrggbb" with digits of either case. @return  nothing for any other text
+/// Parses "#rrggbb" with digits of either case. @return  none: another text
 inline std::optional<Colour> colour_named(std::string_view text) {
     constexpr int hexadecimal = 16;
     if (text.size() != 7 || text.front() != '#') return std::nullopt;

@@ -17,7 +17,7 @@ namespace vitrine {
 namespace {
 
 constexpr int max_boxes = 100'000;                // boxes read at the top level of one file
-constexpr std::uint64_t slack = 8;                // bytes that sloppy writers declare too much
+constexpr std::uint64_t slack = 8;                // bytes that careless writers declare in excess
 constexpr std::uint64_t trailing_zeros = 65'536;  // bytes of padding that a sparse copy may leave out
 constexpr std::uint64_t unlimited = std::uint64_t{1} << 62;  // larger sizes are nonsense and would overflow
 
@@ -58,7 +58,7 @@ FileExtent iso_extent(const FileBytes& file, const char* index) {
         const bool named = std::all_of(head->begin() + 4, head->begin() + 8, [](auto c) { return c >= 32; });
         if (size == 1) size = big_endian(*head, 8, 8);
         if (is_name(*head, 4, index)) extent.has_index = true;
-        if (!named || size < 8) return extent;  // the box reaches to the end, or this is no box
+        if (!named || size < 8) return extent;  // the box reaches to the end, or this is not a box
         extent.declared = offset + std::min(size, unlimited);
         if (extent.declared >= file.size()) return extent;
         offset = extent.declared;
@@ -82,7 +82,7 @@ FileExtent riff_extent(const FileBytes& file) {
     return extent;
 }
 
-// Matroska: the EBML header, then a segment with its size or the mark of an unknown size.
+// Matroska: the EBML header, then a segment with its size or the mark for an unknown size.
 FileExtent matroska_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     constexpr std::uint64_t segment = 0x18538067;
@@ -107,7 +107,7 @@ FileExtent matroska_extent(const FileBytes& file) {
     return extent;
 }
 
-// PNG: chunks up to IEND; data behind it does not matter.
+// PNG: chunks up to IEND; data after it does not matter.
 FileExtent png_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     std::uint64_t offset = 8;
@@ -121,7 +121,7 @@ FileExtent png_extent(const FileBytes& file) {
         extent.declared = offset + around + big_endian(*head, 0, 4);
         if (is_name(*head, 4, "IEND")) return extent;
         if (extent.declared > file.size()) {
-            extent.declared += around;  // IEND would follow
+            extent.declared += around;  // for IEND, which is missing
             return extent;
         }
         offset = extent.declared;
@@ -134,7 +134,7 @@ class TiffNumbers {
   public:
     TiffNumbers(const FileBytes& file, bool big) : file_(file), big_(big) {}
 
-    /// A number; nothing if it lies beyond the end. @param count  bytes, up to 8
+    /// A number. None: it lies beyond the end. @param count  bytes, up to 8
     std::optional<std::uint64_t> at(std::uint64_t offset, std::uint64_t count) const {
         if (offset > file_.size() || offset + count > file_.size()) return std::nullopt;
         std::uint64_t value = 0;
@@ -158,8 +158,7 @@ struct TiffList {
     std::uint64_t bytes = 0;  // size of one number, 2 to 8
 };
 
-// The byte behind the last piece of a picture. @param starts, lengths  lists of the pieces' places and
-// lengths
+// The byte after the last piece of a picture. @param starts, lengths  lists of the pieces' places and lengths
 std::uint64_t pieces_end(const TiffNumbers& numbers, const TiffList& starts, const TiffList& lengths) {
     std::uint64_t end = 0;
     const std::uint64_t count = std::min({starts.count, lengths.count, std::uint64_t{max_boxes}});
@@ -182,7 +181,7 @@ struct TiffLayout {
 
 constexpr TiffLayout big_tiff{.directory_at = 8, .number_bytes = 8, .entries_bytes = 8};
 
-// TIFF: the first directory, the lists it points to, and the strips or tiles that these point to.
+// TIFF: the first directory, the lists that it points to, and the strips or tiles that these point to.
 FileExtent tiff_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     const auto head = file.at<2>(0);
@@ -210,7 +209,7 @@ FileExtent tiff_extent(const FileBytes& file) {
                           std::min(numbers.at(entry + 4, layout.number_bytes).value_or(0), unlimited >> 4),
                       .bytes = type < type_bytes.size() ? type_bytes[type] : std::uint64_t{0}};
         if (list.count * list.bytes <= layout.number_bytes)
-            list.at = value_at;  // the value stands in the entry itself
+            list.at = value_at;  // the value is in the entry itself
         extent.declared = std::max(extent.declared, list.at + list.count * list.bytes);
         const std::uint64_t tag = numbers.at(entry, 2).value_or(0);
         if (tag == 273 || tag == 324) starts = list;  // StripOffsets, TileOffsets
@@ -225,7 +224,7 @@ FileExtent asf_extent(const FileBytes& file) {
     FileExtent extent{.present = file.size()};
     constexpr std::array<std::uint8_t, 16> properties{0xa1, 0xdc, 0xab, 0x8c, 0x47, 0xa9, 0xcf, 0x11,
                                                       0x8e, 0xe4, 0x00, 0xc0, 0x0c, 0x20, 0x53, 0x65};
-    std::uint64_t offset = 30;  // behind the header's own head
+    std::uint64_t offset = 30;  // after the header's own head
     for (int object = 0; object < 64; ++object) {
         const auto head = file.at<24>(offset);
         if (!head) return extent;

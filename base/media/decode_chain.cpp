@@ -1,7 +1,6 @@
-// This is not decodebin or parsebin, for these reasons: they choose among all plugins of the machine by the
-// file's content, start a thread and a queue for every stream, decode sound that nobody hears, and did not
-// end on some odd files. The video stream of a film needs four elements, and a table of thirty rows knows
-// them.
+// decodebin and parsebin are not used, because they choose among all plugins of the machine by the file's
+// content, start a thread and a queue for every stream, decode sound that nobody hears, and did not end on
+// some odd files. The video stream of a film needs four elements, and a table of thirty rows lists them.
 
 #include "base/media/decode_chain.hpp"
 
@@ -42,7 +41,7 @@ constexpr const char* not_linkable = "the film is damaged: its pictures cannot b
 constexpr std::chrono::seconds max_stall{20};
 constexpr GstClockTime look_interval = GST_SECOND;
 
-constexpr const char* own_words = "vitrine-reason";  // marks our own messages, whose text is for the operator
+constexpr const char* own_words = "vitrine-reason";  // marks our own messages; their text is for the operator
 
 void post_own(GstElement* element, GstStreamError code, const std::string& text) {
     post_error(element, code, text, own_words);

@@ -23,7 +23,7 @@ struct DecodeOptions {
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! deinterlace ! tail
 ///
-/// The content of the file selects the demuxer, and a table the parser and the decoder, so that no file
+/// The content of the file selects the demuxer; a table selects the parser and the decoder. So no file
 /// reaches another plugin of the machine. Sound, subtitles and further video streams are not decoded.
 /// `deinterlace` does not change progressive pictures. The decoder's pictures arrive in the tail as they are
 /// coded: in any raw format, with the pixel aspect ratio in the caps and the rotation as the tag
@@ -55,15 +55,15 @@ class DecodeChain {
     /// @throws MediaError if the film cannot be played, or stalls
     void preroll();
 
-    /// Waits for the next sample of an appsink in the tail; none at the film's end.
-    /// @throws MediaError if the film fails on the way, or stalls: for 20 s no sample comes and next to
-    /// nothing is computed. This is no limit for a slow machine; the caller sets one
+    /// Waits for the next sample of an appsink in the tail. None: the film has ended.
+    /// @throws MediaError if the film fails on the way, or stalls: for 20 s no sample comes and almost no
+    /// processor time is used. This is no limit for a slow machine; the caller sets one
     GstPtr<GstSample> pull(GstAppSink* sink);
 
     /// The duration that the container declares, zero if it declares none. Known after preroll().
     std::chrono::nanoseconds duration() const;
 
-    /// Throws the error that waits on the bus, if there is one. For use while the caller waits for pictures.
+    /// Throws the waiting error of the bus, if there is one. For use while the caller waits for pictures.
     void throw_pending_error() const;
 
   private:

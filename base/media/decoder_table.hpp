@@ -7,17 +7,17 @@
 
 namespace vitrine {
 
-/// The elements that turn one kind of coded stream into raw pictures or raw sound.
+/// The elements that decode one kind of stream into raw pictures or raw sound.
 struct DecoderRow {
-    const char* caps;     // on the demuxer's pad
+    const char* caps;     // caps of the demuxer's pad
     const char* parser;   // nullptr: none needed
     const char* decoder;  // nullptr: the stream is raw already
 };
 
-/// The decoder of a coded video stream; nothing if it is not decoded here.
+/// The decoder of a coded video stream. None: it is not decoded here.
 std::optional<DecoderRow> decoder_for(const GstCaps* stream);
 
-/// The decoder of a coded sound stream; nothing if it is not decoded here.
+/// The decoder of a coded sound stream. None: it is not decoded here.
 std::optional<DecoderRow> sound_decoder_for(const GstCaps* stream);
 
 /// The name of the demuxer element for a film's container.

@@ -35,10 +35,10 @@ class FileBytes {
 
     std::uint64_t size() const { return size_; }
 
-    /// Bytes up to the hole at the end of the file, or all bytes if there is none.
+    /// The bytes before the hole at the end of the file, or all bytes if there is none.
     std::uint64_t written() const { return written_size(fd_.get()); }
 
-    /// N bytes; nothing if they reach beyond the end.
+    /// N bytes. None: they reach beyond the end.
     template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
         std::array<std::uint8_t, N> bytes{};
         const ssize_t got = ::pread(fd_.get(), bytes.data(), N, static_cast<off_t>(offset));

@@ -11,7 +11,7 @@ namespace vitrine {
 
 // The common parts of DecodeChain, for a film's pictures, and SoundChain, for its sound.
 
-/// A new pipeline that holds the film's file and its demuxer. A chain adds the elements behind the demuxer.
+/// A new pipeline with the film's file and its demuxer. A chain adds the elements after the demuxer.
 struct FilmBegin {
     GstPtr<GstElement> pipeline;
     GstElement* demuxer = nullptr;  // held by the pipeline
@@ -19,19 +19,19 @@ struct FilmBegin {
 };
 
 /// Starts GStreamer and makes the pipeline.
-/// @throws MediaError as media_format(), and if the file is not a film
+/// @throws MediaError like media_format(), and if the file is not a film
 FilmBegin begin_film(const std::string& path);
 
 /// Makes an element in a bin, which owns it. @throws std::runtime_error if the plugin is not installed
 GstElement* add_element(GstBin* bin, const char* factory);
 
-/// The caps of a stream that a demuxer has just found; none if the demuxer does not tell.
+/// The caps of a stream that a demuxer has just found. None: the demuxer does not tell.
 GstPtr<GstCaps> stream_caps(GstPad* pad);
 
 /// Posts an error message of ours as an element would do it, because exceptions must not cross GStreamer's
 /// threads.
 ///
-/// @param mark  name by which is_marked() knows the message
+/// @param mark  name for is_marked() to recognise the message
 void post_error(GstElement* element, GstStreamError code, const std::string& text, const char* mark);
 bool is_marked(GstMessage* error, const char* mark);
 

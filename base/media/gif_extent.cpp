@@ -6,12 +6,12 @@ namespace {
 
 constexpr int max_parts = 4'000'000;  // parts of 255 bytes: a gigabyte
 
-/// Size in bytes of the colour table that a byte of flags announces.
+/// The size in bytes of the colour table that a byte of flags announces.
 std::uint64_t table_bytes(std::uint8_t flags) {
     return (flags & 0x80) != 0 ? std::uint64_t{3} << ((flags & 7) + 1) : 0;
 }
 
-/// The byte behind a chain of parts, each with its length before it; an empty part ends the chain.
+/// The byte after a chain of parts, each with its length before it; an empty part ends the chain.
 /// @return  beyond the file's end if the empty part is missing
 std::uint64_t behind_parts(const FileBytes& file, std::uint64_t offset) {
     constexpr std::uint64_t missing = 256;

@@ -33,7 +33,7 @@ GstPtr<GstElement> make_bin(const char* description) {
     if (bin) gst_object_ref_sink(bin);
     GstPtr<GstElement> owned(bin);
     const GstPtr<GError> why(
-        error);  // GStreamer may warn and still give a bin; our bins must not have warnings
+        error);  // GStreamer may warn and still return a bin; our bins must not have warnings
     if (why || !owned)
         throw std::runtime_error(
             fmt::format("build '{}': {}", description, why ? why->message : "no reason given"));

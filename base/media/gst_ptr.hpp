@@ -7,7 +7,7 @@
 
 namespace vitrine {
 
-/// Releases one reference. Each type has its overload; a type without one does not compile.
+/// Releases one reference. Each type has its own overload; a type without one does not compile.
 struct GstUnref {
     void operator()(GstElement* element) const { gst_object_unref(element); }
 

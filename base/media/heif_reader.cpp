@@ -59,7 +59,7 @@ Handle<heif_image, &heif_image_release> decoded(const heif_image_handle* picture
     return image;
 }
 
-// Divides colours that were multiplied by their alpha by it again.
+// Reverses the multiplication of colours by their alpha.
 void straighten(std::uint8_t* row, int width) {
     for (int x = 0; x < width; ++x, row += 4)
         for (int i = 0; i < 3 && row[3] > 0; ++i)
@@ -81,8 +81,8 @@ HeifPicture read_heif(const std::string& path) {
         picture.channels == 4 && heif_image_handle_is_premultiplied_alpha(source.get()) != 0;
     picture.profile = profile_of(source.get());
     picture.image = decoded(source.get(), picture.channels);
-    // The header's size of a turned picture depends on the order of its boxes; the decoded size is the right
-    // one.
+    // The header's size of a turned picture depends on the order of its boxes; the decoded size is always
+    // right.
     picture.width = heif_image_get_width(picture.image.get(), heif_channel_interleaved);
     picture.height = heif_image_get_height(picture.image.get(), heif_channel_interleaved);
     int stride = 0;

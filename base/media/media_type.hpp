@@ -31,7 +31,7 @@ enum class MediaFormat {
 
 MediaKind kind_of(MediaFormat format);
 
-/// A photo of this format is decoded as fast as the copy of it that the store would make.
+/// True if a photo of this format is decoded as fast as the copy that the store would make of it.
 bool is_fast_to_decode(MediaFormat format);
 
 /// Number of bytes at the start of a file that decide its format.
@@ -40,7 +40,7 @@ constexpr std::size_t media_head_bytes = 4096;
 /// The format of a file by its first bytes. The name of the file does not count.
 ///
 /// @param head  the first bytes of the file, up to media_head_bytes of them
-/// @throws MediaError unsupported or waiting; the reason names what it is instead: "this is a web page, not a
+/// @throws MediaError unsupported or waiting; the reason names the kind of file: "this is a web page, not a
 /// picture or film"
 MediaFormat media_format(std::span<const std::byte> head);
 

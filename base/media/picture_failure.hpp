@@ -7,11 +7,11 @@
 
 namespace vitrine {
 
-/// The reasons for which a photo is not shown that matter to the person who put it there.
+/// The reasons why a photo is not shown, as far as they matter to the person who put it there.
 enum class PictureFailure { cut_short, damaged, too_large, unknown_coding };
 
-/// The state and the words of a failure. The library's own words go to the debug log: they are of no use to
-/// operators.
+/// The state and the text of a failure. The library's own text goes to the debug log: operators cannot use
+/// it.
 MediaError picture_failure(PictureFailure failure, std::string_view said);
 
 /// @throws MediaError if a photo of this size is too large

@@ -60,7 +60,7 @@ struct SoundChain::Links {
         linked = gst_pad_link(pad, sink.get()) == GST_PAD_LINK_OK;
     }
 
-    GstBin* bin = nullptr;  // both lent by the chain, which outlives the links
+    GstBin* bin = nullptr;  // both are lent by the chain, which outlives the links
     GstElement* tail = nullptr;
     Form form = Form::raw;
     bool linked = false;

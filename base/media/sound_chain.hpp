@@ -12,8 +12,8 @@ namespace vitrine {
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! tail
 ///
-/// A file reaches only the elements that the table of decoders names, as in a DecodeChain. The caller may use
-/// the pipeline freely. Its errors arrive as messages; a film without sound is one of them.
+/// As in a DecodeChain, a file reaches only the elements of the table of decoders. The caller may use the
+/// pipeline freely. Its errors arrive as messages; a film without sound is one of them.
 class SoundChain {
   public:
     enum class Form {
@@ -46,7 +46,7 @@ class SoundChain {
     std::unique_ptr<Links> links_;  // used by the demuxer's thread while the pipeline runs
 };
 
-/// Tells if an error means that the film has no sound that can be heard here.
+/// True if an error means that the film has no sound that can be played here.
 bool lacks_sound(GstMessage* error);
 
 /// The text of an error.

@@ -50,8 +50,8 @@ void start_vips() {
     });
 }
 
-// The words of the libraries under libvips for a JPEG or GIF that ends too soon. The other formats tell their
-// length (completeness.hpp). "Premature end of data segment" is damage.
+// The libraries' texts for a JPEG or GIF that ends too soon. Other formats declare their length
+// (completeness.hpp). "Premature end of data segment" means damage.
 constexpr std::array signs_of_a_cut{"premature end of jpeg", "premature end of input", "unexpected end of",
                                     "vipssource: end of file"};
 
@@ -81,8 +81,8 @@ VipsPtr<VipsSource> open_source(const std::string& path) {
     return source;
 }
 
-// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It is read once, from the
-// top down.
+// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It can be read once, from
+// the top down.
 VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int shrink = 1) {
     const VipsPtr<VipsSource> source = open_source(path);
     VipsSource* from = source.get();
@@ -108,8 +108,8 @@ VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int
     });
 }
 
-// The part of the shrinking that the decoder does. The resampler does the last factor of two, for a clean
-// picture.
+// The part of the shrinking that the decoder does. The resampler does the last factor of two, for better
+// quality.
 int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     const double wanted =
         std::max(static_cast<double>(info.width) / max_width, static_cast<double>(info.height) / max_height);
@@ -119,7 +119,7 @@ int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     return shrink;
 }
 
-// The upright size by the header, of a format that libvips reads.
+// The upright size from the header, for the formats that libvips reads.
 StillInfo header_size(const std::string& path, MediaFormat format) {
     const VipsPtr<VipsImage> image = open_picture(path, format);
     StillInfo info{.width = vips_image_get_width(image.get()), .height = vips_image_get_height(image.get())};
@@ -128,8 +128,8 @@ StillInfo header_size(const std::string& path, MediaFormat format) {
     return info;
 }
 
-// Shrinks a picture and turns it upright. Its colours become sRGB if the file has a profile, else they keep
-// their space.
+// Shrinks a picture and turns it upright. Converts its colours to sRGB if the file has a profile; else they
+// keep their space.
 VipsPtr<VipsImage> shrunk(VipsImage* image, int max_width, int max_height) {
     // Without a profile the conversion only costs accuracy: ten levels of a plain red.
     const char* profile = vips_image_get_typeof(image, VIPS_META_ICC_NAME) != 0 ? "srgb" : nullptr;
@@ -192,7 +192,7 @@ VipsPtr<VipsImage> lent_image(const HeifPicture& picture) {
 }
 
 /// Writes a picture into a file, in colours that any reader takes for sRGB, with its transparency and without
-/// the camera's notes: a WebP if it is transparent, else a JPEG.
+/// the camera's metadata: a WebP if it is transparent, else a JPEG.
 void save(VipsImage* any, const std::string& to) {
     constexpr int quality = 90;
     VipsPtr<VipsImage> image =
@@ -215,7 +215,7 @@ auto with_still(const std::string& path, int max_width, int max_height, const Us
     const MediaFormat format = media_format(path);
     require_complete(path, format);
     start_vips();
-    vips_error_clear();  // errors that earlier calls left
+    vips_error_clear();  // errors of earlier calls
     const auto finished = [&](VipsImage* image, StillInfo full) {
         return use(shrunk(image, max_width, max_height).get(), full);
     };

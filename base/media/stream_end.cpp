@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t looked_at = 1U << 18;  // bytes before the end, more than any packet has
+constexpr std::size_t looked_at = 1U << 18;  // bytes before the end; more than the largest packet
 
 std::uint64_t byte_at(std::string_view bytes, std::size_t at) {
     return static_cast<unsigned char>(bytes[at]);
@@ -34,7 +34,7 @@ bool is_transport_stream_cut(const FileBytes& file) {
     return sync && (*sync)[0] == 0x47;  // false: other data follows the stream
 }
 
-// A pack has its own head and then packets, each with its length.
+// A pack has its own head, followed by packets, each with its length.
 bool is_program_stream_cut(std::string_view tail) {
     constexpr std::uint64_t pack = 0xba, end = 0xb9, first_packet = 0xbb;
     const std::size_t last = tail.rfind("\0\0\1\xba"sv);
@@ -54,7 +54,7 @@ bool is_program_stream_cut(std::string_view tail) {
     return false;
 }
 
-// The last page has the mark of the stream's end.
+// The last page has the mark for the stream's end.
 bool is_ogg_cut(std::string_view tail) {
     constexpr std::size_t head = 27;
     constexpr std::uint64_t is_last = 4;
@@ -69,7 +69,7 @@ bool is_ogg_cut(std::string_view tail) {
     return at + bytes > tail.size() || (byte_at(tail, at + 5) & is_last) == 0;
 }
 
-// The length of each tag stands in its head and again behind it.
+// The length of each tag is in its head and again after it.
 bool is_flv_cut(const FileBytes& file) {
     constexpr std::uint64_t tag_head = 11, length_bytes = 4, smallest = 13;
     if (file.size() <= smallest) return true;

@@ -7,9 +7,9 @@
 namespace vitrine {
 
 /// Refuses a stream that breaks off inside a packet. MPEG-TS, MPEG-PS, Ogg and FLV do not store their length,
-/// so this is the only sign of half a copy. Files of other formats pass.
+/// so this is the only sign of an incomplete copy. Files of other formats pass.
 ///
-/// A recording that was cut off for good looks the same. Do not call this after a long enough wait.
+/// A recording that was cut off for good looks the same: do not call this any more after a long enough wait.
 /// @throws MediaError waiting
 void require_whole_packets(const std::string& path, MediaFormat format);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int32_t full_light = 16'383;
 constexpr double paper_white = 203;  // cd/m2, BT.2408
-constexpr double peak = 1000;        // cd/m2; brighter values are full
+constexpr double peak = 1000;        // cd/m2; brighter values become full light
 
 // The light in cd/m2 of a coded value in [0, 1]. Source: ST 2084.
 double perceptual_quantizer(double value) {

@@ -10,14 +10,14 @@
 
 namespace vitrine {
 
-/// Converts the pictures of an HDR film for a usual screen, where they would look grey and flat: paper white
-/// of 203 cd/m2 goes to three quarters of full, highlights up to 1000 cd/m2 stay below full, colours go from
-/// BT.2020 to BT.709. In a film with BT.2020 colours that is not HDR only the colours change. It works by
-/// tables: measured 6 ms of processor time a megapixel. Source: SMPTE ST 2084, ITU-R BT.2100 and BT.2408,
-/// Reinhard et al. 2002 (eq. 4).
+/// Converts the pictures of an HDR film for a usual screen, where they would look grey and flat. Paper white
+/// of 203 cd/m2 becomes three quarters of full, highlights up to 1000 cd/m2 stay below full, and colours are
+/// converted from BT.2020 to BT.709. In a film with BT.2020 colours that is not HDR only the colours change.
+/// Uses tables: measured 6 ms of processor time a megapixel. Source: SMPTE ST 2084, ITU-R BT.2100 and
+/// BT.2408, Reinhard et al. 2002 (eq. 4).
 class ToneMap {
   public:
-    /// The map for a film; nothing if the film is made for usual screens, colours included.
+    /// The map for a film. None: the film is made for usual screens, including its colours.
     static std::optional<ToneMap> of(const GstVideoColorimetry& colours);
 
     /// @param pixels    8 bits a channel, changed in place

@@ -30,7 +30,7 @@ std::vector<std::string_view> list(std::string_view text) {
     }
 }
 
-/// A number from `min` to `max`, without sign or exponent, that takes all of the text.
+/// Parses a number from `min` to `max`, without sign or exponent. The whole text must be the number.
 template <typename Number> std::optional<Number> number_named(std::string_view text, Number min, Number max) {
     if (text.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
     Number value = 0;
@@ -65,7 +65,7 @@ std::optional<ModeWish> mode_named(std::string_view text) {
     return wish;
 }
 
-/// "HDMI-A-1 = this"; the name is empty if there is no "=".
+/// The parts of "HDMI-A-1 = this"; without "=" the name is empty.
 struct Assignment {
     std::string_view output;
     std::string_view value;

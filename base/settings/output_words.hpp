@@ -15,7 +15,7 @@ struct ScreenSize {
     bool operator==(const ScreenSize&) const = default;
 };
 
-/// The sizes of "1280x720+640x360"; nothing where it is not understood, or a side is not 16 to 16384 px.
+/// Parses sizes such as "1280x720+640x360". None: another text, or a side is not 16 to 16384 px.
 std::optional<std::vector<ScreenSize>> screen_sizes_named(std::string_view text);
 
 /// A length on a screen, the sum of both members.
@@ -36,34 +36,36 @@ struct Margins {
     bool operator==(const Margins&) const = default;
 };
 
-/// "24" or "2.5%" for all four sides, "24,0,24,0" for left, top, right and bottom; empty: none.
-/// @return  nothing if the text is not understood, or a side is negative, above 2000 px or above 40 %
+/// Parses margins: "24" or "2.5%" for all four sides, "24,0,24,0" for left, top, right and bottom; empty: no
+/// margins.
+/// @return  none: another text, or a side is negative, above 2000 px or above 40 %
 std::optional<Margins> margins_named(std::string_view text);
 
-/// The mode that is set on an output; the display chooses for each member that is 0.
+/// The mode that is set on an output. The display chooses each member that is 0.
 struct ModeWish {
     int width = 0;            // px
     int height = 0;           // px
-    double refresh_rate = 0;  // Hz; 0: the fastest of that size
+    double refresh_rate = 0;  // Hz; 0: the fastest rate of that size
 
     bool operator==(const ModeWish&) const = default;
 };
 
 struct ModeWishes {
-    ModeWish others;  // for the outputs that are not in `named`
+    ModeWish others;  // for the outputs without an entry in `named`
     std::map<std::string, ModeWish> named;
 
     const ModeWish& of(const std::string& output) const;
 };
 
-/// "1920x1080" or "1920x1080@59.94" for all outputs, "HDMI-A-1=1920x1080, HDMI-A-2=1280x720@50" for these,
-/// "1920x1080, HDMI-A-2=preferred" for one and all others; empty: as the displays prefer.
-/// @return  nothing if the text is not understood, names an output twice, or has a side outside 16 to 16384
-/// px or a rate outside 1 to 1000 Hz
+/// Parses modes: "1920x1080" or "1920x1080@59.94" for all outputs; "HDMI-A-1=1920x1080, HDMI-A-2=1280x720@50"
+/// for these outputs; "1920x1080, HDMI-A-2=preferred" for one and all others; empty: the displays' preferred
+/// modes.
+/// @return  none: another text, an output twice, a side outside 16 to 16384 px, or a rate outside 1 to 1000
+/// Hz
 std::optional<ModeWishes> modes_named(std::string_view text);
 
-/// "HDMI-A-1=lobby, HDMI-A-2=hall/left": output -> folder below the media folder; empty: none.
-/// @return  nothing if the text is not understood, names an output twice, or names a folder elsewhere
+/// Parses folders of outputs: "HDMI-A-1=lobby, HDMI-A-2=hall/left": output -> folder below the media folder.
+/// @return  none: another text, an output twice, or a folder elsewhere
 std::optional<std::map<std::string, std::string>> output_folders_named(std::string_view text);
 
 }  // namespace vitrine

@@ -12,9 +12,9 @@ namespace vitrine {
 /// The time at which a running program follows a changed value.
 enum class SettingEffect {
     analyzer,   // the player does not read it
-    restart,    // when the program starts again
+    restart,    // at the next start of the program
     now,        // at once
-    new_walls,  // at once: the player makes its walls anew
+    new_walls,  // at once, by building the walls again
 };
 
 /// One key of the settings.
@@ -23,7 +23,7 @@ struct SettingKey {
     SettingKind kind;
     SettingEffect effect;
     std::string_view
-        help;  // the comment in config/vitrine.toml; empty: the comment above the key before counts
+        help;  // the comment in config/vitrine.toml; empty: the comment above the previous key applies
 
     /// The allowed values in words: "a whole number from 1 to 64".
     std::string allowed() const;
@@ -31,10 +31,10 @@ struct SettingKey {
     /// @throws std::invalid_argument if the value is not allowed; the settings then stay unchanged
     void assign(Settings& settings, const SettingValue& value) const;
 
-    /// The key's value as it would stand in the file.
+    /// The key's value in the form of the file.
     std::string text(const Settings& settings) const;
 
-    /// Gives `to` the value of this key in `from`.
+    /// Copies the value of this key.
     void copy(const Settings& from, Settings& to) const;
 };
 
@@ -43,7 +43,7 @@ struct SettingKey {
 /// setting_keys.cpp, and the target `settings_file`, which writes config/vitrine.toml.
 std::span<const SettingKey> setting_keys();
 
-/// Null if there is no such key.
+/// The key of this name; null: there is none.
 const SettingKey* find_setting_key(std::string_view name);
 
 }  // namespace vitrine

@@ -18,14 +18,15 @@ using SettingValue = std::variant<bool, std::int64_t, double, std::string>;
 /// Parses a value of a command line: a whole number, a number, true/false or the text itself.
 SettingValue setting_value(const std::string& text);
 
-/// The functions below only hand on an address, so they can also be used to read constant settings.
+/// Makes settings writable for the functions below, which only return an address; so constant settings can be
+/// read with them.
 inline Settings& writable(const Settings& settings) {
     return const_cast<Settings&>(settings);
 }
 
-// The kinds of settings. Each kind can name the allowed values, assign a value, print the value as it stands
-// in the file, and copy it between two settings. `assign` throws std::invalid_argument for a value that is
-// not allowed; the settings then stay unchanged.
+// The kinds of settings. Each kind can name the allowed values, assign a value, print the value in the file's
+// form, and copy it between two settings. `assign` throws std::invalid_argument for a value that is not
+// allowed; the settings then stay unchanged.
 
 /// A whole number, an amount of bytes, or a time in whole units of its type.
 template <typename T> struct WholeSetting {
@@ -66,7 +67,7 @@ struct TextSetting {
     void copy(const Settings& from, Settings& to) const { place(to) = place(writable(from)); }
 };
 
-/// One word of a choice and the value of the enum that it stands for.
+/// A word of a choice and its value of the enum.
 struct ChoiceWord {
     constexpr ChoiceWord() = default;
 
@@ -80,7 +81,7 @@ struct ChoiceWord {
 
 using ChoiceWords = std::array<ChoiceWord, 4>;
 
-/// One of a few words.
+/// A setting with a few words as values.
 struct ChoiceSetting {
     int (*read)(Settings&);
     void (*write)(Settings&, int);

@@ -12,7 +12,7 @@ class Option;
 
 namespace vitrine {
 
-/// The settings as command line options: --config FILE, and --SECTION.KEY VALUE for every key.
+/// The settings as command-line options: --config FILE, and --SECTION.KEY VALUE for every key.
 class SettingOptions {
   public:
     /// Adds the options; `this` must outlive the parse.
@@ -32,7 +32,7 @@ class SettingOptions {
     };
 
     std::string config_;
-    std::map<std::string, Given> given_;  // by the key's name
+    std::map<std::string, Given> given_;  // key: name of the setting
     std::map<std::string, Given> aliased_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace vitrine {
 
-/// All settings with their defaults. setting_keys() has the allowed values and the explanation of each.
+/// All settings with their defaults. setting_keys() has the allowed values and explanations.
 struct Settings {
     struct Media {
         std::string root = "/srv/vitrine/media";
@@ -20,12 +20,12 @@ struct Settings {
     } state;
 
     struct Store {
-        std::int64_t max_bytes = std::int64_t{8} << 30;  // for copies and clips; 0: none are made
+        std::int64_t max_bytes = std::int64_t{8} << 30;  // limit for copies and clips; 0: none are made
         int clip_size = 0;  // px, longest side of a clip; 0: as large as layout.slots makes cells
     } store;
 
     struct Tapestry {
-        std::int64_t max_bytes = std::int64_t{2} << 30;  // for the tapestries of all films; 0: none are made
+        std::int64_t max_bytes = std::int64_t{2} << 30;  // limit for all films' tapestries; 0: none are made
     } tapestry;
 
     struct Status {
@@ -89,7 +89,7 @@ struct Settings {
 
     struct Input {
         std::string devices = "auto";   // auto, none, or device nodes separated by commas
-        std::chrono::seconds idle{30};  // time without a touch until the wall is as before
+        std::chrono::seconds idle{30};  // time without a touch until the wall returns to normal
     } input;
 
     struct Output {

@@ -92,7 +92,7 @@ void apply_setting(const std::string& name, const std::string& text, Settings& s
         try {
             key->assign(settings, setting_value(text));
         } catch (const std::invalid_argument&) {
-            key->assign(settings, text);  // a folder may be called 2026
+            key->assign(settings, text);  // a text may look like a number: a folder may be called 2026
         }
     } catch (const std::invalid_argument&) {
         throw SettingsError(

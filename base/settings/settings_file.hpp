@@ -16,7 +16,7 @@ class SettingsError : public std::runtime_error {
 };
 
 /// Reads TOML over the given settings. @param source  name of the text in errors
-/// @throws SettingsError if the text is no TOML, has an unknown section or key, or a value that is not
+/// @throws SettingsError if the text is no TOML, or has an unknown section or key, or a value that is not
 /// allowed
 void read_settings(std::string_view toml, const std::string& source, Settings& settings);
 

@@ -7,8 +7,8 @@
 
 namespace vitrine {
 
-/// A copy of the settings in a file in memory, for child processes that start later. They get the settings
-/// that were valid when the file was read, also while somebody edits it.
+/// A copy of the settings in a file in memory, for child processes that start later. They get the settings as
+/// they were when the file was read, even if somebody edits it meanwhile.
 class SettingsSnapshot {
   public:
     /// @throws std::system_error

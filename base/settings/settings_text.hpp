@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// A settings file that says the same as these settings.
+/// Writes the settings as an equivalent TOML file.
 std::string to_toml(const Settings& settings);
 
 /// The content of config/vitrine.toml: every key with its comment, commented out at its default. Lines have

@@ -4,8 +4,9 @@
 #include <string>
 #include <string_view>
 
-// Texts like "[=show]" break assumptions that the parser asserts. Such a broken assertion becomes an error of
-// the text here. With NDEBUG the parser ignores TOML_ASSERT and takes these cases for impossible.
+// Texts like "[=show]" break conditions that the parser asserts. Here such a broken assertion becomes an
+// error about the text. With NDEBUG the parser ignores TOML_ASSERT and assumes that these cases are
+// impossible.
 #ifdef NDEBUG
 #error "toml++ must not be built with NDEBUG: texts of strangers would be undefined behaviour"
 #endif
@@ -24,14 +25,14 @@ constexpr void expect_toml(bool holds) {
 
 namespace vitrine {
 
-/// A text that is not TOML.
+/// A text is not TOML.
 struct TomlError : std::runtime_error {
     TomlError(unsigned at, const std::string& what) : std::runtime_error(what), line(at) {}
 
     unsigned line;  // counted from 1
 };
 
-/// Parses TOML; nothing else calls toml++. @param source  name of the text in the places of toml++
+/// Parses TOML. Nothing else calls toml++. @param source  name of the text in toml++'s places
 /// @throws TomlError
 toml::table toml_table(std::string_view text, const std::string& source);
 

@@ -12,12 +12,12 @@
 
 namespace vitrine {
 
-// This module finds the files that crash the player. The player notes each file in STATE/playing before it
-// opens it. A note that it finds at the next start was left by a crash. It writes the files at fault into
+// Finds the files that crash the player. The player notes each file in STATE/playing before it opens it. A
+// note that exists at the next start was left by a crash. The player then writes the files at fault into
 // STATE/blamed, which the analyzer reads: docs/catalogue.md.
 
 constexpr const char* playing_file = "playing";  // below the state directory; only the player writes it
-constexpr const char* blamed_file = "blamed";    // likewise
+constexpr const char* blamed_file = "blamed";    // below the state directory; only the player writes it
 
 /// One content of one file.
 struct ContentName {
@@ -33,7 +33,7 @@ ContentName content_name(const MediaRecord& record);
 
 /// The files that one run of the player has open.
 struct PlayingNote {
-    std::string boot;  // ID of the kernel's boot: if the machine went down too, no file is at fault
+    std::string boot;  // ID of the kernel's boot: if the machine crashed as well, no file is at fault
     int process = 0;
     std::set<ContentName> opening;  // opened a few seconds ago
     std::set<ContentName> playing;  // opened earlier
@@ -44,11 +44,11 @@ struct PlayingNote {
 /// The points of each content.
 using Blame = std::map<ContentName, int>;
 
-/// Points at which a content is quarantined: it was being opened in two crashes in a row, or played in four,
-/// and it is the only such content.
+/// A content with so many points is quarantined if it is the only one: it was being opened in two crashes in
+/// a row, or played in four.
 constexpr int quarantine_points = 4;
 
-/// Points at which a content is a suspect.
+/// A content with so many points is a suspect.
 constexpr int suspect_points = 2;
 
 /// The reason in the record of a quarantined content.
@@ -57,8 +57,8 @@ constexpr const char* brought_the_player_down = "it brought the player down, aga
 bool is_quarantined(const Blame& blame, const MediaRecord& record);
 
 /// Gives points after a crash to the contents that were being opened, or, if there were none, to all that
-/// played. A content that had no part in the last crash loses its points, unless it is quarantined. If
-/// several would be quarantined at once, it is not known which is at fault, and they stay suspects.
+/// played. A content without part in the last crash loses its points, unless it is quarantined. If several
+/// would be quarantined at once, the one at fault is not known, and they stay suspects.
 Blame blame_after(const Blame& before, const PlayingNote& crashed);
 
 /// The paths with points.
@@ -67,7 +67,7 @@ std::vector<std::string> suspects(const Blame& blame, const std::vector<std::str
 /// Reads STATE/blamed. @param state  the state directory
 Blame read_blame(const std::filesystem::path& state);
 
-// The text form: lines of words. Words that are not understood are ignored, for the notes only protect.
+// The text form: lines of words. Unknown words are ignored, because the notes only protect.
 std::string to_text(const PlayingNote& note);
 std::string to_text(const Blame& blame);
 PlayingNote playing_note_from(const std::string& text);

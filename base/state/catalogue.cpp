@@ -19,7 +19,7 @@ std::vector<MediaRecord> Catalogue::load(const Complaint& complain) const {
         if (entry.path().extension() != ".json") continue;
         try {
             records.push_back(record_from_json(read_file(entry.path())));
-        } catch (const std::runtime_error& error) {  // one unreadable record never hides the others
+        } catch (const std::runtime_error& error) {  // an unreadable record does not hide the others
             if (complain) complain(entry.path().string(), error.what());
         }
     }

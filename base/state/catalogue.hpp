@@ -10,8 +10,8 @@
 
 namespace vitrine {
 
-/// The directory of records, one file ID.json for each medium. The analyzer is its only writer. Readers, any
-/// number, see each record whole or not at all.
+/// The directory of records, one file ID.json for each medium. Only the analyzer writes it. Any number of
+/// readers see each record whole or not at all.
 class Catalogue {
   public:
     /// Called for each record file that cannot be read or parsed, with its name and the reason.
@@ -27,10 +27,10 @@ class Catalogue {
 
     std::optional<MediaRecord> find(const std::string& path) const;
 
-    /// Replaces the record of that path by write, fsync and rename. @throws std::system_error
+    /// Replaces the record of its path by write, fsync and rename. @throws std::system_error
     void store(const MediaRecord& record) const;
 
-    /// Removes the record of that path, if there is one. @throws std::system_error
+    /// Removes the record of this path, if there is one. @throws std::system_error
     void remove(const std::string& path) const;
 
   private:

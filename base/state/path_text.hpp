@@ -3,7 +3,8 @@
 #include <string>
 #include <string_view>
 
-// Paths are any bytes, JSON is UTF-8. A path that is not UTF-8 stands in JSON a second time, in hex digits.
+// Paths are any bytes, JSON is UTF-8. A path that is not UTF-8 is written into JSON a second time, in hex
+// digits.
 
 namespace vitrine {
 

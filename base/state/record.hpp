@@ -18,10 +18,10 @@ enum class MediaKind { photo, film };
 /// The result of the analysis of a file. Only `ready` files are shown.
 enum class MediaState {
     ready,        // shots and regions are known
-    waiting,      // incomplete: a copy is under way or an index is missing; it is tried again
+    waiting,      // incomplete: a copy is under way or an index is missing; it will be tried again
     unsupported,  // complete, but not a file that can be shown
     failed,       // looked like media and could not be read
-    quarantined,  // killed its analysing child repeatedly; it is tried again only when it changes
+    quarantined,  // killed its analysing child repeatedly; tried again only when it changes
 };
 
 /// The end of a shot. A transition belongs to neither of its two shots.
@@ -29,8 +29,8 @@ enum class ShotEnd { cut, dissolve, fade, end };
 
 /// The region that must not be covered (paper 1, section 3.3).
 struct IRegion {
-    Polygon polygon;  // convex, counter-clockwise, px of the upright picture at the shot's begin
-    Vec2 drift;       // px per second, movement of the subject: at time t the region is polygon + drift * t
+    Polygon polygon;  // convex, counter-clockwise, px of the upright picture at the shot's start
+    Vec2 drift;       // px per second, the subject's movement: at time t the region is polygon + drift * t
 
     bool operator==(const IRegion&) const = default;
 };
@@ -40,7 +40,7 @@ struct Shot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
-    std::optional<StoredShot> stored;  // the file to play; nothing: the medium itself, or not made yet
+    std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
@@ -51,18 +51,18 @@ struct Shot {
 struct MediaRecord {
     static constexpr int current_version = 3;
 
-    std::string path;  // relative to the media root, '/' between folders, any bytes
+    std::string path;  // relative to the media folder, '/' between folders, any bytes
     MediaKind kind = MediaKind::photo;
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
     MediaState state = MediaState::waiting;
-    bool is_complete = true;  // false: the analysis goes on and may add shots at the end
-    std::string reason;  // plain words for the operator; for a ready film, why it is not shown to its end
-    int width = 0;       // px of the upright picture, square pixels
+    bool is_complete = true;  // false: the analysis continues and may add shots at the end
+    std::string reason;       // plain words for the operator; if ready: why a film is not shown to its end
+    int width = 0;            // px of the upright picture, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
-    std::optional<StoredSound> sound;      // for a film that is to be heard; nothing: not kept
+    std::optional<StoredSound> sound;      // for a film whose sound may be played; none: it is not stored
 
     bool operator==(const MediaRecord&) const = default;
 };
@@ -71,11 +71,11 @@ struct MediaRecord {
 /// in px of the shot's first frame: the intersection over t of Frame - drift * t.
 Box core(const MediaRecord& record, const Shot& shot);
 
-/// Tells if `after` is about the same content as `before`, with the same shots and perhaps further shots at
-/// the end. The places in the store do not count.
+/// True if `after` describes the same content as `before`, with the same shots and perhaps more shots at the
+/// end. Ignores the places in the store.
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
 
-/// The path of a file in its record: relative to the media root if the file lies in there, else unchanged.
+/// The path of a file in its record: relative to the media folder if the file is inside, else unchanged.
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root);
 
 /// The name of the record of a path: 16 hex digits, always the same for the same path.

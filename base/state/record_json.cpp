@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_shots = 100'000;
 constexpr std::size_t max_corners = 1'000;
-constexpr double max_pixels = 1e9;  // for a place, and for the way in a second
+constexpr double max_pixels = 1e9;  // for a place, and for the way in one second
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
 
@@ -53,7 +53,7 @@ Json to_array(Vec2 v) {
     return Json::array({rounded(v.x), rounded(v.y)});
 }
 
-/// nlohmann::json casts any number to the type asked for; a cast beyond the range is undefined.
+/// nlohmann::json casts any number to the requested type, but a cast beyond its range is undefined.
 template <std::integral Number> Number whole(const Json& json, const char* key) {
     const Json& value = json.at(key);
     if (value.is_number_unsigned() && std::in_range<Number>(value.get<std::uint64_t>()))

@@ -23,7 +23,7 @@ struct Tapestry {
     std::int64_t mtime_ns = 0;
     std::chrono::nanoseconds duration{0};
     bool is_complete = false;           // false: finer levels may still come
-    std::string folder;                 // holds the tiles, below the index
+    std::string folder;                 // folder of the tiles, below the index
     int height = 0;                     // px, the same for every level
     int tile_width = 0;                 // px; the last tile of a level may be narrower
     int brick_width = 0;                // px; neighbouring keyframes are half of it apart
@@ -41,8 +41,8 @@ struct Tapestry {
     /// The middle of a keyframe, px of the level.
     double middle(std::size_t level, std::size_t keyframe) const;
 
-    // Place and time on a level. Both are interpolated between keyframes; the ends of the level are the ends
-    // of the film.
+    // Conversions between place and time on a level. Both are interpolated between keyframes; the ends of the
+    // level are the ends of the film.
     double x_at(std::size_t level, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_at(std::size_t level, double x) const;
 };

@@ -120,7 +120,7 @@ bool VisibleReader::look(fs::file_time_type now) {
     const bool was_running = is_running_;
     std::error_code missing;
     const fs::file_time_type written = fs::last_write_time(file_, missing);
-    // A clock that was set back leaves a file from the future: that is no sign of life either.
+    // If the clock was set back, the file is from the future: that proves nothing either.
     is_running_ = !missing && std::chrono::abs(now - written) < max_visible_age;
     if (!is_running_) {
         written_.reset();
@@ -135,7 +135,7 @@ bool VisibleReader::look(fs::file_time_type now) {
         if (text == text_) return !was_running;
         text_ = std::move(text);
         files_ = visible_from_json(text_);
-    } catch (const std::runtime_error&) {  // damaged, or gone just now: the next one counts
+    } catch (const std::runtime_error&) {  // damaged or just removed; the next file is read again
         files_.clear();
     }
     return true;

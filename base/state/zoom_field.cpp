@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-// The file holds a magic word, the tile's size, the origin of all places, then the places. All numbers are
+// The file has a magic word, the tile's size, the origin of all places, then the places. All numbers are
 // little-endian.
 
 namespace vitrine {
@@ -19,9 +19,9 @@ constexpr int max_side = 4096;                             // px, of a tile
 constexpr std::int64_t max_place = std::int64_t{1} << 27;  // px, of a level
 constexpr std::size_t head = magic.size() + 2 + 2 + 8;     // bytes
 constexpr std::size_t point_bytes = 4 + 2 + 1;
-constexpr double parts = 16;         // in a px
-constexpr double growth_parts = 32;  // in 1
-constexpr int max_growth = 255;      // in parts
+constexpr double parts = 16;         // steps of a place in one px
+constexpr double growth_parts = 32;  // steps of a growth in 1
+constexpr int max_growth = 255;      // in steps
 
 void append(std::string& bytes, std::uint64_t number, int count) {
     for (int i = 0; i < count; ++i)

@@ -9,11 +9,11 @@
 
 namespace vitrine {
 
-/// The places of a tile's points in the next finer or coarser level: the same content, or the content it
-/// comes from. While the view goes from one level to the other, each point moves between its two places in a
-/// straight line. The points stand in columns `step` px apart, the last one at the tile's right edge, and in
-/// `rows` rows from its upper edge to its lower one. Places go to the right in each row and down in each
-/// column. Source: Video Tapestries 4.3; docs/catalogue.md has the format.
+/// The places of a tile's points in the next finer or coarser level, where the same content is, or the
+/// content that it comes from. While the view goes from one level to the other, each point moves between its
+/// two places in a straight line. The points form columns `step` px apart, the last one at the tile's right
+/// edge, and `rows` rows from its upper edge to its lower one. Places go to the right in each row and down in
+/// each column. Source: Video Tapestries 4.3; docs/catalogue.md has the format.
 struct ZoomField {
     static constexpr int step = 16;  // px
     static constexpr int rows = 11;
@@ -21,8 +21,8 @@ struct ZoomField {
     int width = 0;                // px of the tile
     int height = 0;               // px of the level
     std::vector<Vec2> places;     // row by row, px of the other level, in steps of 1/16
-    std::vector<double> growths;  // row by row, px of the other level for one px of this one, across; [0, 8),
-                                  // in steps of 1/32
+    std::vector<double> growths;  // row by row, horizontal px of the other level for one px of this one; [0,
+                                  // 8), in steps of 1/32
 
     int columns() const { return columns_of(width); }
 

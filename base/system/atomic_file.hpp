@@ -6,19 +6,18 @@
 
 namespace vitrine {
 
-/// The name under which a file is written until it is complete. A file that is found there after a crash is
-/// worthless.
+/// The name of a file until it is complete. A file with this name that is found after a crash is worthless.
 inline std::filesystem::path unfinished(const std::filesystem::path& path) {
     return path.string() + ".new";
 }
 
 /// Replaces a file as a whole: writes a new file beside it, fsyncs it, renames it over the old one, and
-/// fsyncs the directory. Readers see the old content or the new, also after a power cut.
+/// fsyncs the directory. Readers see the old content or the new, even after a power cut.
 /// @throws std::system_error; the old content then stays
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// Replaces a file as a whole, but for the fsyncs: readers see the old content or the new; after a power cut
-/// the file may be empty. For files that are written anew soon. @throws std::system_error
+/// Replaces a file as a whole, but without fsync: readers see the old content or the new; after a power cut
+/// the file may be empty. For files that are soon written again. @throws std::system_error
 void replace_file_unsynced(const std::filesystem::path& path, std::string_view content);
 
 /// Gives a file that was written under another name in the same directory its final name: fsyncs it, renames

@@ -17,7 +17,7 @@ constexpr std::uint32_t wanted = IN_CLOSE_WRITE | IN_MOVED_FROM | IN_MOVED_TO | 
                                  IN_DELETE_SELF | IN_MOVE_SELF | IN_ATTRIB | IN_ONLYDIR | IN_DONT_FOLLOW |
                                  IN_EXCL_UNLINK;
 
-/// The kind of an event; nothing for events that do not matter: a new file that is still being written.
+/// The kind of an event. None: the event does not matter, such as a new file that is still being written.
 std::optional<DirectoryEvent::Kind> kind_of(std::uint32_t mask) {
     using Kind = DirectoryEvent::Kind;
     if ((mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT)) != 0) return Kind::self_gone;

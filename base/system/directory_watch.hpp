@@ -15,10 +15,10 @@ struct DirectoryEvent {
         written,            // a writer closed a file, or a file was moved in
         changed,            // a file's attributes changed
         removed,            // a file was deleted or moved away
-        directory_added,    // made or moved in; it may already hold files: add() it, then read it
+        directory_added,    // made or moved in; it may already have files: add() it, then read it
         directory_removed,  // deleted or moved away
         self_gone,          // the watched directory itself was deleted, moved or unmounted
-        overflow,           // events were lost: read everything anew; directory and name are empty
+        overflow,           // events were lost: read everything again; directory and name are empty
     };
 
     Kind kind = Kind::changed;
@@ -28,8 +28,8 @@ struct DirectoryEvent {
     bool operator==(const DirectoryEvent&) const = default;
 };
 
-/// Reports the changes in directories that the kernel sees (inotify). It does not see changes that others
-/// make on a network share, nor changes in sub-folders: add each folder by itself.
+/// Reports the changes in directories that the kernel sees (inotify). The kernel does not see the changes of
+/// other machines on a network share. Sub-folders are not included: add each folder by itself.
 class DirectoryWatch {
   public:
     DirectoryWatch();
@@ -37,11 +37,10 @@ class DirectoryWatch {
     /// Becomes readable when there are events.
     int fd() const { return inotify_.get(); }
 
-    /// Begins to watch a directory. Add it before you read it, so that no change is missed. Adding it again
+    /// Starts to watch a directory. Add it before you read it, so that no change is missed. Adding it again
     /// does no harm.
-    /// @return  false, with errno, if it cannot be watched: it is already gone (ENOENT), is no directory
-    /// (ENOTDIR), or
-    ///          too many are watched (ENOSPC: fs.inotify.max_user_watches)
+    /// @return  false, with errno, if it cannot be watched: it is gone already (ENOENT), is no directory
+    /// (ENOTDIR), or too many are watched (ENOSPC: fs.inotify.max_user_watches)
     bool add(const std::filesystem::path& directory);
 
     /// Forgets the directory and all below it.

@@ -9,7 +9,7 @@
 
 namespace vitrine {
 
-/// Stays at one address for as long as its source lives, because sd-event keeps that address.
+/// Stays at one address while its source lives, because sd-event keeps that address.
 struct EventLoop::Callback {
     Callback(EventLoop& its_loop, std::function<void(std::uint32_t)> its_call)
         : loop(its_loop), call(std::move(its_call)) {}
@@ -23,8 +23,8 @@ struct EventLoop::Callback {
     std::function<void(std::uint32_t)> call;
     sd_event_source* source = nullptr;
 
-    /// Stops exceptions before they reach C, at this place only. The copy keeps the function alive if it
-    /// destroys its own source.
+    /// Stops exceptions before they reach C. Only this function does so. The copy keeps the function alive if
+    /// it destroys its own source.
     int guarded(std::uint32_t events) const {
         EventLoop& keeper = loop;
         try {
@@ -54,7 +54,7 @@ struct EventLoop::Callback {
 
 namespace {
 
-/// sd-event returns -errno.
+/// Throws for a result of sd-event, which returns -errno.
 int checked(int result, const char* what) {
     if (result >= 0) return result;
     errno = -result;
@@ -151,7 +151,7 @@ void EventLoop::run() {
 bool EventLoop::run_once(Clock::duration at_most) {
     const int result = sd_event_run(get(), microseconds(at_most));
     rethrow();
-    if (result == -ESTALE) return false;  // the loop has quit
+    if (result == -ESTALE) return false;  // the loop was told to quit
     return checked(result, "wait for events") > 0 && sd_event_get_state(get()) != SD_EVENT_FINISHED;
 }
 

@@ -13,14 +13,14 @@ namespace vitrine {
 
 /// Waits for files, times and signals in one thread and calls functions (sd-event).
 ///
-/// An exception from a callback ends the loop, and run() throws it again; it never crosses sd-event itself.
+/// An exception from a callback ends the loop, and run() throws it again. It never passes through sd-event.
 class EventLoop {
     struct Callback;
 
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// Keeps a callback: once it is destroyed, its callback is not called any more. It must not outlive the
+    /// Owns a callback: once it is destroyed, the callback is not called any more. It must not outlive the
     /// loop. A callback may destroy its own source as its last action.
     class [[nodiscard]] Source {
       public:
@@ -32,7 +32,7 @@ class EventLoop {
         Source& operator=(const Source&) = delete;
         ~Source();
 
-        /// For timers: calls back once, after this delay from now, also if it did so before.
+        /// For timers: calls back once, after this delay from now, even if it did so before.
         void arm(Clock::duration delay);
 
         void disarm();
@@ -57,7 +57,7 @@ class EventLoop {
     /// Makes a timer that is not armed yet.
     Source timer(std::function<void()> call);
 
-    /// Blocks the signal for this thread and calls back in turn with all other events.
+    /// Blocks the signal for this thread, and calls back in turn with all other events.
     Source signal(int number, std::function<void()> call);
 
     /// Calls back once, as soon as the loop runs.

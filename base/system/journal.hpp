@@ -15,10 +15,10 @@ struct Field {
     std::string value;      // any bytes
 };
 
-/// MESSAGE_ID of the line that names a file at fault. It finds the line whatever its words are.
+/// MESSAGE_ID of the line that names a file at fault. It finds the line even if its text changes.
 constexpr const char* file_at_fault = "9d0f6a5c1e7b4c2f8a3be5d27c41f06b";
 
-/// Writes one line, with fields if the standard error is the journal, else as write() does.
+/// Writes one line. Adds the fields if the standard error is the journal; else writes it like write().
 void write_with(Level level, std::string_view message, const std::vector<Field>& fields);
 
 /// The assignments for the journal: "MESSAGE=..." and so on.

@@ -2,8 +2,8 @@
 
 namespace vitrine::log {
 
-/// Tells if systemd reads this file descriptor into the journal. systemd names its stream by device and
-/// inode, so that a redirected descriptor is not mistaken for it.
+/// True if systemd reads this file descriptor into the journal. systemd names its stream by device and inode,
+/// so that a redirected descriptor is not mistaken for it.
 bool is_journal(int fd);
 
 }  // namespace vitrine::log

@@ -23,7 +23,7 @@ constexpr std::array<LevelName, 4> levels{{{Level::error, "error", 3},
                                            {Level::info, "info", 6},
                                            {Level::debug, "debug", 7}}};
 
-std::atomic<Level> highest = Level::info;  // the one global of the tree
+std::atomic<Level> highest = Level::info;  // the only global of the tree
 
 }  // namespace
 

@@ -20,7 +20,7 @@ bool is_wanted(Level level);
 /// Writes one line. Control characters are written as \xNN, so that a file name cannot forge a line.
 void write(Level level, std::string_view message);
 
-/// The line in the stream. @param for_journal  begin it with the priority that the journal reads, "<6>"
+/// The line as it is written. @param for_journal  begins it with the priority that the journal reads, "<6>"
 std::string line_of(Level level, std::string_view message, bool for_journal);
 
 template <typename... Args> void error(fmt::format_string<Args...> text, Args&&... args) {

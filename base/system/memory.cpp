@@ -7,7 +7,7 @@ namespace vitrine {
 namespace {
 
 constexpr int arenas = 2;
-constexpr int returned_from = 256 << 10;  // bytes; without it the limit grows to the largest block ever freed
+constexpr int returned_from = 256 << 10;  // bytes; otherwise the limit grows to the largest block ever freed
 
 }  // namespace
 

@@ -13,7 +13,7 @@ void ready(const std::string& status);
 void status(const std::string& text);
 void stopping();
 
-/// Tells if messages reach systemd, or a program that stands in for it.
+/// True if messages reach systemd, or a program that replaces it.
 bool is_told();
 
 /// Lets systemd hold a descriptor for the next process of the service. It replaces a descriptor that systemd
@@ -32,8 +32,7 @@ UniqueFd held(const std::string& name);
 /// does its work.
 void feed_watchdog();
 
-/// The time that systemd waits for feed_watchdog() before it restarts the service; nothing if it does not
-/// wait.
+/// The time that systemd waits for feed_watchdog() before it restarts the service. None: it does not wait.
 std::optional<std::chrono::microseconds> watchdog_interval();
 
 }  // namespace vitrine::service
