@@ -64,12 +64,12 @@ std::optional<Period> period_named(std::string_view text) {
     return period;
 }
 
-std::optional<Hours> hours_named(std::string_view text, TimePrecision least) {
+std::optional<Hours> hours_named(std::string_view text, TimePrecision min_precision) {
     const std::size_t dash = text.find('-');
     if (dash == std::string_view::npos) return std::nullopt;
     const auto from = time_named(text.substr(0, dash));
     const auto to = time_named(text.substr(dash + 1));
-    if (!from || !to || from->precision < least || to->precision < least) return std::nullopt;
+    if (!from || !to || from->precision < min_precision || to->precision < min_precision) return std::nullopt;
     if (from->minutes == to->minutes || from->minutes == minutes_of_day) return std::nullopt;
     return Hours{.from = std::chrono::minutes(from->minutes), .to = std::chrono::minutes(to->minutes)};
 }

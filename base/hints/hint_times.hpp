@@ -21,9 +21,9 @@ enum class TimePrecision { hour, minute };
 
 /// Parses "08-18" or "08:30-18.00": two digits for the hours, at most "24", and two for the minutes after ':'
 /// or '.'.
-/// @param least  minute: both times need their minutes
-/// @return       none: another text, or both times are the same
-std::optional<Hours> hours_named(std::string_view text, TimePrecision least = TimePrecision::hour);
+/// @param min_precision  minute: both times need their minutes
+/// @return               none: another text, or both times are the same
+std::optional<Hours> hours_named(std::string_view text, TimePrecision min_precision = TimePrecision::hour);
 
 /// "2026-12-24"; empty for no day.
 std::string to_text(const std::optional<std::chrono::local_days>& day);

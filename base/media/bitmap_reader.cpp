@@ -73,9 +73,9 @@ void require_sane(const Header& header, std::uint32_t compression) {
 }
 
 void read_palette(Reader& file, Header& header, std::uint32_t colours, bool old) {
-    const std::uint32_t most = std::uint32_t{1} << header.bits;
-    header.palette.assign(most, Rgb{});
-    const std::uint32_t given = colours == 0 || colours > most ? most : colours;
+    const std::uint32_t max_colours = std::uint32_t{1} << header.bits;
+    header.palette.assign(max_colours, Rgb{});
+    const std::uint32_t given = colours == 0 || colours > max_colours ? max_colours : colours;
     for (std::uint32_t i = 0; i < given; ++i) {
         const std::uint32_t entry = file.little(old ? 3 : 4);
         header.palette[i] = {static_cast<std::uint8_t>(entry >> 16), static_cast<std::uint8_t>(entry >> 8),
@@ -119,9 +119,9 @@ Header read_header(Reader& file) {
 
 std::uint8_t channel(std::uint32_t pixel, std::uint32_t mask) {
     if (mask == 0) return 0;
-    const std::uint32_t most = mask >> std::countr_zero(mask);
+    const std::uint32_t max_value = mask >> std::countr_zero(mask);
     const std::uint64_t value = (pixel & mask) >> std::countr_zero(mask);
-    return static_cast<std::uint8_t>(value * 255 / most);
+    return static_cast<std::uint8_t>(value * 255 / max_value);
 }
 
 Rgb pixel_at(const Header& header, const std::vector<std::uint8_t>& row, std::size_t x) {

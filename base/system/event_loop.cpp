@@ -148,8 +148,8 @@ void EventLoop::run() {
     checked(result, "wait for events");
 }
 
-bool EventLoop::run_once(Clock::duration at_most) {
-    const int result = sd_event_run(get(), microseconds(at_most));
+bool EventLoop::run_once(Clock::duration max_wait) {
+    const int result = sd_event_run(get(), microseconds(max_wait));
     rethrow();
     if (result == -ESTALE) return false;  // the loop was told to quit
     return checked(result, "wait for events") > 0 && sd_event_get_state(get()) != SD_EVENT_FINISHED;

@@ -68,7 +68,7 @@ class EventLoop {
 
     /// Waits for one event, at most this long, and handles it. @return  false if no event came or the loop
     /// quit
-    bool run_once(Clock::duration at_most);
+    bool run_once(Clock::duration max_wait);
 
     void quit();
 

@@ -199,7 +199,7 @@ void cells_table(const Supply& supply, int instances) {
         "|--|--|--|--|--|--|--|--|\n");
     for (const Vec2 size : {Vec2{1920, 1080}, Vec2{1080, 1920}, Vec2{1024, 768}})
         for (const std::size_t count : {3, 4, 6, 8, 12, 24}) {
-            double ms = 0, lost = 0, background = 0, most = 0, covered = 0;
+            double ms = 0, lost = 0, background = 0, largest = 0, covered = 0;
             std::size_t corners = 0;
             for (int k = 0; k < instances; ++k) {
                 Random random(static_cast<std::uint64_t>(k) + 1);
@@ -217,12 +217,12 @@ void cells_table(const Supply& supply, int instances) {
                 const PlanResult result = plan_result(named, layout);
                 lost += (1 - result.region_visible) * (1 - layout.energy) * size.x * size.y;
                 background += 1 - result.canvas_filled;
-                most = std::max(most, 1 - result.canvas_filled);
+                largest = std::max(largest, 1 - result.canvas_filled);
                 covered += 1 - layout.energy;
             }
             fmt::print("| {}x{} | {} | {:.2f} | {} | {:.3f} | {:.2f} | {:.1f} | {:.3f} |\n", size.x, size.y,
                        count, ms / instances, corners / static_cast<std::size_t>(instances), lost / instances,
-                       100 * background / instances, 100 * most, covered / instances);
+                       100 * background / instances, 100 * largest, covered / instances);
             std::fflush(stdout);
         }
 }

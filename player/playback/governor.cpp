@@ -92,13 +92,13 @@ std::optional<Governor::Change> Governor::step_down(std::span<const FilmLoad> fi
         patience_ = std::min(2 * patience_, max_patience);
         tried_.reset();
     } else {
-        const FilmLoad* most = nullptr;
+        const FilmLoad* costliest = nullptr;
         for (const FilmLoad& film : films) {
             if (detail(film.source) == Detail::still) continue;
-            if (most == nullptr || burden(film) > burden(*most)) most = &film;
+            if (costliest == nullptr || burden(film) > burden(*costliest)) costliest = &film;
         }
-        if (most == nullptr) return std::nullopt;
-        source = most->source;
+        if (costliest == nullptr) return std::nullopt;
+        source = costliest->source;
     }
     const Detail lower = below(detail(source));
     details_[source] = lower;

@@ -72,11 +72,11 @@ void TileLoader::want(std::vector<TileFile> files) {
     wake_.notify_one();
 }
 
-std::vector<LoadedTile> TileLoader::take(std::size_t most) {
+std::vector<LoadedTile> TileLoader::take(std::size_t max_tiles) {
     std::vector<LoadedTile> tiles;
     {
         const std::lock_guard lock(mutex_);
-        for (; !loaded_.empty() && tiles.size() < most; loaded_.pop_front())
+        for (; !loaded_.empty() && tiles.size() < max_tiles; loaded_.pop_front())
             tiles.push_back(std::move(loaded_.front()));
     }
     wake_.notify_one();
@@ -87,7 +87,7 @@ void TileLoader::run() {
     std::unique_lock lock(mutex_);
     while (true) {
         wake_.wait(lock,
-                   [this] { return is_stopping_ || (!wanted_.empty() && loaded_.size() < most_waiting); });
+                   [this] { return is_stopping_ || (!wanted_.empty() && loaded_.size() < max_waiting); });
         if (is_stopping_) return;
         const TileFile file = std::move(wanted_.back());
         wanted_.pop_back();

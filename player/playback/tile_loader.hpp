@@ -46,11 +46,11 @@ class TileLoader {
     /// Asks for these tiles, the most urgent first. They replace all that were asked for before.
     void want(std::vector<TileFile> files);
 
-    /// Takes tiles that have been read. @param most  limit of their number
-    std::vector<LoadedTile> take(std::size_t most);
+    /// Takes tiles that have been read. @param max_tiles  limit of their number
+    std::vector<LoadedTile> take(std::size_t max_tiles);
 
     /// Limit of the tiles that wait to be taken.
-    static constexpr std::size_t most_waiting = 8;
+    static constexpr std::size_t max_waiting = 8;
 
   private:
     void run();

@@ -6,7 +6,7 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double least_growth = 0.02;  // smaller values are rounding errors of the file's numbers
+constexpr double min_growth = 0.02;  // smaller values are rounding errors of the file's numbers
 
 void widen(double& left, double& right, double x) {
     left = std::min(left, x);
@@ -56,7 +56,7 @@ ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer) {
                  .u = static_cast<float>(point.x / field.width),
                  .v = static_cast<float>(point.y / field.height),
                  .growth = static_cast<float>(
-                     is_to_finer ? -1 : std::max(least_growth, field.growths[field.number(column, row)]))});
+                     is_to_finer ? -1 : std::max(min_growth, field.growths[field.number(column, row)]))});
             widen(mesh.coarse_left, mesh.coarse_right, coarse.x);
             widen(mesh.fine_left, mesh.fine_right, fine.x);
         }

@@ -37,8 +37,8 @@ MediaPlaces media_places(const Settings& settings) {
 View view_of(const Settings& settings, int width, int height) {
     const Margins margins = margins_named(settings.output.margins).value_or(Margins{});
     const auto pixels = [](const ScreenLength& length, int side) {
-        const double most = side * 0.4;  // px; larger margins are meant for larger screens
-        return static_cast<int>(std::lround(std::min(length.pixels + length.share * side, most)));
+        const double max_length = side * 0.4;  // px; larger margins are meant for larger screens
+        return static_cast<int>(std::lround(std::min(length.pixels + length.share * side, max_length)));
     };
     return {.rotation = rotation_of(settings.output.rotation),
             .left = pixels(margins.left, width),

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int width = 128;  // px
 constexpr int height = 72;
-constexpr int most_difference = 2;  // levels of a channel
+constexpr int max_difference = 2;  // levels of a channel
 
 // A picture of two halves in memory of the card, planes one after the other; its descriptor.
 int draw(int card, std::uint32_t& stride, std::uint64_t& bytes) {
@@ -72,12 +72,12 @@ Picture drawn(const std::shared_ptr<Egl>& egl, GstSample* frame, PictureForm for
 }
 
 int difference(const Picture& a, const Picture& b, int left, int right) {
-    int most = 0;
+    int largest = 0;
     for (int y = 0; y < a.height; ++y)
         for (int x = left; x < right; ++x)
             for (std::size_t i = 0; i < 3; ++i)
-                most = std::max(most, std::abs(at(a, x, y)[i] - at(b, x, y)[i]));
-    return most;
+                largest = std::max(largest, std::abs(at(a, x, y)[i] - at(b, x, y)[i]));
+    return largest;
 }
 
 int run(const char* path) {
@@ -102,7 +102,7 @@ int run(const char* path) {
     fmt::print("{}: shared and uploaded planes differ by {} where drawn sharp, by {} where blurred\n",
                gl_device(), part, blurred);
     const bool is_drawn = !is_near(at(shared, 20, 50), at(shared, 80, 50), 20);  // its halves
-    return is_drawn && part <= most_difference && blurred <= 4 * most_difference ? 0 : 1;
+    return is_drawn && part <= max_difference && blurred <= 4 * max_difference ? 0 : 1;
 }
 
 }  // namespace

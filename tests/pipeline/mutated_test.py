@@ -91,7 +91,7 @@ def main():
     options = parser.parse_args()
     analyzer = options.build / "analyzer" / "vitrine-analyzer"
     table = collections.defaultdict(collections.Counter)
-    faults, most_seconds, most_memory, begin = [], 0.0, 0, time.monotonic()
+    faults, max_seconds, max_memory, begin = [], 0.0, 0, time.monotonic()
     with tempfile.TemporaryDirectory(prefix="vitrine-mutated-") as folder:
         seeds = draw_seeds(folder)
         if not {"jpg", "png", "mpeg4.mp4", "mpeg4.avi"} <= seeds.keys():
@@ -113,7 +113,7 @@ def main():
                 break
             seen += 1
             table[" ".join(form.split()[:2])][state] += 1
-            most_seconds, most_memory = max(most_seconds, seconds), max(most_memory, memory)
+            max_seconds, max_memory = max(max_seconds, seconds), max(max_memory, memory)
             if state not in STATES:
                 faults.append(f"{number} {form} {mutation}: {state}\n{said[-3000:]}")
                 print(faults[-1], file=sys.stderr, flush=True)
@@ -126,8 +126,8 @@ def main():
     for form in sorted(table):
         print(f"{form:16}" + "".join(f"{table[form][c]:16}" for c in columns))
     print(f"{'all':16}" + "".join(f"{sum(row[c] for row in table.values()):16}" for c in columns))
-    print(f"{seen} files of {len(seeds)} seeds in {time.monotonic() - begin:.0f} s; the longest took {most_seconds:.1f} s "
-          f"of the processor, the largest {most_memory >> 20} MiB; {len(faults)} at fault")
+    print(f"{seen} files of {len(seeds)} seeds in {time.monotonic() - begin:.0f} s; the longest took {max_seconds:.1f} s "
+          f"of the processor, the largest {max_memory >> 20} MiB; {len(faults)} at fault")
     return 1 if faults else 0
 
 

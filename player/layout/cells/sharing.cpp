@@ -71,11 +71,11 @@ double distance(const Box& a, const Box& b) {
 
 /// An upper bound of the distance from any point of a box to a region.
 double max_distance(const Box& box, const Polygon& region) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const Vec2& p : region)
-        least = std::min(least, length({std::max(p.x - box.min.x, box.max.x - p.x),
-                                        std::max(p.y - box.min.y, box.max.y - p.y)}));
-    return least;
+        smallest = std::min(smallest, length({std::max(p.x - box.min.x, box.max.x - p.x),
+                                              std::max(p.y - box.min.y, box.max.y - p.y)}));
+    return smallest;
 }
 
 /// The takers that may be the nearest ones somewhere in a leftover.
@@ -203,15 +203,15 @@ void add_as_one(ItemAreas& units, const ItemAreas& sites, const LayoutGroup& gro
 
 double distance_to(const Polygon& region, Vec2 point) {
     if (is_inside_convex(region, point, 0)) return 0;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < region.size(); ++k) {
         const Vec2 a = region[k];
         const Vec2 along = region[(k + 1) % region.size()] - a;
         const double squared = dot(along, along);
         const double share = squared > 0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0;
-        least = std::min(least, length(point - a - along * share));
+        smallest = std::min(smallest, length(point - a - along * share));
     }
-    return least;
+    return smallest;
 }
 
 CanvasShares share_canvas(const ItemAreas& sites, const std::vector<LayoutGroup>& groups, const Box& canvas,

@@ -101,8 +101,8 @@ Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     const double begin = dot(from - foot, along);
     const double end = dot(to - foot, along);
     // The chord over a width w is at most w^2 / 8p away from the parabola.
-    const double widest = std::sqrt(8 * p * bend_tolerance);
-    const int pieces = std::clamp(static_cast<int>(std::ceil(std::abs(end - begin) / widest)), 1, 1000);
+    const double max_width = std::sqrt(8 * p * bend_tolerance);
+    const int pieces = std::clamp(static_cast<int>(std::ceil(std::abs(end - begin) / max_width)), 1, 1000);
     Polygon corners;
     for (int i = 1; i < pieces; ++i) {
         const double x = begin + (end - begin) * i / pieces;

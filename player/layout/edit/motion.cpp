@@ -27,10 +27,10 @@ constexpr double detour_factor = 0.7;  // times the smaller of both scales, at t
 constexpr int max_pushes = 60;         // rounds of pushing items apart at the halfway layout
 
 double support(const Polygon& outline, Vec2 direction) {
-    double most = -std::numeric_limits<double>::infinity();
+    double largest = -std::numeric_limits<double>::infinity();
     for (const Vec2& p : outline)
-        most = std::max(most, dot(p, direction));
-    return most;
+        largest = std::max(largest, dot(p, direction));
+    return largest;
 }
 
 Placement mixed(const Placement& a, const Placement& b, double t) {

@@ -100,17 +100,17 @@ namespace {
 /// The largest scale at which the region of an item at this place fits into the field.
 double scale_in_field(const PackingProblem& problem, std::size_t item, Vec2 place) {
     const Box& extent = problem.shapes[item].extent;
-    const double most = std::min(std::min((place.x - problem.field.min.x) / -extent.min.x,
-                                          (problem.field.max.x - place.x) / extent.max.x),
-                                 std::min((place.y - problem.field.min.y) / -extent.min.y,
-                                          (problem.field.max.y - place.y) / extent.max.y));
-    return std::max(0.0, most);
+    const double max_scale = std::min(std::min((place.x - problem.field.min.x) / -extent.min.x,
+                                               (problem.field.max.x - place.x) / extent.max.x),
+                                      std::min((place.y - problem.field.min.y) / -extent.min.y,
+                                               (problem.field.max.y - place.y) / extent.max.y));
+    return std::max(0.0, max_scale);
 }
 
 double growth_in_field(const PackingProblem& problem, std::size_t item, Vec2 place) {
     const GrowingScale scale = problem.growing_scale(item);
-    const double most = scale_in_field(problem, item, place);
-    return most >= scale.limit ? std::numeric_limits<double>::infinity() : most / scale.rate;
+    const double max_scale = scale_in_field(problem, item, place);
+    return max_scale >= scale.limit ? std::numeric_limits<double>::infinity() : max_scale / scale.rate;
 }
 
 /// A growth in [min, max], near the largest, with the right order; 0: the order is wrong even at `min`.

@@ -149,13 +149,13 @@ void Contacts::set_reach(std::size_t a, std::size_t b) {
 }
 
 float Contacts::signed_depth(const Pair& p, float x, float y) const {
-    Lanes least = {infinity, infinity, infinity, infinity};
+    Lanes smallest = {infinity, infinity, infinity, infinity};
     for (std::size_t k = p.begin; k < p.end; ++k) {
         const Sides& sides = sides_[k];
         const Lanes depth = sides.offset - sides.x * x - sides.y * y;
-        least = depth < least ? depth : least;
+        smallest = depth < smallest ? depth : smallest;
     }
-    return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+    return std::min(std::min(smallest[0], smallest[1]), std::min(smallest[2], smallest[3]));
 }
 
 double Contacts::depth(std::size_t a, std::size_t b, Vec2 apart) const {

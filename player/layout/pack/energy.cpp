@@ -15,9 +15,9 @@ constexpr double ratio_epsilon = 1e-6;    // eq. 3.7
 
 /// ln(e^a + e^b)
 double log_of_sum(double a, double b) {
-    const double most = std::max(a, b);
-    if (std::isinf(most)) return most;
-    return most + std::log1p(std::exp(std::min(a, b) - most));
+    const double larger = std::max(a, b);
+    if (std::isinf(larger)) return larger;
+    return larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
 double log_or_nothing(double value) {

@@ -16,9 +16,9 @@ constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
 constexpr double background_weight = 3;
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
-constexpr double nearest = 0.003;           // shortest random move, share of the field's diagonal
-constexpr double farthest = 0.3;
-constexpr double farthest_from_home = 0.05;
+constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
+constexpr double max_move_share = 0.3;
+constexpr double max_share_from_home = 0.05;
 constexpr double pull_weight =
     0.15;  // factor of the mean distance from home in diagonals; costs are shares of the canvas
 constexpr double max_resize_step = 0.12;  // ln(scale) of a random step
@@ -42,9 +42,10 @@ std::uint64_t bits_below(int count) {
     return count >= columns ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-Vec2 random_move(const PackingProblem& problem, double farthest_share, Random& random) {
-    const double most = length(problem.field.max - problem.field.min);
-    const double reach = most * nearest * std::pow(1 + farthest_share / nearest, uniform(random));
+Vec2 random_move(const PackingProblem& problem, double max_share, Random& random) {
+    const double diagonal = length(problem.field.max - problem.field.min);
+    const double reach =
+        diagonal * min_move_share * std::pow(1 + max_share / min_move_share, uniform(random));
     const double x = (2 * uniform(random) - 1) * reach;
     const double y = (2 * uniform(random) - 1) * reach;
     const std::size_t kind = uniform_index(random, 4);  // 0: along x only, 1: along y only
@@ -158,7 +159,7 @@ class GapFilling {
 
     /// Resizes an item about a corner, the middle of a side or the middle.
     void resize(std::size_t item, double wide, Random& random) {
-        const double most =
+        const double max_resized =
             std::max(resized_[item], std::min(max_resizing, std::log(problem_.limits[item] / base_[item])));
         const double by = max_resize_step * (0.1 + 0.9 * wide) * (2 * uniform(random) - 1);
         const Box& extent = problem_.shapes[item].extent;
@@ -167,7 +168,7 @@ class GapFilling {
         const Vec2 anchor{extent.min.x + x * extent.width(), extent.min.y + y * extent.height()};
         const double before = problem_.scales[item];
         const Vec2 place = now_.places[item];
-        set(item, std::clamp(resized_[item] + by, min_resized_[item], most), place);
+        set(item, std::clamp(resized_[item] + by, min_resized_[item], max_resized), place);
         set(item, resized_[item], place + anchor * (before - problem_.scales[item]));
     }
 
@@ -199,7 +200,7 @@ class GapFilling {
     }
 
     /// The limit of a random move, as a share of the field's diagonal.
-    double max_move() const { return targets_.homes.empty() ? farthest : farthest_from_home; }
+    double max_move() const { return targets_.homes.empty() ? max_move_share : max_share_from_home; }
 
     double distance_home(std::size_t item) const {
         return targets_.homes.empty() ? 0 : length(now_.places[item] - targets_.homes[item]);

@@ -70,14 +70,14 @@ std::vector<Vec2> packed_in_lines(const ScaledShapes& shapes, double ratio) {
         widest = std::max(widest, item_width);
     }
     std::vector<Vec2> best(shapes.size());
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const double slack : {1.0, 1.1, 1.2, 1.35})
         for (std::size_t lines = 1; lines <= shapes.size(); ++lines) {
             const double width = std::max(widest, whole / static_cast<double>(lines) * slack);
             const LinePacking packing(shapes, width);
             const double screen = screen_area(bounds_of(shapes, packing.places()), ratio);
-            if (screen >= least) continue;
-            least = screen;
+            if (screen >= smallest) continue;
+            smallest = screen;
             best = packing.places();
         }
     return best;

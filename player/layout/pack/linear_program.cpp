@@ -30,11 +30,11 @@ std::span<double> LinearProgram::add_row(double room) {
 /// The column whose unknown raises the objective fastest. An unknown without sign may also fall.
 std::size_t LinearProgram::entering() const {
     std::size_t best = none;
-    double most = min_gain;
+    double largest = min_gain;
     for (std::size_t k = 0; k < unknowns_; ++k) {
         const double gain = nonbasic_[k] == constraint ? gains_[k] : std::abs(gains_[k]);
-        if (gain <= most) continue;
-        most = gain;
+        if (gain <= largest) continue;
+        largest = gain;
         best = k;
     }
     return best;
@@ -44,14 +44,14 @@ std::size_t LinearProgram::entering() const {
 std::size_t LinearProgram::leaving(std::size_t column) {
     const double turn = gains_[column] > 0 ? 1 : -1;
     std::size_t best = none;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     double steepest = 0;
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         const double fall = -turn * row(r)[column];
         if (basic_[r] != constraint || fall <= min_slope) continue;
         const double until = rooms_[r] / fall;
-        if (until > least || (until == least && fall <= steepest)) continue;
-        least = until;
+        if (until > smallest || (until == smallest && fall <= steepest)) continue;
+        smallest = until;
         steepest = fall;
         best = r;
     }

@@ -107,8 +107,8 @@ void explore(const PackingProblem& problem, Contacts& contacts, BestArrangement&
         trial.growth *= 1 - loosening;
         disturb(problem, trial, random);
         separation.run(trial, roaming, budget, exploring_patience);
-        const double least = best.arrangement().growth * min_promising;
-        trial.growth = max_free_growth(problem, trial, contacts, least, trial.growth);
+        const double min_growth = best.arrangement().growth * min_promising;
+        trial.growth = max_free_growth(problem, trial, contacts, min_growth, trial.growth);
         if (trial.growth == 0) continue;
         trial = compacted(problem, trial, contacts, budget);
         if (best.offer(trial)) {

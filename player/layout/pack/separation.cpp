@@ -155,7 +155,7 @@ bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Sea
         arrangement.places[i] = moved_into(arrangement.places[i], ranges_[i]);
     }
     places_.assign(arrangement.places);
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     update_conflicts();
     for (int idle = 0; !conflicts_.empty() && idle < patience && !budget.is_spent(); ++idle) {
         std::shuffle(colliding_.begin(), colliding_.end(), random_);
@@ -163,8 +163,8 @@ bool Separation::run(Arrangement& arrangement, const SeparationStyle& style, Sea
             move(item);
         update_conflicts();
         weights_.update(conflicts_);
-        if (total_ < least * 0.98) idle = -1;
-        least = std::min(least, total_);
+        if (total_ < smallest * 0.98) idle = -1;
+        smallest = std::min(smallest, total_);
     }
     for (std::size_t i = 0; i < problem_.size(); ++i)
         if (!problem_.pinned[i]) arrangement.places[i] = moved_into(places_.at(i), ranges_[i]);

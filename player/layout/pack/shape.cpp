@@ -9,12 +9,12 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double thinnest = 1;        // source px
+constexpr double min_width = 1;       // source px
 constexpr double sliver_ratio = 0.1;  // a region's size is at least this ratio times its length squared
 constexpr double max_apart = 2;       // factor by which a region's size may differ from the median
 
 Box thickened(Box box) {
-    const Vec2 grow{std::max(0.0, thinnest - box.width()) / 2, std::max(0.0, thinnest - box.height()) / 2};
+    const Vec2 grow{std::max(0.0, min_width - box.width()) / 2, std::max(0.0, min_width - box.height()) / 2};
     return {box.min - grow, box.max + grow};
 }
 
@@ -36,7 +36,7 @@ Shape shape_of(std::span<const Vec2> region) {
     Polygon outline = convex_hull(region);
     if (outline.empty()) outline = {{0, 0}};
     const Box box = bounding_box(outline);
-    if (outline.size() < 3 || area(outline) < thinnest * std::max(box.width(), box.height()) / 2)
+    if (outline.size() < 3 || area(outline) < min_width * std::max(box.width(), box.height()) / 2)
         outline = to_polygon(thickened(box));
     Shape shape;
     shape.centroid = centroid(outline);

@@ -87,8 +87,8 @@ Arrangement fitted(const PackingProblem& problem, std::span<const Vec2> places, 
     Arrangement arrangement;
     for (const Vec2& place : places)
         arrangement.places.push_back(problem.field.centre() + (place - bounds.centre()) * fit);
-    const double least = fit * 1e-3;  // touching shapes that shrink about inner points come apart
-    arrangement.growth = max_free_growth(problem, arrangement, contacts, least, fit);
+    const double min_growth = fit * 1e-3;  // touching shapes that shrink about inner points come apart
+    arrangement.growth = max_free_growth(problem, arrangement, contacts, min_growth, fit);
     return arrangement;
 }
 

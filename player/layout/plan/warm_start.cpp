@@ -132,15 +132,15 @@ class WarmStart {
         constexpr int tries = 400;
         const Box range = problem_.place_range(item, 1);
         Vec2 best = range.centre();
-        double least = -1;
+        double smallest = -1;
         for (int k = 0; k < tries; ++k) {
             const Vec2 place = random_place(range, random_);
             double sum = 0;
             for (std::size_t j = 0; j < places.size(); ++j)
                 if (stands[j]) sum += contacts_.depth(item, j, places[j] - place);
             budget_.spend();
-            if (least >= 0 && sum >= least) continue;
-            least = sum;
+            if (smallest >= 0 && sum >= smallest) continue;
+            smallest = sum;
             best = place;
         }
         return best;

@@ -52,10 +52,10 @@ Rgb shown(const std::string& path) {
 }
 
 int distance(const Rgb& a, const Rgb& b) {
-    int most = 0;
+    int largest = 0;
     for (std::size_t i = 0; i < 3; ++i)
-        most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
 }
 
 }  // namespace

@@ -43,12 +43,12 @@ class RandomEdits {
     std::size_t any() { return uniform_index(random_, request_.items.size()); }
 
     std::string edit() {
-        constexpr std::size_t most = 6;
+        constexpr std::size_t max_count = 6;
         const std::size_t count = request_.items.size();
         request_.seed = random_();
         switch (uniform_index(random_, 8)) {
         case 0:
-            if (count < most) request_.items.push_back({.item = random_item(random_)});
+            if (count < max_count) request_.items.push_back({.item = random_item(random_)});
             return "insert";
         case 1:
             if (count > 1) request_.items.erase(request_.items.begin() + static_cast<std::ptrdiff_t>(any()));

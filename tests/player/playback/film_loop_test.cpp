@@ -25,7 +25,7 @@ constexpr auto patience = 20s;
 const std::string h264 = "x264enc bframes=2 b-adapt=false key-int-max=25 speed-preset=veryfast ! ";
 const std::string h264_mp4 = h264 + "mp4mux";
 
-constexpr std::size_t most_of_a_film = 300;  // pictures
+constexpr std::size_t max_pictures = 300;  // taken of one film
 
 struct Seen {
     int number = 0;
@@ -83,7 +83,7 @@ std::vector<std::pair<std::chrono::nanoseconds, std::uint64_t>> pictures(const s
     std::vector<std::pair<std::chrono::nanoseconds, std::uint64_t>> pictures;
     while (pictures.size() < count && queue.wait(patience)) {
         const auto taken = queue.take_if([](const LoopedSample&) { return true; });
-        if (count == most_of_a_film && taken->loop > 0) break;
+        if (count == max_pictures && taken->loop > 0) break;
         pictures.emplace_back(taken->sample.stream_time, fingerprint(taken->sample));
     }
     return pictures;
@@ -286,7 +286,7 @@ TEST_CASE("the middle of every real film loops through the pictures that one pas
     for (const auto& entry : std::filesystem::recursive_directory_iterator(codecs)) {
         const std::string file = entry.path();
         CAPTURE(file);
-        const auto pass = pictures(file, 0s, 1h, most_of_a_film);
+        const auto pass = pictures(file, 0s, 1h, max_pictures);
         if (pass.size() < 9) continue;
         const std::size_t first = pass.size() / 3;
         const std::size_t count = pass.size() / 3;

@@ -15,11 +15,11 @@ namespace {
 /// By how much two pictures of one size differ at most, in a channel of a pixel.
 int farthest(const Picture& a, const Picture& b) {
     REQUIRE(a.pixels.size() == b.pixels.size());
-    int most = 0;
+    int largest = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        most =
-            std::max(most, std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
-    return most;
+        largest = std::max(largest,
+                           std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
+    return largest;
 }
 
 }  // namespace

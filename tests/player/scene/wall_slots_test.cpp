@@ -64,13 +64,13 @@ TEST_CASE("every photo is shown once before any is shown again") {
             Player wall = make_player({.count = 4, .order = order, .seed = seed}, photos(13));
             for (int i = 0; i < 200; ++i) {
                 wall.run(5s);
-                int least = 1000;
-                int most = 0;
+                int smallest = 1000;
+                int largest = 0;
                 for (const MediaRecord& record : photos(13)) {
-                    least = std::min(least, wall.times[{record.path, 0}]);
-                    most = std::max(most, wall.times[{record.path, 0}]);
+                    smallest = std::min(smallest, wall.times[{record.path, 0}]);
+                    largest = std::max(largest, wall.times[{record.path, 0}]);
                 }
-                REQUIRE(most - least <= 1);
+                REQUIRE(largest - smallest <= 1);
             }
             CHECK(wall.order.size() > 100);
         }
@@ -137,13 +137,13 @@ TEST_CASE("a single film fills the slots with its shots side by side, each once 
     CHECK(wall.order == std::vector<ShotKey>{{"f", 0}, {"f", 1}, {"f", 2}, {"f", 3}});
     for (int i = 0; i < 100; ++i) {
         wall.run(3s);
-        int least = 1000;
-        int most = 0;
+        int smallest = 1000;
+        int largest = 0;
         for (int shot = 0; shot < 11; ++shot) {
-            least = std::min(least, wall.times[{"f", shot}]);
-            most = std::max(most, wall.times[{"f", shot}]);
+            smallest = std::min(smallest, wall.times[{"f", shot}]);
+            largest = std::max(largest, wall.times[{"f", shot}]);
         }
-        REQUIRE(most - least <= 1);
+        REQUIRE(largest - smallest <= 1);
     }
 }
 

@@ -493,15 +493,15 @@ TEST_CASE("the next shot is asked for seconds before it is seen, and no other wa
 
 TEST_CASE("a film's shot is gone when its loop ends, not after it has begun again") {
     House house = ::house({film("a", 1, 7s), film("b", 1, 7s)}, 1);
-    std::map<SourceId, std::chrono::nanoseconds> most;
+    std::map<SourceId, std::chrono::nanoseconds> longest;
     while (house.now < 60s) {
         const WallStep step = house.step();
         for (const DrawItem& item : step.frame.items)
-            most[item.source] = std::max(most[item.source], item.local);
+            longest[item.source] = std::max(longest[item.source], item.local);
     }
-    REQUIRE(most.size() == 3);
-    CHECK(most.begin()->second <= 21s + 50ms);
-    CHECK(most.begin()->second >= 21s - 100ms);
+    REQUIRE(longest.size() == 3);
+    CHECK(longest.begin()->second <= 21s + 50ms);
+    CHECK(longest.begin()->second >= 21s - 100ms);
 }
 
 TEST_CASE("a change that would leave much of the canvas empty is laid out anew") {

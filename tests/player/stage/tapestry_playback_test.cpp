@@ -194,12 +194,12 @@ struct Cinema {
 /// The greatest difference of a channel on the tapestry, without the film's begin and end: there the edge of
 /// the still one is smoothed.
 int difference(const Picture& a, const Picture& b) {
-    int most = 0;
+    int largest = 0;
     for (std::size_t y = 112; y < 167; ++y)
         for (std::size_t i = (y * 320 + 90) * 4; i < (y * 320 + 230) * 4; ++i)
-            most = std::max(most,
-                            std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
-    return most;
+            largest = std::max(
+                largest, std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i])));
+    return largest;
 }
 
 bool shows_zoom(const Frame& frame) {
@@ -361,15 +361,15 @@ TEST_CASE(
 TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     Theatre theatre;
     TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
-    std::size_t most = 0;
+    std::size_t largest = 0;
     std::chrono::nanoseconds now = 0s;
     for (std::size_t before = 0; tapestry.show().tile_count() < 4;
          now += 16ms) {  // ends at the test's timeout
         tapestry.step(now, theatre.renderer);
-        most = std::max(most, tapestry.show().tile_count() - before);
+        largest = std::max(largest, tapestry.show().tile_count() - before);
         before = tapestry.show().tile_count();
     }
-    CHECK(most <= TapestryPlayback::max_uploads);
+    CHECK(largest <= TapestryPlayback::max_uploads);
 }
 
 TEST_CASE("a directory without a tapestry is named") {

@@ -19,9 +19,9 @@ std::vector<Shape> random_shapes(std::size_t count, Random& random) {
     return shapes;
 }
 
-Vec2 random_vector(Random& random, double most) {
-    const double x = (2 * uniform(random) - 1) * most;
-    return {x, (2 * uniform(random) - 1) * most};
+Vec2 random_vector(Random& random, double max_component) {
+    const double x = (2 * uniform(random) - 1) * max_component;
+    return {x, (2 * uniform(random) - 1) * max_component};
 }
 
 /// The hull of all differences of corners: where b's place relative to a's means an overlap.
@@ -34,12 +34,12 @@ Polygon difference(const Shape& a, double scale_a, const Shape& b, double scale_
 }
 
 double depth_in(const Polygon& polygon, Vec2 place) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec2 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
-        least = std::min(least, cross(edge, place - polygon[k]) / length(edge));
+        smallest = std::min(smallest, cross(edge, place - polygon[k]) / length(edge));
     }
-    return std::max(0.0, least);
+    return std::max(0.0, smallest);
 }
 
 }  // namespace

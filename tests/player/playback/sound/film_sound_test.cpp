@@ -65,14 +65,14 @@ bool is_near_a_change(const SoundPart& part, nanoseconds local) {
 }
 
 float loudest(const std::vector<SoundRecorder::Piece>& pieces, nanoseconds from, nanoseconds to) {
-    float most = 0;
+    float peak = 0;
     nanoseconds time{0};
     for (const SoundRecorder::Piece& piece : pieces)
         for (const float sample : piece.samples) {
-            if (time >= from && time < to) most = std::max(most, std::abs(sample));
+            if (time >= from && time < to) peak = std::max(peak, std::abs(sample));
             time += nanoseconds(1s) / piece.rate;
         }
-    return most;
+    return peak;
 }
 
 /// Waits for the sound to end; what it still gives is taken away.

@@ -19,7 +19,7 @@ constexpr int rate = 44100;
 constexpr int pictures_a_second = 10;
 constexpr int lowest = 500;  // Hz, in the first second
 constexpr int step = 250;    // Hz more in each further one
-constexpr double least_loudness = 0.02;
+constexpr double min_loudness = 0.02;
 constexpr std::chrono::nanoseconds patience = std::chrono::seconds(60);
 
 GstBuffer* tone(int second) {
@@ -150,7 +150,7 @@ int second_heard(const float* samples, std::size_t count, int rate_heard) {
         loudest = std::max(loudest, std::abs(samples[i]));
         if (i > 0 && (samples[i - 1] < 0) != (samples[i] < 0)) ++crossings;
     }
-    if (loudest < least_loudness) return -1;
+    if (loudest < min_loudness) return -1;
     const double frequency = crossings / 2.0 * rate_heard / static_cast<double>(count);
     return static_cast<int>(std::lround((frequency - lowest) / step));
 }
