@@ -41,7 +41,7 @@ void DisplaySession::open() {
         display_ = opener_->open();
     } catch (const std::exception& error) {
         if (!opener_->traits().is_awaited) throw;
-        if (complaint_ != error.what()) log::warning("screen: waiting: {}", error.what());
+        if (complaint_ != error.what()) log::warning("screen: waiting for a display: {}", error.what());
         complaint_ = error.what();
         return;
     }
@@ -59,7 +59,7 @@ void DisplaySession::make_renderer() {
     renderer_ = std::make_unique<Renderer>(1, 1);
     const PictureForm form = picture_form(gl_device(), renderer_->reads_shared_planes());
     calls_.began(form);
-    log::info("films: {}", in_words(form));
+    log::info("pictures of films: {}", in_words(form));
 }
 
 /// The renderer's GL objects must be destroyed while their context is current.
@@ -109,7 +109,7 @@ bool DisplaySession::is_away() const {
 
 std::string DisplaySession::description() const {
     if (display_) return display_->description();
-    return complaint_.empty() ? "no graphics card for now" : complaint_;
+    return complaint_.empty() ? "no graphics card at present" : complaint_;
 }
 
 /// Tells the analyzer the size of the screens: it makes clips no larger.
@@ -121,7 +121,7 @@ void DisplaySession::note_screens() {
     try {
         note_screen_side(state_, side);
     } catch (const std::system_error& error) {
-        log::warning("the analyzer is not told how large the screens are: {}", error.what());
+        log::warning("the size of the screens cannot be noted for the analyzer: {}", error.what());
     }
 }
 

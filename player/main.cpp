@@ -81,7 +81,7 @@ void add_play_options(CommandLine& line) {
             check_duration(text);
             line.play.duration = duration_of(text);
         },
-        "How long to play, like 20s (default: until stopped)");
+        "Time to play, like 20s (default: until stopped)");
     line.app.add_option("--film", line.play.film, "Off screen: writes the frames that are shown as an MP4");
     line.app.add_option("--snapshot", line.play.snapshot, "Off screen: writes the last frame as a PNG");
     line.app
@@ -91,12 +91,12 @@ void add_play_options(CommandLine& line) {
     line.app
         .add_option_function<std::string>(
             "--rehearse", [&line](const std::string& path) { line.play.rehearsal = read_rehearsal(path); },
-            "Plays a script of files that come and go and of the gestures of a visitor (docs/technician.md)")
+            "Plays a script of events: files come and go, a visitor touches (docs/technician.md)")
         ->check(CLI::ExistingFile);
     line.app
         .add_option_function<std::string>(
             "--pace", [&line](const std::string& pace) { line.play.is_realtime = pace == "realtime"; },
-            "Off screen: 'exact' waits for every picture, 'realtime' shows those that come in time (default: "
+            "Off screen: 'exact' waits for every picture, 'realtime' leaves out late ones (default: "
             "exact)")
         ->check(CLI::IsMember({"exact", "realtime"}));
 }
@@ -115,9 +115,9 @@ void add_plan_options(CommandLine& line) {
     line.plan_command
         ->add_option(
             "--wall-width", line.plan.wall_width,
-            "Plans a wall that pans, this many pixels long, with --slots items on each screen's width")
+            "Plans a panning wall of this length in pixels, with --slots items on each screen's width")
         ->check(CLI::Range(16, 65536));
-    line.plan_command->add_option("--film", line.plan.film, "Writes how the packing came about as an MP4");
+    line.plan_command->add_option("--film", line.plan.film, "Writes the steps of the packing as an MP4");
     line.plan_command->add_option("--svg", line.plan.svg, "Writes a drawing of the plan");
     line.plan_command->add_option("--json", line.plan.json,
                                   "Writes the plan (default: to the standard output)");

@@ -242,7 +242,8 @@ void Player::reload() {
     const auto list = [](const std::vector<std::string>& keys) {
         return keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "));
     };
-    log::info("settings read again: {} changed; after a restart: {}", list(change.now), list(change.later));
+    log::info("settings read again: {} changed now, {} will change after a restart", list(change.now),
+              list(change.later));
     if (!change.are_walls_new) return;
     for (const SourceId source : sources_->retire_all())
         display_->forget_source(source);
@@ -253,8 +254,8 @@ void Player::reload() {
 void Player::finish() {
     files_->end_run();
     service::stopping();
-    log::info("{} pictures shown, {} late; {} pictures of films were late", clock_.pictures(), clock_.late(),
-              sources_->late());
+    log::info("{} pictures shown, {} left out as too late; {} pictures of films were late", clock_.pictures(),
+              clock_.late(), sources_->late());
     display_->finish();
 }
 

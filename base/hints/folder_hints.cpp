@@ -44,7 +44,7 @@ Hints hints_in(const Json& object) {
         if (found == object.end()) continue;
         const auto value = value_of(*found);
         if (!value || !word.assign(hints, *value))
-            throw std::runtime_error(fmt::format("hints: '{}' is not understood", word.key));
+            throw std::runtime_error(fmt::format("hints: '{}' has a wrong value", word.key));
     }
     return hints;
 }
@@ -77,7 +77,7 @@ FolderHints folder_hints_from_json(std::string_view text) {
     try {
         const Json json = Json::parse(text);
         if (json.at("version").get<int>() != current_version)
-            throw std::runtime_error("hints: the version is not known");
+            throw std::runtime_error("hints: unknown version");
         FolderHints folders;
         for (const Json& object : json.at("folders")) {
             std::string folder = object.at("folder").get<std::string>();

@@ -173,7 +173,7 @@ GstPtr<GstSample> DecodeChain::pull(GstAppSink* sink) {
         throw_pending_error();
         if (gst_app_sink_is_eos(sink)) return nullptr;
     }
-    throw MediaError(MediaState::failed, "the film cannot be read: it does not go on");
+    throw MediaError(MediaState::failed, "the film cannot be read: no more pictures come");
 }
 
 std::chrono::nanoseconds DecodeChain::duration() const {

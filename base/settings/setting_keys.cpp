@@ -47,8 +47,8 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"media.root", text<&S::media, &S::Media::root>("a path", is_not_empty), SettingEffect::restart,
      "The folder that Vitrine watches and plays, with all its sub-folders. Operators drop their files here."},
     {"state.directory", text<&S::state, &S::State::directory>("a path", is_not_empty), SettingEffect::restart,
-     "The folder of the catalogue and of all else that Vitrine makes. Everything in it is made from the media"
-     " files and can be deleted."},
+     "The folder for the catalogue and everything else that Vitrine makes. All of it is made from the media "
+     "files and can be deleted."},
     {"store.max_bytes", whole<&S::store, &S::Store::max_bytes>(0, max_space), SettingEffect::analyzer,
      "Bytes in the state directory for copies of photos and clips of films. The wall plays these, not the "
      "files in the media folder. When the space is used up, the least recently played ones are deleted; the "
@@ -69,7 +69,7 @@ constexpr auto keys = std::to_array<SettingKey>({
      text<&S::status, &S::Status::folder>("the name of a folder, or nothing", is_folder_name),
      SettingEffect::restart,
      "Name of a folder in the media folder, for the people who drop files. Its files status.txt and "
-     "index.html tell of each file whether it is on the wall, and why not. Empty: there is no such folder."},
+     "index.html say for each file if it is on the wall, and if not, why. Empty: there is no such folder."},
     {"log.level",
      choice<&S::log, &S::Log::level>({{{"error", log::Level::error},
                                        {"warning", log::Level::warning},
@@ -88,8 +88,9 @@ constexpr auto keys = std::to_array<SettingKey>({
      "sooner and leave less processor time for the player. 0: one for every two cores."},
     {"analyzer.deadline_seconds", whole<&S::analyzer, &S::Analyzer::deadline>(1, 86400),
      SettingEffect::analyzer,
-     "Time limit for the analysis of one file in seconds, plus so many seconds for each MiB of the file. A "
-     "lower limit ends files that hang a decoder sooner; if the limit is too low, long films are given up."},
+     "Time limit for the analysis of one file: a number of seconds, plus a number of seconds for each MiB of "
+     "the file. A lower limit ends files that hang a decoder sooner; if the limit is too low, long films are "
+     "given up."},
     {"analyzer.deadline_seconds_per_mebibyte",
      number<&S::analyzer, &S::Analyzer::deadline_per_mebibyte>(0, 3600),
      SettingEffect::analyzer,
@@ -141,14 +142,14 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::analyzer, &S::Analyzer::region>(
          {{{"min_area", RegionMode::min_area}, {"hull", RegionMode::hull}}}),
      SettingEffect::analyzer,
-     "Shape of the region that must not be covered. \"min_area\": the smallest convex region that holds "
-     "enough of what matters. \"hull\": follows the paper to its letter in all of saliency, motion and "
-     "region, with the cascade for faces; it is there for comparison, and its regions are mostly far "
-     "larger."},
+     "Shape of the region that must not be covered. \"min_area\": the smallest convex region that contains "
+     "enough of what matters. \"hull\": the paper's methods for saliency, motion and region, with the "
+     "cascade for faces, for comparison; its regions are mostly far larger."},
     {"analyzer.region_mass", number<&S::analyzer, &S::Analyzer::region_mass>(0.05, 0.99),
      SettingEffect::analyzer,
-     "If this share of what matters fits into 40 % of the picture, the region is that small. If not, it is "
-     "not clear what matters, and the region holds 95 % of it. A higher share makes more regions large: it "
+     "If this share of what matters fits into 40 % of the picture, the region is not larger than that. If "
+     "not, it is not clear what matters, and the region contains 95 % of it. A higher share makes more "
+     "regions large: it "
      "protects more and packs less densely."},
     {"analyzer.region_margin", number<&S::analyzer, &S::Analyzer::region_margin>(0, 0.2),
      SettingEffect::analyzer, "Margin around the region, as a share of the picture's diagonal."},
@@ -166,26 +167,26 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::layout, &S::Layout::order>(
          {{{"free", LayoutOrder::free}, {"reading", LayoutOrder::reading}}}),
      SettingEffect::new_walls,
-     "Places of the shots. \"free\": each stands where it fits best. \"reading\": they keep the order of "
+     "Places of the shots. \"free\": each is placed where it fits best. \"reading\": they keep the order of "
      "show.order, in lines from the top and from left to right; what matters then covers some 8 % less of the"
      " screen."},
     {"layout.max_enlargement", number<&S::layout, &S::Layout::max_enlargement>(0.1, 100),
      SettingEffect::new_walls,
      "Limit of enlargement, in screen pixels per picture pixel. A higher limit fills the screen with small "
-     "pictures, blurred."},
+     "pictures, but they are blurred."},
     {"layout.clearance_pixels", number<&S::layout, &S::Layout::clearance>(0, 200), SettingEffect::new_walls,
      "Screen pixels kept free between the regions of two neighbours."},
     {"layout.cells",
      choice<&S::layout, &S::Layout::cells>(
          {{{"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}}),
      SettingEffect::new_walls,
-     "Method that shares out the space between the regions. \"exact\": the Voronoi diagram of their outlines."
+     "Method that divides the space between the regions. \"exact\": the Voronoi diagram of their outlines."
      " \"sampled\": the paper's method with points along the outlines, for comparison; it may cut into "
      "regions."},
     {"layout.sample_pixels", number<&S::layout, &S::Layout::sample_spacing>(2, 200), SettingEffect::new_walls,
      "Screen pixels between two of these points. A larger distance is faster and cuts deeper into regions."},
     {"layout.gutter_pixels", number<&S::layout, &S::Layout::gutter>(0, 200), SettingEffect::new_walls,
-     "Screen pixels left free between two cells. A gutter never takes anything of a region."},
+     "Screen pixels left free between two cells. A gutter never cuts into a region."},
     {"layout.corner_radius_pixels", number<&S::layout, &S::Layout::corner_radius>(0, 500),
      SettingEffect::new_walls,
      "Radius of the rounded corners of the cells, in screen pixels. A corner never cuts into a region."},
@@ -194,12 +195,12 @@ constexpr auto keys = std::to_array<SettingKey>({
      "cut."},
     {"layout.mode", choice<&S::layout, &S::Layout::mode>({{{"fit", WallMode::fit}, {"pan", WallMode::pan}}}),
      SettingEffect::new_walls,
-     "\"fit\": all slots stand on one screen. \"pan\": the wall is as high as the screen, goes on to the "
-     "right and passes by slowly; each screen's width of it holds as many shots as there are slots."},
+     "\"fit\": all slots are on one screen. \"pan\": the wall is as high as the screen, continues to the "
+     "right and passes by slowly; each screen's width of it has as many shots as there are slots."},
     {"layout.folders",
      choice<&S::layout, &S::Layout::folders>({{{"flat", FolderMode::flat}, {"nested", FolderMode::nested}}}),
      SettingEffect::new_walls,
-     "\"nested\": the files of each folder stand together as one group. \"flat\": folders do not count."},
+     "\"nested\": the files of each folder are placed together as one group. \"flat\": folders are ignored."},
     {"show.order",
      choice<&S::show, &S::Show::order>(
          {{{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}}),
@@ -210,11 +211,11 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::show, &S::Show::film>(
          {{{"side_by_side", FilmShow::side_by_side}, {"sequence", FilmShow::sequence}}}),
      SettingEffect::new_walls,
-     "Display of a film with many shots. \"side_by_side\": its shots may stand beside each other. Every shot "
-     "of all files comes once before any comes again, so that a long film fills the wall once the other files"
-     " have been shown. \"sequence\": the film has one place, where its shots follow each other in time, and "
-     "the other files begin again meanwhile. If the film is alone on the wall, each of its shots plays once, "
-     "and they leave one after the other, overlapping in time."},
+     "Display of a film with many shots. \"side_by_side\": its shots may be beside each other. Every shot of "
+     "all files is shown once before any is shown again, so a long film fills the wall once the other files "
+     "have been shown. \"sequence\": the film has one place, where its shots follow each other in time; "
+     "meanwhile the other files are shown again. If the film is alone on the wall, each of its shots plays "
+     "once, and they leave one after another, overlapping in time."},
     {"show.dwell_seconds", whole<&S::show, &S::Show::dwell>(1, 86400), SettingEffect::new_walls,
      "Seconds that a shot keeps its slot while others wait. A film's shot leaves at the end of a loop."},
     {"show.longest_seconds", whole<&S::show, &S::Show::longest>(1, 86400), SettingEffect::new_walls,
@@ -238,8 +239,8 @@ constexpr auto keys = std::to_array<SettingKey>({
      "panel belongs to the display that udev's WL_OUTPUT names, else to the first display. If there is no "
      "device, or the player is not in the group `input`, the wall just plays."},
     {"input.idle_seconds", whole<&S::input, &S::Input::idle>(1, 86400), SettingEffect::restart,
-     "Seconds after the last touch until a picture that was made large goes back and the tapestry of a film "
-     "gives way to the wall."},
+     "Seconds after the last touch until an enlarged picture returns to its place, and until the wall "
+     "replaces the tapestry of a film."},
     {"output.screen",
      text<&S::output, &S::Output::screen>(
          "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for more",
@@ -256,11 +257,11 @@ constexpr auto keys = std::to_array<SettingKey>({
          [](const std::string& value) { return modes_named(value).has_value(); }),
      SettingEffect::restart,
      "Mode of the displays: \"1920x1080\" or \"1920x1080@60\" for all, \"HDMI-A-1=1920x1080, "
-     "HDMI-A-2=1280x720@50\" for these. A mode without a name is for all other displays. Empty, or if a "
+     "HDMI-A-2=1280x720@50\" for these two. A mode without a name is for all other displays. Empty, or if a "
      "display lacks the mode: the mode that the display prefers."},
     {"output.rotation", whole<&S::output, &S::Output::rotation>(0, 270, 90), SettingEffect::now,
-     "Degrees clockwise by which the display itself is turned: 0, 90, 180 or 270. The picture is upright on "
-     "it."},
+     "Degrees clockwise by which the display itself is turned: 0, 90, 180 or 270. The picture is then "
+     "upright."},
     {"output.margins",
      text<&S::output, &S::Output::margins>(
          "one or four of pixels or per cent, like \"2.5%\" or \"24,0,24,0\"",
@@ -274,7 +275,7 @@ constexpr auto keys = std::to_array<SettingKey>({
          "outputs with folders below the media folder, like \"HDMI-A-1=lobby, HDMI-A-2=hall\"",
          [](const std::string& value) { return output_folders_named(value).has_value(); }),
      SettingEffect::restart,
-     "Displays that show a wall of their own, of one folder below the media folder: \"HDMI-A-1=lobby, "
+     "Displays with a wall of their own, each for one folder below the media folder: \"HDMI-A-1=lobby, "
      "HDMI-A-2=hall\". All other displays show the whole media folder together. The log names the displays."},
     {"output.frame_rate", whole<&S::output, &S::Output::frame_rate>(1, 240), SettingEffect::restart,
      "Limit of the frames that are drawn in a second."},
@@ -282,7 +283,7 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::output, &S::Output::decoders>(
          {{{"auto", DecoderChoice::automatic}, {"processor", DecoderChoice::processor}}}),
      SettingEffect::restart,
-     "Decoders of films. \"auto\": decoders of the hardware if there are some that open; the log names them. "
+     "Decoders of films. \"auto\": hardware decoders if some can be opened; the log names them. "
      "\"processor\": software decoders only, for drivers that decode wrongly."},
     {"output.api",
      choice<&S::output, &S::Output::api>({{{"best", KmsApi::best}, {"legacy", KmsApi::legacy}}}),

@@ -23,7 +23,7 @@ void SettingOptions::add_to(CLI::App& app) {
         Given& given = given_[name];
         given.option = app.add_option("--" + name, given.text,
                                       fmt::format("{} (default: {})", key.allowed(), key.text(Settings{})))
-                           ->group("Settings, as in the file")
+                           ->group("Settings, as in the settings file")
                            ->type_name("");
     }
 }

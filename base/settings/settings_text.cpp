@@ -12,11 +12,12 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::string_view head = "Settings of Vitrine. Every key stands here at its default, commented out; "
-                                  "take the '#' away to change it.\n"
-                                  "A key or value that is not known stops the program with this file's name, "
-                                  "the line and the allowed values.\n"
-                                  "Every key is also an option of both programs: --section.key VALUE.";
+constexpr std::string_view head =
+    "Settings of Vitrine. This file lists every key with its default, commented "
+    "out; remove the '#' to change it.\n"
+    "An unknown key or a wrong value stops the program. The error names this "
+    "file, the line and the allowed values.\n"
+    "Every key is also an option of both programs: --section.key VALUE.";
 
 /// A text in quotes with the escapes of TOML.
 std::string escaped(const std::string& text) {

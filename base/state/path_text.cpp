@@ -25,7 +25,7 @@ std::string to_hex(std::string_view bytes) {
 
 std::string from_hex(std::string_view hex) {
     if (hex.size() % 2 != 0 || hex.find_first_not_of("0123456789abcdef") != std::string_view::npos)
-        throw std::runtime_error("path_hex is no hex text");
+        throw std::runtime_error("path_hex is not in hex digits");
     std::string bytes;
     for (std::size_t i = 0; i < hex.size(); i += 2)
         bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));

@@ -67,7 +67,7 @@ template <std::integral Number> Number whole(const Json& json, const char* key) 
 Vec2 to_vec2(const Json& json) {
     const Vec2 v{json.at(0).get<double>(), json.at(1).get<double>()};
     if (!(std::abs(v.x) <= max_pixels && std::abs(v.y) <= max_pixels))
-        throw std::runtime_error("record: a place beyond any picture");
+        throw std::runtime_error("record: a place is out of range");
     return v;
 }
 
@@ -86,7 +86,8 @@ StoredShot to_stored(const Json& json) {
     stored.width = whole<int>(json, "width");
     stored.height = whole<int>(json, "height");
     stored.is_dropped = json.at("dropped").get<bool>();
-    if (!is_store_name(stored.file)) throw std::runtime_error("record: 'file' names none of the store");
+    if (!is_store_name(stored.file))
+        throw std::runtime_error("record: 'file' is not the name of a stored file");
     if (stored.begin.count() < 0 || stored.width <= 0 || stored.height <= 0)
         throw std::runtime_error("record: a stored shot without a size or a place");
     return stored;
@@ -100,7 +101,7 @@ StoredSound to_sound(const Json& json) {
     StoredSound sound{.file = json.at("file").get<std::string>(),
                       .is_dropped = json.at("dropped").get<bool>()};
     if (!sound.file.empty() && !is_store_name(sound.file))
-        throw std::runtime_error("record: the sound's 'file' names none of the store");
+        throw std::runtime_error("record: the sound's 'file' is not the name of a stored file");
     return sound;
 }
 
@@ -133,7 +134,7 @@ Shot to_shot(const Json& json) {
 MediaRecord to_record(const Json& json) {
     const int version = whole<int>(json, "version");
     if (version != MediaRecord::current_version)
-        throw std::runtime_error(fmt::format("record: version {} is not known", version));
+        throw std::runtime_error(fmt::format("record: unknown version {}", version));
     MediaRecord record;
     record.path = json.contains("path_hex") ? from_hex(json["path_hex"].get<std::string>())
                                             : json.at("path").get<std::string>();

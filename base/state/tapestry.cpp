@@ -32,8 +32,7 @@ TapestryLevel to_level(const Json& json) {
         .width = json.at("width").get<int>(), .keyframes = {}, .has_zoom = json.value("zoom", false)};
     require(level.width > 0 && level.width <= max_width, "a level's width is out of range");
     const Json& keyframes = json.at("keyframes_ns");
-    require(!keyframes.empty() && keyframes.size() <= max_keyframes,
-            "a level's keyframes are none or too many");
+    require(!keyframes.empty() && keyframes.size() <= max_keyframes, "a level has no keyframes, or too many");
     for (const Json& time : keyframes)
         level.keyframes.emplace_back(time.get<std::int64_t>());
     require(std::ranges::is_sorted(level.keyframes) && level.keyframes.front().count() >= 0,
@@ -125,7 +124,7 @@ std::string to_json(const Tapestry& tapestry) {
 
 Tapestry tapestry_from_json(std::string_view text) {
     const Json json = Json::parse(text);
-    require(json.at("version").get<int>() == version, "the version is another");
+    require(json.at("version").get<int>() == version, "unknown version");
     Tapestry tapestry{.path = json.at("path").get<std::string>(),
                       .bytes = json.at("bytes").get<std::uint64_t>(),
                       .mtime_ns = json.at("mtime_ns").get<std::int64_t>(),
@@ -136,7 +135,7 @@ Tapestry tapestry_from_json(std::string_view text) {
                       .tile_width = json.at("tile_width").get<int>(),
                       .brick_width = json.at("brick_width").get<int>(),
                       .levels = {}};
-    require(is_folder_name(tapestry.folder), "'folder' is no plain name");
+    require(is_folder_name(tapestry.folder), "'folder' is not a plain name");
     for (const int side : {tapestry.height, tapestry.tile_width, tapestry.brick_width})
         require(side > 0 && side <= max_side, "a size is out of range");
     require(json.at("levels").size() <= max_levels, "too many levels");

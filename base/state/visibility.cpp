@@ -38,10 +38,9 @@ constexpr std::array words{
     Words{Visibility::held_back, "held_back", "held back after a crash",
           "It is held back after a crash of the player", ": "},
     Words{Visibility::dismissed, "dismissed", "removed by vitrinectl",
-          "It was removed from the wall by vitrinectl, until the player starts anew or the file changes",
-          ": "},
+          "It was removed from the wall by vitrinectl, until the player restarts or the file changes", ": "},
     Words{Visibility::no_clock, "no_clock", "waiting for a plausible clock",
-          "It has a period or hours, and the clock of the machine is not plausible yet", ": it is shown "},
+          "It has a period or hours, and the machine's clock is not plausible yet", ": it is shown "},
     Words{Visibility::out_of_hours, "out_of_hours", "out of hours", "It is out of its hours",
           ": it is shown "},
     Words{Visibility::other_folder, "other_folder", "in the folder of another screen",
@@ -62,7 +61,7 @@ FileVisibility file_of(const Json& json) {
                         .detail = json.value("detail", "")};
     const std::string state = json.at("state").get<std::string>();
     const auto found = std::ranges::find(words, state, &Words::name);
-    if (found == words.end()) throw std::runtime_error(fmt::format("'{}' is no state", state));
+    if (found == words.end()) throw std::runtime_error(fmt::format("unknown state '{}'", state));
     file.visibility = found->visibility;
     return file;
 }
@@ -104,7 +103,7 @@ std::string visible_json(std::span<const FileVisibility> files) {
 VisibleByPath visible_from_json(std::string_view text) {
     try {
         const Json json = Json::parse(text);
-        if (json.at("version") != version) throw std::runtime_error("another version");
+        if (json.at("version") != version) throw std::runtime_error("unknown version");
         VisibleByPath files;
         for (const Json& one : json.at("files")) {
             FileVisibility file = file_of(one);

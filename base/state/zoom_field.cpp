@@ -86,7 +86,7 @@ std::string to_bytes(const ZoomField& field) {
 }
 
 ZoomField zoom_field_from_bytes(std::string_view bytes) {
-    require(bytes.starts_with(magic), "it is none of this version");
+    require(bytes.starts_with(magic), "unknown version");
     require(bytes.size() >= head, "it is cut short");
     Reader reader(bytes.substr(magic.size()));
     ZoomField field;
@@ -96,7 +96,8 @@ ZoomField zoom_field_from_bytes(std::string_view bytes) {
             "its size is out of range");
     const auto origin = static_cast<std::int64_t>(reader.number(8));
     require(origin >= 0 && origin <= max_place, "its origin is out of range");
-    require(bytes.size() == head + count_of(field.width) * point_bytes, "it has not as many bytes as points");
+    require(bytes.size() == head + count_of(field.width) * point_bytes,
+            "its size does not match its number of points");
     for (std::size_t i = 0; i < count_of(field.width); ++i) {
         const auto x = static_cast<std::int32_t>(static_cast<std::uint32_t>(reader.number(4)));
         const auto y = static_cast<double>(reader.number(2));

@@ -43,7 +43,7 @@ CrashNote::CrashNote(fs::path state)
     for (const auto& [name, points] : blame_)
         if (points >= suspect_points && points < quarantine_points) suspects_.insert(name);
     if (suspects_.size() > 1)
-        log::info("{} files are shown again one after the other, for one of them may bring the player down",
+        log::info("{} files are shown again one after another: one of them may crash the player",
                   suspects_.size());
     else
         suspects_.clear();  // a further crash counts for this file anyway
@@ -54,17 +54,17 @@ void CrashNote::count_crash() {
     if (left.boot != note_.boot || left.process == note_.process) return;
     if (left.process > 0 && ::kill(left.process, 0) == 0) {
         is_active_ = false;
-        return log::warning("another player runs with this state directory: nothing is noted of this one");
+        return log::warning("another player uses this state directory: crashes of this one are not counted");
     }
     blame_ = blame_after(blame_, left);
-    log::warning("the player crashed or was killed with {} files being opened, {} playing",
+    log::warning("the player crashed or was killed while {} files were being opened and {} were playing",
                  left.opening.size(), left.playing.size());
     try {
         replace_file(state_ / blamed_file, to_text(blame_));
         end_run();
     } catch (const std::system_error& error) {
         is_active_ = false;
-        log::warning("crashes are not counted: {}", error.what());
+        log::warning("the crash is not counted: {}", error.what());
     }
 }
 
@@ -139,7 +139,7 @@ void CrashNote::forgive() {
     try {
         replace_file(state_ / blamed_file, to_text(blame_));
     } catch (const std::system_error& error) {
-        log::debug("nothing is forgiven: {}", error.what());
+        log::debug("the files of earlier crashes stay suspects: {}", error.what());
     }
 }
 
@@ -156,7 +156,7 @@ void CrashNote::write() {
     is_active_ = false;
     fs::remove(unfinished(file), failure);
     fs::remove(file, failure);  // its text is out of date
-    log::warning("what plays cannot be noted in '{}': a file that brings the player down is not found out",
+    log::warning("the open files cannot be noted in '{}': a file that crashes the player will not be found",
                  state_.string());
 }
 

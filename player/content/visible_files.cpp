@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr const char* one_after_the_other =
-    "several files may have caused it, and they are shown again one after the other";
+    "several files may have caused it; they are shown again one after another";
 
 bool is_same_content(const MediaRecord& a, const MediaRecord& b) {
     return a.path == b.path && a.bytes == b.bytes && a.mtime_ns == b.mtime_ns;

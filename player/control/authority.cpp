@@ -78,7 +78,7 @@ class Polkit final : public Authority {
         int is_allowed = 0;
         const int result = sd_bus_message_enter_container(reply, 'r', "bba{ss}");
         if (result <= 0 || sd_bus_message_read(reply, "b", &is_allowed) <= 0)
-            question.authority->end(question, "polkit gave an answer that makes no sense");
+            question.authority->end(question, "the answer of polkit cannot be read");
         else
             question.authority->end(question, is_allowed != 0
                                                   ? ""
@@ -94,7 +94,7 @@ class Polkit final : public Authority {
             sd_bus_message_is_method_error(reply, nullptr) == 0 && sd_bus_message_read(reply, "u", &user) > 0;
         const bool is_allowed = is_known && (user == 0 || user == ::geteuid());
         question.authority->end(question, is_allowed ? ""
-                                                     : "polkit is not there to say who may: only root and "
+                                                     : "polkit is not running: only root and "
                                                        "the player's own user may change what is shown");
         return 0;
     }

@@ -48,13 +48,13 @@ UniqueFd file_of(const Picture& picture) {
 
 Picture picture_of(int file, std::uint32_t width, std::uint32_t height) {
     if (width > max_side || height > max_side)
-        throw std::runtime_error("the player gave a picture that makes no sense");
+        throw std::runtime_error("the player's picture has an impossible size");
     Picture picture{.width = static_cast<int>(width), .height = static_cast<int>(height), .pixels = {}};
     picture.pixels.resize(std::size_t{width} * height * 4);
     for (std::size_t done = 0; done < picture.pixels.size();) {
         const std::span<std::byte> left = std::span(picture.pixels).subspan(done);
         const ssize_t n = ::pread(file, left.data(), left.size(), static_cast<off_t>(done));
-        if (n <= 0) throw std::runtime_error("the player gave a part of a picture");
+        if (n <= 0) throw std::runtime_error("the player's picture is cut off");
         done += static_cast<std::size_t>(n);
     }
     return picture;

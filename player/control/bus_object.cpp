@@ -29,7 +29,7 @@ void reply_error(sd_bus_message& call, const char* error, const std::string& why
     std::ranges::replace_if(
         plain, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
     if (sd_bus_reply_method_errorf(&call, error, "%s", plain.c_str()) < 0)
-        log::debug("nobody waits for: {}", why);
+        log::debug("nobody waits for this answer: {}", why);
 }
 
 /// Answers a call: appends with `fill`, or sends the error that it throws.
@@ -118,17 +118,17 @@ void BusObject::open() {
                 "wait for the system bus");
     sd_bus_slot* slot = nullptr;
     bus_checked(sd_bus_add_object_vtable(bus, &slot, bus_path, bus_name, vtable().data(), this),
-                "be on the system bus");
+                "export the player on the system bus");
     object_.reset(slot);
     const auto on_gone = [](sd_bus_message*, void* self, sd_bus_error*) {
         auto& object = *static_cast<BusObject*>(self);
-        object.complain("the system bus has gone");
+        object.complain("the system bus was lost");
         return 0;
     };
     bus_checked(sd_bus_match_signal_async(bus, &slot, "org.freedesktop.DBus.Local", nullptr,
                                           "org.freedesktop.DBus.Local", "Disconnected", on_gone, nullptr,
                                           this),
-                "follow the system bus");
+                "watch the system bus");
     gone_.reset(slot);
     const auto on_named = [](sd_bus_message* reply, void* self, sd_bus_error*) {
         auto& object = *static_cast<BusObject*>(self);
@@ -140,7 +140,7 @@ void BusObject::open() {
         return 0;
     };
     bus_checked(sd_bus_request_name_async(bus, &slot, bus_name, 0, on_named, this),
-                "have a name on the system bus");
+                "take the player's name on the system bus");
     named_.reset(slot);
 }
 

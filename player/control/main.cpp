@@ -99,7 +99,7 @@ int print_why(const Json& report) {
 
 /// Saves the first output's picture in the file; the others' go beside it, under the outputs' names.
 Json save_pictures(const std::vector<OutputPicture>& pictures, const std::filesystem::path& path) {
-    if (pictures.empty()) throw ControlError(ControlError::Kind::failed, "no display shows anything");
+    if (pictures.empty()) throw ControlError(ControlError::Kind::failed, "no display shows a picture");
     Json saved = Json::array();
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         std::filesystem::path file = path;
@@ -202,10 +202,11 @@ std::string footer() {
         if (!command.is_for_all && *command.help != '\0')
             restricted += (restricted.empty() ? "" : ", ") + std::string(command.name);
     return fmt::format(
-        "FILE is a path on this machine, from the media folder on, or as the share shows it elsewhere.\n"
-        "Anyone may ask; for members of the group vitrine-admin are {}.\n"
+        "FILE is a path on this machine, a path in the media folder, or the share's path on another "
+        "machine.\n"
+        "Anyone may ask; {} are for members of the group vitrine-admin.\n"
         "\n"
-        "Exit status: 0 done; 1 it failed; 2 there is no such file in the media folder; 3 not allowed; 4 the "
+        "Exit status: 0 done; 1 failed; 2 there is no such file in the media folder; 3 not allowed; 4 the "
         "player\n"
         "is not running; above 100 a wrong command line.",
         restricted);
@@ -221,16 +222,16 @@ void add_commands(CLI::App& app, Words& words) {
         if (command.operand != Operand::none)
             made->add_option(operands_of(command.name), words.operand)->required();
         if (takes_off(command))
-            made->add_option("off", words.off, "Ends that")->check(CLI::IsMember({"off"}));
+            made->add_option("off", words.off, "Ends the pin")->check(CLI::IsMember({"off"}));
     }
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Asks the running player of Vitrine, and changes what it shows.", "vitrinectl");
+    CLI::App app("Asks the running player of Vitrine, or changes what it shows.", "vitrinectl");
     app.require_subcommand(0, 1)->fallthrough()->footer(footer());
     Words words;
     bool wants_commands = false;
-    app.add_flag("--json", words.is_json, "Answers for programs: status, why, screenshot");
+    app.add_flag("--json", words.is_json, "Prints the answer as JSON: status, why, screenshot");
     app.add_flag("--commands", wants_commands, "Lists the commands and their arguments, for shells");
     add_commands(app, words);
     CLI11_PARSE(app, argc, argv);

@@ -171,34 +171,36 @@ std::string to_json(const FileReport& report, const std::string& analyzer) {
 std::string to_metrics(const PlayerReport& report, std::optional<double> degrees,
                        const std::vector<std::pair<std::string, std::size_t>>& states) {
     Metrics metrics;
-    metrics.family("state", "gauge", "1 for the state that the screen is in.");
+    metrics.family("state", "gauge", "1 for the present state of the screen.");
     for (const ShowState state :
          {ShowState::showing, ShowState::no_content, ShowState::no_panel, ShowState::off, ShowState::no_flip})
         metrics.value(state == report.state ? 1 : 0, fmt::format("state=\"{}\"", name_of(state)));
     metrics.only("frames_shown_total", "counter", "Pictures shown.", static_cast<double>(report.pictures));
-    metrics.only("frames_late_total", "counter", "Pictures left out as they came too late.",
+    metrics.only("frames_late_total", "counter", "Pictures that were left out because they came too late.",
                  static_cast<double>(report.late));
     metrics.only("film_frames_late_total", "counter", "Pictures of films that came too late.",
                  static_cast<double>(report.film_late));
     metrics.family("flips_total", "counter", "Pictures that have reached an output.");
     for (const ScreenReport& screen : report.screens)
         metrics.value(static_cast<double>(screen.flips), fmt::format("output=\"{}\"", label(screen.name)));
-    metrics.only("seconds_since_flip", "gauge", "Time since the output that waits longest had a picture.",
+    metrics.only("seconds_since_flip", "gauge", "Longest time that an output has waited for a picture.",
                  std::chrono::duration<double>(report.since_flip).count());
     metrics.only("items", "gauge", "Cells on the wall.", static_cast<double>(report.cells.size()));
     metrics.only("queue", "gauge", "Sources that have no picture yet.", static_cast<double>(report.queue));
-    metrics.family("sources", "gauge", "Sources by which of their pictures are decoded.");
+    metrics.family("sources", "gauge", "Sources by the share of their pictures that is decoded.");
     for (const char* tier : {"photo", "all", "reference", "key", "still"})
         metrics.value(static_cast<double>(std::ranges::count(report.sources, tier, &SourceReport::tier)),
                       fmt::format("tier=\"{}\"", tier));
-    metrics.family("source_tier", "gauge", "1 for each source, with which of its pictures are decoded.");
+    metrics.family("source_tier", "gauge",
+                   "1 for each source, with the share of its pictures that is decoded.");
     for (std::size_t i = 0; i < report.sources.size(); ++i)
         metrics.value(1, fmt::format("source=\"{}\",file=\"{}\",tier=\"{}\"", i,
                                      label(report.sources[i].path), report.sources[i].tier));
     metrics.family("files", "gauge", "Files of the media folder by state.");
     for (const auto& [state, count] : states)
         metrics.value(static_cast<double>(count), fmt::format("state=\"{}\"", label(state)));
-    if (degrees) metrics.only("temperature_celsius", "gauge", "The hottest thermal zone.", *degrees);
+    if (degrees)
+        metrics.only("temperature_celsius", "gauge", "Temperature of the hottest thermal zone.", *degrees);
     return metrics.text();
 }
 

@@ -142,10 +142,9 @@ Card::Card(const std::filesystem::path& path, KmsApi api)
     if (!fd_.is_open()) throw_errno("open graphics card '{}'", path.string());
     frame_buffers_ = std::make_unique<FrameBuffers>(fd(), UniqueFd());
     if (!has_connectors(fd()))
-        throw std::runtime_error(
-            fmt::format("graphics card '{}' has no connector to show on", path.string()));
+        throw std::runtime_error(fmt::format("graphics card '{}' has no output", path.string()));
     if (!is_ours() && !take_over())
-        throw std::runtime_error(fmt::format("another program shows on graphics card '{}'", path.string()));
+        throw std::runtime_error(fmt::format("another program uses graphics card '{}'", path.string()));
 
     if (api == KmsApi::best) {
         is_atomic_ = drmSetClientCap(fd(), DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1) == 0 &&
@@ -237,7 +236,7 @@ Card open_card(const std::filesystem::path& path, KmsApi api) {
         if (!unlit) unlit = std::move(card);
     }
     if (unlit) return std::move(*unlit);
-    throw std::runtime_error(fmt::format("no graphics card to show on: {}",
+    throw std::runtime_error(fmt::format("no graphics card can be used: {}",
                                          reason.empty() ? "there is no /dev/dri/card*" : reason));
 }
 

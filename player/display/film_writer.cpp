@@ -94,7 +94,8 @@ struct FilmWriter::Chain {
                 fail(fmt::format("GStreamer has no {}: install {}", parts[i].element, parts[i].package));
             gst_bin_add(GST_BIN(pipeline.get()), elements[i]);
             if (i > 0 && !gst_element_link(elements[i - 1], elements[i]))
-                fail(fmt::format("{} does not take what {} gives", parts[i].element, parts[i - 1].element));
+                fail(fmt::format("{} does not accept the output of {}", parts[i].element,
+                                 parts[i - 1].element));
         }
     }
 
@@ -143,7 +144,7 @@ struct FilmWriter::Chain {
         if (!last) return "no picture came";
         gst_app_src_end_of_stream(source());  // a failure comes on the bus as well
         const GstMessageHandle message = next(GST_MESSAGE_EOS, max_ending_time);
-        if (!message) return "the encoder does not come to an end";
+        if (!message) return "the encoder does not finish";
         if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) return reason_of(*message);
         return std::nullopt;
     }

@@ -134,7 +134,9 @@ void KmsDisplay::on_tick() {
     if (!is_master_ && card_.take_over()) set_master(true);
     for (const auto& screen : panels_.lit())
         if (screen->give_up_waiting())
-            events_.push_back({.is_trouble = true, .text = fmt::format("no answer from {}", screen->name())});
+            events_.push_back(
+                {.is_trouble = true,
+                 .text = fmt::format("the card does not report the picture on {}", screen->name())});
     if (ticks_ % ticks_before_mercy == 0) panels_.forgive();
     const bool is_time_to_ask = ticks_ % ticks_before_asking == 0;
     if (!panels_.lit().empty())
@@ -142,7 +144,7 @@ void KmsDisplay::on_tick() {
     look_for_panels(KmsPanels::Ask::all);
     const bool is_dark = panels_.lit().empty() && is_any_card_ && !is_gone_;
     if (is_dark && is_time_to_ask && is_panel_elsewhere(card_.path()))
-        lose_card("a panel is at another card than");
+        lose_card("given up, as another card has a panel:");
 }
 
 void KmsDisplay::look_for_panels(KmsPanels::Ask ask) {
@@ -179,7 +181,9 @@ void KmsDisplay::set_master(bool is_master) {
     if (is_master == is_master_) return;
     is_master_ = is_master;
     panels_.start_over();
-    events_.push_back({.is_trouble = !is_master, .text = is_master ? "master regained" : "master lost"});
+    events_.push_back(
+        {.is_trouble = !is_master,
+         .text = is_master ? "another program has left the card" : "another program has taken the card"});
 }
 
 void KmsDisplay::leave() {

@@ -21,7 +21,7 @@ class ModeBlob {
   public:
     ModeBlob(int card, const drmModeModeInfo& mode) : card_(card) {
         if (drmModeCreatePropertyBlob(card_, &mode, sizeof mode, &id_) != 0)
-            throw_errno("hand the mode '{}' to the graphics card", mode.name);
+            throw_errno("give the mode '{}' to the graphics card", mode.name);
     }
 
     ModeBlob(const ModeBlob&) = delete;
@@ -90,7 +90,7 @@ std::optional<Picture> KmsScreen::shown() {
     for (const auto* buffer : {&on_screen_, &in_flight_})
         if (*buffer && (*buffer)->frame_buffer == crtc->buffer_id) return scanout_->picture(**buffer);
     if (!on_screen_) return std::nullopt;
-    throw std::runtime_error(fmt::format("{} shows what is not ours", name()));
+    throw std::runtime_error(fmt::format("{} shows another program's picture", name()));
 }
 
 int KmsScreen::set_mode(const ScanoutBuffer& buffer) {

@@ -39,7 +39,7 @@ void MemoryTarget::read(GLenum format, const std::function<void(std::span<const 
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     glReadPixels(0, 0, width_, height_, format, GL_UNSIGNED_BYTE, rows_.data());
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        throw std::runtime_error(fmt::format("read what was drawn: GL error {:#x}", error));
+        throw std::runtime_error(fmt::format("read the drawn picture: GL error {:#x}", error));
     for (std::size_t end = rows_.size(); end > 0; end -= row)
         take(std::span(rows_).subspan(end - row, row));
 }

@@ -29,7 +29,7 @@ InputDevices::InputDevices(EventLoop& loop, const std::string& devices) {
         read();
     } catch (const std::exception& error) {
         touch_.reset();
-        log::warning("input: none: {}", error.what());
+        log::warning("input: no device can be used: {}", error.what());
     }
 }
 
@@ -40,7 +40,7 @@ void InputDevices::read() {
         if (events_.size() + events.size() <= max_events)
             events_.insert(events_.end(), events.begin(), events.end());
     } catch (const std::exception& error) {
-        log::warning("input: no more: {}", error.what());
+        log::warning("input: devices cannot be read any more: {}", error.what());
         readable_ = {};
         return;
     }

@@ -125,7 +125,8 @@ Input flick(Arguments& arguments) {
 Input pinch(Arguments& arguments) {
     const Vec2 at = arguments.place();
     const double factor = arguments.number();
-    if (!(factor >= 0.01 && factor <= 100)) throw std::runtime_error("a pinch is by 0.01 to 100");
+    if (!(factor >= 0.01 && factor <= 100))
+        throw std::runtime_error("the factor of a pinch must be from 0.01 to 100");
     const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
     const Vec2 last = first * factor;
     Stroke stroke{.from = at - first,
@@ -163,13 +164,13 @@ struct InputWord {
 };
 
 constexpr std::array<InputWord, 7> input_words{{
-    {"tap", "a tap is somewhere, 'X Y'", tap},
-    {"hold", "a hold is somewhere for how many seconds, 'X Y SECONDS'", hold},
-    {"drag", "a drag is from where to where in how many seconds, 'X Y X Y SECONDS'", drag},
-    {"flick", "a flick is from where to where, 'X Y X Y'", flick},
-    {"pinch", "a pinch is about a place, by how much and in how many seconds, 'X Y FACTOR SECONDS'", pinch},
-    {"wheel", "a wheel turns somewhere by how many notches, 'X Y NOTCHES'", wheel},
-    {"key", "a key is one of left, right, nearer, farther, select, back", key},
+    {"tap", "a tap needs a place, 'X Y'", tap},
+    {"hold", "a hold needs a place and a time, 'X Y SECONDS'", hold},
+    {"drag", "a drag needs two places and a time, 'X Y X Y SECONDS'", drag},
+    {"flick", "a flick needs two places, 'X Y X Y'", flick},
+    {"pinch", "a pinch needs a place, a factor and a time, 'X Y FACTOR SECONDS'", pinch},
+    {"wheel", "a wheel needs a place and a number of notches, 'X Y NOTCHES'", wheel},
+    {"key", "a key must be one of left, right, nearer, farther, select, back", key},
 }};
 
 std::string all_words() {
@@ -185,7 +186,7 @@ std::chrono::local_seconds clock_time(std::istringstream& words) {
     const std::chrono::year_month_day day{std::chrono::year(civil.tm_year + 1900),
                                           std::chrono::month(static_cast<unsigned>(civil.tm_mon + 1)),
                                           std::chrono::day(static_cast<unsigned>(civil.tm_mday))};
-    if (words.fail() || !day.ok()) throw std::runtime_error("a clock shows 'YYYY-MM-DD HH:MM:SS'");
+    if (words.fail() || !day.ok()) throw std::runtime_error("a clock needs 'YYYY-MM-DD HH:MM:SS'");
     return std::chrono::local_days(day) + std::chrono::hours(civil.tm_hour) +
            std::chrono::minutes(civil.tm_min) + std::chrono::seconds(civil.tm_sec);
 }
@@ -215,14 +216,14 @@ void Rehearsal::read_line(const std::string& line) {
     if (words.eof() || words.peek() == '#') return;
     double at = 0;
     std::string what;
-    if (!(words >> at >> what)) throw std::runtime_error("it must begin with a time in seconds and an event");
+    if (!(words >> at >> what)) throw std::runtime_error("it must start with a time in seconds and an event");
     const std::chrono::nanoseconds time = seconds(at);
     if (what == "add" || what == "remove") return read_file(words, time, what == "add");
     if (what == "clock") return clocks_.push_back({.time = time, .shows = clock_time(words)});
     const auto known =
         std::ranges::find_if(input_words, [&](const InputWord& word) { return word.word == what; });
     if (known == input_words.end())
-        throw std::runtime_error(fmt::format("an event is one of {}", all_words()));
+        throw std::runtime_error(fmt::format("an event must be one of {}", all_words()));
     Arguments arguments{.words = words, .time = time, .usage = known->usage};
     const Input input = known->read(arguments);
     touches_.insert(touches_.end(), input.begin(), input.end());
@@ -231,7 +232,7 @@ void Rehearsal::read_line(const std::string& line) {
 void Rehearsal::read_file(std::istream& words, std::chrono::nanoseconds time, bool is_added) {
     words >> std::ws;
     const std::string path(std::istreambuf_iterator<char>(words), {});
-    if (path.empty()) throw std::runtime_error("the file is not named");
+    if (path.empty()) throw std::runtime_error("the name of the file is missing");
     files_.push_back({.time = time, .path = path, .is_added = is_added});
 }
 

@@ -105,7 +105,7 @@ void Touch::Context::open_seat() {
     if (!input) throw std::runtime_error("libinput cannot be used");
     libinput_log_set_handler(input.get(), ignore_log);
     if (libinput_udev_assign_seat(input.get(), "seat0") != 0)
-        throw std::runtime_error("udev cannot be asked for devices");
+        throw std::runtime_error("udev does not list the devices");
 }
 
 void Touch::Context::open_paths(const std::string& devices) {

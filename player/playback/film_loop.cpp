@@ -119,7 +119,7 @@ bool FilmLoop::preroll() {
     while (const GstPtr<GstMessage> message = next_message()) {
         const GstMessageType type = GST_MESSAGE_TYPE(message.get());
         if (type == GST_MESSAGE_ASYNC_DONE) return true;
-        if (type == GST_MESSAGE_EOS) throw MediaError(MediaState::failed, "the film holds no picture");
+        if (type == GST_MESSAGE_EOS) throw MediaError(MediaState::failed, "the film has no picture");
     }
     return false;
 }
@@ -160,7 +160,8 @@ void FilmLoop::land(std::chrono::nanoseconds at) {
     const std::chrono::nanoseconds place =
         at.count() > 0 ? std::max(window.begin, part_.begin + at % part_.duration() + window.period / 3)
                        : window.begin;
-    if (!seeker_.jump(place)) throw MediaError(MediaState::failed, "the film cannot be searched");
+    if (!seeker_.jump(place))
+        throw MediaError(MediaState::failed, "the film cannot be played from a given time");
 }
 
 void FilmLoop::rewind() {
@@ -169,14 +170,15 @@ void FilmLoop::rewind() {
     pictures_at_rewind_ = stream_.pictures();
     if (barren_loops_ >= max_barren_loops) {
         if (detail_ != Detail::all) return;  // no wanted picture is in the part: the film stands still
-        throw MediaError(MediaState::failed, "the film gives no picture of this part");
+        throw MediaError(MediaState::failed, "this part of the film has no picture");
     }
     if (barren_loops_ > 1) seeker_.forbid_segments();
     const std::chrono::nanoseconds begin = stream_.window().begin;
     // Without a picture since the last seek the pipeline may not play yet, and rewind() would wait for it.
     if (!is_barren && seeker_.rewind(begin)) return;
     seeker_.forbid_segments();
-    if (!seeker_.jump(begin)) throw MediaError(MediaState::failed, "the film cannot be rewound");
+    if (!seeker_.jump(begin))
+        throw MediaError(MediaState::failed, "the film cannot be played again from its start");
 }
 
 /// The next message of the pipeline. None: stopped. @throws MediaError if the message is an error

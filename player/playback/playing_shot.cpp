@@ -142,7 +142,7 @@ void PlayingShot::watch(std::chrono::nanoseconds now) {
         return rebuild();
     case Watchdog::Verdict::give_up:
         source_->stop();
-        given_up_ = "the film stopped in its midst, again and again";
+        given_up_ = "the film stopped several times while it played";
         return;
     }
 }

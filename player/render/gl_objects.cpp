@@ -57,7 +57,7 @@ GlProgram::GlProgram(const char* vertex, const std::string& fragment) {
     glLinkProgram(id_.value);
     GLint done = 0;
     glGetProgramiv(id_.value, GL_LINK_STATUS, &done);
-    if (!done) throw std::runtime_error("link the shaders: they do not fit each other");
+    if (!done) throw std::runtime_error("link the shaders: they do not match");
 }
 
 }  // namespace vitrine::player

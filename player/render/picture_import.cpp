@@ -73,8 +73,8 @@ std::vector<EGLAttrib> import_attributes(const SharedPlanes& shared, const Plane
                                 place.stride};
     const std::uint64_t modifier = shared.modifier.value_or(row_by_row);
     if (modifier != row_by_row && !names_modifier)
-        throw std::runtime_error(fmt::format(
-            "a decoder's pixels lie in the order {:#x}, which EGL cannot be told here", modifier));
+        throw std::runtime_error(
+            fmt::format("a decoder's order of pixels, {:#x}, cannot be passed to EGL here", modifier));
     if (shared.modifier && names_modifier) {
         list.insert(list.end(),
                     {EGL_DMA_BUF_PLANE0_MODIFIER_LO_EXT, static_cast<EGLAttrib>(modifier & 0xFFFFFFFF),

@@ -10,7 +10,7 @@ std::optional<std::string> UploadedPictures::upload(SourceId source, const Sampl
         copy(source, sample);
         return std::nullopt;
     }
-    std::string reason = "it cannot be read in its place";
+    std::string reason = "it cannot be read in place";
     if (!copied_.contains(source) && import_.is_possible()) {
         try {
             replace(source, PictureTexture(sample, import_));

@@ -121,7 +121,7 @@ class FilmSound::Work {
         const nanoseconds local = std::max(nanoseconds(0), monotonic_now() - part_.origin) + lead;
         loop_ = local / part_.duration();
         if (!seeker_.jump(part_.begin + local % part_.duration()))
-            throw std::runtime_error("its sound cannot be searched");
+            throw std::runtime_error("its sound cannot be played from a given time");
     }
 
     /// False: this part has no sound.

@@ -40,12 +40,13 @@ void WallSound::start(const AudibleShot& shot, std::chrono::nanoseconds origin) 
     const bool is_kept = shot.stored && !shot.stored->is_dropped;
     if (is_kept && shot.stored->file.empty()) {
         failed_.insert(shot.source);
-        return tell_once(fmt::format("'{}' has no sound that could be heard", shot.path), false);
+        return tell_once(fmt::format("'{}' has no sound that can be played", shot.path), false);
     }
     const std::string copy = is_kept ? places_.store + "/" + shot.stored->file : "";
     const bool is_stored = is_kept && ::access(copy.c_str(), R_OK) == 0;
     if (!is_stored)
-        tell_once(fmt::format("not in the store, heard from the media folder: '{}'", shot.path), false);
+        tell_once(fmt::format("not in the store, sound is played from the media folder: '{}'", shot.path),
+                  false);
     const SoundPart part{.file = is_stored ? copy : places_.media + "/" + shot.path,
                          .begin = shot.begin,
                          .end = shot.end,
@@ -68,7 +69,7 @@ void WallSound::look_after() {
     failed_.insert(now_->shot.source);
     const std::optional<PlaybackFailure> failure = now_->sound->failure();
     if (failure && failure->is_of_film)
-        tell_once(fmt::format("'{}' is not heard: {}", now_->shot.path, failure->text), true);
+        tell_once(fmt::format("the sound of '{}' is not played: {}", now_->shot.path, failure->text), true);
     else if (failure && complaint_ != failure->text)
         events_.push_back({.text = complaint_ = failure->text, .is_trouble = true});
     now_.reset();

@@ -87,10 +87,10 @@ TEST_CASE("a wrong line of a rehearsal is named with its number and what is wron
         return std::string();
     };
     CHECK(fault("1 add a\n2 dance b\n") ==
-          "line 2 of the rehearsal, '2 dance b': an event is one of add, remove, tap, hold, drag, "
+          "line 2 of the rehearsal, '2 dance b': an event must be one of add, remove, tap, hold, drag, "
           "flick, pinch, wheel, key, clock");
     CHECK(fault("add a\n").find("line 1") != std::string::npos);
-    CHECK(fault("1 add\n").find("not named") != std::string::npos);
+    CHECK(fault("1 add\n").find("is missing") != std::string::npos);
     CHECK(fault("1 drag 1 2 3\n").find("X Y X Y SECONDS") != std::string::npos);
     CHECK(fault("-1 add a\n").find("from 0 to") != std::string::npos);
 }

@@ -76,7 +76,7 @@ TEST_CASE("the store's copy is heard where there is one, and the journal says wh
     CHECK(hall.events.empty());
     CHECK(hall.comes_true({shot(2, "b.mp4")}, [&] { return hall.recorder.sinks() == 2; }));
     REQUIRE(hall.events.size() == 1);
-    CHECK(hall.events.front().text == "not in the store, heard from the media folder: 'b.mp4'");
+    CHECK(hall.events.front().text == "not in the store, sound is played from the media folder: 'b.mp4'");
 }
 
 TEST_CASE("a sound whose picture is elsewhere by now begins anew there") {
@@ -105,7 +105,7 @@ TEST_CASE("a film without sound is named once, and nothing is tried with it agai
     Hall hall;
     write_sounding_film(hall.places.media + "/a.mp4", {.encoder = "", .seconds = 2});
     CHECK(hall.comes_true({shot(1, "a.mp4")}, [&] { return hall.events.size() == 2; }));
-    CHECK(hall.events.back().text == "'a.mp4' is not heard: the film has no sound");
+    CHECK(hall.events.back().text == "the sound of 'a.mp4' is not played: the film has no sound");
     CHECK(hall.comes_true({shot(1, "a.mp4")}, [&, i = 0]() mutable { return ++i > 50; }));
     CHECK(hall.recorder.sinks() == 1);
     CHECK(hall.comes_true({shot(2, "a.mp4")}, [&] { return hall.recorder.sinks() == 2; }));
