@@ -1,6 +1,9 @@
 #include "player/control/commands.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <string_view>
 
 namespace vitrine::player {
 
@@ -81,6 +84,11 @@ std::span<const Command> commands() {
 
 bool takes_off(const Command& command) {
     return command.operand != Operand::none && std::string_view(command.arguments).ends_with('b');
+}
+
+std::string answer_line(const Command& command, bool is_off, const CommandAnswer& answer) {
+    if (answer.text.empty() || std::string_view(command.result) == "s") return answer.text;
+    return fmt::format("{}: {}", is_off ? command.undone : command.done, answer.text);
 }
 
 }  // namespace vitrine::player

@@ -55,6 +55,11 @@ struct CommandAnswer {
     std::vector<OutputPicture> pictures;
 };
 
+/// The line that vitrinectl prints for an answer, if the command has no printer of its own: a string as it
+/// is, a path after `done` or `undone`. Empty: nothing is printed.
+/// @param is_off  the command line ended with `off`
+std::string answer_line(const Command& command, bool is_off, const CommandAnswer& answer);
+
 /// Carries out a call. @throws std::runtime_error with a text for the caller
 using CommandHandler = std::function<CommandAnswer(const CommandCall&)>;
 

@@ -85,7 +85,7 @@ void print_status(const Json& status) {
     print_cells(status);
 }
 
-int print_why(const Json& report) {
+void print_why(const Json& report) {
     const std::string state = report.value("state", "");
     print(fmt::format("{}: {}", report.value("file", ""), state));
     print("  " + report.value("says", ""));
@@ -94,7 +94,6 @@ int print_why(const Json& report) {
                           report.value("height", 0), report.value("shots", 0)));
     if (state == "ready" && !report.value("reason", "").empty()) print("  " + report.value("reason", ""));
     if (report.contains("analyzer")) print("  analyzer: " + report.at("analyzer").dump());
-    return state == "unknown" ? exit_unknown_file : 0;
 }
 
 /// Saves the first output's picture in the file; the others' go beside it, under the outputs' names.
@@ -142,10 +141,9 @@ CommandCall call_of(const Command& command, const Words& words) {
     return call;
 }
 
-/// Prints the answer. A command without a printer here prints its JSON or its path.
+/// Prints the answer: as JSON, by the command's own printer, or as a line.
 int print_answer(const Command& command, const Words& words, const CommandAnswer& answer) {
     const std::string_view name = command.name;
-    const bool is_json = std::string_view(command.result) == "s";
     if (command.operand == Operand::picture) {
         const Json saved = save_pictures(answer.pictures, words.operand);
         if (words.is_json) print_json(saved.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -153,14 +151,17 @@ int print_answer(const Command& command, const Words& words, const CommandAnswer
             print(one.value("output", "") + ": " + one.value("file", ""));
         return 0;
     }
-    if (is_json && words.is_json) print_json(answer.text);
-    if (name == "status" && !words.is_json) print_status(Json::parse(answer.text));
-    if (name == "why" && !words.is_json) return print_why(Json::parse(answer.text));
-    if (name == "why")
-        return Json::parse(answer.text).value("state", "") == "unknown" ? exit_unknown_file : 0;
-    const char* done = words.off.empty() ? command.done : command.undone;
-    if (!is_json && !answer.text.empty()) print(fmt::format("{}: {}", done, answer.text));
-    return 0;
+    if (words.is_json && std::string_view(command.result) == "s") {
+        print_json(answer.text);
+    } else if (name == "status") {
+        print_status(Json::parse(answer.text));
+    } else if (name == "why") {
+        print_why(Json::parse(answer.text));
+    } else if (const std::string line = answer_line(command, !words.off.empty(), answer); !line.empty()) {
+        print(line);
+    }
+    const bool is_unknown = name == "why" && Json::parse(answer.text).value("state", "") == "unknown";
+    return is_unknown ? exit_unknown_file : 0;
 }
 
 const char* in_help(Operand operand) {
