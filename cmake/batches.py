@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-LOCAL_SCOPE = re.compile(r"^namespace \{\n(.*?)^\}", re.S | re.M)
+LOCAL_SCOPE = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.S | re.M)
 
 
 def local_names(text):
