@@ -22,6 +22,7 @@ def local_names(text):
                 or re.search(r"(\w+)(?:\[.*\])*\s*[{;]?\s*$", head)
             if found:
                 names.add(found[1])
+    names.update(re.findall(r"^using (\w+) =", text, re.M))
     if re.search(r"^int main\(", text, re.M):
         names.add("main")
     return names

@@ -1,12 +1,13 @@
 #include "player/display/offscreen_screen.hpp"
 
+#include "tests/temporary_directory.hpp"
+
 #include <GLES3/gl3.h>
 #include <doctest/doctest.h>
 #include <gst/app/gstappsink.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -16,24 +17,6 @@ using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {
-
-class TemporaryDirectory {
-  public:
-    TemporaryDirectory() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "vitrine-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
-
-    std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 // The upper half red, the lower half blue.
 void draw_halves(const OffscreenScreen& screen) {
@@ -105,9 +88,9 @@ TEST_CASE("an off-screen picture is saved as a PNG of its size") {
     screen.begin_frame();
     draw_halves(screen);
 
-    save_png(screen.picture(), directory / "shown.png");
+    save_png(screen.picture(), directory.path / "shown.png");
 
-    std::ifstream file(directory / "shown.png", std::ios::binary);
+    std::ifstream file(directory.path / "shown.png", std::ios::binary);
     std::array<char, 26> head{};
     REQUIRE(file.read(head.data(), head.size()));
     CHECK(std::string_view(head.data() + 1, 3) == "PNG");
@@ -130,7 +113,7 @@ TEST_CASE("a picture that cannot be written names the file") {
 
 TEST_CASE("a film holds every picture for its time") {
     const TemporaryDirectory directory;
-    const std::filesystem::path path = directory / "wall.mp4";
+    const std::filesystem::path path = directory.path / "wall.mp4";
     OffscreenScreen screen({.width = 128, .height = 72, .film = path, .film_rate = 25});
 
     for (int i = 0; i < 50; ++i) {
@@ -150,7 +133,7 @@ TEST_CASE("a film holds every picture for its time") {
 
 TEST_CASE("a film that is not finished by hand ends with its screen") {
     const TemporaryDirectory directory;
-    const std::filesystem::path path = directory / "wall.mp4";
+    const std::filesystem::path path = directory.path / "wall.mp4";
 
     {
         OffscreenScreen screen({.width = 128, .height = 72, .film = path, .film_rate = 25});

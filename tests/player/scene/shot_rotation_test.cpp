@@ -13,7 +13,7 @@ bool always(const ShotKey& /*key*/) {
     return true;
 }
 
-bool never(const ShotKey& /*key*/) {
+bool holds_none(const ShotKey& /*key*/) {
     return false;
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("by name, shots come by path and in time order") {
     set(round, {photo("b"), film("a", 2), photo("c")});
     // the first shots of new files come before the later ones
     CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"c", 0}, {"a", 1}});
-    round.restart_finished(never);
+    round.restart_finished(holds_none);
     CHECK(take_all(round) == std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"b", 0}, {"c", 0}});
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("shuffled, every shot comes once and those of one film in time order")
     ShotRotation round(ShotOrder::shuffle, 3);
     set(round, {film("a", 20), film("b", 20), photo("c")});
     take_all(round);
-    round.restart_finished(never);
+    round.restart_finished(holds_none);
     const std::vector<ShotKey> keys = take_all(round);
     CHECK(keys.size() == 41);
     int next_a = 0;
@@ -100,10 +100,10 @@ TEST_CASE("what comes three times as often has three turns in a round, evenly sp
         files.push_back(&record);
     round.set_files(files, {{"a", {.repeat = 3}}});
     CHECK(take_all(round).size() == 6);
-    round.restart_all(never);
+    round.restart_all(holds_none);
     CHECK(take_all(round) ==
           std::vector<ShotKey>{{"a", 0}, {"b", 0}, {"a", 0}, {"c", 0}, {"a", 0}, {"d", 0}});
-    round.restart_finished(never);
+    round.restart_finished(holds_none);
     CHECK(take_all(round).size() == 6);
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a film that comes twice in a round comes as a whole each time") {
     const std::vector<const MediaRecord*> files{&twice};
     round.set_files(files, {{"a", {.repeat = 2}}});
     take_all(round);
-    round.restart_all(never);
+    round.restart_all(holds_none);
     CHECK(
         take_all(round) ==
         std::vector<ShotKey>{{"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}, {"a", 0}, {"a", 1}, {"a", 2}, {"a", 3}});
@@ -125,6 +125,6 @@ TEST_CASE("turns that are left are not given anew") {
     const std::vector<const MediaRecord*> files{&often};
     round.set_files(files, {{"a", {.repeat = 3}}});
     for (int i = 0; i < 5; ++i)
-        round.restart_all(never);
+        round.restart_all(holds_none);
     CHECK(take_all(round).size() == 3);
 }
