@@ -15,7 +15,7 @@ namespace vitrine::player {
 struct TransitionStyle {
     std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
     std::chrono::nanoseconds motion =
-        std::chrono::milliseconds(250);  // duration of one act; 0: all shots fade, without motion
+        std::chrono::milliseconds(250);  // duration of one stage of a motion; 0: all shots fade instead
     CellStyle cells;
     bool is_even = false;  // shots move at constant speed, for changes that follow a finger
 };
