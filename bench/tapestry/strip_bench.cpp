@@ -16,7 +16,7 @@
 #include <vector>
 
 using namespace vitrine;
-using namespace vitrine::analyzer;
+using namespace vitrine::player;
 using namespace std::chrono_literals;
 
 namespace {
@@ -168,7 +168,7 @@ int main() {
     print("strip dragged",
           cost(60,
                [&] {
-                   bench.strip.take(
+                   bench.strip.handle_gesture(
                        {.kind = Gesture::Kind::drag, .at = {600, 500}, .from = {640, 500}, .moved = {-9, 0}});
                    bench.step();
                }),
@@ -182,7 +182,7 @@ int main() {
         print(key == Key::nearer ? "step to a finer level, each of its others"
                                  : "step to a coarser level, each of its others",
               cost(36, [&] { bench.step(); }), one);
-        fmt::print("{:<44} CPU {:6.2f} ms\n", "  of which where everything is", bench.scene / 36);
+        fmt::print("{:<44} CPU {:6.2f} ms\n", "  of which without drawing", bench.scene / 36);
     }
     SourceId next = 1'000'000'000;
     print("upload of a tile", cost(30, [&] { bench.renderer.upload(next++, bench.tile.sample); }), one);
