@@ -3,33 +3,21 @@
 #include "base/state/catalogue.hpp"
 #include "base/system/directory_watch.hpp"
 #include "base/system/event_loop.hpp"
+#include "base/system/unique_fd.hpp"
+#include "player/content/catalogue_change.hpp"
+#include "player/content/catalogue_reader.hpp"
 #include "player/scene/show_files.hpp"
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
-#include <vector>
 
 namespace vitrine::player {
 
-/// Paths of the ready files that a change of the catalogue touches.
-struct CatalogueChange {
-    std::vector<std::string> added;
-    std::vector<std::string> grown;  // the same content with further shots: a playing shot goes on
-    std::vector<std::string> replaced;
-    std::vector<std::string> gone;
-    bool has_others = false;  // the records of files that are not ready have changed, too
-
-    bool is_empty() const {
-        return added.empty() && grown.empty() && replaced.empty() && gone.empty() && !has_others;
-    }
-};
-
-/// True: the analyzer has found shots in the file.
-bool is_ready(const MediaRecord& record);
-
-/// Keeps the records of a catalogue up to date while the event loop runs. Waits for the directory if it does
-/// not exist yet. Logs.
+/// Keeps the records of a catalogue up to date while the event loop runs. Where the directory does not exist
+/// yet, the follower waits for it. Logs.
 class CatalogueFollower {
   public:
     using Call = std::function<void(const CatalogueChange& change, const RecordList& records)>;
@@ -47,20 +35,22 @@ class CatalogueFollower {
   private:
     void watch();
     void read_events();
-    void reload();
+    void request_changed();
+    void follow_news();
 
-    Catalogue catalogue_;
+    std::filesystem::path directory_;
     Call call_;
     RecordList records_;
     std::map<MediaState, std::size_t> counts_;
-    std::map<std::string, std::string> complaints_;  // file -> reason; each is logged once
     DirectoryWatch directory_watch_;
+    std::set<std::string> changed_;  // files that are still to be read
+    std::optional<EventLoop::Clock::time_point> changed_since_;
+    UniqueFd news_;  // an eventfd: the reader has news
     EventLoop::Source events_;
     EventLoop::Source settled_;  // fires a moment after the last change
     EventLoop::Source retry_;    // armed until the directory exists
+    EventLoop::Source told_;     // fires when there are news
+    CatalogueReader reader_;     // last: its thread uses news_
 };
-
-/// Compares two lists of records that are ordered by path.
-CatalogueChange change_between(const RecordList& before, const RecordList& after);
 
 }  // namespace vitrine::player

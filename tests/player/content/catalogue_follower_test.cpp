@@ -73,3 +73,21 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
     CHECK(other.has_others);
     CHECK(other.added.empty());
 }
+
+TEST_CASE("a catalogue that changes without a pause is followed all the same") {
+    const TemporaryDirectory directory;
+    const Catalogue catalogue(directory.path / "catalogue");
+    catalogue.store(record("gone"));
+    EventLoop loop;
+    bool is_gone = false;
+    CatalogueFollower follower(loop, catalogue, [&](const CatalogueChange& change, const RecordList&) {
+        is_gone = is_gone || change.gone == std::vector<std::string>{"gone"};
+    });
+    catalogue.remove("gone");
+    const auto begin = EventLoop::Clock::now();
+    for (int i = 0; !is_gone && EventLoop::Clock::now() - begin < 60s; ++i) {
+        catalogue.store(record("other", i));  // an event every few milliseconds, for ever
+        loop.run_once(20ms);
+    }
+    CHECK(is_gone);
+}
