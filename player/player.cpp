@@ -144,6 +144,7 @@ PlayerView Player::view() const {
 PlayerActions Player::actions() {
     return {.set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
             .dismiss = [this](const MediaRecord& file) { files_->dismiss(file); },
+            .acquit = [this](const std::string& path) { files_->acquit(path); },
             .reload = [this] { reload(); }};
 }
 

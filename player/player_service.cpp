@@ -2,7 +2,6 @@
 
 #include "base/settings/settings.hpp"
 #include "base/state/record_json.hpp"
-#include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "player/content/visible_files.hpp"
@@ -30,7 +29,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto report_interval = 5s;
-constexpr std::size_t max_status_bytes = 64U << 20;  // limit of the analyzer's status.json
+constexpr auto screenshot_pause = 1s;
 
 const char* tier_of(const SourceState& source) {
     if (!source.is_film) return "photo";
@@ -60,6 +59,7 @@ PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActi
     : loop_(loop),
       view_(view),
       actions_(std::move(actions)),
+      analyzer_(std::filesystem::path(view.settings.state.directory) / "status.json"),
       report_(loop.timer([this] { report_status(); })) {
     report_.arm(0s);
 }
@@ -70,6 +70,7 @@ void PlayerService::export_to_bus() {
 
 void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
+    analyzer_.look(now);
     std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});
@@ -129,16 +130,6 @@ PlayerReport PlayerService::report() const {
     return report;
 }
 
-/// The analyzer's status. Empty: there is no analyzer, or it has written none.
-std::string PlayerService::analyzer_status() const {
-    try {
-        return read_file(std::filesystem::path(view_.settings.state.directory) / "status.json",
-                         max_status_bytes);
-    } catch (const std::system_error&) {
-        return {};
-    }
-}
-
 FileReport PlayerService::describe(const MediaRecord& record) const {
     const std::vector<std::string> dismissed = view_.files.dismissed();
     FileReport report{.path = record.path,
@@ -178,7 +169,11 @@ const MediaRecord& PlayerService::require_shown(const std::string& given, const 
         fmt::format("'{}' is not shown: {}", file.path, file.reason.empty() ? file.state : file.reason));
 }
 
-std::vector<OutputPicture> PlayerService::screenshots() const {
+/// A picture is copied from the display, which keeps the next one waiting.
+std::vector<OutputPicture> PlayerService::take_screenshots() {
+    if (screenshot_ && now_ - *screenshot_ < screenshot_pause)
+        throw std::runtime_error("a screenshot was taken this very second; try again in a second");
+    screenshot_ = now_;
     std::vector<OutputPicture> shots;
     for (Screen* screen : view_.display.screens())
         if (std::optional<Picture> picture = screen->shown())
@@ -208,7 +203,7 @@ CommandAnswer PlayerService::pause(const CommandCall& call) {
 
 CommandAnswer PlayerService::pin_slot(const CommandCall& call) {
     require_turns();
-    if (call.slot >= view_.settings.layout.slots)
+    if (call.slot < 0 || call.slot >= view_.settings.layout.slots)
         throw std::runtime_error(fmt::format("there is no slot {}", call.slot));
     put(controls_.slots, call.slot, call.is_on);
     actions_.set_controls(controls_);
@@ -234,26 +229,43 @@ CommandAnswer PlayerService::remove(const CommandCall& call) {
     return {.text = record.path, .pictures = {}};
 }
 
+CommandAnswer PlayerService::acquit(const CommandCall& call) {
+    if (call.file.empty()) {
+        actions_.acquit("");
+        log::info("all files are acquitted");
+        return {.text = "all files", .pictures = {}};
+    }
+    const FileReport file = report_file(call.file, call.folder);
+    if (file.state == "unknown")
+        throw std::runtime_error(fmt::format("there is no '{}' in the media folder", call.file));
+    actions_.acquit(file.path);
+    log::info("acquitted: '{}'", file.path);
+    return {.text = file.path, .pictures = {}};
+}
+
 /// One handler for each method of commands().
 CommandHandlers PlayerService::handlers() {
     using Call = CommandCall;
     const auto text = [](std::string said) { return CommandAnswer{.text = std::move(said), .pictures = {}}; };
     const auto why = [this, text](const Call& call) {
-        return text(to_json(report_file(call.file, call.folder), analyzer_status()));
+        const FileReport file = report_file(call.file, call.folder);
+        return text(to_json(file, analyzer_.word().entry(file.path)));
     };
     const auto reload = [this](const Call&) {
         actions_.reload();
         return CommandAnswer{};
     };
-    return {{"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_status())); }},
-            {"Why", why},
-            {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = screenshots()}; }},
-            {"Next", [this](const Call&) { return next(); }},
-            {"Pause", [this](const Call& call) { return pause(call); }},
-            {"Pin", [this](const Call& call) { return pin(call); }},
-            {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
-            {"Remove", [this](const Call& call) { return remove(call); }},
-            {"Reload", reload}};
+    return {
+        {"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_.word().summary)); }},
+        {"Why", why},
+        {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = take_screenshots()}; }},
+        {"Next", [this](const Call&) { return next(); }},
+        {"Pause", [this](const Call& call) { return pause(call); }},
+        {"Pin", [this](const Call& call) { return pin(call); }},
+        {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
+        {"Remove", [this](const Call& call) { return remove(call); }},
+        {"Acquit", [this](const Call& call) { return acquit(call); }},
+        {"Reload", reload}};
 }
 
 }  // namespace vitrine::player

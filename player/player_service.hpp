@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/system/event_loop.hpp"
+#include "player/control/analyzer_word.hpp"
 #include "player/control/bus_object.hpp"
 #include "player/control/commands.hpp"
 #include "player/control/health.hpp"
@@ -45,6 +46,7 @@ struct PlayerView {
 struct PlayerActions {
     std::function<void(const ShowControls&)> set_controls;  // sets the controls of all walls
     std::function<void(const MediaRecord&)> dismiss;        // takes a file off the wall
+    std::function<void(const std::string& path)> acquit;    // ends the quarantine of a file; "": of all
     std::function<void()> reload;  // reads the settings again; throws if they are wrong
 };
 
@@ -68,14 +70,14 @@ class PlayerService {
     FileReport report_file(const std::string& given, const std::string& folder) const;
     FileReport describe(const MediaRecord& record) const;
     const MediaRecord& require_shown(const std::string& given, const std::string& folder) const;
-    std::string analyzer_status() const;
-    std::vector<OutputPicture> screenshots() const;
+    std::vector<OutputPicture> take_screenshots();
     void require_turns() const;
     CommandAnswer next();
     CommandAnswer pause(const CommandCall& call);
     CommandAnswer pin_slot(const CommandCall& call);
     CommandAnswer pin(const CommandCall& call);
     CommandAnswer remove(const CommandCall& call);
+    CommandAnswer acquit(const CommandCall& call);
 
     EventLoop& loop_;  // outlives this
     PlayerView view_;
@@ -83,10 +85,12 @@ class PlayerService {
     Health health_;
     ShowControls controls_;
     MetricsFile metrics_;
-    std::chrono::nanoseconds now_{0};       // the time of the last look()
-    std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
-    std::uint64_t flips_ = 0;               // flips of the first screen at that time
-    double rate_ = 0;                       // flips a second between the last two reports
+    AnalyzerWordReader analyzer_;
+    std::optional<std::chrono::nanoseconds> screenshot_;  // when the last one was taken
+    std::chrono::nanoseconds now_{0};                     // the time of the last look()
+    std::chrono::nanoseconds reported_{0};                // time of the last report to systemd
+    std::uint64_t flips_ = 0;                             // flips of the first screen at that time
+    double rate_ = 0;                                     // flips a second between the last two reports
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

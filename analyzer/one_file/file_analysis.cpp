@@ -7,6 +7,7 @@
 #include "analyzer/store/store_writer.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
+#include "base/media/file_bytes.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/stream_end.hpp"
 #include "base/state/catalogue.hpp"
@@ -18,6 +19,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <memory>
 #include <new>
 #include <optional>
@@ -63,18 +65,19 @@ MediaRecord shortened_record(MediaRecord known, const MediaError& error) {
     return known;
 }
 
-MediaRecord record_without_shots(MediaState state, const std::string& reason) {
+MediaRecord record_without_shots(const MediaError& error) {
     MediaRecord record;
-    record.state = state;
-    record.reason = reason;
+    record.state = error.state();
+    record.reason = error.what();
+    record.fault.owner = error.owner();
     return record;
 }
 
 /// The analysis of one file with its by-products.
 class FileAnalysis {
   public:
-    FileAnalysis(const AnalysedFile& file, const AnalysisOutputs& outputs, const GrowthObserver& grown)
-        : file_(file), outputs_(outputs), grown_(grown) {
+    FileAnalysis(const AnalysedFile& file, const AnalysisOutputs& outputs, const AnalysisEvents& events)
+        : file_(file), outputs_(outputs), events_(events) {
         if (outputs.thumbnail) thumbnail_.emplace(file.thumbnail());
     }
 
@@ -83,18 +86,29 @@ class FileAnalysis {
         try {
             return analyse();
         } catch (const MediaError& error) {
-            const bool is_kept = error.state() == MediaState::failed && !known_.shots.empty();
-            if (!is_kept) return record_without_shots(error.state(), error.what());
-            known_ = shortened_record(std::move(known_), error);
-            finish_outputs(known_);
-            return known_;
+            return record_after(error);
         } catch (const std::bad_alloc&) {
-            return record_without_shots(MediaState::failed, fmt::format("it needs more memory than {} MiB",
-                                                                        file_.settings().analyzer.memory));
+            return record_without_shots({MediaState::failed, fmt::format("it needs more memory than {} MiB",
+                                                                         file_.settings().analyzer.memory)});
         }
     }
 
   private:
+    /// A film that is damaged at some place is shown up to there. A library may take a share that fails for
+    /// damage, so the file is read once by plain calls first.
+    MediaRecord record_after(const MediaError& error) {
+        if (error.state() != MediaState::failed) return record_without_shots(error);
+        try {
+            require_readable(file_.name());
+        } catch (const MediaError& fault) {
+            return record_without_shots(fault);
+        }
+        if (known_.shots.empty()) return record_without_shots(error);
+        known_ = shortened_record(std::move(known_), error);
+        finish_outputs(known_);
+        return known_;
+    }
+
     MediaRecord analyse() {
         if (!outputs_.accepts_cut) require_whole_packets(file_.name(), media_format(file_.name()));
         const std::unique_ptr<FrameSource> source = file_.open();
@@ -102,6 +116,7 @@ class FileAnalysis {
         ObservedSource observed(
             *source, [this] { report_places(); },
             [this](const FilmFrame& frame) {
+                if (events_.progressed) events_.progressed();
                 if (thumbnail_) thumbnail_->add_frame(frame);
                 if (frames_) frames_->saw(frame);
             });
@@ -137,7 +152,7 @@ class FileAnalysis {
         known_ = part;
         known_.shots = std::move(shots);
         if (thumbnail_) thumbnail_->write(part);
-        grown_(part);
+        if (events_.grown) events_.grown(file_.stamped(part));
         for (const Shot& shot : part.shots)
             if (store_) store_->add_shot(shot);
     }
@@ -148,46 +163,63 @@ class FileAnalysis {
         for (const Shot& shot : store_->take_placed_shots()) {
             MediaRecord part = known_;
             part.shots = {shot};
-            grown_(part);
+            if (events_.grown) events_.grown(file_.stamped(part));
         }
     }
 
     const AnalysedFile& file_;  // outlives this
     AnalysisOutputs outputs_;
-    const GrowthObserver& grown_;  // outlives this
-    MediaRecord known_;            // a film with the shots so far
+    const AnalysisEvents& events_;  // outlives this
+    MediaRecord known_;             // a film with the shots so far
     std::unique_ptr<StoreWriter> store_;
     std::optional<Thumbnail> thumbnail_;
     std::optional<KeptFrames> frames_;
 };
 
-void write_line(const UniqueFd& output, const MediaRecord& record) {
-    const std::string json = to_json(record) + "\n";
-    for (std::string_view text = json; !text.empty();) {
+void write_line(const UniqueFd& output, const std::string& words) {
+    const std::string line = words + "\n";
+    for (std::string_view text = line; !text.empty();) {
         const ssize_t n = ::write(output.get(), text.data(), text.size());
         if (n < 0) throw_errno("write the record");
         text.remove_prefix(static_cast<std::size_t>(n));
     }
 }
 
+/// Tells the daemon by an empty line that the analysis gets on, at most once a second.
+class ProgressLine {
+  public:
+    explicit ProgressLine(const UniqueFd& output) : output_(output) {}
+
+    void write() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - written_ < std::chrono::seconds(1)) return;
+        written_ = now;
+        write_line(output_, "");
+    }
+
+  private:
+    const UniqueFd& output_;  // outlives this
+    std::chrono::steady_clock::time_point written_;
+};
+
 }  // namespace
 
 MediaRecord analyse_file(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs,
-                         const std::function<void(const MediaRecord&)>& grown) {
+                         const AnalysisEvents& events) {
     const AnalysedFile analysed(file, settings);
-    const auto report = [&](const MediaRecord& part) {
-        if (grown) grown(analysed.stamped(part));
-    };
-    return analysed.stamped(FileAnalysis(analysed, outputs, report).record());
+    return analysed.stamped(FileAnalysis(analysed, outputs, events).record());
 }
 
 void print_analysis(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs) {
     const UniqueFd output(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
     if (!output.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
         throw_errno("redirect the standard output");
-    std::function<void(const MediaRecord&)> grown;
-    if (outputs.growth) grown = [&](const MediaRecord& part) { write_line(output, part); };
-    write_line(output, analyse_file(file, settings, outputs, grown));
+    AnalysisEvents events;
+    ProgressLine progress(output);
+    if (outputs.growth)
+        events = {.grown = [&](const MediaRecord& part) { write_line(output, to_json(part)); },
+                  .progressed = [&] { progress.write(); }};
+    write_line(output, to_json(analyse_file(file, settings, outputs, events)));
 }
 
 bool write_thumbnail(const fs::path& file, const Settings& settings) {

@@ -12,35 +12,28 @@ namespace vitrine::analyzer {
 
 namespace {
 
-std::string in_words(std::chrono::seconds time) {
+std::string time_in_words(std::chrono::seconds time) {
     return time < std::chrono::minutes(2) ? fmt::format("{} s", time.count())
                                           : fmt::format("{} min", time.count() / 60);
 }
 
-std::string expected_end(const std::string& path) {
-    return fmt::format("end of the analysis of '{}'", path);
-}
-
 }  // namespace
 
-Analyses::Analyses(EventLoop& loop, AnalysisCommand command, Liveness& liveness, Events events)
-    : loop_(loop), command_(std::move(command)), liveness_(liveness), events_(std::move(events)) {}
+Analyses::Analyses(EventLoop& loop, AnalysisCommand command, Events events)
+    : loop_(loop), command_(std::move(command)), events_(std::move(events)) {}
 
 void Analyses::start(const std::string& path, const FileFacts& facts,
                      const std::vector<std::string>& arguments) {
     std::vector<std::string> words = command_.words;
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const ChildLimits limits = limits_for(command_.limits, command_.deadline_per_mebibyte, facts.bytes);
+    const ChildLimits limits = limits_for(command_.limits, command_.seconds_per_mebibyte, facts.bytes);
     log::debug("analysing '{}'", path);
-    const auto now = EventLoop::Clock::now();
-    liveness_.expect(expected_end(path), now + limits.deadline);
     const auto finish = [this, path, facts, limits](const ChildResult& result) {
         running_.erase(path);
-        liveness_.meet(expected_end(path));
         events_.ended(facts, outcome_of(result, limits, path, facts));
     };
     const auto hear = [this, path, facts](const std::string& line) { read_line(path, facts, line); };
-    running_[path] = {.since = now,
+    running_[path] = {.since = EventLoop::Clock::now(),
                       .process = std::make_unique<ChildProcess>(loop_, words, limits, finish, hear)};
 }
 
@@ -60,7 +53,7 @@ std::string Analyses::in_words() const {
     for (const auto& [path, analysis] : running_) {
         const auto time = std::chrono::floor<std::chrono::seconds>(EventLoop::Clock::now() - analysis.since);
         text += fmt::format("{}'{}' for {}", text.empty() ? "looking at " : ", ", plain_text(path),
-                            analyzer::in_words(time));
+                            time_in_words(time));
     }
     return text;
 }

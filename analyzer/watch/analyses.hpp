@@ -2,7 +2,6 @@
 
 #include "analyzer/watch/analysis_outcome.hpp"
 #include "analyzer/watch/child_process.hpp"
-#include "analyzer/watch/liveness.hpp"
 #include "base/state/record.hpp"
 #include "base/system/event_loop.hpp"
 
@@ -16,9 +15,9 @@ namespace vitrine::analyzer {
 
 /// The command that analyses one file, and its limits.
 struct AnalysisCommand {
-    std::vector<std::string> words;    // a program that prints one record; arguments of the file are appended
-    ChildLimits limits;                // for an empty file
-    double deadline_per_mebibyte = 0;  // seconds
+    std::vector<std::string> words;   // a program that prints one record; arguments of the file are appended
+    ChildLimits limits;               // for an empty file
+    double seconds_per_mebibyte = 0;  // of processor time, see limits_for()
 };
 
 /// The analyses that run: one child process a file. Logs.
@@ -30,8 +29,7 @@ class Analyses {
         std::function<void(const FileFacts& facts, AnalysisOutcome outcome)> ended;
     };
 
-    /// @param liveness  outlives this; expects the end of each child by its deadline
-    Analyses(EventLoop& loop, AnalysisCommand command, Liveness& liveness, Events events);
+    Analyses(EventLoop& loop, AnalysisCommand command, Events events);
 
     /// @param arguments  appended to the command
     /// @throws std::system_error where no process can be made
@@ -55,7 +53,6 @@ class Analyses {
 
     EventLoop& loop_;  // outlives this
     AnalysisCommand command_;
-    Liveness& liveness_;
     Events events_;
     std::map<std::string, Running> running_;  // by path
 };

@@ -15,14 +15,13 @@
 #include <cmath>
 #include <csignal>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int exit_not_started = 127;  // the code of a shell for this
+constexpr rlim_t max_processor_seconds = 48 * 3600;  // even of a file that gets on and on
 
 struct Pipe {
     Pipe() {
@@ -39,7 +38,6 @@ struct Pipe {
 struct Launch {
     std::vector<char*> arguments;  // with nullptr at the end
     rlim_t memory = RLIM_INFINITY;
-    rlim_t processor_seconds = RLIM_INFINITY;
     int niceness = 0;
     int output = -1;
     int complaint = -1;
@@ -54,14 +52,14 @@ void limit(__rlimit_resource resource, rlim_t value) {
 [[noreturn]] void become(const Launch& launch, pid_t parent) {
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(exit_not_started);  // it died before that line
+    if (::getppid() != parent) ::_exit(ChildProcess::exit_not_started);  // it died before that line
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     sigset_t none;
     sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
     limit(RLIMIT_CORE, 0);
     if (launch.memory != RLIM_INFINITY) limit(RLIMIT_DATA, launch.memory);
-    limit(RLIMIT_CPU, launch.processor_seconds);
+    limit(RLIMIT_CPU, max_processor_seconds);
     if (::nice(launch.niceness) < 0) errno = 0;  // it only runs faster then
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
@@ -69,13 +67,8 @@ void limit(__rlimit_resource resource, rlim_t value) {
     ::dup2(launch.complaint, STDERR_FILENO);
     ::execv(launch.arguments.front(), launch.arguments.data());
     constexpr std::string_view sorry = "the analysing program cannot be started\n";
-    if (::write(STDERR_FILENO, sorry.data(), sorry.size()) < 0) ::_exit(exit_not_started);
-    ::_exit(exit_not_started);
-}
-
-rlim_t processor_seconds(std::chrono::milliseconds deadline) {
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(deadline).count();
-    return static_cast<rlim_t>(seconds) * std::max(1U, std::thread::hardware_concurrency()) + 1;
+    if (::write(STDERR_FILENO, sorry.data(), sorry.size()) < 0) ::_exit(ChildProcess::exit_not_started);
+    ::_exit(ChildProcess::exit_not_started);
 }
 
 /// Reads what is there. @return false at the end
@@ -103,11 +96,12 @@ std::optional<std::string> first_line(std::string& text) {
 
 }  // namespace
 
-ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes) {
+ChildLimits limits_for(ChildLimits limits, double seconds_per_mebibyte, std::uint64_t bytes) {
     constexpr double bytes_per_mebibyte = 1 << 20;
     constexpr double max_seconds = 86'400;
-    const double seconds = deadline_per_mebibyte * static_cast<double>(bytes) / bytes_per_mebibyte;
-    limits.deadline += std::chrono::milliseconds(std::llround(std::min(seconds, max_seconds) * 1000));
+    const double seconds = seconds_per_mebibyte * static_cast<double>(bytes) / bytes_per_mebibyte;
+    limits.patience.computing +=
+        std::chrono::milliseconds(std::llround(std::min(seconds, max_seconds) * 1000));
     return limits;
 }
 
@@ -117,7 +111,6 @@ ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& comm
     : limits_(limits), ended_(std::move(ended)), said_(std::move(said)) {
     Pipe output, complaint;
     Launch launch{.memory = limits.memory_bytes > 0 ? limits.memory_bytes : RLIM_INFINITY,
-                  .processor_seconds = processor_seconds(limits.deadline),
                   .niceness = limits.niceness,
                   .output = output.write.get(),
                   .complaint = complaint.write.get()};
@@ -133,7 +126,10 @@ ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& comm
     ::setpgid(pid_, pid_);  // parent and child both do this; either may be first
     process_.reset(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
     if (!process_.is_open()) {
+        const int error = errno;
         ::kill(-pid_, SIGKILL);
+        ::waitpid(pid_, nullptr, 0);
+        errno = error;
         throw_errno("watch the process of '{}'", command.front());
     }
     output_ = std::move(output.read);
@@ -143,8 +139,9 @@ ChildProcess::ChildProcess(EventLoop& loop, const std::vector<std::string>& comm
     process_source_ = loop.watch(process_.get(), EPOLLIN, [this](std::uint32_t) { reap(); });
     output_source_ = loop.watch(output_.get(), EPOLLIN, [this](std::uint32_t) { read_output(); });
     complaint_source_ = loop.watch(complaint_.get(), EPOLLIN, [this](std::uint32_t) { read_complaint(); });
-    deadline_ = loop.timer([this] { kill(ChildResult::End::late); });
-    deadline_.arm(limits.deadline);
+    deadline_.emplace(loop, pid_, limits.patience, [this](ProgressRule::Verdict verdict) {
+        kill(verdict == ProgressRule::Verdict::idling ? ChildResult::End::idle : ChildResult::End::late);
+    });
 }
 
 ChildProcess::~ChildProcess() {
@@ -155,11 +152,15 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::pause() {
-    if (pid_ >= 0) ::kill(-pid_, SIGSTOP);
+    if (pid_ < 0) return;
+    deadline_->pause();
+    ::kill(-pid_, SIGSTOP);
 }
 
 void ChildProcess::go_on() {
-    if (pid_ >= 0) ::kill(-pid_, SIGCONT);
+    if (pid_ < 0) return;
+    ::kill(-pid_, SIGCONT);
+    deadline_->go_on();
 }
 
 void ChildProcess::stop() {
@@ -180,6 +181,7 @@ bool ChildProcess::read_some_output() {
     const bool has_end = !read_some(output_, text);
     const std::size_t room = limits_.output_bytes - std::min(heard_, limits_.output_bytes);
     heard_ += text.size() - before;
+    if (text.size() > before && deadline_) deadline_->note_progress();
     if (heard_ > limits_.output_bytes) {
         text.resize(before + room);
         kill(ChildResult::End::talked_too_much);
@@ -187,6 +189,7 @@ bool ChildProcess::read_some_output() {
     }
     if (!said_) return !has_end;
     while (std::optional<std::string> line = first_line(line_)) {
+        if (line->empty()) continue;
         said_(*line);
         result_.output = std::move(*line);
     }
@@ -222,8 +225,9 @@ void ChildProcess::reap() {
     result_.code = info.si_status;
     if (!is_killed_)
         result_.end = info.si_code == CLD_EXITED ? ChildResult::End::exited : ChildResult::End::killed;
-    for (EventLoop::Source* source : {&process_source_, &output_source_, &complaint_source_, &deadline_})
+    for (EventLoop::Source* source : {&process_source_, &output_source_, &complaint_source_})
         *source = {};
+    deadline_.reset();
     const auto ended = std::move(ended_);
     const ChildResult result = std::move(result_);
     ended(result);

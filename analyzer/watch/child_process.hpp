@@ -1,11 +1,14 @@
 #pragma once
 
+#include "analyzer/watch/child_deadline.hpp"
+#include "analyzer/watch/progress_rule.hpp"
 #include "base/system/event_loop.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,23 +18,24 @@ namespace vitrine::analyzer {
 
 /// The limits of one child.
 struct ChildLimits {
-    std::chrono::milliseconds deadline{120'000};  // elapsed time, and the same of processor time per core
-    std::uint64_t memory_bytes = 0;               // private memory it may ask for; 0: as much as there is
-    std::size_t output_bytes = 64U << 20;         // on its standard output
-    int niceness = 10;                            // added to ours
+    Patience patience;                     // until it gives a sign of progress: any output is one
+    std::uint64_t memory_bytes = 0;        // private memory it may ask for; 0: as much as there is
+    std::size_t output_bytes = 64U << 20;  // on its standard output
+    int niceness = 10;                     // added to ours
 };
 
 /// The limits for a file: larger ones take longer.
-/// @param limits                 those of an empty file
-/// @param deadline_per_mebibyte  seconds
-ChildLimits limits_for(ChildLimits limits, double deadline_per_mebibyte, std::uint64_t bytes);
+/// @param limits                those of an empty file
+/// @param seconds_per_mebibyte  further processor time without progress
+ChildLimits limits_for(ChildLimits limits, double seconds_per_mebibyte, std::uint64_t bytes);
 
 /// The end of a child, and its output.
 struct ChildResult {
     enum class End {
         exited,           // by itself, with `code`
         killed,           // by the signal `code`, not sent by us
-        late,             // killed at the deadline
+        late,             // killed: it computed for too long without progress
+        idle,             // killed: it neither computed nor got on
         talked_too_much,  // killed for its output
         stopped,          // killed because stop() was called
     };
@@ -39,17 +43,20 @@ struct ChildResult {
     End end = End::exited;
     int code = 0;
     std::string output;  // its standard output, at most ChildLimits::output_bytes; only the last line where
-                         // `said` got the lines
+                         // `said` got the lines that are not empty
     std::string complaint;  // the end of its standard error, at most max_complaint bytes
 };
 
-/// Runs another program in a process group of its own, with limits and a deadline. Nothing that happens in it
-/// ends this process. It dies with this process, gains no privileges and leaves no core file.
+/// Another program in a process group of its own, with limits: this process goes on whatever happens in it.
+/// It dies with this process, gains no privileges and leaves no core file. A program that gets on has no
+/// deadline.
 class ChildProcess {
   public:
     static constexpr std::size_t max_complaint = 4096;
+    static constexpr int exit_not_started = 127;  // a program that is missing; the code of a shell for this
 
-    /// Gets each line of the standard output as soon as it is whole, without its end.
+    /// Gets each line of the standard output as soon as it is whole, without its end. Empty lines are only
+    /// signs of progress.
     using Said = std::function<void(const std::string& line)>;
 
     /// @param command  the program's file and its arguments
@@ -64,7 +71,7 @@ class ChildProcess {
     /// Kills what still runs, without waiting for it.
     ~ChildProcess();
 
-    /// Stops the process until go_on(); its deadline goes on.
+    /// Stops the process until go_on().
     void pause();
     void go_on();
 
@@ -87,7 +94,8 @@ class ChildProcess {
     bool is_killed_ = false;  // we killed it: result_.end says why
     pid_t pid_ = -1;          // -1: reaped
     UniqueFd process_, output_, complaint_;
-    EventLoop::Source process_source_, output_source_, complaint_source_, deadline_;
+    EventLoop::Source process_source_, output_source_, complaint_source_;
+    std::optional<ChildDeadline> deadline_;
 };
 
 }  // namespace vitrine::analyzer

@@ -2,6 +2,8 @@
 
 #include "analyzer/status/plain_text.hpp"
 #include "analyzer/status/status_text.hpp"
+#include "analyzer/watch/fault_record.hpp"
+#include "base/state/acquittal.hpp"
 #include "base/state/blame.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/journal.hpp"
@@ -11,6 +13,7 @@
 #include <sys/epoll.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -23,7 +26,7 @@ namespace {
 constexpr auto remote_rescan = 10s;    // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;    // until the media folder is there
 constexpr auto unreachable_rest = 1s;  // until an unreachable file is looked at again
-constexpr auto weave_deadline = 48h;   // weaving cannot hang, but all other work goes first
+constexpr auto weave_patience = 48h;   // a level may take hours without a sign of progress
 
 constexpr const char* next_rescan = "rescan of the media folder";
 constexpr const char* next_look = "look at a settling file";
@@ -35,7 +38,7 @@ Schedule::Time now() {
 WeaveOptions weave_options(const WatchOptions& options) {
     constexpr int niceness = 19;
     ChildLimits limits = options.analysis.limits;
-    limits.deadline = weave_deadline;
+    limits.patience = {.computing = weave_patience, .idling = weave_patience};
     limits.niceness = niceness;
     return {.root = options.root,
             .state = options.state,
@@ -49,6 +52,17 @@ BookPlaces book_places(const WatchOptions& options) {
             .store = options.store,
             .bounds = options.bounds,
             .thumbnails = options.state / "thumbnails"};
+}
+
+/// The folders in the media folder whose files are our own.
+std::vector<std::string> passed_over(const WatchOptions& options) {
+    std::vector<std::string> folders;
+    if (!options.status_folder.empty()) folders.push_back(options.status_folder);
+    const fs::path state = fs::absolute(options.state).lexically_normal().lexically_relative(options.root);
+    if (state.empty() || *state.begin() == ".." || state == ".") return folders;
+    folders.push_back(state.string());
+    log::warning("the state directory lies in the media folder; '{}' is passed over", folders.back());
+    return folders;
 }
 
 /// Files that are still to be analysed in this run, those that wait for a retry left out.
@@ -71,34 +85,51 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
                 [this] {
                     return StatusLine{status(), !analyses_.is_idle()};
                 }),
-      follower_(MediaFolder(options.root, options.status_folder), schedule_),
+      follower_(MediaFolder(options.root, passed_over(options)), schedule_),
       hint_files_(loop, follower_.folder(), options.state / "hints.json", [this] { follow_hints(); }),
       weaver_(loop, weave_options(options)),
       book_(loop, book_places(options), schedule_, weaver_),
-      analyses_(loop, options.analysis, liveness_,
+      analyses_(loop, options.analysis,
                 {.grown = [this](const MediaRecord& part) { book_.add_growth(part); },
                  .ended = [this](const FileFacts& facts,
                                  const AnalysisOutcome& outcome) { finish_analysis(facts, outcome); }}),
       status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }),
       thumbnails_(loop, options.thumbnail_child, options.analysis.limits, [this] { status_.touch(); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
-        if (follower_.read_events(now())) rescan();
-        if (follower_.take_hint_news()) hint_files_.read_soon();
-        advance();
+        attempt([this] {
+            if (follower_.read_events(now())) rescan();
+            if (follower_.take_hint_news()) hint_files_.read_soon();
+            advance();
+        });
     });
-    wake_ = loop_.timer([this] { advance(); });
+    wake_ = loop_.timer([this] { attempt([this] { advance(); }); });
     rescan_ = loop_.timer([this] {
-        rescan();
-        advance();
+        attempt([this] {
+            rescan();
+            advance();
+        });
     });
     book_.load();
-    rescan();
+    attempt([this] { rescan(); });
     wake_.arm(0s);
 }
 
 bool Daemon::is_up_to_date() const {
     const auto [records, removals] = book_.backlog();
     return is_online() && records + removals == 0;
+}
+
+/// The media folder, its share and this machine may fail in any way: the daemon goes on, and reads the folder
+/// again.
+void Daemon::attempt(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const std::system_error& error) {
+        if (follower_.note_failure(error.what())) log::error("{}; trying again", error.what());
+        rescan_.arm(offline_rescan);
+        liveness_.expect(next_rescan, now() + offline_rescan);
+        liveness_.meet(next_look);
+    }
 }
 
 void Daemon::rescan() {
@@ -110,6 +141,7 @@ void Daemon::rescan() {
     if (!before.empty() && remarks.empty()) log::info("the media folder is there and can be read as a whole");
     book_.retry_writes();
     quarantine_suspects();
+    end_quarantines();
     book_.sweep(schedule_.paths_below(""));
     follow_hints();
     std::chrono::milliseconds interval = options_.rescan;
@@ -138,10 +170,32 @@ void Daemon::quarantine_suspects() {
     const Blame blame = read_blame(options_.state);
     for (const std::string& path : suspects(blame, schedule_.paths_below(""))) {
         const std::optional<MediaRecord> record = book_.record(path);
-        if (!record || record->state != MediaState::ready || !is_quarantined(blame, *record)) continue;
+        if (!record || record->state != MediaState::ready) continue;
+        const auto now_s = std::chrono::floor<std::chrono::seconds>(WallClock::now().time_since_epoch());
+        const std::optional<Suspicion> quarantine = find_quarantine(blame, *record, now_s);
+        if (!quarantine) continue;
         const FileFacts facts{.bytes = record->bytes, .mtime_ns = record->mtime_ns};
-        book_.store(record_of(path, facts, MediaState::quarantined, brought_the_player_down));
+        MediaRecord judged = record_of(path, facts, MediaState::quarantined, brought_the_player_down);
+        judged.fault = {.owner = FaultOwner::file,
+                        .since = quarantine->since,
+                        .until = quarantine->since + quarantine_time(quarantine->quarantines),
+                        .quarantines = quarantine->quarantines};
+        book_.store(judged);
         log::warning("quarantined: '{}': {}", path, brought_the_player_down);
+    }
+}
+
+/// A file whose quarantine is over is analysed anew. A folder that is not there says nothing.
+void Daemon::end_quarantines() {
+    if (!is_online()) return;
+    const Acquittals acquittals = read_acquittals(options_.state);
+    const auto is_over = [&](const std::string& path, const Fault& quarantine) {
+        return WallClock::now().time_since_epoch() >= quarantine.until ||
+               is_acquitted(acquittals, path, quarantine);
+    };
+    for (const std::string& path : book_.states().quarantined_files(is_over)) {
+        log::info("its quarantine is over: '{}'", path);
+        schedule_.analyse_again(path);
     }
 }
 
@@ -208,7 +262,16 @@ void Daemon::start_analysis(const Action& action) {
     std::vector<std::string> arguments = arguments_for(outputs);
     arguments.push_back(follower_.folder().absolute(action.path).string());
     book_.begin_analysis(action.path, action.facts);
-    analyses_.start(action.path, action.facts, arguments);
+    try {
+        analyses_.start(action.path, action.facts, arguments);
+    } catch (const std::system_error& error) {  // no memory, no descriptor, no process
+        book_.end_analysis(action.path, action.facts);
+        AnalysisOutcome outcome{.answer = Answer::postponed,
+                                .record =
+                                    record_of(action.path, action.facts, MediaState::waiting, error.what())};
+        outcome.record.fault.owner = FaultOwner::machine;
+        store_answer(std::move(outcome));
+    }
 }
 
 void Daemon::finish_analysis(const FileFacts& facts, const AnalysisOutcome& outcome) {
@@ -216,7 +279,7 @@ void Daemon::finish_analysis(const FileFacts& facts, const AnalysisOutcome& outc
     follower_.look_at(std::vector{path}, now());  // an answer about an older content is discarded
     book_.end_analysis(path, facts);
     store_answer(outcome);
-    advance();
+    attempt([this] { advance(); });
 }
 
 void Daemon::store_answer(AnalysisOutcome outcome) {
@@ -226,16 +289,36 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
         return;
     case Verdict::retry:
         return log::warning("will be tried again: '{}': {}", record.path, record.reason);
+    case Verdict::postpone:
+        return postpone(std::move(record));
     case Verdict::give_up:
         record.state = MediaState::failed;
         break;
     case Verdict::quarantine:
         record.reason = "twice " + record.reason;
-        if (auto known = kept_record(book_.record(record.path), outcome)) record = std::move(*known);
+        if (auto known = kept_record(book_.record(record.path), outcome))
+            record = std::move(*known);
+        else
+            record = quarantined_record(std::move(record), book_.record(record.path), WallClock::now());
         break;
     case Verdict::store:
         break;
     }
+    book_.store(record);
+    if (book_.is_news(record)) log_record(record);
+}
+
+/// A record of the same content that holds stays: the wall goes on with it.
+void Daemon::postpone(MediaRecord record) {
+    const std::optional<MediaRecord> known = book_.record(record.path);
+    if (known && known->state == MediaState::ready && is_same_content(*known, record)) return;
+    if (record.fault.owner == FaultOwner::file) {
+        record.fault.owner = FaultOwner::machine;
+        record.reason =
+            "readers of several files crashed within an hour, so this machine may be at fault; here " +
+            record.reason;
+    }
+    record = waiting_record(std::move(record), known, WallClock::now());
     book_.store(record);
     if (book_.is_news(record)) log_record(record);
 }

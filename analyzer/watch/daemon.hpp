@@ -13,6 +13,7 @@
 #include "base/system/event_loop.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,12 @@ class Daemon {
     std::vector<FileState> files() const;
 
   private:
+    void attempt(const std::function<void()>& work);
     void rescan();
     void follow_hints();
     void quarantine_suspects();
+    void end_quarantines();
+    void postpone(MediaRecord record);
     void advance();
     void wake_at(std::optional<Schedule::Time> time, Schedule::Time begin);
     void perform(const Action& action);

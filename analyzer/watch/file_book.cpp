@@ -58,7 +58,8 @@ void FileBook::load() {
     });
     for (const MediaRecord& record : records) {
         const bool is_waiting = record.state == MediaState::waiting;
-        schedule_.add_recorded(record.path, {.bytes = record.bytes, .mtime_ns = record.mtime_ns},
+        schedule_.add_recorded(record.path,
+                               {.bytes = record.bytes, .mtime_ns = record.mtime_ns, .inode = record.inode},
                                !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
         store_.note_record(record);
         states_.note_record(record);

@@ -20,4 +20,10 @@ inline bool is_same_content(const FileFacts& a, const FileFacts& b) {
     return a.bytes == b.bytes && a.mtime_ns == b.mtime_ns && a.is_readable == b.is_readable;
 }
 
+/// False where another file has come in its place. Some network file systems give a file a new number now and
+/// then.
+inline bool is_same_file(const FileFacts& a, const FileFacts& b) {
+    return a.inode == 0 || b.inode == 0 || a.inode == b.inode;
+}
+
 }  // namespace vitrine::analyzer

@@ -23,7 +23,7 @@ FileState::State state_of(MediaState state) {
 }  // namespace
 
 void FileStates::note_record(const MediaRecord& record) {
-    found_[record.path] = {.state = record.state, .reason = record.reason};
+    found_[record.path] = {.state = record.state, .reason = record.reason, .fault = record.fault};
 }
 
 const FileStates::Found* FileStates::found(const std::string& path, Schedule::Progress progress) const {
@@ -44,6 +44,14 @@ StateCounts FileStates::counts(const Schedule& schedule) const {
         ++counts[state_of(found(path, progress), progress)];
     });
     return counts;
+}
+
+std::vector<std::string> FileStates::quarantined_files(
+    const std::function<bool(const std::string& path, const Fault& quarantine)>& is_over) const {
+    std::vector<std::string> files;
+    for (const auto& [path, found] : found_)
+        if (found.state == MediaState::quarantined && is_over(path, found.fault)) files.push_back(path);
+    return files;
 }
 
 std::vector<FileState> FileStates::list(const Schedule& schedule, Schedule::Time clock,

@@ -5,6 +5,7 @@
 #include "base/state/record.hpp"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ class FileStates {
 
     StateCounts counts(const Schedule& schedule) const;
 
+    /// The quarantined files that are to be tried again.
+    /// @param is_over  says so of each
+    std::vector<std::string> quarantined_files(
+        const std::function<bool(const std::string& path, const Fault& quarantine)>& is_over) const;
+
     /// All files, ordered by path.
     /// @param clock, now  the same moment by two clocks: the schedule's is not one that people read
     std::vector<FileState> list(const Schedule& schedule, Schedule::Time clock,
@@ -30,6 +36,7 @@ class FileStates {
     struct Found {
         MediaState state = MediaState::waiting;
         std::string reason;
+        Fault fault;
     };
 
     const Found* found(const std::string& path, Schedule::Progress progress) const;

@@ -5,10 +5,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::string why_offline(const MediaFolder& folder, bool is_suspiciously_empty) {
+    if (is_suspiciously_empty) return "is empty; its share may not be mounted";
+    const int error = folder.root_error();
+    return error == 0 || error == ENOENT ? "is not there"
+                                         : fmt::format("cannot be reached: {}", std::strerror(error));
+}
+
+}  // namespace
 
 void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
     is_remote_ = folder_.is_remote();
@@ -18,9 +31,8 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     is_online_ = folder_.device().has_value() && !is_unmounted(listing);
     if (!is_online_) {
         watch_.remove(folder_.root());
-        const char* what =
-            is_suspiciously_empty(listing) ? "is empty; its share may not be mounted" : "is not there";
-        remarks_ = {fmt::format("the media folder '{}' {}", folder_.root().string(), what)};
+        remarks_ = {fmt::format("the media folder '{}' {}", folder_.root().string(),
+                                why_offline(folder_, is_suspiciously_empty(listing)))};
         return;
     }
     if (!listing.files.empty() || !device_) device_ = folder_.device();
@@ -28,9 +40,9 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     compare(listing, "", now);
     remarks_ = listing.remarks;
     if (unwatched_ > 0)
-        remarks_.push_back(fmt::format(
-            "{} folders are not watched, only read now and then (see fs.inotify.max_user_watches)",
-            unwatched_));
+        remarks_.push_back(fmt::format("{} folders are only looked at now and then: {}", unwatched_,
+                                       unwatched_because_ == ENOSPC ? "fs.inotify.max_user_watches is too low"
+                                                                    : std::strerror(unwatched_because_)));
 }
 
 /// An empty folder on another file system than before is the place where a share was mounted.
@@ -46,8 +58,17 @@ bool FolderFollower::is_suspiciously_empty(const MediaFolder::Listing& listing) 
 }
 
 void FolderFollower::watch_folder(const std::string& folder) {
-    const fs::path path = folder.empty() ? folder_.root() : folder_.absolute(folder);
-    if (!watch_.add(path) && fs::exists(path)) ++unwatched_;
+    const bool is_root = folder.empty();
+    if (watch_.add(is_root ? folder_.root() : folder_.absolute(folder), is_root)) return;
+    if (errno == ENOENT || errno == ENOTDIR) return;
+    ++unwatched_;
+    unwatched_because_ = errno;
+}
+
+bool FolderFollower::note_failure(const std::string& failure) {
+    if (std::ranges::find(remarks_, failure) != remarks_.end()) return false;
+    remarks_.push_back(failure);
+    return true;
 }
 
 FolderFollower::Changes FolderFollower::read_changes() {
@@ -89,7 +110,7 @@ bool FolderFollower::read_events(Schedule::Time now) {
         watch_.remove(folder_.absolute(folder));
         const std::vector<std::string> lost = schedule_.paths_below(folder);
         changes.files.insert(lost.begin(), lost.end());
-        if (folder_.device() && fs::exists(folder_.absolute(folder)))
+        if (std::error_code unknown; folder_.device() && fs::exists(folder_.absolute(folder), unknown))
             changes.added.insert(folder);  // another took its place
     }
     look_at_changed(changes, now);
@@ -123,11 +144,26 @@ void FolderFollower::compare(const MediaFolder::Listing& listing, const std::str
     std::set<std::string> there;
     for (const MediaFolder::File& file : listing.files)
         there.insert(file.path);
-    if (listing.is_complete)
-        for (const std::string& path : schedule_.paths_below(folder))
-            if (!there.contains(path)) schedule_.lose_file(path, now);
+    std::vector<std::string> missing;
+    for (const std::string& path : schedule_.paths_below(folder))
+        if (!there.contains(path) && !listing.is_unread(path)) missing.push_back(path);
+    lose_missing(missing, now);
     for (const MediaFolder::File& file : listing.files)
         see_file(file, now);
+}
+
+/// A listing is no proof: a share may give half of it, or an old one. A file is lost when it cannot be found
+/// by its name either, in the same file system as before.
+void FolderFollower::lose_missing(const std::vector<std::string>& missing, Schedule::Time now) {
+    std::vector<std::string> lost;
+    for (const std::string& path : missing) {
+        MediaFolder::LookResult look = folder_.look_at(path);
+        if (look.presence == MediaFolder::Presence::gone) lost.push_back(path);
+        if (look.presence == MediaFolder::Presence::there) see_file(look.file, now);
+    }
+    if (device_ && folder_.device() != device_) return;
+    for (const std::string& path : lost)
+        schedule_.lose_file(path, now);
 }
 
 /// On a share, a close that this kernel saw does not tell whether another machine still writes the file.

@@ -36,6 +36,10 @@ class FolderFollower {
     /// Parts of the folder that the last rescan could not read, in plain words.
     const std::vector<std::string>& remarks() const { return remarks_; }
 
+    /// Something failed while the folder was followed: that is a remark until the next rescan.
+    /// @return whether it was none before
+    bool note_failure(const std::string& failure);
+
     /// Follows the kernel's events. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);
 
@@ -62,6 +66,7 @@ class FolderFollower {
     void see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
     void look_at_changed(const Changes& changes, Schedule::Time now);
     std::string relative(const std::filesystem::path& directory) const;
+    void lose_missing(const std::vector<std::string>& missing, Schedule::Time now);
     bool is_unmounted(const MediaFolder::Listing& listing) const;
     bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;
 
@@ -69,6 +74,7 @@ class FolderFollower {
     Schedule& schedule_;
     DirectoryWatch watch_;
     std::size_t unwatched_ = 0;  // folders that the kernel refused to watch in this rescan
+    int unwatched_because_ = 0;  // errno of the last of them
     std::vector<std::string> remarks_;
     bool is_online_ = false;
     bool has_hint_news_ = false;

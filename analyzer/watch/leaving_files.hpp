@@ -5,7 +5,9 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::analyzer {
@@ -47,7 +49,13 @@ class LeavingFiles {
         Time forget_at{};
     };
 
-    std::map<std::string, File> files_;
+    using Files = std::map<std::string, File>;
+
+    void erase(Files::iterator left);
+
+    Files files_;
+    std::set<std::pair<std::uint64_t, std::string>> by_inode_;  // files that are done
+    std::set<std::pair<Time, std::string>> by_time_;            // by forget_at
 };
 
 }  // namespace vitrine::analyzer

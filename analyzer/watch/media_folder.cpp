@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include <dirent.h>
 
@@ -60,8 +61,14 @@ MediaFolder::File to_file(const std::string& path, const struct stat& status, in
                       .is_readable = ::faccessat(parent, name, R_OK, AT_EACCESS) == 0}};
 }
 
+/// An entry that was listed is not there any more, or is a link.
 bool is_absence(int error) {
-    return error == ENOENT || error == ENOTDIR || error == ELOOP || error == EXDEV || error == ENAMETOOLONG;
+    return error == ENOENT || error == ENOTDIR || error == ELOOP || error == EXDEV;
+}
+
+/// A file whose folders are opened one by one, links as themselves, is not there. No other error proves that.
+bool is_gone(int error) {
+    return error == ENOENT || error == ENOTDIR || error == EXDEV;
 }
 
 /// An entry of a folder, unless it is a link or leads out of it.
@@ -83,11 +90,12 @@ using Directory = std::unique_ptr<DIR, CloseDirectory>;
 struct Walk {
     const MediaFolder::Enter& enter;
     const MediaFolder::Attend& attend;
-    const std::string& passed_over;
+    const std::vector<std::string>& passed_over;
     MediaFolder::Listing listing;
+    bool is_full_told = false;
 
     void remark(const std::string& path, const char* what) {
-        listing.is_complete = false;
+        listing.unread.push_back(path);
         listing.remarks.push_back(fmt::format("'{}': {}", path, what));
     }
 
@@ -107,7 +115,7 @@ struct Walk {
     void visit(int parent, const std::string& folder, const char* name, int depth) {
         const std::string path = folder.empty() ? name : folder + "/" + name;
         if (attend) attend();
-        if (path == passed_over) return;
+        if (std::ranges::find(passed_over, path) != passed_over.end()) return;
 
         struct stat status {};
 
@@ -118,8 +126,8 @@ struct Walk {
         if (S_ISDIR(status.st_mode)) return descend(parent, name, path, depth);
         if (!S_ISREG(status.st_mode)) return;
         if (listing.files.size() >= MediaFolder::max_files) {
-            if (listing.remarks.empty() || listing.is_complete)
-                remark(path, "too many files; the rest is ignored");
+            if (!std::exchange(is_full_told, true))
+                listing.remarks.push_back(fmt::format("'{}': more files than are looked at", path));
             return;
         }
         listing.files.push_back(to_file(path, status, parent, name));
@@ -156,8 +164,9 @@ UniqueFd MediaFolder::open(const std::string& path, int flags) const {
 }
 
 bool MediaFolder::is_passed_over(const std::string& path) const {
-    if (passed_over_.empty() || !path.starts_with(passed_over_)) return false;
-    return path.size() == passed_over_.size() || path[passed_over_.size()] == '/';
+    return std::ranges::any_of(passed_over_, [&](const std::string& folder) {
+        return path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/');
+    });
 }
 
 std::optional<std::string> MediaFolder::content(const std::string& path, std::size_t max_bytes) const {
@@ -178,13 +187,19 @@ MediaFolder::LookResult MediaFolder::look_at(const std::string& path) const {
     if (!device()) return {.presence = Presence::unreachable, .file = {}};
     const UniqueFd file = open(path, O_PATH);
     if (!file.is_open())
-        return {.presence = is_absence(errno) ? Presence::gone : Presence::unreachable, .file = {}};
+        return {.presence = is_gone(errno) ? Presence::gone : Presence::unreachable, .file = {}};
 
     struct stat status {};
 
     if (::fstat(file.get(), &status) < 0) return {.presence = Presence::unreachable, .file = {}};
     if (!S_ISREG(status.st_mode)) return {};
     return {.presence = Presence::there, .file = to_file(path, status, AT_FDCWD, absolute(path).c_str())};
+}
+
+bool MediaFolder::Listing::is_unread(const std::string& path) const {
+    return std::ranges::any_of(unread, [&](const std::string& part) {
+        return part.empty() || path == part || (path.starts_with(part) && path[part.size()] == '/');
+    });
 }
 
 MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter,
@@ -200,6 +215,13 @@ MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& e
     else if (folder.empty() || !is_absence(errno))
         walk.remark(folder, std::strerror(errno));
     return walk.listing;
+}
+
+int MediaFolder::root_error() const {
+    struct stat status {};
+
+    if (::stat(root_.c_str(), &status) < 0) return errno;
+    return S_ISDIR(status.st_mode) ? 0 : ENOTDIR;
 }
 
 std::optional<std::uint64_t> MediaFolder::device() const {

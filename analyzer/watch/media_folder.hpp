@@ -23,8 +23,8 @@ class MediaFolder {
     static constexpr int max_depth = 32;
     static constexpr std::size_t max_files = 100'000;
 
-    /// @param passed_over  the status folder in it, which is skipped; may be empty
-    explicit MediaFolder(std::filesystem::path root, std::string passed_over = "")
+    /// @param passed_over  folders in it that are skipped: the status folder, our own state; relative to it
+    explicit MediaFolder(std::filesystem::path root, std::vector<std::string> passed_over = {})
         : root_(std::move(root)), passed_over_(std::move(passed_over)) {}
 
     const std::filesystem::path& root() const { return root_; }
@@ -52,8 +52,11 @@ class MediaFolder {
 
     struct Listing {
         std::vector<File> files;
-        bool is_complete = true;           // false: something could not be read, a missing file may be there
+        std::vector<std::string> unread;   // files and folders that could not be read
         std::vector<std::string> remarks;  // unreadable folders and exceeded limits, in plain words
+
+        /// True where the path, or a folder that it lies in, could not be read.
+        bool is_unread(const std::string& path) const;
     };
 
     using Enter = std::function<void(const std::string& folder)>;
@@ -64,6 +67,9 @@ class MediaFolder {
     /// @param enter  called with each folder before it is read, so that a watch set there misses nothing
     /// @param attend  called whenever a file or folder was found
     Listing list(const std::string& folder, const Enter& enter = {}, const Attend& attend = {}) const;
+
+    /// The errno of looking at the root; 0 where it is a folder.
+    int root_error() const;
 
     /// Identifies the file system that is mounted at the root; nothing where the root is missing.
     std::optional<std::uint64_t> device() const;
@@ -82,7 +88,7 @@ class MediaFolder {
     UniqueFd open(const std::string& path, int flags) const;
 
     std::filesystem::path root_;
-    std::string passed_over_;
+    std::vector<std::string> passed_over_;
 };
 
 }  // namespace vitrine::analyzer

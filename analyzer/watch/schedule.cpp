@@ -7,28 +7,25 @@ namespace vitrine::analyzer {
 
 using std::chrono::nanoseconds;
 
-std::chrono::milliseconds Pace::quiet_after(LookKind look) const {
-    if (look == LookKind::closed) return std::min(quiet, closed_quiet);
-    return look == LookKind::remote ? quiet * remote_quiets : quiet;
-}
-
 Schedule::Schedule(const Pace& pace) : pace_(pace) {
     assert(pace.children >= 1);
 }
 
 void Schedule::add_recorded(const std::string& path, const FileFacts& facts, bool is_settled, bool is_held) {
-    entries_[path] = {.facts = facts,
-                      .phase = is_settled ? Phase::unseen : Phase::stale,
-                      .is_recorded = true,
-                      .is_held = is_held};
+    Entry& entry = entries_[path];
+    entry.facts = facts;
+    entry.phase = is_settled ? Phase::unseen : Phase::stale;
+    entry.recorded = is_held ? Recorded::waiting : Recorded::yes;
 }
 
 void Schedule::see_file(const std::string& path, const FileFacts& facts, Time now, LookKind look) {
     const nanoseconds delay = pace_.quiet_after(look);
     const auto found = entries_.find(path);
-    if (found == entries_.end()) return see_new_file(path, facts, delay, now);
+    if (found == entries_.end()) return see_new_file(path, facts, look, now);
     Entry& entry = found->second;
-    const bool is_same = is_same_content(entry.facts, facts);
+    entry.is_remote = look == LookKind::remote;
+    const bool is_same =
+        is_same_content(entry.facts, facts) && (entry.is_remote || is_same_file(entry.facts, facts));
     switch (entry.phase) {
     case Phase::stale:
         return see_change(path, entry, facts, delay, now);
@@ -39,7 +36,7 @@ void Schedule::see_file(const std::string& path, const FileFacts& facts, Time no
     case Phase::settling:
         if (!is_same || entry.facts.blocks != facts.blocks) return see_change(path, entry, facts, delay, now);
         if (now >= entry.look_at) return enter_phase(path, entry, Phase::due);
-        if (look == LookKind::closed && entry.waits == 0 && now + delay < entry.look_at)
+        if (look == LookKind::closed && !entry.attempts.is_waiting() && now + delay < entry.look_at)
             settle_file(path, entry, delay, now);
         return;
     case Phase::due:
@@ -51,18 +48,20 @@ void Schedule::see_file(const std::string& path, const FileFacts& facts, Time no
     }
 }
 
-/// @param delay  until it is looked at again
-void Schedule::see_new_file(const std::string& path, const FileFacts& facts, nanoseconds delay, Time now) {
+void Schedule::see_new_file(const std::string& path, const FileFacts& facts, LookKind look, Time now) {
     const LeavingFiles::Return before = leaving_.take_back(path, facts);
     std::optional<std::string> from;
     if (!before.record_holds) from = leaving_.take_renamed(facts);
     if (from) actions_.push_back({.kind = Action::Kind::move, .path = path, .from = *from, .facts = facts});
     Entry& entry = entries_[path];
-    entry = {.facts = facts, .since = now, .is_recorded = before.is_recorded || from};
+    entry.facts = facts;
+    entry.since = now;
+    entry.is_remote = look == LookKind::remote;
+    entry.recorded = before.is_recorded || from ? Recorded::yes : Recorded::no;
     if (before.record_holds || from)
         enter_phase(path, entry, Phase::done);
     else
-        settle_file(path, entry, delay, now);
+        settle_file(path, entry, pace_.quiet_after(look), now);
 }
 
 void Schedule::see_change(const std::string& path, Entry& entry, const FileFacts& facts, nanoseconds delay,
@@ -72,10 +71,10 @@ void Schedule::see_change(const std::string& path, Entry& entry, const FileFacts
     enter_phase(path, entry, Phase::settling);  // before the facts, by which it is ordered, change
     entry.facts = facts;
     entry.since = now;
-    entry.deaths = entry.waits = 0;
-    entry.has_grown = false;
-    if (keeps_changing && !entry.is_held) {
-        entry.is_held = entry.is_recorded = true;
+    entry.attempts = {};
+    end_part(entry);
+    if (keeps_changing && entry.recorded != Recorded::waiting) {
+        entry.recorded = Recorded::waiting;
         actions_.push_back({.kind = Action::Kind::hold, .path = path, .facts = facts});
     }
     settle_file(path, entry, delay, now);
@@ -100,23 +99,25 @@ void Schedule::lose_file(const std::string& path, Time now) {
     if (found == entries_.end()) return;
     Entry& entry = found->second;
     if (entry.phase == Phase::running) actions_.push_back({.kind = Action::Kind::stop, .path = path});
-    if (entry.is_recorded)
+    if (entry.recorded != Recorded::no)
         leaving_.add(path, entry.facts, entry.phase == Phase::done, now + pace_.rename_grace);
     enter_phase(path, entry, Phase::unseen);
     entries_.erase(found);
 }
 
+void Schedule::end_part(Entry& entry) {
+    if (entry.recorded == Recorded::part) entry.recorded = Recorded::yes;
+}
+
 bool Schedule::mark_grown(const std::string& path) {
     const auto found = entries_.find(path);
     if (found == entries_.end() || found->second.phase != Phase::running) return false;
-    found->second.is_recorded = true;
-    found->second.is_held = false;
-    found->second.has_grown = true;
+    found->second.recorded = Recorded::part;
     return true;
 }
 
 Verdict Schedule::finish_analysis(const std::string& path, Answer answer, Time now) {
-    children_.erase(path);
+    slots_.end(path);
     std::erase_if(actions_,
                   [&](const Action& action) {  // it was seen to change just now: nothing is left to stop
                       return action.kind == Action::Kind::stop && action.path == path;
@@ -124,22 +125,18 @@ Verdict Schedule::finish_analysis(const std::string& path, Answer answer, Time n
     const auto found = entries_.find(path);
     if (found == entries_.end() || found->second.phase != Phase::running) return Verdict::discard;
     Entry& entry = found->second;
-    entry.has_grown = false;
-    if (answer == Answer::died && ++entry.deaths < pace_.deaths) {
-        settle_file(path, entry, nanoseconds(0), now);
-        return Verdict::retry;
+    end_part(entry);
+    const bool have_others_died = answer == Answer::died && slots_.note_death(path, now, pace_.death_memory);
+    const Attempts::Next next = entry.attempts.note_answer(
+        answer, {.is_remote = entry.is_remote, .have_others_died = have_others_died}, pace_);
+    if (next.verdict != Verdict::retry) entry.recorded = next.retry_after ? Recorded::waiting : Recorded::yes;
+    if (next.retry_after) {
+        settle_file(path, entry, *next.retry_after, now);
+    } else {
+        enter_phase(path, entry, Phase::done);
+        entry.since = now;
     }
-    entry.is_recorded = true;
-    entry.is_held = answer == Answer::waiting;
-    if (answer == Answer::waiting && entry.waits < pace_.retries) {
-        settle_file(path, entry, pace_.first_retry * (1 << entry.waits), now);
-        ++entry.waits;
-        return Verdict::store;
-    }
-    enter_phase(path, entry, Phase::done);
-    entry.since = now;
-    if (answer == Answer::died) return Verdict::quarantine;
-    return answer == Answer::waiting ? Verdict::give_up : Verdict::store;
+    return next.verdict;
 }
 
 void Schedule::analyse_again(const std::string& path) {
@@ -165,20 +162,20 @@ std::vector<Action> Schedule::next_actions(Time now) {
 /// Newest first: its operator waits for the file that was just dropped. A photo does not wait for a film that
 /// takes minutes.
 void Schedule::start_due_files() {
-    for (auto it = due_.rbegin(); it != due_.rend() && children_.size() <= pace_.children;) {
+    for (auto it = due_.rbegin(); it != due_.rend() && slots_.size() <= pace_.children;) {
         const std::string path = it->second;
         ++it;
-        if (children_.contains(path)) continue;  // the stopped one is not gone yet
+        if (slots_.contains(path)) continue;  // the stopped one is not gone yet
         Entry& entry = entries_.at(path);
         const bool is_small = entry.facts.bytes <= pace_.small_bytes;
-        if (children_.size() >= pace_.children + (is_small ? 1 : 0)) continue;
+        if (slots_.size() >= pace_.children + (is_small ? 1 : 0)) continue;
         it = std::make_reverse_iterator(due_.erase(it.base()));
         entry.phase = Phase::running;
-        children_.insert(path);
+        slots_.begin(path);
         actions_.push_back({.kind = Action::Kind::start,
                             .path = path,
                             .facts = entry.facts,
-                            .is_last_try = entry.waits >= pace_.retries});
+                            .is_last_try = entry.attempts.is_last(pace_)});
     }
 }
 
@@ -198,8 +195,9 @@ std::vector<std::string> Schedule::paths_below(const std::string& folder) const 
 
 Schedule::Progress Schedule::progress_of(const Entry& entry) {
     if (entry.phase == Phase::done) return Progress::done;
-    if (entry.waits > 0) return Progress::waiting;
-    if (entry.phase == Phase::running) return entry.has_grown ? Progress::growing : Progress::due;
+    if (entry.attempts.is_waiting()) return Progress::waiting;
+    if (entry.phase == Phase::running)
+        return entry.recorded == Recorded::part ? Progress::growing : Progress::due;
     return entry.phase == Phase::due ? Progress::due : Progress::settling;
 }
 
@@ -210,9 +208,9 @@ void Schedule::visit_files(const Visit& call) const {
 }
 
 bool Schedule::is_idle() const {
-    return children_.empty() && due_.empty() && leaving_.is_empty() && actions_.empty() &&
+    return slots_.is_empty() && due_.empty() && leaving_.is_empty() && actions_.empty() &&
            std::all_of(looks_.begin(), looks_.end(),
-                       [&](const auto& look) { return entries_.at(look.second).waits > 0; });
+                       [&](const auto& look) { return entries_.at(look.second).attempts.is_waiting(); });
 }
 
 }  // namespace vitrine::analyzer

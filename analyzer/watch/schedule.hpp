@@ -1,7 +1,10 @@
 #pragma once
 
+#include "analyzer/watch/analysis_slots.hpp"
+#include "analyzer/watch/attempts.hpp"
 #include "analyzer/watch/file_facts.hpp"
 #include "analyzer/watch/leaving_files.hpp"
+#include "analyzer/watch/pace.hpp"
 
 #include <chrono>
 #include <functional>
@@ -13,29 +16,6 @@
 #include <vector>
 
 namespace vitrine::analyzer {
-
-/// The way in which a file was looked at: it decides how long the file must stay unchanged.
-enum class LookKind {
-    local,   // somebody may still be writing it
-    closed,  // its writer has just closed or renamed it; some writers do so more than once
-    remote,  // over a network
-};
-
-/// The waiting times of the schedule, and its limits.
-struct Pace {
-    std::size_t children = 1;               // files analysed at the same time, at least 1
-    std::uint64_t small_bytes = 0;          // one more file up to this size is analysed beside them: a photo
-    std::chrono::milliseconds quiet{2000};  // a file must stay unchanged for so long
-    std::chrono::milliseconds closed_quiet{150};  // the same after its writer closed it, if that is shorter
-    int remote_quiets = 3;  // quiet times on a network share: its server may answer from a cache for a while
-    std::chrono::milliseconds rename_grace{500};  // a vanished file may turn up under another name
-    std::chrono::milliseconds first_retry{5000};  // until a waiting file is tried again; doubles each time
-    int retries = 8;                              // together 21 minutes
-    int deaths = 2;                               // children that one content may kill before quarantine
-
-    /// @return the time for which a file must stay unchanged after such a look
-    std::chrono::milliseconds quiet_after(LookKind look) const;
-};
 
 /// One thing to do to the catalogue or the children.
 struct Action {
@@ -54,22 +34,6 @@ struct Action {
     bool is_last_try = false;  // start only: no retry follows a waiting answer
 
     bool operator==(const Action&) const = default;
-};
-
-/// The end of a child.
-enum class Answer {
-    final,    // ready, unsupported or failed: stands until the file changes
-    waiting,  // incomplete: to be tried again
-    died,     // a crash or the deadline
-};
-
-/// The fate of a child's answer.
-enum class Verdict {
-    store,       // store the record as it is
-    give_up,     // store it as failed: it has waited long enough
-    quarantine,  // store it as quarantined
-    retry,       // store nothing yet, try again
-    discard,     // the file changed or went in the meantime
 };
 
 /// Decides which file is analysed when. Pure: sees no file and no clock, so that every order of events can be
@@ -146,22 +110,28 @@ class Schedule {
         done,
     };
 
+    /// The record that the catalogue has of a path.
+    enum class Recorded {
+        no,
+        waiting,  // the file waits
+        part,     // the shots so far of the running analysis
+        yes,      // another, perhaps of older content
+    };
+
     struct Entry {
         FileFacts facts;
         Phase phase = Phase::unseen;
-        Time look_at{};            // settling only
-        Time since{};              // it is done, else has this content
-        int deaths = 0;            // children that the content as it is has killed
-        int waits = 0;             // waiting answers for the content as it is
-        bool is_recorded = false;  // the catalogue has a record of this path, perhaps of older content
-        bool is_held = false;      // the record is waiting already
-        bool has_grown = false;    // the record is a part of the running analysis
+        Time look_at{};     // settling only
+        Time since{};       // it is done, else has this content
+        Attempts attempts;  // of the content as it is
+        Recorded recorded = Recorded::no;
+        bool is_remote = false;  // it is on a share
     };
 
     static Progress progress_of(const Entry& entry);
+    static void end_part(Entry& entry);
     void enter_phase(const std::string& path, Entry& entry, Phase phase);
-    void see_new_file(const std::string& path, const FileFacts& facts, std::chrono::nanoseconds delay,
-                      Time now);
+    void see_new_file(const std::string& path, const FileFacts& facts, LookKind look, Time now);
     void settle_file(const std::string& path, Entry& entry, std::chrono::nanoseconds delay, Time now);
     void see_change(const std::string& path, Entry& entry, const FileFacts& facts,
                     std::chrono::nanoseconds delay, Time now);
@@ -170,7 +140,7 @@ class Schedule {
     Pace pace_;
     std::map<std::string, Entry> entries_;
     LeavingFiles leaving_;
-    std::set<std::string> children_;                      // files with a child, also a stopped one
+    AnalysisSlots slots_;                                 // files with a child, also a stopped one
     std::set<std::pair<Time, std::string>> looks_;        // the settling entries by their time
     std::set<std::pair<std::int64_t, std::string>> due_;  // the due entries by mtime
     std::vector<Action> actions_;

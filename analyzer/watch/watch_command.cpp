@@ -36,8 +36,8 @@ AnalysisCommand analysis_command(const Settings::Analyzer& settings, const std::
     constexpr int mebibyte_bits = 20;
     AnalysisCommand command{.words = {"/proc/self/exe", config, "analyze"},
                             .limits = {},
-                            .deadline_per_mebibyte = settings.deadline_per_mebibyte};
-    command.limits.deadline = settings.deadline;
+                            .seconds_per_mebibyte = settings.deadline_per_mebibyte};
+    command.limits.patience = {.computing = settings.deadline, .idling = settings.deadline};
     if (can_limit_memory)
         command.limits.memory_bytes = static_cast<std::uint64_t>(settings.memory) << mebibyte_bits;
     return command;

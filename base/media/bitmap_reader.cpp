@@ -1,12 +1,12 @@
 #include "base/media/bitmap_reader.hpp"
 
+#include "base/media/file_bytes.hpp"
 #include "base/state/media_error.hpp"
 
 #include <array>
 #include <bit>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <span>
 
 namespace vitrine {
 
@@ -34,27 +34,27 @@ struct Header {
 
 class Reader {
   public:
-    explicit Reader(const std::string& path) : file_(path, std::ios::binary) {}
+    explicit Reader(const std::string& path) : file_(path) {}
 
-    void to(std::uint32_t offset) { file_.seekg(offset); }
+    void to(std::uint32_t offset) { at_ = offset; }
 
-    void read(std::vector<std::uint8_t>& row) {
-        file_.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size()));
-        if (!file_) cut_short();
+    void read(std::span<std::uint8_t> row) {
+        if (file_.read(at_, std::as_writable_bytes(row)) < row.size()) cut_short();
+        at_ += row.size();
     }
 
-    std::uint32_t little(int bytes) {
+    std::uint32_t little(std::size_t count) {
+        std::array<std::uint8_t, 4> bytes{};
+        read(std::span(bytes).first(count));
         std::uint32_t value = 0;
-        for (int i = 0; i < bytes; ++i) {
-            const int byte = file_.get();
-            if (byte < 0) cut_short();
-            value |= static_cast<std::uint32_t>(byte) << (8 * i);
-        }
+        for (std::size_t i = 0; i < count; ++i)
+            value |= static_cast<std::uint32_t>(bytes[i]) << (8 * i);
         return value;
     }
 
   private:
-    std::ifstream file_;
+    FileBytes file_;
+    std::uint64_t at_ = 0;  // byte in the file
 };
 
 void require_sane(const Header& header, std::uint32_t compression) {

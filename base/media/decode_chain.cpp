@@ -47,6 +47,18 @@ void post_own(GstElement* element, GstStreamError code, const std::string& text)
     post_error(element, code, text, own_words);
 }
 
+// The cause that a source element gives for a failed call, in the words of the system: "Input/output error".
+std::string cause_in(const std::string& debug) {
+    constexpr std::string_view mark = "system error: ";
+    const std::size_t at = debug.rfind(mark);
+    return at == std::string::npos ? "" : ": " + debug.substr(at + mark.size());
+}
+
+bool is_from_source(GstMessage* message) {
+    return GST_IS_ELEMENT(GST_MESSAGE_SRC(message)) &&
+           GST_OBJECT_FLAG_IS_SET(GST_MESSAGE_SRC(message), GST_ELEMENT_FLAG_SOURCE);
+}
+
 // Plain words for the libraries' errors, for the person who put the film there.
 MediaError in_plain_words(const GError* error) {
     if (error->domain == GST_RESOURCE_ERROR) return {MediaState::failed, "the film's file cannot be read"};
@@ -189,8 +201,12 @@ void DecodeChain::throw_pending_error() const {
 
 MediaError media_error(GstMessage* message) {
     GError* raw = nullptr;
-    gst_message_parse_error(message, &raw, nullptr);
+    gchar* raw_debug = nullptr;
+    gst_message_parse_error(message, &raw, &raw_debug);
     const GstPtr<GError> error(raw);
+    const GstPtr<gchar> debug(raw_debug);
+    if (raw->domain == GST_RESOURCE_ERROR && is_from_source(message))
+        return {FaultOwner::transport, "the film's file cannot be read" + cause_in(debug ? debug.get() : "")};
     if (!is_marked(message, own_words)) {
         log::debug("film not read: {}", raw->message);
         return in_plain_words(raw);

@@ -5,31 +5,31 @@
 #include "base/system/written_size.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <system_error>
 
 namespace vitrine {
 
-/// Reads single bytes of a file without decoding it.
+/// Reads bytes of a file without decoding them. Each reading throws a MediaError if the call fails: that is a
+/// fault of transport or machine, not of the file.
 class FileBytes {
   public:
-    /// @throws MediaError failed if the file cannot be opened
+    /// @throws MediaError a fault of transport or machine if the file cannot be opened
     explicit FileBytes(const std::string& path)
         : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
         struct stat status {};
 
         if (!fd_.is_open() || ::fstat(fd_.get(), &status) != 0)
-            throw MediaError(MediaState::failed, fmt::format("the file cannot be opened: {}",
-                                                             std::generic_category().message(errno)));
+            throw failed_call("the file cannot be opened", errno);
         size_ = static_cast<std::uint64_t>(status.st_size);
     }
 
@@ -41,23 +41,38 @@ class FileBytes {
     /// N bytes. None: they reach beyond the end.
     template <std::size_t N> std::optional<std::array<std::uint8_t, N>> at(std::uint64_t offset) const {
         std::array<std::uint8_t, N> bytes{};
-        const ssize_t got = ::pread(fd_.get(), bytes.data(), N, static_cast<off_t>(offset));
-        if (got != static_cast<ssize_t>(N)) return std::nullopt;
+        if (read(offset, std::as_writable_bytes(std::span(bytes))) < N) return std::nullopt;
         return bytes;
     }
 
     /// The last bytes of the file, at most max_bytes.
     std::string tail(std::size_t max_bytes) const {
         std::string bytes(std::min<std::uint64_t>(max_bytes, size_), '\0');
-        const ssize_t got =
-            ::pread(fd_.get(), bytes.data(), bytes.size(), static_cast<off_t>(size_ - bytes.size()));
-        bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        bytes.resize(read(size_ - bytes.size(), std::as_writable_bytes(std::span(bytes))));
         return bytes;
+    }
+
+    /// Fills `to` with the bytes from `offset` on.
+    /// @return how many there are; fewer than `to` holds only at the end of the file
+    std::size_t read(std::uint64_t offset, std::span<std::byte> to) const {
+        std::size_t filled = 0;
+        while (filled < to.size()) {
+            const ssize_t got = ::pread(fd_.get(), to.data() + filled, to.size() - filled,
+                                        static_cast<off_t>(offset + filled));
+            if (got < 0 && errno == EINTR) continue;
+            if (got < 0) throw failed_call("the file cannot be read", errno);
+            if (got == 0) break;
+            filled += static_cast<std::size_t>(got);
+        }
+        return filled;
     }
 
   private:
     UniqueFd fd_;
     std::uint64_t size_ = 0;
 };
+
+/// Reads all of a file and forgets it. @throws MediaError a fault of transport or machine
+void require_readable(const std::string& path);
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
 #include "base/media/heif_reader.hpp"
 
+#include "base/media/photo_file.hpp"
 #include "base/media/picture_failure.hpp"
 #include "base/state/media_error.hpp"
 
@@ -59,21 +60,36 @@ Handle<heif_image, &heif_image_release> decoded(const heif_image_handle* picture
     return image;
 }
 
-// Reverses the multiplication of colours by their alpha.
+// The call-backs by which libheif reads a PhotoFile.
+constexpr heif_reader photo_reader{
+    .reader_api_version = 1,
+    .get_position = [](void* file) { return static_cast<PhotoFile*>(file)->position(); },
+    .read =
+        [](void* to, std::size_t size, void* file) {
+            const auto got = static_cast<PhotoFile*>(file)->read({static_cast<std::byte*>(to), size});
+            return got == static_cast<std::int64_t>(size) ? 0 : 1;
+        },
+    .seek = [](std::int64_t position,
+               void* file) { return static_cast<PhotoFile*>(file)->seek(position) == position ? 0 : 1; },
+    .wait_for_file_size =
+        [](std::int64_t size, void* file) {
+            return size <= static_cast<PhotoFile*>(file)->size() ? heif_reader_grow_status_size_reached
+                                                                 : heif_reader_grow_status_size_beyond_eof;
+        }};
+
+// Divides colours that were multiplied by their alpha by it again.
 void straighten(std::uint8_t* row, int width) {
     for (int x = 0; x < width; ++x, row += 4)
         for (int i = 0; i < 3 && row[3] > 0; ++i)
             row[i] = static_cast<std::uint8_t>(std::min(255, (row[i] * 255 + row[3] / 2) / row[3]));
 }
 
-}  // namespace
-
-HeifPicture read_heif(const std::string& path) {
+HeifPicture decode_heif(PhotoFile& file) {
     const Context context(heif_context_alloc());
     if (!context) throw std::bad_alloc();
     heif_context_set_max_decoding_threads(context.get(), 0);  // in this thread
     heif_context_set_maximum_image_size_limit(context.get(), max_still_side);
-    require(heif_context_read_from_file(context.get(), path.c_str(), nullptr));
+    require(heif_context_read_from_reader(context.get(), &photo_reader, &file, nullptr));
     const ImageHandle source = main_picture(context.get());
     HeifPicture picture;
     picture.channels = heif_image_handle_has_alpha_channel(source.get()) != 0 ? 4 : 3;
@@ -99,6 +115,18 @@ HeifPicture read_heif(const std::string& path) {
     picture.pixels = {reinterpret_cast<const std::byte*>(plane),
                       row_bytes * static_cast<std::size_t>(picture.height)};
     return picture;
+}
+
+}  // namespace
+
+HeifPicture read_heif(const std::string& path) {
+    PhotoFile file(path);
+    try {
+        return decode_heif(file);
+    } catch (const MediaError&) {
+        file.throw_fault();
+        throw;
+    }
 }
 
 }  // namespace vitrine

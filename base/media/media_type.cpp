@@ -13,7 +13,6 @@
 #include <cstring>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace vitrine {
 
@@ -171,9 +170,7 @@ std::string read_head(int fd) {
     while (filled < head.size()) {
         const ssize_t got = ::read(fd, head.data() + filled, head.size() - filled);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0)
-            throw MediaError(MediaState::failed, fmt::format("the file cannot be read: {}",
-                                                             std::generic_category().message(errno)));
+        if (got < 0) throw failed_call("the file cannot be read", errno);
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
@@ -214,9 +211,7 @@ MediaFormat media_format(std::span<const std::byte> bytes) {
 
 MediaFormat media_format(const std::string& path) {
     const UniqueFd fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-    if (!fd.is_open())
-        throw MediaError(MediaState::failed, fmt::format("the file cannot be opened: {}",
-                                                         std::generic_category().message(errno)));
+    if (!fd.is_open()) throw failed_call("the file cannot be opened", errno);
 
     struct stat status {};
 

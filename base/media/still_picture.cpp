@@ -8,6 +8,7 @@
 #include "base/media/completeness.hpp"
 #include "base/media/heif_reader.hpp"
 #include "base/media/media_type.hpp"
+#include "base/media/photo_file.hpp"
 #include "base/media/picture_failure.hpp"
 #include "base/state/media_error.hpp"
 
@@ -75,16 +76,29 @@ template <typename Call> VipsPtr<VipsImage> step(const Call& call) {
     return image;
 }
 
-VipsPtr<VipsSource> open_source(const std::string& path) {
-    VipsPtr<VipsSource> source(vips_source_new_from_file(path.c_str()));
-    if (!source) throw vips_failure();
-    return source;
+gint64 read_photo(VipsSourceCustom* /*source*/, void* to, gint64 length, gpointer file) {
+    return static_cast<PhotoFile*>(file)->read(
+        {static_cast<std::byte*>(to), static_cast<std::size_t>(length)});
 }
 
-// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It can be read once, from
-// the top down.
-VipsPtr<VipsImage> open_picture(const std::string& path, MediaFormat format, int shrink = 1) {
-    const VipsPtr<VipsSource> source = open_source(path);
+gint64 seek_photo(VipsSourceCustom* /*source*/, gint64 offset, int whence, gpointer file) {
+    return static_cast<PhotoFile*>(file)->seek(offset, whence);
+}
+
+/// A source that begins at the file's first byte.
+/// @param file  outlives it
+VipsPtr<VipsSource> open_source(PhotoFile& file) {
+    file.seek(0);
+    VipsSourceCustom* const source = vips_source_custom_new();
+    g_signal_connect(source, "read", G_CALLBACK(read_photo), &file);
+    g_signal_connect(source, "seek", G_CALLBACK(seek_photo), &file);
+    return VipsPtr<VipsSource>(VIPS_SOURCE(source));
+}
+
+// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It is read once, from the
+// top down.
+VipsPtr<VipsImage> open_picture(PhotoFile& file, MediaFormat format, int shrink = 1) {
+    const VipsPtr<VipsSource> source = open_source(file);
     VipsSource* from = source.get();
     const VipsAccess once = VIPS_ACCESS_SEQUENTIAL;
     const VipsFailOn errors = VIPS_FAIL_ON_ERROR;  // a cut file is an error
@@ -119,9 +133,9 @@ int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     return shrink;
 }
 
-// The upright size from the header, for the formats that libvips reads.
-StillInfo header_size(const std::string& path, MediaFormat format) {
-    const VipsPtr<VipsImage> image = open_picture(path, format);
+// The upright size by the header, of a format that libvips reads.
+StillInfo header_size(PhotoFile& file, MediaFormat format) {
+    const VipsPtr<VipsImage> image = open_picture(file, format);
     StillInfo info{.width = vips_image_get_width(image.get()), .height = vips_image_get_height(image.get())};
     if (vips_image_get_orientation_swap(image.get())) std::swap(info.width, info.height);
     require_within_limits(info);
@@ -227,8 +241,14 @@ auto with_still(const std::string& path, int max_width, int max_height, const Us
         const HeifPicture all = read_heif(path);
         return finished(lent_image(all).get(), {.width = all.width, .height = all.height});
     }
-    const StillInfo full = header_size(path, format);  // checks the limits before anything is decoded
-    return finished(open_picture(path, format, decoder_shrink(full, max_width, max_height)).get(), full);
+    PhotoFile file(path);
+    try {
+        const StillInfo full = header_size(file, format);  // checks the limits before anything is decoded
+        return finished(open_picture(file, format, decoder_shrink(full, max_width, max_height)).get(), full);
+    } catch (const MediaError&) {
+        file.throw_fault();
+        throw;
+    }
 }
 
 }  // namespace

@@ -88,9 +88,11 @@ constexpr auto keys = std::to_array<SettingKey>({
      "sooner and leave less processor time for the player. 0: one for every two cores."},
     {"analyzer.deadline_seconds", whole<&S::analyzer, &S::Analyzer::deadline>(1, 86400),
      SettingEffect::analyzer,
-     "Time limit for the analysis of one file: a number of seconds, plus a number of seconds for each MiB of "
-     "the file. A lower limit ends files that hang a decoder sooner; if the limit is too low, long films are "
-     "given up."},
+     "Processor time in seconds that the analysis of one file may take without progress, plus so many "
+     "seconds "
+     "for each MiB of the file. Each decoded picture is progress, so a film may take as long as it needs. "
+     "The "
+     "same time without any computing means that the file's disk or share does not answer."},
     {"analyzer.deadline_seconds_per_mebibyte",
      number<&S::analyzer, &S::Analyzer::deadline_per_mebibyte>(0, 3600),
      SettingEffect::analyzer,

@@ -36,37 +36,59 @@ template <typename Use> void for_each_line(const std::string& text, const Use& u
     }
 }
 
+bool is_quarantined(const Suspicion& suspicion, std::chrono::seconds now) {
+    return suspicion.points >= quarantine_points &&
+           now < suspicion.since + quarantine_time(suspicion.quarantines);
+}
+
+/// The suspicion as it is now: after a quarantine one more crash brings the next.
+Suspicion current(Suspicion suspicion, std::chrono::seconds now) {
+    if (!is_quarantined(suspicion, now)) suspicion.points = std::min(suspicion.points, quarantine_points - 1);
+    return suspicion;
+}
+
 }  // namespace
 
 ContentName content_name(const MediaRecord& record) {
     return {.id = record_id(record.path), .bytes = record.bytes, .mtime_ns = record.mtime_ns};
 }
 
-bool is_quarantined(const Blame& blame, const MediaRecord& record) {
-    if (blame.empty()) return false;
-    const auto found = blame.find(content_name(record));
-    return found != blame.end() && found->second >= quarantine_points;
+std::chrono::seconds quarantine_time(int quarantines) {
+    using std::chrono::days;
+    return quarantines <= 1 ? days(1) : days(7);
 }
 
-Blame blame_after(const Blame& before, const PlayingNote& crashed) {
+std::optional<Suspicion> find_quarantine(const Blame& blame, const MediaRecord& record,
+                                         std::chrono::seconds now) {
+    if (blame.empty()) return std::nullopt;
+    const auto found = blame.find(content_name(record));
+    if (found == blame.end() || !is_quarantined(found->second, now)) return std::nullopt;
+    return found->second;
+}
+
+Blame blame_after(const Blame& before, const PlayingNote& crashed, std::chrono::seconds now) {
     Blame after;
-    for (const auto& [name, points] : before)
-        if (points >= quarantine_points) after[name] = points;
+    for (const auto& [name, suspicion] : before)
+        if (suspicion.quarantines > 0) after[name] = current(suspicion, now);
     const bool was_opening = !crashed.opening.empty();
+    std::vector<Suspicion*> quarantined;
     for (const ContentName& name : was_opening ? crashed.opening : crashed.playing) {
         const auto known = before.find(name);
-        const int points =
-            (known == before.end() ? 0 : known->second) + (was_opening ? opening_points : playing_points);
-        after[name] = std::min(points, quarantine_points);
+        Suspicion& suspicion = after[name] =
+            known == before.end() ? Suspicion{} : current(known->second, now);
+        if (suspicion.points >= quarantine_points) continue;
+        suspicion.points =
+            std::min(suspicion.points + (was_opening ? opening_points : playing_points), quarantine_points);
+        if (suspicion.points == quarantine_points) quarantined.push_back(&suspicion);
     }
-    const auto is_new = [&](const auto& entry) {
-        const auto known = before.find(entry.first);
-        return entry.second == quarantine_points &&
-               (known == before.end() || known->second < quarantine_points);
-    };
-    if (std::ranges::count_if(after, is_new) > 1)
-        for (auto& entry : after)
-            if (is_new(entry)) entry.second = quarantine_points - 1;
+    for (Suspicion* suspicion : quarantined) {
+        if (quarantined.size() > 1) {
+            suspicion->points = quarantine_points - 1;
+        } else {
+            suspicion->since = now;
+            ++suspicion->quarantines;
+        }
+    }
     return after;
 }
 
@@ -97,8 +119,9 @@ std::string to_text(const PlayingNote& note) {
 
 std::string to_text(const Blame& blame) {
     std::string text;
-    for (const auto& [name, points] : blame)
-        text += fmt::format("{} {}", points, in_words(name));
+    for (const auto& [name, suspicion] : blame)
+        text += fmt::format("{} {} {} {} {} {}\n", suspicion.points, name.id, name.bytes, name.mtime_ns,
+                            suspicion.since.count(), suspicion.quarantines);
     return text;
 }
 
@@ -119,8 +142,13 @@ Blame blame_from(const std::string& text) {
     Blame blame;
     for_each_line(text, [&](const std::string& first, std::istream& words) {
         const auto name = name_in(words);
-        if (name && first.size() == 1 && first >= "1" && first <= "9")
-            blame[*name] = std::min(first[0] - '0', quarantine_points);
+        if (!name || first.size() != 1 || first < "1" || first > "9") return;
+        std::int64_t since = 0;
+        int quarantines = 0;
+        if (!(words >> since >> quarantines)) since = quarantines = 0;  // of an earlier version
+        blame[*name] = {.points = std::min(first[0] - '0', quarantine_points),
+                        .since = std::chrono::seconds(since),
+                        .quarantines = quarantines};
     });
     return blame;
 }

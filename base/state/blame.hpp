@@ -2,10 +2,12 @@
 
 #include "base/state/record.hpp"
 
+#include <chrono>
 #include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,8 +43,20 @@ struct PlayingNote {
     bool operator==(const PlayingNote&) const = default;
 };
 
-/// The points of each content.
-using Blame = std::map<ContentName, int>;
+/// The part that one content had in crashes.
+struct Suspicion {
+    int points = 0;
+    std::chrono::seconds since{0};  // the begin of its last quarantine, by the wall clock
+    int quarantines = 0;
+
+    bool operator==(const Suspicion&) const = default;
+};
+
+using Blame = std::map<ContentName, Suspicion>;
+
+/// How long a quarantine lasts.
+/// @param quarantines  quarantines of this content so far, with this one
+std::chrono::seconds quarantine_time(int quarantines);
 
 /// A content with so many points is quarantined if it is the only one: it was being opened in two crashes in
 /// a row, or played in four.
@@ -54,12 +68,17 @@ constexpr int suspect_points = 2;
 /// The reason in the record of a quarantined content.
 constexpr const char* brought_the_player_down = "it brought the player down, again and again";
 
-bool is_quarantined(const Blame& blame, const MediaRecord& record);
+/// The quarantine that a content is in; nothing where it is in none. A quarantine ends by itself.
+/// @param now  the wall clock
+std::optional<Suspicion> find_quarantine(const Blame& blame, const MediaRecord& record,
+                                         std::chrono::seconds now);
 
 /// Gives points after a crash to the contents that were being opened, or, if there were none, to all that
-/// played. A content without part in the last crash loses its points, unless it is quarantined. If several
-/// would be quarantined at once, the one at fault is not known, and they stay suspects.
-Blame blame_after(const Blame& before, const PlayingNote& crashed);
+/// played. A content that had no part in the last crash loses its points, unless it is quarantined. If
+/// several would be quarantined at once, it is not known which is at fault, and they stay suspects. A content
+/// whose quarantine is over is as suspect as one can be.
+/// @param now  the wall clock
+Blame blame_after(const Blame& before, const PlayingNote& crashed, std::chrono::seconds now);
 
 /// The paths with points.
 std::vector<std::string> suspects(const Blame& blame, const std::vector<std::string>& paths);

@@ -2,6 +2,7 @@
 
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
+#include "base/state/fault.hpp"
 #include "base/state/stored_shot.hpp"
 
 #include <chrono>
@@ -18,10 +19,10 @@ enum class MediaKind { photo, film };
 /// The result of the analysis of a file. Only `ready` files are shown.
 enum class MediaState {
     ready,        // shots and regions are known
-    waiting,      // incomplete: a copy is under way or an index is missing; it will be tried again
+    waiting,      // incomplete, or not the file is at fault: it is tried again
     unsupported,  // complete, but not a file that can be shown
     failed,       // looked like media and could not be read
-    quarantined,  // killed its analysing child repeatedly; tried again only when it changes
+    quarantined,  // killed its reader or the player repeatedly; it is tried again after a while
 };
 
 /// The end of a shot. A transition belongs to neither of its two shots.
@@ -55,10 +56,12 @@ struct MediaRecord {
     MediaKind kind = MediaKind::photo;
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
+    std::uint64_t inode = 0;  // 0: not known
     MediaState state = MediaState::waiting;
-    bool is_complete = true;  // false: the analysis continues and may add shots at the end
-    std::string reason;       // plain words for the operator; if ready: why a film is not shown to its end
-    int width = 0;            // px of the upright picture, square pixels
+    bool is_complete = true;  // false: the analysis goes on and may add shots at the end
+    std::string reason;  // plain words for the operator; for a ready film, why it is not shown to its end
+    Fault fault;         // whose fault it is that the file is not shown
+    int width = 0;       // px of the upright picture, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one

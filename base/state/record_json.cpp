@@ -29,6 +29,10 @@ constexpr Names<MediaState, 5> states{{{MediaState::ready, "ready"},
                                        {MediaState::unsupported, "unsupported"},
                                        {MediaState::failed, "failed"},
                                        {MediaState::quarantined, "quarantined"}}};
+constexpr Names<FaultOwner, 4> owners{{{FaultOwner::file, name_of(FaultOwner::file)},
+                                       {FaultOwner::transport, name_of(FaultOwner::transport)},
+                                       {FaultOwner::machine, name_of(FaultOwner::machine)},
+                                       {FaultOwner::program, name_of(FaultOwner::program)}}};
 constexpr Names<ShotEnd, 4> ends{
     {{ShotEnd::cut, "cut"}, {ShotEnd::dissolve, "dissolve"}, {ShotEnd::fade, "fade"}, {ShotEnd::end, "end"}}};
 
@@ -105,6 +109,23 @@ StoredSound to_sound(const Json& json) {
     return sound;
 }
 
+Json to_object(const Fault& fault) {
+    Json json{{"owner", name_of(fault.owner)}, {"since_s", fault.since.count()}};
+    if (fault.quarantines == 0) return json;
+    json["until_s"] = fault.until.count();
+    json["quarantines"] = fault.quarantines;
+    return json;
+}
+
+Fault to_fault(const Json& json) {
+    Fault fault{.owner = value_in(owners, json, "owner"),
+                .since = std::chrono::seconds(whole<std::uint32_t>(json, "since_s"))};
+    if (!json.contains("quarantines")) return fault;
+    fault.until = std::chrono::seconds(whole<std::uint32_t>(json, "until_s"));
+    fault.quarantines = whole<std::uint16_t>(json, "quarantines");
+    return fault;
+}
+
 Json to_object(const Shot& shot) {
     Json polygon = Json::array();
     for (const Vec2& corner : shot.region.polygon)
@@ -141,9 +162,11 @@ MediaRecord to_record(const Json& json) {
     record.kind = value_in(kinds, json, "kind");
     record.bytes = whole<std::uint64_t>(json, "bytes");
     record.mtime_ns = whole<std::int64_t>(json, "mtime_ns");
+    if (json.contains("inode")) record.inode = whole<std::uint64_t>(json, "inode");
     record.state = value_in(states, json, "state");
     record.is_complete = json.at("complete").get<bool>();
     record.reason = json.at("reason").get<std::string>();
+    if (json.contains("fault")) record.fault = to_fault(json["fault"]);
     record.width = whole<int>(json, "width");
     record.height = whole<int>(json, "height");
     record.duration = std::chrono::nanoseconds(whole<std::int64_t>(json, "duration_ns"));
@@ -184,6 +207,8 @@ std::string to_json(const MediaRecord& record) {
               {"height", record.height},
               {"duration_ns", record.duration.count()},
               {"shots", shots}};
+    if (record.inode != 0) json["inode"] = record.inode;
+    if (record.fault != Fault{}) json["fault"] = to_object(record.fault);
     if (record.sound) json["sound"] = to_object(*record.sound);
     if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

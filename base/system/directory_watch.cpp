@@ -14,8 +14,7 @@ namespace vitrine {
 namespace {
 
 constexpr std::uint32_t wanted = IN_CLOSE_WRITE | IN_MOVED_FROM | IN_MOVED_TO | IN_CREATE | IN_DELETE |
-                                 IN_DELETE_SELF | IN_MOVE_SELF | IN_ATTRIB | IN_ONLYDIR | IN_DONT_FOLLOW |
-                                 IN_EXCL_UNLINK;
+                                 IN_DELETE_SELF | IN_MOVE_SELF | IN_ATTRIB | IN_ONLYDIR | IN_EXCL_UNLINK;
 
 /// The kind of an event. None: the event does not matter, such as a new file that is still being written.
 std::optional<DirectoryEvent::Kind> kind_of(std::uint32_t mask) {
@@ -41,8 +40,9 @@ DirectoryWatch::DirectoryWatch() : inotify_(::inotify_init1(IN_NONBLOCK | IN_CLO
     if (!inotify_.is_open()) throw_errno("watch directories (inotify)");
 }
 
-bool DirectoryWatch::add(const std::filesystem::path& directory) {
-    const int id = ::inotify_add_watch(inotify_.get(), directory.c_str(), wanted);
+bool DirectoryWatch::add(const std::filesystem::path& directory, bool follows_link) {
+    const std::uint32_t events = follows_link ? wanted : wanted | IN_DONT_FOLLOW;
+    const int id = ::inotify_add_watch(inotify_.get(), directory.c_str(), events);
     if (id < 0) return false;
     const auto known = by_path_.find(directory);
     if (known != by_path_.end() && known->second != id) by_id_.erase(known->second);

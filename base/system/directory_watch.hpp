@@ -39,9 +39,10 @@ class DirectoryWatch {
 
     /// Starts to watch a directory. Add it before you read it, so that no change is missed. Adding it again
     /// does no harm.
-    /// @return  false, with errno, if it cannot be watched: it is gone already (ENOENT), is no directory
-    /// (ENOTDIR), or too many are watched (ENOSPC: fs.inotify.max_user_watches)
-    bool add(const std::filesystem::path& directory);
+    /// @param follows_link  the path may be a link to the directory
+    /// @return  false, with errno, if it cannot be watched: it is already gone (ENOENT), is no directory
+    ///          (ENOTDIR), or too many are watched (ENOSPC: fs.inotify.max_user_watches)
+    bool add(const std::filesystem::path& directory, bool follows_link = false);
 
     /// Forgets the directory and all below it.
     void remove(const std::filesystem::path& directory);

@@ -1,7 +1,9 @@
 #include "player/content/crash_note.hpp"
 
+#include "base/state/acquittal.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
+#include "player/content/crash_signal.hpp"
 
 #include <unistd.h>
 
@@ -33,15 +35,25 @@ std::string this_boot() {
     return id;
 }
 
+std::chrono::seconds wall_clock() {
+    return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
+}
+
 }  // namespace
+
+bool CrashNote::is_quarantined(const MediaRecord& record) const {
+    return find_quarantine(blame_, record, wall_clock()).has_value();
+}
 
 CrashNote::CrashNote(fs::path state)
     : state_(std::move(state)),
       blame_(read_blame(state_)),
       note_{.boot = this_boot(), .process = ::getpid(), .opening = {}, .playing = {}} {
     count_crash();
-    for (const auto& [name, points] : blame_)
-        if (points >= suspect_points && points < quarantine_points) suspects_.insert(name);
+    if (is_active_) note_own_crash(state_ / crashed_file);
+    for (const auto& [name, suspicion] : blame_)
+        if (suspicion.points >= suspect_points && suspicion.points < quarantine_points)
+            suspects_.insert(name);
     if (suspects_.size() > 1)
         log::info("{} files are shown again one after another: one of them may crash the player",
                   suspects_.size());
@@ -56,8 +68,13 @@ void CrashNote::count_crash() {
         is_active_ = false;
         return log::warning("another player uses this state directory: crashes of this one are not counted");
     }
-    blame_ = blame_after(blame_, left);
-    log::warning("the player crashed or was killed while {} files were being opened and {} were playing",
+    if (!has_own_crash(state_ / crashed_file)) {
+        log::warning("the player was killed with {} files open; no file is blamed",
+                     left.opening.size() + left.playing.size());
+        return end_run();
+    }
+    blame_ = blame_after(blame_, left, wall_clock());
+    log::warning("the player crashed while {} files were being opened and {} were playing",
                  left.opening.size(), left.playing.size());
     try {
         replace_file(state_ / blamed_file, to_text(blame_));
@@ -100,7 +117,8 @@ void CrashNote::note_opening(const MediaRecord& record, Time now) {
 
 std::chrono::seconds CrashNote::opening_time(const ContentName& name) const {
     const auto found = blame_.find(name);
-    return found != blame_.end() && found->second == quarantine_points - 1 ? max_opening : usual_opening;
+    return found != blame_.end() && found->second.points == quarantine_points - 1 ? max_opening
+                                                                                  : usual_opening;
 }
 
 bool CrashNote::note_open(const std::set<ContentName>& open, Time now) {
@@ -134,7 +152,7 @@ bool CrashNote::end_trial(Time now) {
 
 void CrashNote::forgive() {
     const auto forgiven =
-        std::erase_if(blame_, [](const auto& entry) { return entry.second < quarantine_points; });
+        std::erase_if(blame_, [](const auto& entry) { return entry.second.quarantines == 0; });
     if (forgiven == 0 || !is_active_) return;
     try {
         replace_file(state_ / blamed_file, to_text(blame_));
@@ -158,6 +176,21 @@ void CrashNote::write() {
     fs::remove(file, failure);  // its text is out of date
     log::warning("the open files cannot be noted in '{}': a file that crashes the player will not be found",
                  state_.string());
+}
+
+void CrashNote::acquit(const std::string& path) {
+    write_acquittal(state_, path, wall_clock());
+    const auto is_meant = [id = record_id(path), &path](const ContentName& name) {
+        return path.empty() || name.id == id;
+    };
+    std::erase_if(blame_, [&](const auto& entry) { return is_meant(entry.first); });
+    std::erase_if(suspects_, is_meant);
+    if (on_trial_ && is_meant(*on_trial_)) {
+        on_trial_.reset();
+        trial_begin_.reset();
+    }
+    logged_.clear();
+    replace_file(state_ / blamed_file, to_text(blame_));
 }
 
 void CrashNote::end_run() {

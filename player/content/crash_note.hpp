@@ -14,9 +14,10 @@
 namespace vitrine::player {
 
 /// Finds out which file makes the player crash. It notes each file on the disk before the file is opened; a
-/// note that exists at the start is evidence of a crash. Nothing is fsynced: what the kernel has outlasts a
-/// crash of this process, and a crash of the machine does not count. If the state directory cannot be
-/// written, this is logged once and only this protection is lost. Logs.
+/// note that exists at the start is evidence of a crash or a kill. A kill from outside says nothing about any
+/// file. Nothing is fsynced: what the kernel has outlasts a crash of this process, and a crash of the machine
+/// does not count. If the state directory cannot be written, this is logged once and only this protection is
+/// lost. Logs.
 class CrashNote {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -25,7 +26,7 @@ class CrashNote {
     explicit CrashNote(std::filesystem::path state);
 
     /// True: the file has made the player crash too often.
-    bool is_quarantined(const MediaRecord& record) const { return vitrine::is_quarantined(blame_, record); }
+    bool is_quarantined(const MediaRecord& record) const;
 
     /// True: the file is one of several that may have caused the last crash. They are shown again one at a
     /// time, so that a further crash shows which one it was.
@@ -42,6 +43,10 @@ class CrashNote {
     /// are not quarantined.
     /// @return  true: a suspect was cleared, so that another file may be shown
     bool note_open(const std::set<ContentName>& open, Time now);
+
+    /// Forgets all crashes of a file, and tells the analyzer. @param path  "": of all files
+    /// @throws std::system_error if the state directory cannot be written
+    void acquit(const std::string& path);
 
     /// Removes the note: the run ends in order.
     void end_run();

@@ -167,6 +167,11 @@ void VisibleFiles::dismiss(const MediaRecord& file) {
     apply_filters();
 }
 
+void VisibleFiles::acquit(const std::string& path) {
+    crash_note_.acquit(path);
+    apply_filters();
+}
+
 std::vector<std::string> VisibleFiles::dismissed() const {
     std::vector<std::string> paths;
     for (const auto& [path, record] : dismissed_)

@@ -78,6 +78,11 @@ class VisibleFiles {
     /// Takes a ready file off the wall until it changes.
     void dismiss(const MediaRecord& file);
 
+    /// Ends the quarantine of a file, here and in the analyzer, and all suspicion of it.
+    /// @param path  "": all files
+    /// @throws std::system_error if the state directory cannot be written
+    void acquit(const std::string& path);
+
     /// Paths of the dismissed files.
     std::vector<std::string> dismissed() const;
 

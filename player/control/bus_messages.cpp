@@ -2,9 +2,13 @@
 
 #include "base/system/unique_fd.hpp"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <climits>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -12,7 +16,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::uint32_t max_side = 32768;  // px of a picture
+constexpr std::uint32_t max_side = 32768;   // px, of a picture
+constexpr std::size_t max_name = PATH_MAX;  // bytes of a file's name, or a folder's
 constexpr const char* picture_list = "a(suuh)";
 
 /// Calls `use` with each part of a signature: "ay", "u", "b".
@@ -32,6 +37,7 @@ std::string read_bytes(sd_bus_message& message) {
     const void* bytes = nullptr;
     std::size_t size = 0;
     bus_checked(sd_bus_message_read_array(&message, 'y', &bytes, &size), "read a name");
+    if (size > max_name) throw std::runtime_error(fmt::format("a name has at most {} bytes", max_name));
     return {static_cast<const char*>(bytes), size};
 }
 
@@ -112,7 +118,8 @@ CommandCall read_call(sd_bus_message& message, std::string_view arguments) {
         } else if (part == "u") {
             std::uint32_t slot = 0;
             bus_checked(sd_bus_message_read(&message, "u", &slot), "read a number");
-            call.slot = static_cast<int>(slot);
+            constexpr std::uint32_t max_slot = std::numeric_limits<int>::max();
+            call.slot = static_cast<int>(std::min(slot, max_slot));
         } else {
             int flag = 0;
             bus_checked(sd_bus_message_read(&message, "b", &flag), "read a flag");

@@ -113,9 +113,10 @@ void BusObject::open() {
     sd_bus* bus = nullptr;
     bus_checked(sd_bus_open_system(&bus), "reach the system bus");
     bus_.reset(bus);
-    // Calls are answered before the next picture, which may take long on a slow machine.
-    bus_checked(sd_bus_attach_event(bus, loop_.get(), SD_EVENT_PRIORITY_IMPORTANT),
-                "wait for the system bus");
+    // Calls and pictures take turns: users who ask without end delay a picture by one answer, which takes a
+    // few milliseconds at most, and on a machine that is too slow for its pictures calls are answered all the
+    // same.
+    bus_checked(sd_bus_attach_event(bus, loop_.get(), SD_EVENT_PRIORITY_NORMAL), "wait for the system bus");
     sd_bus_slot* slot = nullptr;
     bus_checked(sd_bus_add_object_vtable(bus, &slot, bus_path, bus_name, vtable().data(), this),
                 "export the player on the system bus");

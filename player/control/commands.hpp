@@ -12,7 +12,7 @@
 namespace vitrine::player {
 
 /// The argument that a command takes on the command line of vitrinectl.
-enum class Operand { none, file, slot, picture };
+enum class Operand { none, file, file_or_all, slot, picture };
 
 /// A command of vitrinectl with the D-Bus method that it calls: a line of commands(). A signature consists of
 /// `ay ay` (a file, and the folder in which it was typed), `u` (a slot) and `b` (on or off).

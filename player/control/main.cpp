@@ -119,7 +119,8 @@ bool is_number(const std::string& text) {
 struct Words {
     std::string command;
     std::string operand;
-    std::string off;  // "off", or empty
+    std::string off;      // "off", or empty
+    bool is_all = false;  // --all, in place of an operand
     bool is_json = false;
 };
 
@@ -167,6 +168,7 @@ int print_answer(const Command& command, const Words& words, const CommandAnswer
 const char* in_help(Operand operand) {
     switch (operand) {
     case Operand::file:
+    case Operand::file_or_all:
         return "FILE";
     case Operand::slot:
         return "SLOT";
@@ -220,8 +222,12 @@ void add_commands(CLI::App& app, Words& words) {
         CLI::App* made = app.add_subcommand(command.name, command.help);
         made->fallthrough();
         made->callback([&words, name = command.name] { words.command = name; });
-        if (command.operand != Operand::none)
-            made->add_option(operands_of(command.name), words.operand)->required();
+        if (command.operand == Operand::none) continue;
+        CLI::Option* operand = made->add_option(operands_of(command.name), words.operand);
+        if (command.operand == Operand::file_or_all)
+            made->add_flag("--all", words.is_all, "All files")->excludes(operand);
+        else
+            operand->required();
         if (takes_off(command))
             made->add_option("off", words.off, "Ends the pin")->check(CLI::IsMember({"off"}));
     }
@@ -242,6 +248,8 @@ int run(int argc, char** argv) {
     }
     if (words.command.empty()) return app.exit(CLI::RequiredError("A command"));
     const Command& command = command_of(words);
+    if (command.operand == Operand::file_or_all && words.operand.empty() && !words.is_all)
+        return app.exit(CLI::RequiredError("FILE or --all"));
     return print_answer(command, words, ControlClient().call(command, call_of(command, words)));
 }
 

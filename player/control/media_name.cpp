@@ -10,7 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// True: the name has the form that programs on another machine use.
+constexpr int max_tails = 64;  // twice as many folders as lie within each other in a media folder
+
+// True: the name is written as programs of another machine write it.
 bool is_of_a_share(const std::string& given) {
     const bool has_drive =
         given.size() > 2 && std::isalpha(static_cast<unsigned char>(given[0])) != 0 && given[1] == ':';
@@ -29,9 +31,12 @@ void add(std::vector<std::string>& names, const fs::path& path) {
 // name for the share.
 void add_tails(std::vector<std::string>& names, std::string text) {
     std::ranges::replace(text, '\\', '/');
-    for (std::size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {
-        const std::size_t begin = text.find_first_not_of('/', slash);
-        if (begin != std::string::npos) add(names, text.substr(begin));
+    std::size_t slash = text.find('/');
+    for (int tail = 0; tail < max_tails && slash != std::string::npos;
+         ++tail, slash = text.find('/', slash)) {
+        slash = text.find_first_not_of('/', slash);
+        if (slash == std::string::npos) return;
+        add(names, text.substr(slash));
     }
 }
 

@@ -31,34 +31,10 @@ std::string label(const std::string& text) {
     return made;
 }
 
-/// The analyzer's status without its lists, which may have an entry for each file. Instead it has the number
-/// of entries in each state.
-Json summary(const std::string& analyzer) {
-    const Json said = Json::parse(analyzer, nullptr, false);
-    Json kept = Json::object();
-    if (!said.is_object()) return kept;
-    for (const auto& [key, value] : said.items()) {
-        if (!value.is_array()) kept[key] = value;
-        for (const Json& one : value)
-            if (value.is_array() && one.is_object() && one.contains("state")) {
-                Json& count = kept["states"][one.value("state", "")];
-                count = (count.is_number() ? count.get<int>() : 0) + 1;
-            }
-    }
-    return kept;
-}
-
-/// The analyzer's entry for one file: the one with this name as "path", "file" or "name".
-Json entry(const std::string& analyzer, const std::string& path) {
-    const Json said = Json::parse(analyzer, nullptr, false);
-    if (!said.is_object()) return {};
-    for (const auto& [key, list] : said.items()) {
-        if (!list.is_array()) continue;
-        for (const Json& one : list)
-            for (const char* name : {"path", "file", "name"})
-                if (one.is_object() && one.value(name, "") == path) return one;
-    }
-    return {};
+/// Adds an object of the analyzer's; nothing where the text is none.
+void add_word(Json& json, const std::string& object) {
+    Json said = Json::parse(object, nullptr, false);
+    if (said.is_object()) json["analyzer"] = std::move(said);
 }
 
 std::string answer(const FileReport& report) {
@@ -153,7 +129,7 @@ std::string to_json(const PlayerReport& report, const std::string& analyzer) {
     json["outputs"] = std::move(outputs);
     json["cells"] = std::move(cells);
     json["sources"] = std::move(sources);
-    if (Json said = summary(analyzer); !said.empty()) json["analyzer"] = std::move(said);
+    add_word(json, analyzer);
     return dumped(json);
 }
 
@@ -164,7 +140,7 @@ std::string to_json(const FileReport& report, const std::string& analyzer) {
               {"pinned", report.is_pinned}, {"removed", report.is_dismissed}};
     if (report.state != "new" && report.state != "unknown")
         json["wall"] = name_of(report.visibility.visibility);
-    if (Json said = entry(analyzer, report.path); !said.empty()) json["analyzer"] = std::move(said);
+    add_word(json, analyzer);
     return dumped(json);
 }
 

@@ -71,12 +71,12 @@ struct FileReport {
 /// One line for `systemctl status`.
 std::string one_line(const PlayerReport& report);
 
-/// JSON for programs, with the analyzer's status if there is one.
-/// @param analyzer  JSON, or empty
+/// For programs, with the analyzer's own word where it has left one.
+/// @param analyzer  AnalyzerWord::summary
 std::string to_json(const PlayerReport& report, const std::string& analyzer);
 
-/// JSON for programs, with a sentence for people and the analyzer's entry if there is one.
-/// @param analyzer  JSON, or empty
+/// For programs, with a sentence for people and the analyzer's own word where it has left one.
+/// @param analyzer  AnalyzerWord::entry() of the file
 std::string to_json(const FileReport& report, const std::string& analyzer);
 
 /// The text that a node exporter reads from a file (the Prometheus text format).

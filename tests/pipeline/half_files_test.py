@@ -41,7 +41,7 @@ class HalfFiles(unittest.TestCase):
         done = subprocess.run([ANALYZER, "analyze", "--grow", path, "--state.directory", self.folder / "state", *options],
                               capture_output=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stderr[-2000:])
-        return [json.loads(line) for line in done.stdout.splitlines()]
+        return [json.loads(line) for line in done.stdout.splitlines() if line]
 
     def seeds(self):
         seeds = draw_seeds(self.folder) | draw_films(self.folder, OTHERS) | drawn(self.folder, ANIMATIONS, NOISE, [])

@@ -92,11 +92,12 @@ TEST_CASE("a crash is told by its signal") {
     CHECK(result.code == SIGSEGV);
 }
 
-TEST_CASE("a child that hangs is killed at its deadline with all its own children") {
+TEST_CASE("a child that waits for what does not come is killed with all its own children") {
     const TemporaryDirectory directory;
     const std::string file = (directory.path / "pid").string();
-    const ChildResult result = run("sleep 1000 & echo $! > " + file + "; wait", {.deadline = 300ms});
-    CHECK(result.end == End::late);
+    const ChildResult result =
+        run("sleep 1000 & echo $! > " + file + "; wait", {.patience = {.idling = 300ms}});
+    CHECK(result.end == End::idle);
     std::ifstream stream(file);
     pid_t grandchild = 0;
     if (!(stream >> grandchild)) return;  // killed before it could start one
@@ -109,12 +110,37 @@ TEST_CASE("a child that hangs is killed at its deadline with all its own childre
     CHECK_FALSE(std::filesystem::exists("/proc/" + std::to_string(grandchild) + "/exe", gone));
 }
 
+TEST_CASE("a child that computes without progress is killed, one that says something now and then is not") {
+    const ChildLimits limits{.patience = {.computing = 300ms, .idling = 60s}};
+    CHECK(run("while :; do :; done", limits).end == End::late);
+    const ChildResult result = run(
+        "for i in 1 2 3 4 5 6 7 8; do echo; timeout .1 sh -c 'while :; do :; done'; done; echo done", limits);
+    CHECK(result.end == End::exited);
+}
+
+TEST_CASE("the processor time that another takes is not held against a child") {
+    EventLoop loop;
+    std::optional<ChildResult> result;
+    ChildProcess child(loop, {"/bin/sh", "-c", "sleep 1000"},
+                       {.patience = {.computing = 100ms, .idling = 400ms}},
+                       [&](const ChildResult& ended) { result = ended; });
+    child.pause();
+    for (const auto end = EventLoop::Clock::now() + 1s; EventLoop::Clock::now() < end;)
+        loop.run_once(50ms);
+    CHECK_FALSE(result.has_value());
+    child.go_on();
+    while (!result)
+        REQUIRE(loop.run_once(60s));
+    CHECK(result->end == End::idle);
+}
+
 TEST_CASE("a child that left others behind with its pipes open ends all the same") {
     CHECK(run("sleep 1000 & echo done").output == "done\n");
 }
 
 TEST_CASE("a child cannot take more memory than allowed") {
-    const ChildResult result = run("exec tail /dev/zero", {.deadline = 50s, .memory_bytes = 100U << 20});
+    const ChildResult result = run(
+        "exec tail /dev/zero", {.patience = {.computing = 50s, .idling = 50s}, .memory_bytes = 100U << 20});
     CHECK(result.end == End::exited);
     CHECK(result.code == 1);
     CHECK(result.complaint.find("memory") != std::string::npos);

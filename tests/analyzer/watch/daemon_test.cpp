@@ -1,8 +1,10 @@
 #include "analyzer/watch/daemon.hpp"
 
+#include "base/state/acquittal.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -27,6 +29,8 @@ constexpr auto patience = 60s;  // until something that must come is given up
 /// Says that a file is ready, unless its first line is a command that misbehaves.
 constexpr const char* reader = R"(
     sound=
+    fault=
+    reason=
     as_it_is=
     while :; do
         case "$1" in
@@ -41,7 +45,10 @@ constexpr const char* reader = R"(
     echo "$1" >> "$0.log"
     case "$word" in
     crash) kill -SEGV $$ ;;
-    fail) echo "no picture in it" >&2; exit 1 ;;
+    fail) state=failed; reason="no picture in it" ;;
+    unread) state=waiting; reason="the file cannot be read"; fault=',"fault":{"owner":"transport","since_s":0}' ;;
+    odd) echo "an answer that nobody expects"; exit 0 ;;
+    killed) [ -e "$0.gate" ] || kill -KILL $$; state=ready ;;
     half) state=waiting ;;
     cut) state=waiting; [ -z "$as_it_is" ] || state=ready ;;
     *) state=ready ;;
@@ -55,13 +62,14 @@ constexpr const char* reader = R"(
     fi
     say() {
         echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
-             '"reason":"","width":4,"height":3,"duration_ns":0,"shots":['"$2"']'"$sound"'}'
+             '"reason":"'"$reason"'","width":4,"height":3,"duration_ns":0,"shots":['"$2"']'"$sound$fault"'}'
     }
     first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
     second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
     case "$word" in
     film) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done; say true "$first,$second" ;;
     hang) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done ;;
+    spin) say false "$first"; until [ -e "$0.gate" ]; do :; done ;;
     shoot) say false "$first"; kill -SEGV $$ ;;
     *) say true "$first" ;;
     esac)";
@@ -78,9 +86,15 @@ struct House {
                 .store = home.path / "store",
                 .state = home.path,
                 .bounds = {.max_bytes = max_stored},
-                .analysis = {.words = {"/bin/sh", script.string()}, .limits = {.deadline = deadline}},
+                .analysis = {.words = {"/bin/sh", script.string()},
+                             .limits = {.patience = {.computing = deadline, .idling = deadline}}},
                 .outputs = {.stored = max_stored > 0},
-                .pace = {.quiet = 1ms, .rename_grace = 100ms, .first_retry = 1ms, .retries = 2},
+                .pace = {.quiet = 1ms,
+                         .rename_grace = 100ms,
+                         .first_retry = first_retry,
+                         .max_retry = max_retry,
+                         .retries = 2,
+                         .death_memory = death_memory},
                 .rescan = rescan};
     }
 
@@ -144,6 +158,9 @@ struct House {
     std::uint64_t max_stored = 0;  // bytes
     std::chrono::milliseconds deadline = 20s;
     std::chrono::milliseconds rescan = 1h;
+    std::chrono::milliseconds first_retry = 1ms;
+    std::chrono::milliseconds max_retry = 20ms;
+    std::chrono::milliseconds death_memory = 0ms;
     TemporaryDirectory home;
     fs::path root = home.path / "media";
     fs::path script;
@@ -210,7 +227,7 @@ TEST_CASE("a film that is deleted while it is analysed leaves no record") {
 
 TEST_CASE("a film that takes too long keeps the shots that are known, one that crashes the reader does not") {
     House house;
-    house.drop("slow.mp4", "hang\n");
+    house.drop("slow.mp4", "spin\n");
     house.drop("crash.mp4", "shoot\n");
     house.deadline = 1s;
     house.start();
@@ -221,7 +238,8 @@ TEST_CASE("a film that takes too long keeps the shots that are known, one that c
     }));
     CHECK(house.record("slow.mp4")->state == MediaState::ready);
     CHECK(house.shots("slow.mp4") == 1);
-    CHECK(house.record("slow.mp4")->reason == "not shown to its end: twice it took longer than 1 s");
+    CHECK(house.record("slow.mp4")->reason ==
+          "not shown to its end: twice its reader computed for 1 s and came to nothing");
     CHECK(house.analyses() == 4);
 }
 
@@ -308,6 +326,170 @@ TEST_CASE("a file that crashes, fails or is incomplete gets its state and reason
     const Catalogue catalogue(house.home.path / "catalogue");
     CHECK(catalogue.find("fail.jpg")->reason == "no picture in it");
     CHECK(catalogue.find("crash.jpg")->reason.starts_with("twice it crashed the reader"));
+}
+
+TEST_CASE(
+    "a file that cannot be read, an answer that makes no sense and a kill from outside condemn no file") {
+    House house;
+    house.drop("unread.jpg", "unread\n");
+    house.drop("odd.jpg", "odd\n");
+    house.drop("killed.jpg", "killed\n");
+    house.start();
+    CHECK(house.comes_true([&] { return house.analyses() >= 15; }));
+    for (const char* path : {"unread.jpg", "odd.jpg", "killed.jpg"}) {
+        CAPTURE(path);
+        REQUIRE(house.becomes(path, MediaState::waiting));
+        CHECK(house.record(path)->reason.starts_with("since "));
+        CHECK(house.record(path)->reason.ends_with("; it is tried again"));
+        CHECK(house.record(path)->fault.since.count() > 0);
+    }
+    CHECK(house.record("unread.jpg")->fault.owner == FaultOwner::transport);
+    CHECK(house.record("odd.jpg")->fault.owner == FaultOwner::program);
+    CHECK(house.record("killed.jpg")->fault.owner == FaultOwner::machine);
+
+    std::ofstream(house.gate()) << "go\n";
+    CHECK(house.becomes("killed.jpg", MediaState::ready));
+    CHECK(house.record("killed.jpg")->fault == Fault{});
+    house.drop("unread.jpg", "it can be read now\n");
+    CHECK(house.becomes("unread.jpg", MediaState::ready));
+}
+
+TEST_CASE("a fault of the share is tried again after a restart") {
+    House house;
+    house.first_retry = house.max_retry = 1h;
+    house.drop("killed.jpg", "killed\n");
+    house.start();
+    REQUIRE(house.becomes("killed.jpg", MediaState::waiting));
+    house.daemon.reset();
+    std::ofstream(house.gate()) << "go\n";
+    house.start();
+    CHECK(house.becomes("killed.jpg", MediaState::ready));
+}
+
+TEST_CASE("a file is not condemned within an hour after the reader of another crashed") {
+    House house;
+    house.death_memory = 1h;
+    house.drop("a.jpg", "crash\n");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::quarantined));
+    house.drop("b.jpg", "crash\n");
+    REQUIRE(house.becomes("b.jpg", MediaState::waiting));
+    CHECK(house.comes_true([&] { return house.analyses() >= 6; }));
+    CHECK(house.record("b.jpg")->fault.owner == FaultOwner::machine);
+    CHECK(house.state_of("b.jpg") == MediaState::waiting);
+}
+
+TEST_CASE("a quarantine that is over is followed by another look, and a second one lasts a week") {
+    House house;
+    const fs::path file = house.drop("crash.jpg", "crash\n");
+    house.start();
+    REQUIRE(house.becomes("crash.jpg", MediaState::quarantined));
+    MediaRecord record = *house.record("crash.jpg");
+    CHECK(record.fault.until - record.fault.since == 24h);
+    house.daemon.reset();
+    const std::size_t analyses = house.analyses();
+    record.fault.until = std::chrono::seconds(1);
+    Catalogue(house.home.path / "catalogue").store(record);
+
+    house.rescan = 50ms;
+    house.start();
+    CHECK(house.comes_true([&] { return house.record("crash.jpg")->fault.quarantines >= 2; }));
+    record = *house.record("crash.jpg");
+    CHECK(record.state == MediaState::quarantined);
+    CHECK(record.fault.until - record.fault.since == 7 * 24h);
+    CHECK(house.analyses() == analyses + 2);
+}
+
+TEST_CASE("a file that somebody acquits is tried again at the next rescan, once") {
+    House house;
+    house.rescan = 50ms;
+    house.drop("crash.jpg", "crash\n");
+    house.start();
+    REQUIRE(house.becomes("crash.jpg", MediaState::quarantined));
+    const std::size_t analyses = house.analyses();
+    const auto now =
+        std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
+    write_acquittal(house.home.path, "other.jpg", now + 1s);
+    for (int i = 0; i < 10; ++i)
+        house.loop.run_once(20ms);
+    CHECK(house.analyses() == analyses);
+    write_acquittal(house.home.path, "", now);
+    CHECK(house.comes_true([&] { return house.record("crash.jpg")->fault.quarantines >= 2; }));
+}
+
+TEST_CASE("a file is gone though a folder beside it cannot be read") {
+    House house;
+    house.rescan = 50ms;
+    std::string deep;
+    for (int i = 0; i <= MediaFolder::max_depth; ++i)
+        deep += "d/";
+    house.drop(deep + "hidden.jpg");
+    house.drop("a.jpg");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    house.daemon.reset();
+    fs::remove(house.root / "a.jpg");
+    house.drop("b.jpg");
+    house.start();
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+    CHECK(house.comes_true([&] { return house.records() == 1; }));
+}
+
+TEST_CASE("a media folder that cannot be looked at for any reason ends nothing") {
+    House house;
+    house.drop("a.jpg");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    house.daemon.reset();
+    const fs::path aside = house.home.path / "aside";
+    fs::rename(house.root, aside);
+    SUBCASE("a circle of links") {
+        fs::create_symlink(house.root.filename(), house.root);
+    }
+    SUBCASE("a file") {
+        house.home.write("media", "no folder");
+    }
+    SUBCASE("nothing") {}
+    house.rescan = 50ms;
+    house.start();
+    for (int i = 0; i < 20; ++i)
+        house.loop.run_once(20ms);
+    CHECK_FALSE(house.daemon->is_online());
+    CHECK(house.records() == 1);
+    fs::remove(house.root);
+    fs::rename(aside, house.root);
+    CHECK(house.comes_true([&] { return house.daemon->is_online(); }));
+    house.drop("b.jpg");
+    CHECK(house.becomes("b.jpg", MediaState::ready));
+}
+
+TEST_CASE(
+    "a media folder that is a link is watched as any other, and folders of our own in it are passed over") {
+    House house;
+    const fs::path real = house.home.path / "real";
+    fs::rename(house.root, real);
+    fs::create_directory_symlink(real, house.root);
+    house.start();
+    house.drop("a.jpg");  // the next rescan is an hour away
+    CHECK(house.becomes("a.jpg", MediaState::ready));
+}
+
+TEST_CASE("where no child can be started its file waits, and the daemon goes on") {
+    House house;
+    rlimit usual{};
+    REQUIRE(::getrlimit(RLIMIT_NOFILE, &usual) == 0);
+    house.start();
+    std::size_t open = 0;
+    for (const auto& entry : fs::directory_iterator("/proc/self/fd"))
+        open += entry.path().empty() ? 0 : 1;
+    const rlimit few{.rlim_cur = open + 3, .rlim_max = usual.rlim_max};
+    house.drop("a.jpg");
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &few) == 0);
+    for (int i = 0; i < 20; ++i)
+        house.loop.run_once(20ms);
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &usual) == 0);
+    CHECK(house.analyses() == 0);
+    CHECK(house.becomes("a.jpg", MediaState::ready));
 }
 
 TEST_CASE("a second start analyses nothing again, and removes what went in between") {

@@ -49,7 +49,7 @@ TEST_CASE(
     const auto listing = folder.list("", [&](const std::string& name) { entered.push_back(name); });
 
     CHECK(paths(listing) == std::vector<std::string>{"a.jpg", "b/c/d.mp4", "b/" + odd});
-    CHECK(listing.is_complete);
+    CHECK(listing.unread.empty());
     CHECK(entered == std::vector<std::string>{"", "b", "b/c"});
     CHECK(paths(folder.list("b/c")) == std::vector<std::string>{"b/c/d.mp4"});
     CHECK(folder.list("b/@eaDir").files.empty());
@@ -83,11 +83,11 @@ TEST_CASE("no link leads out of the folder, and one in a circle ends nothing") {
 TEST_CASE("a folder that is not there is incomplete, not empty") {
     const TemporaryDirectory directory;
     const MediaFolder folder(directory.path / "unmounted");
-    CHECK_FALSE(folder.list("").is_complete);
+    CHECK_FALSE(folder.list("").unread.empty());
     CHECK_FALSE(folder.device().has_value());
     CHECK(folder.look_at("a.jpg").presence == Presence::unreachable);
     fs::create_directories(directory.path / "unmounted");
-    CHECK(folder.list("").is_complete);
+    CHECK(folder.list("").unread.empty());
     CHECK(folder.device().has_value());
     CHECK(folder.look_at("a.jpg").presence == Presence::gone);
 }
@@ -101,7 +101,7 @@ TEST_CASE("folders within folders end at the limit and say so") {
     directory.write("b.jpg", "1");
     const auto listing = MediaFolder(directory.path).list("");
     CHECK(paths(listing) == std::vector<std::string>{"b.jpg"});
-    CHECK_FALSE(listing.is_complete);
+    CHECK(listing.unread.size() == 1);
     REQUIRE(listing.remarks.size() == 1);
     CHECK(listing.remarks[0].ends_with("too many folders within folders"));
 }
@@ -126,13 +126,15 @@ TEST_CASE(
     directory.write("..2026-12-24 Advent/b.jpg", "b");
     directory.write("..hidden/c.jpg", "c");
     directory.write("d/.vitrine.toml", "seconds = 20");
-    const MediaFolder folder(directory.path, "_INFO");
+    directory.write("own/state/catalogue/1.json", "ours");
+    const MediaFolder folder(directory.path, {"_INFO", "own/state"});
     std::vector<std::string> paths;
     for (const MediaFolder::File& file : folder.list("").files)
         paths.push_back(file.path);
     std::sort(paths.begin(), paths.end());
     CHECK(paths == std::vector<std::string>{"..2026-12-24 Advent/b.jpg", "_INFO 2/a.jpg"});
     CHECK(folder.look_at("_INFO/index.html").presence == MediaFolder::Presence::gone);
+    CHECK(folder.look_at("own/state/catalogue/1.json").presence == MediaFolder::Presence::gone);
     CHECK(folder.list("_INFO").files.empty());
     CHECK(folder.content("d/.vitrine.toml", 100) == "seconds = 20");
     CHECK(folder.content("d/.vitrine.toml", 7) == "seconds");

@@ -63,7 +63,7 @@ class Model {
         Answer state = Answer::final;
     };
 
-    static constexpr Pace pace{.children = 2};
+    static constexpr Pace pace{.children = 2, .death_memory = {}};
     static constexpr auto run_time = 1s;  // the run of a child that nobody ends earlier
 
     int number(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }

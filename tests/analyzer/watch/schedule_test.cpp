@@ -222,6 +222,40 @@ TEST_CASE("a file that kills its child twice is quarantined until it changes") {
     CHECK(bench.finish("evil.jpg", Answer::died) == Verdict::retry);
 }
 
+TEST_CASE("a file is not quarantined within an hour in which the reader of another crashed") {
+    Bench bench;
+    bench.see("other.jpg", grown);
+    CHECK(bench.after(2s).size() == 1);
+    CHECK(bench.finish("other.jpg", Answer::died) == Verdict::retry);
+    CHECK(bench.after(0s).size() == 1);
+    CHECK(bench.finish("other.jpg") == Verdict::store);
+
+    bench.see("evil.jpg", small);
+    CHECK(bench.after(2s).size() == 1);
+    CHECK(bench.finish("evil.jpg", Answer::died) == Verdict::retry);
+    CHECK(bench.after(0s).size() == 1);
+    CHECK(bench.finish("evil.jpg", Answer::died) == Verdict::postpone);
+    CHECK(bench.schedule.is_idle());  // it waits
+    CHECK(bench.after(5s) == Actions{Bench::start("evil.jpg", small)});
+    bench.now += 1h;
+    CHECK(bench.finish("evil.jpg", Answer::died) == Verdict::quarantine);
+}
+
+TEST_CASE("another file of the same size and time is another file on a disk, not on a share") {
+    FileFacts other = small;
+    other.inode = 8;
+    Bench bench;
+    bench.settle("a.jpg", small);
+    bench.see("a.jpg", other);
+    CHECK(bench.after(2s) == Actions{Bench::start("a.jpg", other)});
+
+    bench.schedule.see_file("b.jpg", small, bench.now, LookKind::remote);
+    bench.files["b.jpg"] = small;
+    CHECK(bench.after(0s).empty());
+    bench.schedule.see_file("b.jpg", other, bench.now, LookKind::remote);
+    CHECK(bench.schedule.next_actions(bench.now).empty());  // no `hold`: it did not change
+}
+
 TEST_CASE("a file that becomes readable is analysed, though nothing in it changed") {
     Bench bench;
     FileFacts locked = small;

@@ -1,6 +1,7 @@
 #include "player/content/visible_files.hpp"
 
 #include "base/system/atomic_file.hpp"
+#include "player/content/crash_signal.hpp"
 #include "player/input/rehearsal.hpp"
 #include "tests/player/scene/scene_media.hpp"
 #include "tests/temporary_directory.hpp"
@@ -76,6 +77,7 @@ void crash(const fs::path& state, const std::vector<MediaRecord>& opening) {
     for (const MediaRecord& record : opening)
         note.opening.insert(content_name(record));
     replace_file(state / playing_file, to_text(note));
+    replace_file(state / crashed_file, "11\n");
 }
 
 }  // namespace
@@ -149,7 +151,11 @@ TEST_CASE("a file that brought the player down is held back, and of two suspects
     const std::vector<MediaRecord> records{photo("a.jpg"), photo("b.jpg"), photo("evil.jpg")};
     House house(records);
     replace_file(house.state.path / blamed_file,
-                 to_text(Blame{{content_name(records[2]), quarantine_points}}));
+                 to_text(Blame{{content_name(records[2]),
+                                {quarantine_points,
+                                 std::chrono::floor<std::chrono::seconds>(
+                                     std::chrono::system_clock::now().time_since_epoch()),
+                                 1}}}));
     crash(house.state.path, {records[0], records[1]});
     house.open();
 

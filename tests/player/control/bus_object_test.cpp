@@ -134,6 +134,7 @@ struct Asked {
                 {"PinSlot",
                  [=](const CommandCall& call) { return note("pin slot " + std::to_string(call.slot)); }},
                 {"Remove", remove},
+                {"Acquit", [=](const CommandCall& call) { return note("acquit " + call.file); }},
                 {"Reload", [=](const CommandCall&) { return note("reload"); }}};
     }
 

@@ -49,3 +49,14 @@ TEST_CASE("no name leads out of the media folder") {
             CHECK_FALSE(name.starts_with(".."));
         }
 }
+
+TEST_CASE("a name of many folders costs no more than one of a few") {
+    std::string given = "//box";
+    for (int i = 0; i < 2000; ++i)
+        given += "/a";
+    CHECK(media_names(given, "/", root).size() <= 70);
+    std::string dots = "//box";
+    for (int i = 0; i < 1000; ++i)
+        dots += "/..";
+    CHECK(media_names(dots, "/", root).empty());
+}

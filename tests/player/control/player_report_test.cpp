@@ -1,5 +1,7 @@
 #include "player/control/player_report.hpp"
 
+#include "player/control/analyzer_word.hpp"
+
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
@@ -74,9 +76,9 @@ TEST_CASE("systemd's line tells state, mode, cells, rate and the last flip") {
 }
 
 TEST_CASE("the answer for programs has it all, also with names that are no UTF-8") {
-    const auto json = nlohmann::json::parse(to_json(
-        drawn_report(),
-        R"({"online": true, "files": [{"path": "a", "state": "ready"}, {"path": "b", "state": "ready"}]})"));
+    const AnalyzerWord word = analyzer_word_from(
+        R"({"online": true, "files": [{"path": "a", "state": "ready"}, {"path": "b", "state": "ready"}]})");
+    const auto json = nlohmann::json::parse(to_json(drawn_report(), word.summary));
     CHECK(json.at("state") == "showing");
     CHECK(json.at("outputs").at(0).at("flips") == 120);
     CHECK(json.at("cells").at(1).at("shot") == 2);
@@ -93,11 +95,14 @@ TEST_CASE("of a file is told why it is not shown, with the analyzer's word for i
                                            .visibility = Visibility::not_analysed,
                                            .detail = "it is still being copied"}};
     const std::string said = R"({"files": [{"path": "b"}, {"path": "a.jpg", "since": 5}]})";
-    const auto json = nlohmann::json::parse(to_json(report, said));
+    const auto json = nlohmann::json::parse(to_json(report, analyzer_word_from(said).entry("a.jpg")));
     CHECK(json.at("says") == "It has not been analysed yet: it is still being copied.");
     CHECK(json.at("wall") == "not_analysed");
     CHECK(json.at("analyzer").at("since") == 5);
-    CHECK_FALSE(nlohmann::json::parse(to_json(report, "no JSON")).contains("analyzer"));
+    CHECK(analyzer_word_from(said).entry("c.jpg").empty());
+    const AnalyzerWord nonsense = analyzer_word_from("no JSON");
+    CHECK_FALSE(nlohmann::json::parse(to_json(report, nonsense.entry("a.jpg"))).contains("analyzer"));
+    CHECK_FALSE(nlohmann::json::parse(to_json(drawn_report(), nonsense.summary)).contains("analyzer"));
 }
 
 TEST_CASE("the metrics are of the text format, whatever files are called") {

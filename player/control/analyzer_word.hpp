@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace vitrine::player {
+
+/// The analyzer's status.json, cut into the pieces that answers need.
+struct AnalyzerWord {
+    std::string summary;  // a JSON object: no lists, but the number of files in each state
+    std::map<std::string, std::string> entries;  // the JSON object of each file, by its path
+
+    /// "" where the analyzer says nothing of the file.
+    std::string entry(const std::string& path) const;
+};
+
+/// @param json  the content of status.json; anything else gives an empty word
+AnalyzerWord analyzer_word_from(const std::string& json);
+
+/// Reads status.json on another thread whenever it has changed: with many files that takes longer than a
+/// picture may.
+class AnalyzerWordReader {
+  public:
+    using Time = std::chrono::nanoseconds;
+
+    explicit AnalyzerWordReader(std::filesystem::path file) : file_(std::move(file)) {}
+
+    /// To be called at every tick; looks once a second. @param now  since the player's start
+    void look(Time now);
+
+    /// The newest word; empty where there is no analyzer, or it has left none.
+    const AnalyzerWord& word() const { return word_; }
+
+  private:
+    using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+
+    std::filesystem::path file_;
+    AnalyzerWord word_;
+    std::optional<Version> read_;  // the version of the file that was read, or is being read
+    std::future<AnalyzerWord> reading_;
+    Time next_look_{0};
+};
+
+}  // namespace vitrine::player
