@@ -21,7 +21,7 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr rlim_t max_processor_seconds = 48 * 3600;  // even of a file that gets on and on
+constexpr rlim_t max_processor_seconds = 172'800;  // even of a file that gets on and on
 
 struct Pipe {
     Pipe() {

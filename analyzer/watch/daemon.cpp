@@ -75,6 +75,15 @@ std::size_t unfinished_files(const Schedule& schedule) {
     return count;
 }
 
+/// The record of a file that brought its readers down: quarantined, or a film that is shown as far as it is
+/// known.
+/// @param known  the record in the catalogue
+MediaRecord record_after_deaths(AnalysisOutcome outcome, const std::optional<MediaRecord>& known) {
+    outcome.record.reason = "twice " + outcome.record.reason;
+    std::optional<MediaRecord> kept = kept_record(known, outcome);
+    return kept ? std::move(*kept) : quarantined_record(outcome.record, known, WallClock::now());
+}
+
 }  // namespace
 
 Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
@@ -295,11 +304,7 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
         record.state = MediaState::failed;
         break;
     case Verdict::quarantine:
-        record.reason = "twice " + record.reason;
-        if (auto known = kept_record(book_.record(record.path), outcome))
-            record = std::move(*known);
-        else
-            record = quarantined_record(std::move(record), book_.record(record.path), WallClock::now());
+        record = record_after_deaths(outcome, book_.record(record.path));
         break;
     case Verdict::store:
         break;
