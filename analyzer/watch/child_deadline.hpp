@@ -32,6 +32,7 @@ class ChildDeadline {
     ProgressRule rule_;
     std::function<void(ProgressRule::Verdict)> stuck_;
     clockid_t clock_{};  // the child's processor time
+    pid_t pid_;
     std::chrono::milliseconds interval_;
     EventLoop::Clock::time_point looked_;
     EventLoop::Source timer_;

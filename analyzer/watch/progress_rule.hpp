@@ -29,13 +29,14 @@ class ProgressRule {
 
     /// @param passed     time since the last look, less what this process itself stood still
     /// @param processor  processor time that the child has used so far
-    Verdict judge(Duration passed, Duration processor);
+    /// @param kept       time for which the child could have computed so far, and others had the processors
+    Verdict judge(Duration passed, Duration processor, Duration kept = Duration(0));
 
   private:
     Patience patience_;
     bool has_progressed_ = false;  // since the last look
     Duration at_progress_{0};      // the child's processor time when it last got on
-    Duration at_look_{0};          // likewise at the last look
+    Duration at_look_{0};          // its processor time and what it was kept from, at the last look
     Duration idle_{0};             // as long it has computed next to nothing
 };
 

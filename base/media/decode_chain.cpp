@@ -165,8 +165,19 @@ DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, Decod
     g_signal_connect(begin.demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
 }
 
+/// A thread that hangs in a decoder cannot be ended. Its pipeline is left to it, with all that it uses, so
+/// that whoever destroys this does not hang, too.
 DecodeChain::~DecodeChain() {
+    if (is_stuck_) {
+        (void)pipeline_.release();
+        (void)links_.release();
+    }
     if (pipeline_) gst_element_set_state(pipeline_.get(), GST_STATE_NULL);  // ends every thread
+}
+
+MediaError DecodeChain::stuck(const char* reason) {
+    is_stuck_ = true;
+    return {MediaState::failed, reason};
 }
 
 void DecodeChain::preroll() {
@@ -175,7 +186,7 @@ void DecodeChain::preroll() {
     GstPtr<GstMessage> message;
     for (Stall stall(max_stall); !message && !stall.is_hanging();)
         message.reset(gst_bus_timed_pop_filtered(bus_.get(), look_interval, awaited));
-    if (!message) throw MediaError(MediaState::failed, "the film does not start: no picture comes");
+    if (!message) throw stuck("the film does not start: no picture comes");
     if (GST_MESSAGE_TYPE(message.get()) == GST_MESSAGE_ERROR) throw media_error(message.get());
 }
 
@@ -185,7 +196,7 @@ GstPtr<GstSample> DecodeChain::pull(GstAppSink* sink) {
         throw_pending_error();
         if (gst_app_sink_is_eos(sink)) return nullptr;
     }
-    throw MediaError(MediaState::failed, "the film cannot be read: no more pictures come");
+    throw stuck("the film cannot be read: no more pictures come");
 }
 
 std::chrono::nanoseconds DecodeChain::duration() const {

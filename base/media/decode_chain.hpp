@@ -69,11 +69,14 @@ class DecodeChain {
   private:
     struct Links;
 
+    MediaError stuck(const char* reason);
+
     MediaFormat format_{};
     GstPtr<GstElement> pipeline_;
     GstPtr<GstElement> tail_;
     GstPtr<GstBus> bus_;
     std::unique_ptr<Links> links_;  // used by the demuxer's thread while the pipeline runs
+    bool is_stuck_ = false;         // a decoder hangs
 };
 
 /// The state and the plain words for an error message of a pipeline.

@@ -21,7 +21,7 @@ BUILD = Path(sys.argv[1]).resolve()
 PLUGINS = sys.argv[2]
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 PATIENCE = 300  # seconds until something that must come is given up
-DEADLINE = 6  # seconds of processor time of a child that reads poison
+DEADLINE = 10  # seconds of processor time of a child that reads poison
 STALL_DEADLINE = 60  # longer than a child itself waits for a picture
 KINDS = {"aborts": 100, "sleeps": 104, "allocates": 108, "spins": 112}  # by the width of the picture
 

@@ -55,6 +55,12 @@ TEST_CASE("a child that neither computes nor gets on waits for something that do
     CHECK(Child().after(120s, 0.001) == Judgement::idling);  // threads that only wake and look
 }
 
+TEST_CASE("a child that others keep from the processors is not idle") {
+    ProgressRule rule{Patience{.computing = 120s, .idling = 120s}};
+    for (int second = 1; second <= 3600; ++second)
+        REQUIRE(rule.judge(1s, 0s, second * 1s) == Judgement::fine);
+}
+
 TEST_CASE("progress begins the time anew") {
     Child child;
     CHECK(child.after(100s, 1) == Judgement::fine);
