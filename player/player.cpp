@@ -1,5 +1,6 @@
 #include "player/player.hpp"
 
+#include "base/media/still_picture.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -123,6 +124,7 @@ void Player::make_display() {
 }
 
 void Player::make_sources() {
+    init_vips();  // here, where there are no threads yet that load libraries or read the environment
     sources_ = std::make_unique<SourcePool>(media_places(settings_),
                                             source_options(settings_, !is_paced_by_pictures()));
     if (settings_.output.decoders == DecoderChoice::automatic)
