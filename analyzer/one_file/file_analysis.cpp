@@ -14,9 +14,11 @@
 #include "base/state/media_error.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/error.hpp"
+#include "base/system/log.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <fcntl.h>
+#include <opencv2/core.hpp>
 #include <unistd.h>
 
 #include <chrono>
@@ -87,6 +89,10 @@ class FileAnalysis {
             return analyse();
         } catch (const MediaError& error) {
             return record_after(error);
+        } catch (const cv::Exception& error) {  // its words mean nothing to an operator
+            log::debug("not analysed: {}", error.what());
+            return record_without_shots(
+                {MediaState::failed, "pictures of this size or shape cannot be analysed"});
         } catch (const std::bad_alloc&) {
             return record_without_shots({MediaState::failed, fmt::format("it needs more memory than {} MiB",
                                                                          file_.settings().analyzer.memory)});

@@ -120,7 +120,7 @@ SearchSpace search_space(std::span<const SalientFrame> frames, double duration) 
     for (std::size_t i = 0; i < count; ++i) {
         const SalientFrame& frame = frames[i * frames.size() / count];
         SalientFrame small{.map = {}, .time = frame.time, .global_motion = frame.global_motion * space.scale};
-        cv::resize(frame.map, small.map, {}, space.scale, space.scale, cv::INTER_AREA);
+        cv::resize(frame.map, small.map, scaled_size(frame.map.size(), space.scale), 0, 0, cv::INTER_AREA);
         small.map = excess(small.map);
         space.frames.push_back(std::move(small));
     }

@@ -39,7 +39,7 @@ void sharpen(cv::Mat& map) {
 SaliencyMap barrier_saliency(const cv::Mat& bgr) {
     const double scale = std::min(1.0, working_side / std::max(bgr.cols, bgr.rows));
     cv::Mat small;
-    cv::resize(bgr, small, {}, scale, scale, cv::INTER_AREA);
+    cv::resize(bgr, small, scaled_size(bgr.size(), scale), 0, 0, cv::INTER_AREA);
     const cv::Mat colours = lab(small);
     cv::Mat smooth;
     cv::GaussianBlur(colours, smooth, {0, 0},

@@ -1,5 +1,7 @@
 #include "analyzer/saliency/saliency_map.hpp"
 
+#include <algorithm>
+
 namespace vitrine::analyzer {
 
 SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const SaliencyMap& face,
@@ -14,6 +16,10 @@ SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const 
     add(image, weights.image);
     add(face, weights.face);
     return sum;
+}
+
+cv::Size scaled_size(cv::Size size, double scale) {
+    return {std::max(1, cvRound(size.width * scale)), std::max(1, cvRound(size.height * scale))};
 }
 
 }  // namespace vitrine::analyzer

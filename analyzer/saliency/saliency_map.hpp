@@ -23,4 +23,7 @@ struct SaliencyWeights {
 SaliencyMap combined(const SaliencyMap& motion, const SaliencyMap& image, const SaliencyMap& face,
                      const SaliencyWeights& weights);
 
+/// A size times a scale, at least 1 x 1 px.
+cv::Size scaled_size(cv::Size size, double scale);
+
 }  // namespace vitrine::analyzer

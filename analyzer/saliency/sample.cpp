@@ -32,6 +32,7 @@ cv::Mat grey(const cv::Mat& bgr) {
 
 /// The motion that most of the salient part agrees on.
 Vec2 motion_of_salient(const FlowField& flow, const SaliencyMap& saliency) {
+    if (flow.vectors.empty()) return {};  // the picture is too narrow for any
     cv::Mat by_cell;
     cv::resize(saliency, by_cell, flow.grid, 0, 0, cv::INTER_AREA);
     const double mean = cv::mean(by_cell)[0];

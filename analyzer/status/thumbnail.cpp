@@ -78,7 +78,9 @@ void Thumbnail::add_frame(const FilmFrame& frame) {
     const int side = std::max(frame.picture.cols, frame.picture.rows);
     const double scale = std::min(1.0, static_cast<double>(max_side) / side);
     FilmFrame small{.picture = {}, .time = frame.time};
-    cv::resize(frame.picture, small.picture, {}, scale, scale, cv::INTER_AREA);
+    const cv::Size size(std::max(1, cvRound(frame.picture.cols * scale)),
+                        std::max(1, cvRound(frame.picture.rows * scale)));
+    cv::resize(frame.picture, small.picture, size, 0, 0, cv::INTER_AREA);
     frames_.push_back(std::move(small));
 }
 

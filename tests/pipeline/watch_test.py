@@ -252,6 +252,16 @@ class Watch(WatchedFolder):
             self.assertEqual(times, before)
             self.times = times
 
+    def test_films_of_any_shape_are_ready(self):
+        for size in ("1920x150", "64x2160", "4096x16", "16x16", "2x2"):
+            with self.subTest(size):
+                film = self.root / f"{size}.avi"
+                subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration=0.5",
+                                "-pix_fmt", "yuvj420p", "-c:v", "mjpeg", str(film)], check=True)
+                done = subprocess.run([ANALYZER, *self.settings(), "analyze", str(film)], capture_output=True, text=True, check=True)
+                record = json.loads(done.stdout)
+                self.assertEqual((record["state"], f"{record['width']}x{record['height']}"), ("ready", size), record["reason"])
+
     def test_one_record_of_a_file_inside_or_outside_of_the_folder(self):
         (self.root / "in.png").write_bytes(png(64))
         outside = Path(self.folder.name) / "out.png"
