@@ -21,6 +21,13 @@ std::string why_offline(const MediaFolder& folder, bool is_suspiciously_empty) {
                                          : fmt::format("cannot be reached: {}", std::strerror(error));
 }
 
+/// True where another file system stands in the place of the one that held the files: what is missing in it
+/// says nothing about them before the next rescan.
+/// @param device  where files were last seen
+bool is_elsewhere(const MediaFolder& folder, const std::optional<std::uint64_t>& device) {
+    return device && folder.device() != device;
+}
+
 }  // namespace
 
 void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
@@ -128,7 +135,8 @@ void FolderFollower::look_at_changed(const Changes& changes, Schedule::Time now)
     std::vector<MediaFolder::File> there;
     for (const std::string& path : changes.files) {
         MediaFolder::LookResult look = folder_.look_at(path);
-        if (look.presence == MediaFolder::Presence::gone) schedule_.lose_file(path, now);
+        if (look.presence == MediaFolder::Presence::gone && !is_elsewhere(folder_, device_))
+            schedule_.lose_file(path, now);
         if (look.presence == MediaFolder::Presence::there) there.push_back(std::move(look.file));
     }
     for (const MediaFolder::File& file : there)
@@ -161,7 +169,7 @@ void FolderFollower::lose_missing(const std::vector<std::string>& missing, Sched
         if (look.presence == MediaFolder::Presence::gone) lost.push_back(path);
         if (look.presence == MediaFolder::Presence::there) see_file(look.file, now);
     }
-    if (device_ && folder_.device() != device_) return;
+    if (is_elsewhere(folder_, device_)) return;
     for (const std::string& path : lost)
         schedule_.lose_file(path, now);
 }
