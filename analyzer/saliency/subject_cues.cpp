@@ -121,7 +121,7 @@ cv::Mat nearness_of_colours(const cv::Mat& lab) {
 SubjectCues subject_cues(const cv::Mat& bgr) {
     const double longest = std::max(bgr.cols, bgr.rows);
     const double scale = std::min(1.0, working_side / longest);
-    const cv::Size size(std::max(1, cvRound(bgr.cols * scale)), std::max(1, cvRound(bgr.rows * scale)));
+    const cv::Size size = scaled_size(bgr.size(), scale);
     cv::Mat small;
     cv::resize(bgr, small, size, 0, 0, cv::INTER_AREA);
     const cv::Mat colours = lab(small);

@@ -1,5 +1,6 @@
 #include "analyzer/watch/analysis_outcome.hpp"
 
+#include "analyzer/watch/fault_record.hpp"
 #include "base/state/record_json.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ std::string signal_in_words(int number) {
     switch (number) {
     case SIGSEGV:
     case SIGBUS:
-        return "it read memory that is not its own";
+        return "it used memory that is not its own";
     case SIGXCPU:
         return "it took too much processor time";
     default:
@@ -140,7 +141,7 @@ std::optional<MediaRecord> growth_of(const std::string& line, const std::string&
 std::optional<MediaRecord> kept_record(std::optional<MediaRecord> known, const AnalysisOutcome& outcome) {
     const MediaRecord& judged = outcome.record;
     if (!outcome.ran_out || !known || known->shots.empty() || known->state != MediaState::ready ||
-        known->bytes != judged.bytes || known->mtime_ns != judged.mtime_ns)
+        !is_same_content(*known, judged))
         return std::nullopt;
     known->is_complete = true;
     known->reason = fmt::format("not shown to its end: {}", judged.reason);
@@ -165,7 +166,7 @@ AnalysisOutcome outcome_of(const ChildResult& result, const ChildLimits& limits,
         return {.answer = answer, .record = std::move(record)};
     } catch (const std::runtime_error& error) {  // loading one record
         return postponed(path, facts, FaultOwner::program,
-                         fmt::format("the reader's answer makes no sense: {}", error.what()));
+                         fmt::format("the reader's answer is invalid: {}", error.what()));
     }
 }
 

@@ -7,7 +7,7 @@ Attempts::Next Attempts::postpone(const Pace& pace) {
     return {.verdict = Verdict::postpone, .retry_after = pace.retry_after(postponements_)};
 }
 
-/// Nothing is final that one bad minute of a share or of the machine could have caused.
+/// One bad minute of a share or of the machine never leads to a final verdict.
 Attempts::Next Attempts::note_answer(Answer answer, const Circumstances& circumstances, const Pace& pace) {
     using std::chrono::milliseconds;
     switch (answer) {
@@ -16,6 +16,7 @@ Attempts::Next Attempts::note_answer(Answer answer, const Circumstances& circums
     case Answer::died:
         if (++deaths_ < pace.deaths) return {.verdict = Verdict::retry, .retry_after = milliseconds(0)};
         if (circumstances.have_others_died) return postpone(pace);
+        *this = {};  // after the quarantine the content has two tries again
         return {.verdict = Verdict::quarantine, .retry_after = {}};
     case Answer::waiting:
         postponements_ = 0;

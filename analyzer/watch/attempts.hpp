@@ -29,7 +29,7 @@ enum class Verdict {
 /// The analyses of one content so far, and what follows from the next one. Pure.
 class Attempts {
   public:
-    /// What follows from an answer.
+    /// The consequence of an answer.
     struct Next {
         Verdict verdict = Verdict::store;
         std::optional<std::chrono::milliseconds> retry_after;  // nothing: the analysis is done

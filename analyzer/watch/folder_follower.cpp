@@ -47,7 +47,7 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     compare(listing, "", now);
     remarks_ = listing.remarks;
     if (unwatched_ > 0)
-        remarks_.push_back(fmt::format("{} folders are only looked at now and then: {}", unwatched_,
+        remarks_.push_back(fmt::format("{} folders are not watched, only read now and then: {}", unwatched_,
                                        unwatched_because_ == ENOSPC ? "fs.inotify.max_user_watches is too low"
                                                                     : std::strerror(unwatched_because_)));
 }

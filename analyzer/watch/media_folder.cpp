@@ -127,7 +127,7 @@ struct Walk {
         if (!S_ISREG(status.st_mode)) return;
         if (listing.files.size() >= MediaFolder::max_files) {
             if (!std::exchange(is_full_told, true))
-                listing.remarks.push_back(fmt::format("'{}': more files than are looked at", path));
+                listing.remarks.push_back(fmt::format("'{}': too many files; the rest is ignored", path));
             return;
         }
         listing.files.push_back(to_file(path, status, parent, name));

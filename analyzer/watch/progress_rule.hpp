@@ -4,7 +4,7 @@
 
 namespace vitrine::analyzer {
 
-/// How long a child may go on without progress.
+/// The time for which a child may go on without progress.
 struct Patience {
     std::chrono::milliseconds computing{120'000};  // processor time
     std::chrono::milliseconds idling{120'000};     // time in which it computes next to nothing

@@ -77,7 +77,7 @@ constexpr heif_reader photo_reader{
                                                                  : heif_reader_grow_status_size_beyond_eof;
         }};
 
-// Divides colours that were multiplied by their alpha by it again.
+// Reverses the multiplication of colours by their alpha.
 void straighten(std::uint8_t* row, int width) {
     for (int x = 0; x < width; ++x, row += 4)
         for (int i = 0; i < 3 && row[3] > 0; ++i)

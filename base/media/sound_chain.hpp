@@ -12,8 +12,8 @@ namespace vitrine {
 ///
 ///     filesrc ! demuxer ! parser ! decoder ! tail
 ///
-/// As in a DecodeChain, a file reaches only the elements of the table of decoders. The caller may use the
-/// pipeline freely. Its errors arrive as messages; a film without sound is one of them.
+/// A file reaches only the elements of the table of decoders, like that of a DecodeChain. The caller may use
+/// the pipeline freely. Its errors arrive as messages; a film without sound is one of them.
 class SoundChain {
   public:
     enum class Form {

@@ -96,8 +96,8 @@ VipsPtr<VipsSource> open_source(PhotoFile& file) {
     return VipsPtr<VipsSource>(VIPS_SOURCE(source));
 }
 
-// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It is read once, from the
-// top down.
+// Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It can be read once, from
+// the top down.
 VipsPtr<VipsImage> open_picture(PhotoFile& file, MediaFormat format, int shrink = 1) {
     const VipsPtr<VipsSource> source = open_source(file);
     VipsSource* from = source.get();
@@ -134,7 +134,7 @@ int decoder_shrink(const StillInfo& info, int max_width, int max_height) {
     return shrink;
 }
 
-// The upright size by the header, of a format that libvips reads.
+// The upright size from the header, for the formats that libvips reads.
 StillInfo header_size(PhotoFile& file, MediaFormat format) {
     const VipsPtr<VipsImage> image = open_picture(file, format);
     StillInfo info{.width = vips_image_get_width(image.get()), .height = vips_image_get_height(image.get())};

@@ -54,7 +54,7 @@ struct Suspicion {
 
 using Blame = std::map<ContentName, Suspicion>;
 
-/// How long a quarantine lasts.
+/// The duration of a quarantine.
 /// @param quarantines  quarantines of this content so far, with this one
 std::chrono::seconds quarantine_time(int quarantines);
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr int max_tails = 64;  // twice as many folders as lie within each other in a media folder
 
-// True: the name is written as programs of another machine write it.
+// True: the name has the form that programs on another machine use.
 bool is_of_a_share(const std::string& given) {
     const bool has_drive =
         given.size() > 2 && std::isalpha(static_cast<unsigned char>(given[0])) != 0 && given[1] == ':';

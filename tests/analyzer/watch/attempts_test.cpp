@@ -37,6 +37,7 @@ TEST_CASE("a second crash is the file's fault, unless readers of other files cra
     CHECK(verdict(attempts, Answer::died, {.have_others_died = true}) == Verdict::postpone);
     CHECK(verdict(attempts, Answer::died, {.have_others_died = true}) == Verdict::postpone);
     CHECK(verdict(attempts, Answer::died) == Verdict::quarantine);
+    CHECK(verdict(attempts, Answer::died) == Verdict::retry);  // after the quarantine
 }
 
 TEST_CASE("a file on a share is damaged only when it is so twice, one on a disk at once") {
