@@ -219,35 +219,13 @@ FileExtent tiff_extent(const FileBytes& file) {
     return extent;
 }
 
-// ASF: one object of the header holds the length of the file, except in a live recording.
-FileExtent asf_extent(const FileBytes& file) {
-    FileExtent extent{.present = file.size()};
-    constexpr std::array<std::uint8_t, 16> properties{0xa1, 0xdc, 0xab, 0x8c, 0x47, 0xa9, 0xcf, 0x11,
-                                                      0x8e, 0xe4, 0x00, 0xc0, 0x0c, 0x20, 0x53, 0x65};
-    std::uint64_t offset = 30;  // after the header's own head
-    for (int object = 0; object < 64; ++object) {
-        const auto head = file.at<24>(offset);
-        if (!head) return extent;
-        if (std::equal(properties.begin(), properties.end(), head->begin())) {
-            const auto sizes = file.at<92>(offset);
-            const bool is_live = sizes && ((*sizes)[88] & 1) != 0;
-            if (sizes && !is_live) extent.declared = std::min(little_endian(*sizes, 40, 8), unlimited);
-            return extent;
-        }
-        const std::uint64_t size = little_endian(*head, 16, 8);
-        if (size < 24 || size > unlimited) return extent;
-        offset += size;
-    }
-    return extent;
-}
-
 std::string share(std::uint64_t part, std::uint64_t whole) {
     const auto percent = static_cast<int>(100.0 * static_cast<double>(part) / static_cast<double>(whole));
     return percent == 0 ? "less than 1 %" : fmt::format("{} %", percent);
 }
 
 FileExtent extent_of(const FileBytes& file, MediaFormat format) {
-    switch (format) {
+    switch (still_format(format)) {
     case MediaFormat::mp4:
         return iso_extent(file, "moov");
     case MediaFormat::heif:
@@ -263,8 +241,6 @@ FileExtent extent_of(const FileBytes& file, MediaFormat format) {
         return tiff_extent(file);
     case MediaFormat::gif:
         return {.present = file.size(), .declared = gif_end(file)};
-    case MediaFormat::asf:
-        return asf_extent(file);
     default:
         return {.present = file.size()};
     }

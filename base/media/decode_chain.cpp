@@ -1,11 +1,13 @@
 // decodebin and parsebin are not used, because they choose among all plugins of the machine by the file's
 // content, start a thread and a queue for every stream, decode sound that nobody hears, and did not end on
-// some odd files. The video stream of a film needs four elements, and a table of thirty rows lists them.
+// some odd files. The video stream of a film needs four elements, and a table of a dozen rows lists them.
 
 #include "base/media/decode_chain.hpp"
 
+#include "base/media/animation_source.hpp"
 #include "base/media/decoder_table.hpp"
 #include "base/media/film_elements.hpp"
+#include "base/media/film_size.hpp"
 #include "base/system/log.hpp"
 #include "base/system/stall.hpp"
 
@@ -13,8 +15,10 @@
 #include <gst/pbutils/pbutils.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <string_view>
+#include <utility>
 
 namespace vitrine {
 
@@ -25,6 +29,7 @@ struct DecodeChain::Links {
     DecodeOptions options;
     bool linked = false;
     bool has_sound = false;
+    bool has_secret = false;
     std::string unknown_codec;
 
     static void pad_added(GstElement* demuxer, GstPad* pad, gpointer self);
@@ -36,6 +41,7 @@ struct DecodeChain::Links {
 
 namespace {
 
+constexpr const char* encrypted = "the film is encrypted; bring a copy without protection";
 constexpr const char* not_linkable = "the film is damaged: its pictures cannot be decoded";
 
 constexpr std::chrono::seconds max_stall{20};
@@ -65,10 +71,11 @@ MediaError in_plain_words(const GError* error) {
     if (error->domain != GST_STREAM_ERROR) return {MediaState::failed, "the film cannot be played"};
     switch (error->code) {
     case GST_STREAM_ERROR_CODEC_NOT_FOUND:
-        return {MediaState::unsupported, "the film's picture is coded in a way that is not decoded here"};
+        return {MediaState::unsupported, "the film's picture is coded in a way that is not decoded here; "
+                                         "H.264 in MP4 plays everywhere"};
     case GST_STREAM_ERROR_DECRYPT:
     case GST_STREAM_ERROR_DECRYPT_NOKEY:
-        return {MediaState::unsupported, "the film is encrypted"};
+        return {MediaState::unsupported, encrypted};
     case GST_STREAM_ERROR_DECODE:
     case GST_STREAM_ERROR_FORMAT:
         return {MediaState::failed, "the film is damaged: its pictures cannot be decoded"};
@@ -88,9 +95,36 @@ void limit_threads(GstElement* decoder, int threads) {
             g_object_set(decoder, property, threads, nullptr);
 }
 
+void limit_pictures_at(GstElement* element) {
+    const GstPtr<GstPad> sink(gst_element_get_static_pad(element, "sink"));
+    limit_picture_size(sink.get(), own_words);
+}
+
+/// Names of codecs that GStreamer calls by their mark in the container.
+constexpr std::array<std::pair<std::string_view, const char*>, 9> codecs_by_mark{{{"dav1", "Dolby Vision"},
+                                                                                  {"dvh1", "Dolby Vision"},
+                                                                                  {"dvhe", "Dolby Vision"},
+                                                                                  {"dva1", "Dolby Vision"},
+                                                                                  {"vvc1", "H.266"},
+                                                                                  {"vvi1", "H.266"},
+                                                                                  {"AVdh", "DNxHR"},
+                                                                                  {"AVdn", "DNxHD"},
+                                                                                  {"CFHD", "CineForm"}}};
+
 std::string codec_name(const GstCaps* caps) {
-    const GstPtr<gchar> name(gst_pb_utils_get_codec_description(caps));
-    return name ? name.get() : "unknown";
+    const GstPtr<gchar> description(gst_pb_utils_get_codec_description(caps));
+    std::string_view name = description ? description.get() : "an unknown codec";
+    for (const auto& [mark, codec] : codecs_by_mark)
+        if (name.ends_with(mark)) return codec;
+    constexpr std::string_view before_mark = "video/x-gst-fourcc-";
+    if (name.starts_with(before_mark)) name.remove_prefix(before_mark.size());
+    return std::string(name);
+}
+
+/// The caps of a stream that is encrypted, in MP4 and in WebM.
+bool is_encrypted(std::string_view caps_name) {
+    return caps_name == "application/x-cenc" || caps_name == "application/x-cbcs" ||
+           caps_name == "application/x-webm-enc";
 }
 
 }  // namespace
@@ -113,6 +147,7 @@ void DecodeChain::Links::add_stream(GstElement* demuxer, GstPad* pad) {
     if (linked || !caps) return;
     const std::string_view name = gst_structure_get_name(gst_caps_get_structure(caps.get(), 0));
     if (name.starts_with("audio/")) has_sound = true;
+    if (is_encrypted(name)) has_secret = true;
     if (!name.starts_with("video/") && !name.starts_with("image/")) return;
     const auto row = decoder_for(caps.get());
     if (!row) {
@@ -131,7 +166,10 @@ void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
         const auto other = options.instead.find(factory);
         GstElement* element =
             add_element(bin, other == options.instead.end() ? factory : other->second.c_str());
-        if (factory == row.decoder) limit_threads(element, options.max_threads);
+        if (factory == row.decoder) {
+            limit_threads(element, options.max_threads);
+            limit_pictures_at(element);
+        }
         if (!gst_element_link(element, last) || !gst_element_sync_state_with_parent(element)) return;
         last = element;
     }
@@ -141,7 +179,10 @@ void DecodeChain::Links::link_decoder(GstPad* pad, const DecoderRow& row) {
 
 std::string DecodeChain::Links::why_nothing() const {
     if (!unknown_codec.empty())
-        return fmt::format("the film's picture is coded as {}, which is not decoded here", unknown_codec);
+        return fmt::format(
+            "the film's picture is coded as {}, which is not decoded here; H.264 in MP4 plays everywhere",
+            unknown_codec);
+    if (has_secret) return encrypted;
     return has_sound ? "the file holds only sound" : "the file holds no video stream";
 }
 
@@ -158,11 +199,21 @@ DecodeChain::DecodeChain(const std::string& path, GstPtr<GstElement> tail, Decod
     if (!gst_element_link(deinterlace, tail_.get()))
         throw std::runtime_error(
             "the tail of a decode chain cannot be linked: it needs a pad 'sink' for raw video");
+    limit_pictures_at(deinterlace);  // some decoders alone know the size of their pictures
     links_->bin = bin;
     links_->deinterlace = deinterlace;
     links_->options = std::move(options);
+    if (begin.demuxer == nullptr) {
+        link_animation(path);
+        return;
+    }
     g_signal_connect(begin.demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
     g_signal_connect(begin.demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
+}
+
+void DecodeChain::link_animation(const std::string& path) {
+    GstElement* const source = add_animation_source(links_->bin, path, format_, own_words);
+    if (!gst_element_link(source, links_->deinterlace)) throw std::runtime_error(not_linkable);
 }
 
 /// A thread that hangs in a decoder cannot be ended. Its pipeline is left to it, with all that it uses, so
@@ -222,8 +273,9 @@ MediaError media_error(GstMessage* message) {
         log::debug("film not read: {}", raw->message);
         return in_plain_words(raw);
     }
-    const bool is_unknown = g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_CODEC_NOT_FOUND);
-    return {is_unknown ? MediaState::unsupported : MediaState::failed, raw->message};
+    const bool is_unsupported = g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_CODEC_NOT_FOUND) ||
+                                g_error_matches(raw, GST_STREAM_ERROR, GST_STREAM_ERROR_NOT_IMPLEMENTED);
+    return {is_unsupported ? MediaState::unsupported : MediaState::failed, raw->message};
 }
 
 }  // namespace vitrine

@@ -24,10 +24,12 @@ struct DecodeOptions {
 ///     filesrc ! demuxer ! parser ! decoder ! deinterlace ! tail
 ///
 /// The content of the file selects the demuxer; a table selects the parser and the decoder. So no file
-/// reaches another plugin of the machine. Sound, subtitles and further video streams are not decoded.
-/// `deinterlace` does not change progressive pictures. The decoder's pictures arrive in the tail as they are
-/// coded: in any raw format, with the pixel aspect ratio in the caps and the rotation as the tag
-/// image-orientation (videoflip video-direction=auto obeys it).
+/// reaches another plugin of the machine. The pictures of an animation come from libvips (animation_source)
+/// instead of the first four elements. A film with a picture beyond the limits of film_size.hpp fails
+/// there, before the picture is decoded where its stream or its header tells the size. Sound, subtitles and
+/// further video streams are not decoded. `deinterlace` does not change progressive pictures. The decoder's
+/// pictures arrive in the tail as they are coded: in any raw format, with the pixel aspect ratio in the caps
+/// and the rotation as the tag image-orientation (videoflip video-direction=auto obeys it).
 ///
 /// The pipeline is a plain GstPipeline. The caller may seek (also with SEGMENT), set its state and read its
 /// bus. To decode ahead, begin the tail with a queue; without one, all elements run in a single thread.
@@ -69,6 +71,7 @@ class DecodeChain {
   private:
     struct Links;
 
+    void link_animation(const std::string& path);
     MediaError stuck(const char* reason);
 
     MediaFormat format_{};

@@ -4,6 +4,8 @@
 #include "base/media/media_type.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -20,7 +22,14 @@ std::optional<DecoderRow> decoder_for(const GstCaps* stream);
 /// The decoder of a coded sound stream. None: it is not decoded here.
 std::optional<DecoderRow> sound_decoder_for(const GstCaps* stream);
 
-/// The name of the demuxer element for a film's container.
+/// Loads the plugins that decode the pictures of a film, or read its sound without decoding it, so that it
+/// can be read in a sandbox. GStreamer must have been started.
+void load_decoders(MediaFormat container);
+
+/// The name of the demuxer element for a film's container. An animation has none: libvips reads it.
 const char* demuxer_for(MediaFormat container);
+
+/// The names of all elements that films of any kind need, to load them ahead. Some may not be installed.
+std::vector<std::string> decoding_elements();
 
 }  // namespace vitrine

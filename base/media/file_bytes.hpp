@@ -45,13 +45,6 @@ class FileBytes {
         return bytes;
     }
 
-    /// The last bytes of the file, at most max_bytes.
-    std::string tail(std::size_t max_bytes) const {
-        std::string bytes(std::min<std::uint64_t>(max_bytes, size_), '\0');
-        bytes.resize(read(size_ - bytes.size(), std::as_writable_bytes(std::span(bytes))));
-        return bytes;
-    }
-
     /// Fills `to` with the bytes from `offset` on.
     /// @return how many there are; fewer than `to` holds only at the end of the file
     std::size_t read(std::uint64_t offset, std::span<std::byte> to) const {

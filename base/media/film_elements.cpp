@@ -14,6 +14,7 @@ FilmBegin begin_film(const std::string& path) {
     start_gstreamer();
     begin.pipeline.reset(gst_pipeline_new(nullptr));
     gst_object_ref_sink(begin.pipeline.get());
+    if (is_animation(begin.format)) return begin;
     GstBin* const bin = GST_BIN(begin.pipeline.get());
     GstElement* const source = add_element(bin, "filesrc");
     g_object_set(source, "location", path.c_str(), nullptr);

@@ -11,10 +11,11 @@ namespace vitrine {
 
 // The common parts of DecodeChain, for a film's pictures, and SoundChain, for its sound.
 
-/// A new pipeline with the film's file and its demuxer. A chain adds the elements after the demuxer.
+/// A new pipeline with the film's file and its demuxer. A chain adds the elements after the demuxer. For an
+/// animation the pipeline is empty.
 struct FilmBegin {
     GstPtr<GstElement> pipeline;
-    GstElement* demuxer = nullptr;  // held by the pipeline
+    GstElement* demuxer = nullptr;  // held by the pipeline; none: an animation
     MediaFormat format{};
 };
 

@@ -1,5 +1,8 @@
 #include "base/media/gif_extent.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace vitrine {
 
 namespace {
@@ -24,27 +27,43 @@ std::uint64_t behind_parts(const FileBytes& file, std::uint64_t offset) {
     return offset;
 }
 
-}  // namespace
+struct GifWalk {
+    int pictures = 0;
+    std::uint64_t end = 0;  // the byte after the last block that was walked over; 0: the file is no GIF there
+};
 
-std::uint64_t gif_end(const FileBytes& file) {
+/// Walks over a GIF's blocks. @param most  pictures at which the walk ends
+GifWalk walked(const FileBytes& file, int most) {
     constexpr std::uint8_t extension = 0x21, picture = 0x2c, end = 0x3b;
+    int pictures = 0;
     const auto head = file.at<13>(0);
-    if (!head) return 13;
+    if (!head) return {.pictures = 0, .end = 13};
     std::uint64_t offset = 13 + table_bytes((*head)[10]);
     for (int block = 0; block < max_parts; ++block) {
         const auto kind = file.at<1>(offset);
-        if (!kind) return offset;  // no end mark: some writers leave it out
-        if ((*kind)[0] == end) return offset + 1;
+        if (!kind) return {pictures, offset};  // no end mark: some writers leave it out
+        if ((*kind)[0] == end) return {pictures, offset + 1};
         if ((*kind)[0] == extension) {
             offset = behind_parts(file, offset + 2);
         } else if ((*kind)[0] == picture) {
+            if (++pictures >= most) return {pictures, offset};
             const auto flags = file.at<1>(offset + 9);
             offset = behind_parts(file, offset + 11 + (flags ? table_bytes((*flags)[0]) : 0));
         } else {
-            return 0;
+            return {pictures, 0};
         }
     }
-    return 0;
+    return {pictures, 0};
+}
+
+}  // namespace
+
+int gif_pictures(const FileBytes& file, int most) {
+    return walked(file, most).pictures;
+}
+
+std::uint64_t gif_end(const FileBytes& file) {
+    return walked(file, std::numeric_limits<int>::max()).end;
 }
 
 }  // namespace vitrine

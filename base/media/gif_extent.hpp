@@ -6,7 +6,10 @@
 
 namespace vitrine {
 
-/// The byte after the last picture of a GIF, also of an animated one, whose first picture only is shown.
+/// The number of pictures of a GIF, as far as they are there. @param most  where the counting ends
+int gif_pictures(const FileBytes& file, int most);
+
+/// The byte after the last picture of a GIF.
 /// @return  beyond the file's end if a picture is cut off; 0 if the file is no GIF up to its end
 std::uint64_t gif_end(const FileBytes& file);
 

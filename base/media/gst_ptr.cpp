@@ -1,5 +1,7 @@
 #include "base/media/gst_ptr.hpp"
 
+#include "base/system/log.hpp"
+
 #include <fmt/format.h>
 
 #include <mutex>
@@ -7,9 +9,20 @@
 
 namespace vitrine {
 
+namespace {
+
+/// A library that has run out of descriptors says so thousands of times, in words that no operator
+/// understands.
+void log_for_library(const gchar* domain, GLogLevelFlags, const gchar* text, gpointer) {
+    log::debug("{}: {}", domain ? domain : "a library", text ? text : "");
+}
+
+}  // namespace
+
 void start_gstreamer() {
     static std::once_flag once;
     std::call_once(once, [] {
+        g_log_set_default_handler(&log_for_library, nullptr);
         GError* error = nullptr;
         const bool started = gst_init_check(nullptr, nullptr, &error) != FALSE;
         const GstPtr<GError> owned(error);
@@ -25,6 +38,14 @@ GstPtr<GstElement> make_element(const char* factory) {
         throw std::runtime_error(fmt::format("the GStreamer element '{}' is not installed", factory));
     gst_object_ref_sink(element);
     return GstPtr<GstElement>(element);
+}
+
+void load_element(const char* factory) {
+    GstElementFactory* found = gst_element_factory_find(factory);
+    if (!found) return;
+    GstPluginFeature* loaded = gst_plugin_feature_load(GST_PLUGIN_FEATURE(found));
+    if (loaded) gst_object_unref(loaded);
+    gst_object_unref(found);
 }
 
 GstPtr<GstElement> make_bin(const char* description) {

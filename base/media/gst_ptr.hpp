@@ -33,12 +33,17 @@ struct GstUnref {
 /// The only owner of one reference.
 template <typename T> using GstPtr = std::unique_ptr<T, GstUnref>;
 
-/// Loads GStreamer once in a process. Call it before any other function of GStreamer. Thread-safe.
+/// Loads GStreamer once in a process. Call it before any other function of GStreamer. Thread-safe. From then
+/// on the complaints of all libraries of GLib are debug lines of the log.
 /// @throws std::runtime_error if GStreamer cannot start
 void start_gstreamer();
 
 /// Makes an element, no longer floating. @throws std::runtime_error if the plugin is not installed
 GstPtr<GstElement> make_element(const char* factory);
+
+/// Loads the plugin of an element, so that the element can be made later in a sandbox. A plugin that is not
+/// installed is passed over: the element cannot be made then.
+void load_element(const char* factory);
 
 /// Makes a bin from a pipeline description in the syntax of gst-launch. Its open ends are the pads "sink" and
 /// "src".

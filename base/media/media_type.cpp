@@ -1,5 +1,6 @@
 #include "base/media/media_type.hpp"
 
+#include "base/media/animation_marks.hpp"
 #include "base/state/media_error.hpp"
 #include "base/system/unique_fd.hpp"
 
@@ -42,22 +43,12 @@ struct Magic {
 };
 
 constexpr std::array magics{
-    Magic{0, "\xff\xd8\xff"sv, MediaFormat::jpeg},
-    Magic{0, "\x89PNG\r\n\x1a\n"sv, MediaFormat::png},
-    Magic{8, "WEBPVP8"sv, MediaFormat::webp},
-    Magic{0, "GIF87a"sv, MediaFormat::gif},
-    Magic{0, "GIF89a"sv, MediaFormat::gif},
-    Magic{0, "II*\0"sv, MediaFormat::tiff},
-    Magic{0, "MM\0*"sv, MediaFormat::tiff},
-    Magic{0, "II+\0"sv, MediaFormat::tiff},  // BigTIFF
-    Magic{0, "MM\0+"sv, MediaFormat::tiff},
-    Magic{0, "\x1a\x45\xdf\xa3"sv, MediaFormat::matroska},
+    Magic{0, "\xff\xd8\xff"sv, MediaFormat::jpeg}, Magic{0, "\x89PNG\r\n\x1a\n"sv, MediaFormat::png},
+    Magic{8, "WEBPVP8"sv, MediaFormat::webp},      Magic{0, "GIF87a"sv, MediaFormat::gif},
+    Magic{0, "GIF89a"sv, MediaFormat::gif},        Magic{0, "II*\0"sv, MediaFormat::tiff},
+    Magic{0, "MM\0*"sv, MediaFormat::tiff},        Magic{0, "II+\0"sv, MediaFormat::tiff},  // BigTIFF
+    Magic{0, "MM\0+"sv, MediaFormat::tiff},        Magic{0, "\x1a\x45\xdf\xa3"sv, MediaFormat::matroska},
     Magic{8, "AVI LIST"sv, MediaFormat::avi},
-    Magic{0, "\0\0\1\xba"sv, MediaFormat::mpeg_ps},
-    Magic{0, "OggS"sv, MediaFormat::ogg},
-    Magic{0, "FLV\1"sv, MediaFormat::flv},
-    Magic{0, "\x30\x26\xb2\x75\x8e\x66\xcf\x11"sv, MediaFormat::asf},
-    Magic{0, "\x06\x0e\x2b\x34\x02\x05\x01\x01"sv, MediaFormat::mxf},
 };
 
 struct RejectedType {
@@ -87,6 +78,16 @@ constexpr std::array rejected_types{
                  "elf",
                  "a program, not a picture or film"},
     RejectedType{"mz", "a program, not a picture or film"},
+    RejectedType{"\0\0\1\xba"sv,
+                 "an MPEG program stream, which is not played; H.264 in MP4 plays everywhere"},
+    RejectedType{"oggs", "an Ogg file, which is not played; H.264 in MP4 plays everywhere"},
+    RejectedType{"flv\1", "a Flash video, which is not played; H.264 in MP4 plays everywhere"},
+    RejectedType{"\x30\x26\xb2\x75\x8e\x66\xcf\x11",
+                 "a Windows Media file, which is not played; H.264 in MP4 plays everywhere"},
+    RejectedType{"\x06\x0e\x2b\x34\x02\x05\x01\x01",
+                 "an MXF file, which is not played; H.264 in MP4 plays everywhere"},
+    RejectedType{"yuv4mpeg2", "a film without a container; H.264 in MP4 plays everywhere"},
+    RejectedType{"dkif", "a bare video stream (IVF); put it into an MP4 or MKV container"},
     RejectedType{"id3", "only sound"},
     RejectedType{"flac", "only sound"},
     RejectedType{"\xff\x0a", "a JPEG XL picture; JPEG XL is not shown"},
@@ -116,9 +117,11 @@ std::optional<MediaFormat> iso_format(std::string_view head) {
     return still ? MediaFormat::heif : MediaFormat::mp4;
 }
 
-// Transport streams have no magic: a sync byte every 188 bytes, or every 192 behind 4 bytes of time stamp.
+// Transport streams have no magic: a sync byte every 188 bytes, or every 192 behind 4 bytes of time stamp. A
+// recording may begin within a packet.
 bool is_transport_stream(std::string_view head) {
     constexpr int packets = 4;
+    constexpr std::size_t packet = 188;
     const auto synced = [&](std::size_t start, std::size_t step) {
         for (int i = 0; i < packets; ++i) {
             const std::size_t at = start + static_cast<std::size_t>(i) * step;
@@ -126,7 +129,9 @@ bool is_transport_stream(std::string_view head) {
         }
         return true;
     };
-    return synced(0, 188) || synced(4, 192);
+    for (std::size_t begin = 0; begin < packet; ++begin)
+        if (synced(begin, packet)) return true;
+    return synced(4, packet + 4);
 }
 
 bool is_bitmap(std::string_view head) {
@@ -178,7 +183,21 @@ std::string read_head(int fd) {
     return head;
 }
 
-/// A format without a row is a container of films.
+/// The format with regard to its pictures: they may be an animation.
+MediaFormat with_animation(const std::string& path, MediaFormat format) {
+    switch (format) {
+    case MediaFormat::gif:
+        return is_animated_gif(FileBytes(path)) ? MediaFormat::animated_gif : format;
+    case MediaFormat::webp:
+        return is_animated_webp(FileBytes(path)) ? MediaFormat::animated_webp : format;
+    case MediaFormat::png:
+        return is_animated_png(FileBytes(path)) ? MediaFormat::animated_png : format;
+    default:
+        return format;
+    }
+}
+
+/// A format without a row is a container of films, or an animation.
 FormatRow row_of(MediaFormat format) {
     const auto row = std::ranges::find(formats, format, &FormatRow::format);
     return row != formats.end() ? *row : FormatRow{.format = format};
@@ -188,6 +207,23 @@ FormatRow row_of(MediaFormat format) {
 
 MediaKind kind_of(MediaFormat format) {
     return row_of(format).kind;
+}
+
+bool is_animation(MediaFormat format) {
+    return still_format(format) != format;
+}
+
+MediaFormat still_format(MediaFormat format) {
+    switch (format) {
+    case MediaFormat::animated_gif:
+        return MediaFormat::gif;
+    case MediaFormat::animated_webp:
+        return MediaFormat::webp;
+    case MediaFormat::animated_png:
+        return MediaFormat::png;
+    default:
+        return format;
+    }
 }
 
 bool is_fast_to_decode(MediaFormat format) {
@@ -218,7 +254,7 @@ MediaFormat media_format(const std::string& path) {
     if (::fstat(fd.get(), &status) != 0 || !S_ISREG(status.st_mode))
         throw MediaError(MediaState::unsupported, "this is not a regular file");
     const std::string head = read_head(fd.get());
-    return media_format(std::as_bytes(std::span(head)));
+    return with_animation(path, media_format(std::as_bytes(std::span(head))));
 }
 
 }  // namespace vitrine

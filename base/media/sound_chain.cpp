@@ -77,6 +77,10 @@ SoundChain::SoundChain(const std::string& path, GstPtr<GstElement> tail, Form fo
     links_->bin = GST_BIN(pipeline_.get());
     links_->tail = tail_.get();
     links_->form = form;
+    if (begin.demuxer == nullptr) {
+        post_lack(pipeline_.get(), "the film has no sound");
+        return;
+    }
     g_signal_connect(begin.demuxer, "pad-added", G_CALLBACK(Links::pad_added), links_.get());
     g_signal_connect(begin.demuxer, "no-more-pads", G_CALLBACK(Links::no_more_pads), links_.get());
 }

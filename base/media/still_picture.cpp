@@ -1,6 +1,5 @@
 // libvips reads all photo formats but BMP and HEIF. It shrinks a photo while it decodes it, so that a hundred
-// megapixels cost as much as their thumbnail. Files are passed as sources, never by name, because libvips and
-// its loaders find options, patterns and protocols in names.
+// megapixels cost as much as their thumbnail.
 
 #include "base/media/still_picture.hpp"
 
@@ -10,6 +9,7 @@
 #include "base/media/media_type.hpp"
 #include "base/media/photo_file.hpp"
 #include "base/media/picture_failure.hpp"
+#include "base/media/vips_steps.hpp"
 #include "base/state/media_error.hpp"
 
 #include <fmt/format.h>
@@ -28,73 +28,6 @@
 namespace vitrine {
 
 namespace {
-
-struct VipsUnref {
-    void operator()(VipsImage* image) const { g_object_unref(image); }
-
-    void operator()(VipsSource* source) const { g_object_unref(source); }
-
-    void operator()(VipsTarget* target) const { g_object_unref(target); }
-};
-
-template <typename T> using VipsPtr = std::unique_ptr<T, VipsUnref>;
-
-void start_vips() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        init_vips();
-        vips_block_untrusted_set(TRUE);  // only loaders that are fuzzed: no SVG, PDF, ImageMagick
-        vips_cache_set_max(0);           // no file is read twice
-        vips_concurrency_set(1);
-        g_log_set_handler(
-            "VIPS", static_cast<GLogLevelFlags>(G_LOG_LEVEL_WARNING | G_LOG_LEVEL_INFO),
-            [](const gchar*, GLogLevelFlags, const gchar*, gpointer) {}, nullptr);
-    });
-}
-
-// The libraries' texts for a JPEG or GIF that ends too soon. Other formats declare their length
-// (completeness.hpp). "Premature end of data segment" means damage.
-constexpr std::array signs_of_a_cut{"premature end of jpeg", "premature end of input", "unexpected end of",
-                                    "vipssource: end of file"};
-
-MediaError vips_failure() {
-    const std::string said = vips_error_buffer();
-    vips_error_clear();
-    const std::unique_ptr<gchar, void (*)(void*)> lower(g_ascii_strdown(said.c_str(), -1), g_free);
-    const std::string_view words = lower.get();
-    const bool is_cut =
-        std::ranges::any_of(signs_of_a_cut, [&](auto sign) { return words.find(sign) != words.npos; });
-    return picture_failure(is_cut ? PictureFailure::cut_short : PictureFailure::damaged, said);
-}
-
-/// Runs one libvips call. `call` gets the place for its picture and returns 0 for success.
-/// @throws MediaError if the call fails
-template <typename Call> VipsPtr<VipsImage> step(const Call& call) {
-    VipsImage* out = nullptr;
-    const int failed = call(&out);
-    VipsPtr<VipsImage> image(out);
-    if (failed != 0 || !image) throw vips_failure();
-    return image;
-}
-
-gint64 read_photo(VipsSourceCustom* /*source*/, void* to, gint64 length, gpointer file) {
-    return static_cast<PhotoFile*>(file)->read(
-        {static_cast<std::byte*>(to), static_cast<std::size_t>(length)});
-}
-
-gint64 seek_photo(VipsSourceCustom* /*source*/, gint64 offset, int whence, gpointer file) {
-    return static_cast<PhotoFile*>(file)->seek(offset, whence);
-}
-
-/// A source that begins at the file's first byte.
-/// @param file  outlives it
-VipsPtr<VipsSource> open_source(PhotoFile& file) {
-    file.seek(0);
-    VipsSourceCustom* const source = vips_source_custom_new();
-    g_signal_connect(source, "read", G_CALLBACK(read_photo), &file);
-    g_signal_connect(source, "seek", G_CALLBACK(seek_photo), &file);
-    return VipsPtr<VipsSource>(VIPS_SOURCE(source));
-}
 
 // Opens a picture, at 1/shrink of its size if the format is then cheaper to decode. It can be read once, from
 // the top down.
@@ -154,32 +87,6 @@ VipsPtr<VipsImage> shrunk(VipsImage* image, int max_width, int max_height) {
     });
 }
 
-// Wraps pixels without a copy; they must outlive the returned picture.
-VipsPtr<VipsImage> lent_image(std::span<const std::byte> pixels, int width, int height, int bands) {
-    VipsPtr<VipsImage> image = step([&](auto** out) {
-        *out =
-            vips_image_new_from_memory(pixels.data(), pixels.size(), width, height, bands, VIPS_FORMAT_UCHAR);
-        return *out ? 0 : -1;
-    });
-    image->Type = VIPS_INTERPRETATION_sRGB;
-    return image;
-}
-
-// Converts any number of bands, depth and colour space to three bands of 8-bit sRGB over the background.
-VipsPtr<VipsImage> opaque(VipsImage* any, Colour background) {
-    VipsPtr<VipsImage> image =
-        step([&](auto** out) { return vips_colourspace(any, out, VIPS_INTERPRETATION_sRGB, nullptr); });
-    image = step([&](auto** out) { return vips_cast_uchar(image.get(), out, nullptr); });
-    if (!vips_image_hasalpha(image.get())) return image;
-    const std::array<double, 3> colour{double(background.red), double(background.green),
-                                       double(background.blue)};
-    const std::unique_ptr<VipsArrayDouble, void (*)(VipsArrayDouble*)> array(
-        vips_array_double_new(colour.data(), 3),
-        [](VipsArrayDouble* owned) { vips_area_unref(VIPS_AREA(owned)); });
-    return step(
-        [&](auto** out) { return vips_flatten(image.get(), out, "background", array.get(), nullptr); });
-}
-
 StillPicture in_memory(VipsImage* any, StillInfo full, Colour background) {
     const VipsPtr<VipsImage> colours = opaque(any, background);
     constexpr int bands = 4;
@@ -198,7 +105,7 @@ StillPicture in_memory(VipsImage* any, StillInfo full, Colour background) {
             .pixels = std::vector<std::byte>(first, first + bytes)};
 }
 
-VipsPtr<VipsImage> lent_image(const HeifPicture& picture) {
+VipsPtr<VipsImage> lent_heif(const HeifPicture& picture) {
     VipsPtr<VipsImage> image = lent_image(picture.pixels, picture.width, picture.height, picture.channels);
     if (!picture.profile.empty())
         vips_image_set_blob_copy(image.get(), VIPS_META_ICC_NAME, picture.profile.data(),
@@ -227,7 +134,7 @@ void save(VipsImage* any, const std::string& to) {
 /// Opens a photo, upright and shrunk, calls `use` with it and its full size, and returns the result.
 template <typename Use>
 auto with_still(const std::string& path, int max_width, int max_height, const Use& use) {
-    const MediaFormat format = media_format(path);
+    const MediaFormat format = still_format(media_format(path));
     require_complete(path, format);
     start_vips();
     vips_error_clear();  // errors of earlier calls
@@ -240,7 +147,7 @@ auto with_still(const std::string& path, int max_width, int max_height, const Us
     }
     if (format == MediaFormat::heif) {
         const HeifPicture all = read_heif(path);
-        return finished(lent_image(all).get(), {.width = all.width, .height = all.height});
+        return finished(lent_heif(all).get(), {.width = all.width, .height = all.height});
     }
     PhotoFile file(path);
     try {
@@ -262,6 +169,19 @@ void init_vips() {
         ::setenv("VIPSHOME", "/var/empty", 1);
         if (vips_init("vitrine") != 0)
             throw std::runtime_error(fmt::format("start libvips: {}", vips_error_buffer()));
+    });
+}
+
+void start_vips() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        init_vips();
+        vips_block_untrusted_set(TRUE);  // only loaders that are fuzzed: no SVG, PDF, ImageMagick
+        vips_cache_set_max(0);           // no file is read twice
+        vips_concurrency_set(1);
+        g_log_set_handler(
+            "VIPS", static_cast<GLogLevelFlags>(G_LOG_LEVEL_WARNING | G_LOG_LEVEL_INFO),
+            [](const gchar*, GLogLevelFlags, const gchar*, gpointer) {}, nullptr);
     });
 }
 

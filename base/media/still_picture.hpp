@@ -10,6 +10,10 @@ namespace vitrine {
 /// @throws std::runtime_error if libvips cannot start
 void init_vips();
 
+/// Starts libvips for reading strangers' files: only with loaders that are fuzzed, without a cache, in one
+/// thread. Thread-safe; calls after the first do nothing. @throws std::runtime_error if libvips cannot start
+void start_vips();
+
 /// Reads a photo, shrunk to at most max_width x max_height, never enlarged. Of an animation or a file with
 /// several pages, reads the first picture. Memory follows the requested size if the format allows it (JPEG,
 /// PNG, TIFF, WebP).

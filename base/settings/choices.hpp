@@ -24,8 +24,16 @@ enum class LayoutOrder {
 
 /// The division of the space between I-Regions (layout.cells).
 enum class CellMethod {
+    taut,     // the exact diagram, whose borders are then pulled taut between the regions
     exact,    // Voronoi diagram of the regions' outlines
     sampled,  // the paper's: Voronoi diagram of points along the outlines
+};
+
+/// The look of the cells' edges (layout.look).
+enum class WallLook {
+    seamless,  // cut edge to edge
+    tiles,     // a thin gutter and round corners
+    soft,      // neighbours fade into each other
 };
 
 /// The kind of wall (layout.mode).

@@ -3,6 +3,7 @@
 #include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -180,21 +181,35 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Screen pixels kept free between the regions of two neighbours."},
     {"layout.cells",
      choice<&S::layout, &S::Layout::cells>(
-         {{{"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}}),
+         {{{"taut", CellMethod::taut}, {"exact", CellMethod::exact}, {"sampled", CellMethod::sampled}}}),
      SettingEffect::new_walls,
-     "Method that divides the space between the regions. \"exact\": the Voronoi diagram of their outlines."
-     " \"sampled\": the paper's method with points along the outlines, for comparison; it may cut into "
+     "Method that divides the space between the regions. \"taut\": the border of two neighbours is the "
+     "shortest way between their regions. \"exact\": the border lies in the middle between the regions, "
+     "which "
+     "is the Voronoi diagram of their outlines. \"sampled\": the paper's method with points along the "
+     "outlines, for comparison; it may cut into "
      "regions."},
     {"layout.sample_pixels", number<&S::layout, &S::Layout::sample_spacing>(2, 200), SettingEffect::new_walls,
      "Screen pixels between two of these points. A larger distance is faster and cuts deeper into regions."},
-    {"layout.gutter_pixels", number<&S::layout, &S::Layout::gutter>(0, 200), SettingEffect::new_walls,
-     "Screen pixels left free between two cells. A gutter never cuts into a region."},
-    {"layout.corner_radius_pixels", number<&S::layout, &S::Layout::corner_radius>(0, 500),
+    {"layout.look",
+     choice<&S::layout, &S::Layout::look>(
+         {{{"seamless", WallLook::seamless}, {"tiles", WallLook::tiles}, {"soft", WallLook::soft}}}),
      SettingEffect::new_walls,
-     "Radius of the rounded corners of the cells, in screen pixels. A corner never cuts into a region."},
-    {"layout.feather_pixels", number<&S::layout, &S::Layout::feather>(1, 200), SettingEffect::new_walls,
-     "Screen pixels over which neighbours fade into each other, fewer where a region is nearer. 1: a clean "
-     "cut."},
+     "Look of the pictures' edges. \"seamless\": pictures are cut edge to edge. \"tiles\": a thin gutter is "
+     "between them, and their corners are round. \"soft\": neighbours fade into each other. The look gives "
+     "the "
+     "next three keys their values where these are -1."},
+    {"layout.gutter_pixels", number<&S::layout, &S::Layout::gutter>(-1, 200), SettingEffect::new_walls,
+     "Screen pixels left free between two cells. A gutter never cuts into a region; regions keep at least so "
+     "far apart. -1: as layout.look has it."},
+    {"layout.corner_radius_pixels", number<&S::layout, &S::Layout::corner_radius>(-1, 500),
+     SettingEffect::new_walls,
+     "Radius of the rounded corners of the cells, in screen pixels. A corner never cuts into a region. "
+     "Where several taut borders meet, corners are round only if there is a gutter. -1: as layout.look has "
+     "it."},
+    {"layout.feather_pixels", number<&S::layout, &S::Layout::feather>(-1, 200), SettingEffect::new_walls,
+     "Screen pixels over which neighbours fade into each other, fewer where a region is nearer. 1 or less: a "
+     "clean cut. -1: as layout.look has it."},
     {"layout.mode", choice<&S::layout, &S::Layout::mode>({{{"fit", WallMode::fit}, {"pan", WallMode::pan}}}),
      SettingEffect::new_walls,
      "\"fit\": all slots are on one screen. \"pan\": the wall is as high as the screen, continues to the "
@@ -222,11 +237,17 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Seconds that a shot keeps its slot while others wait. A film's shot leaves at the end of a loop."},
     {"show.longest_seconds", whole<&S::show, &S::Show::longest>(1, 86400), SettingEffect::new_walls,
      "Seconds after which a film's shot leaves even if its loop has not ended."},
-    {"show.crossfade_milliseconds", whole<&S::show, &S::Show::crossfade>(0, 10000), SettingEffect::new_walls,
-     "Milliseconds of the crossfade at each change of the wall."},
     {"show.motion_milliseconds", whole<&S::show, &S::Show::motion>(0, 10000), SettingEffect::new_walls,
-     "Milliseconds in which the shots that stay move to their new places before a new one fades in. 0: they "
-     "fade too."},
+     "Milliseconds of a change of the wall: shots leave, come and move at the same time. 0: without motion."
+     " However short, at most two changes begin in a second, so that bright and dark pictures do not flash."},
+    {"show.calm", flag<&S::show, &S::Show::calm>(), SettingEffect::new_walls,
+     "true: a calm wall, as museums want it. Shots fade and do not move; at most one change begins in 5 s,"
+     " also when visitors touch the wall. Shots cannot be dragged, layout.mode = \"pan\" is \"fit\", and a"
+     " tapestry moves only with the fingers."},
+    {"show.photo_drift", flag<&S::show, &S::Show::photo_drift>(), SettingEffect::new_walls,
+     "true: a photo whose cell shows more than its region moves very slowly inside the cell, never its region"
+     " out of it. Every frame is then drawn, also where nothing else moves, so a wall of photos takes"
+     " processor time all the while. Without effect on a calm wall and on one that pans."},
     {"show.pan_pixels_per_second", number<&S::show, &S::Show::pan_speed>(1, 2000), SettingEffect::new_walls,
      "Speed of a wall with layout.mode = \"pan\", in screen pixels a second."},
     {"show.background", text<&S::show, &S::Show::background>("a colour like \"#101014\"", is_colour),
@@ -325,6 +346,15 @@ const SettingKey* find_setting_key(std::string_view name) {
     for (const SettingKey& key : keys)
         if (key.name == name) return &key;
     return nullptr;
+}
+
+const RetiredKey* find_retired_key(std::string_view name) {
+    static constexpr std::array retired{
+        RetiredKey{"show.crossfade_milliseconds",
+                   "show.motion_milliseconds is the length of the whole change, its fades too."},
+    };
+    const auto* const found = std::ranges::find(retired, name, &RetiredKey::name);
+    return found == retired.end() ? nullptr : found;
 }
 
 }  // namespace vitrine

@@ -46,4 +46,13 @@ std::span<const SettingKey> setting_keys();
 /// The key of this name; null: there is none.
 const SettingKey* find_setting_key(std::string_view name);
 
+/// A key that an earlier version had. A settings file may still hold it.
+struct RetiredKey {
+    std::string_view name;    // section.key
+    std::string_view advice;  // a sentence: the key that has its part today
+};
+
+/// The retired key of this name; null: there was none.
+const RetiredKey* find_retired_key(std::string_view name);
+
 }  // namespace vitrine

@@ -123,4 +123,14 @@ std::string ChoiceSetting::text(const Settings& settings) const {
     return in_quotes("");
 }
 
+void FlagSetting::assign(Settings& settings, const SettingValue& value) const {
+    const auto* given = std::get_if<bool>(&value);
+    if (given == nullptr) refuse();
+    place(settings) = *given;
+}
+
+std::string FlagSetting::text(const Settings& settings) const {
+    return place(writable(settings)) ? "true" : "false";
+}
+
 }  // namespace vitrine

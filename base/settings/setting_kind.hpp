@@ -94,9 +94,21 @@ struct ChoiceSetting {
     void copy(const Settings& from, Settings& to) const { write(to, read(writable(from))); }
 };
 
-using SettingKind =
-    std::variant<WholeSetting<int>, WholeSetting<std::int64_t>, WholeSetting<std::chrono::seconds>,
-                 WholeSetting<std::chrono::milliseconds>, NumberSetting, TextSetting, ChoiceSetting>;
+/// true or false.
+struct FlagSetting {
+    bool& (*place)(Settings&);
+
+    std::string allowed() const { return "true or false"; }
+
+    void assign(Settings& settings, const SettingValue& value) const;
+    std::string text(const Settings& settings) const;
+
+    void copy(const Settings& from, Settings& to) const { place(to) = place(writable(from)); }
+};
+
+using SettingKind = std::variant<WholeSetting<int>, WholeSetting<std::int64_t>,
+                                 WholeSetting<std::chrono::seconds>, WholeSetting<std::chrono::milliseconds>,
+                                 NumberSetting, TextSetting, ChoiceSetting, FlagSetting>;
 
 // Makers of kinds for a table of keys: whole<&Settings::layout, &Settings::Layout::slots>(1, 64).
 
@@ -114,6 +126,10 @@ constexpr SettingKind whole(std::int64_t min, std::int64_t max, std::int64_t ste
 
 template <auto section, auto field> constexpr SettingKind number(double min, double max) {
     return NumberSetting{&member_of<section, field>, min, max};
+}
+
+template <auto section, auto field> constexpr SettingKind flag() {
+    return FlagSetting{&member_of<section, field>};
 }
 
 /// @param allowed  the allowed values in words

@@ -1,11 +1,14 @@
 #include "base/settings/setting_options.hpp"
 
 #include "base/settings/settings_file.hpp"
+#include "base/system/log.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -36,10 +39,13 @@ void SettingOptions::add_alias(CLI::App& app, const std::string& alias, const st
 
 Settings SettingOptions::settings() const {
     Settings settings;
+    std::vector<std::string> passed_over;
     if (!config_.empty())
-        read_settings_file(config_, settings);
+        passed_over = read_settings_file(config_, settings);
     else if (std::filesystem::exists(installed_file))
-        read_settings_file(installed_file, settings);
+        passed_over = read_settings_file(installed_file, settings);
+    for (const std::string& line : passed_over)
+        log::warning("{}", line);
     for (const auto* options : {&given_, &aliased_})
         for (const auto& [name, given] : *options)
             if (given.option->count() > 0) apply_setting(name, given.text, settings);

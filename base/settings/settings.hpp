@@ -67,11 +67,12 @@ struct Settings {
         LayoutOrder order = LayoutOrder::free;
         double max_enlargement = 1.5;  // canvas px per source px
         double clearance = 2;          // canvas px between two I-Regions
-        CellMethod cells = CellMethod::exact;
+        CellMethod cells = CellMethod::taut;
         double sample_spacing = 10;  // canvas px between sampled sites
-        double gutter = 0;           // canvas px between two cells
-        double corner_radius = 0;    // canvas px
-        double feather = 1;          // canvas px
+        WallLook look = WallLook::seamless;
+        double gutter = -1;         // canvas px between two cells; negative: as the look has it
+        double corner_radius = -1;  // canvas px; negative: as the look has it
+        double feather = -1;        // canvas px; negative: as the look has it
         WallMode mode = WallMode::fit;
         FolderMode folders = FolderMode::flat;
     } layout;
@@ -81,9 +82,10 @@ struct Settings {
         FilmShow film = FilmShow::side_by_side;
         std::chrono::seconds dwell{20};
         std::chrono::seconds longest{60};
-        std::chrono::milliseconds crossfade{700};
-        std::chrono::milliseconds motion{400};
-        double pan_speed = 30;  // canvas px a second
+        std::chrono::milliseconds motion{800};
+        bool calm = false;         // nothing moves, and changes are rare
+        bool photo_drift = false;  // photos move slowly inside their cells
+        double pan_speed = 30;     // canvas px a second
         std::string background = "#101014";
     } show;
 

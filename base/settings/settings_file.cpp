@@ -57,32 +57,40 @@ void read_key(const std::string& name, const std::string& section, const toml::n
 
 }  // namespace
 
-void read_settings(std::string_view toml, const std::string& source, Settings& settings) {
+std::vector<std::string> read_settings(std::string_view toml, const std::string& source, Settings& settings) {
     toml::table root;
     try {
         root = toml_table(toml, source);
     } catch (const TomlError& error) {
         throw SettingsError(fmt::format("{}:{}: {}", source, error.line, error.what()));
     }
+    std::vector<std::string> passed_over;
     for (const auto& [section, node] : root) {
         const std::string section_name(section.str());
         const toml::table* table = node.as_table();
         if (table == nullptr || list_of_keys(section_name + ".").empty())
             throw SettingsError(fmt::format("{}:{}: there is no section [{}]; there are {}", source,
                                             node.source().begin.line, section_name, list_of_sections()));
-        for (const auto& [key, value] : *table)
-            read_key(section_name + "." + std::string(key.str()), section_name, value, source, settings);
+        for (const auto& [key, value] : *table) {
+            const std::string name = section_name + "." + std::string(key.str());
+            if (const RetiredKey* retired = find_retired_key(name))
+                passed_over.push_back(fmt::format("{}:{}: '{}' is not a setting any more; remove it. {}",
+                                                  source, value.source().begin.line, name, retired->advice));
+            else
+                read_key(name, section_name, value, source, settings);
+        }
     }
+    return passed_over;
 }
 
-void read_settings_file(const std::filesystem::path& file, Settings& settings) {
+std::vector<std::string> read_settings_file(const std::filesystem::path& file, Settings& settings) {
     std::string toml;
     try {
         toml = read_file(file, max_file_bytes);
     } catch (const std::system_error& error) {
         throw SettingsError(error.what());
     }
-    read_settings(toml, file.string(), settings);
+    return read_settings(toml, file.string(), settings);
 }
 
 void apply_setting(const std::string& name, const std::string& text, Settings& settings) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine {
 
@@ -15,13 +16,16 @@ class SettingsError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Reads TOML over the given settings. @param source  name of the text in errors
+/// Reads TOML over the given settings. Keys that an earlier version had are passed over.
+/// @param source  name of the text in errors
+/// @return  a line for each key that is passed over: place, name and advice
 /// @throws SettingsError if the text is no TOML, or has an unknown section or key, or a value that is not
 /// allowed
-void read_settings(std::string_view toml, const std::string& source, Settings& settings);
+std::vector<std::string> read_settings(std::string_view toml, const std::string& source, Settings& settings);
 
-/// Reads a file over the given settings. @throws SettingsError also if the file cannot be read
-void read_settings_file(const std::filesystem::path& file, Settings& settings);
+/// Reads a file over the given settings, as read_settings does. @throws SettingsError also if the file cannot
+/// be read
+std::vector<std::string> read_settings_file(const std::filesystem::path& file, Settings& settings);
 
 /// Sets one `--section.key value` of a command line. @throws SettingsError
 void apply_setting(const std::string& name, const std::string& text, Settings& settings);

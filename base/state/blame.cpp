@@ -66,6 +66,11 @@ std::optional<Suspicion> find_quarantine(const Blame& blame, const MediaRecord& 
     return found->second;
 }
 
+std::size_t count_quarantined(const Blame& blame, std::chrono::seconds now) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(blame, [&](const auto& entry) { return is_quarantined(entry.second, now); }));
+}
+
 Blame blame_after(const Blame& before, const PlayingNote& crashed, std::chrono::seconds now) {
     Blame after;
     for (const auto& [name, suspicion] : before)
@@ -90,6 +95,21 @@ Blame blame_after(const Blame& before, const PlayingNote& crashed, std::chrono::
         }
     }
     return after;
+}
+
+Blame blame_after_reader(Blame blame, const ContentName& name, bool is_alone, std::chrono::seconds now) {
+    Suspicion& suspicion = blame[name];
+    suspicion = current(suspicion, now);
+    if (suspicion.points >= quarantine_points) return blame;
+    suspicion.points = std::min(suspicion.points + opening_points, quarantine_points);
+    if (suspicion.points < quarantine_points) return blame;
+    if (!is_alone) {
+        suspicion.points = quarantine_points - 1;
+    } else {
+        suspicion.since = now;
+        ++suspicion.quarantines;
+    }
+    return blame;
 }
 
 std::vector<std::string> suspects(const Blame& blame, const std::vector<std::string>& paths) {

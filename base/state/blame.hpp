@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -20,6 +21,9 @@ namespace vitrine {
 
 constexpr const char* playing_file = "playing";  // below the state directory; only the player writes it
 constexpr const char* blamed_file = "blamed";    // below the state directory; only the player writes it
+
+/// A reader has news of its file.
+enum class FileNews { opens, crashed_its_reader };
 
 /// One content of one file.
 struct ContentName {
@@ -66,12 +70,15 @@ constexpr int quarantine_points = 4;
 constexpr int suspect_points = 2;
 
 /// The reason in the record of a quarantined content.
-constexpr const char* brought_the_player_down = "it brought the player down, again and again";
+constexpr const char* brought_the_player_down = "it crashed the player or its reader, again and again";
 
 /// The quarantine that a content is in; nothing where it is in none. A quarantine ends by itself.
 /// @param now  the wall clock
 std::optional<Suspicion> find_quarantine(const Blame& blame, const MediaRecord& record,
                                          std::chrono::seconds now);
+
+/// The number of contents that are quarantined. @param now  the wall clock
+std::size_t count_quarantined(const Blame& blame, std::chrono::seconds now);
 
 /// Gives points after a crash to the contents that were being opened, or, if there were none, to all that
 /// played. A content that had no part in the last crash loses its points, unless it is quarantined. If
@@ -79,6 +86,13 @@ std::optional<Suspicion> find_quarantine(const Blame& blame, const MediaRecord& 
 /// whose quarantine is over is as suspect as one can be.
 /// @param now  the wall clock
 Blame blame_after(const Blame& before, const PlayingNote& crashed, std::chrono::seconds now);
+
+/// Gives points to a content that made its own reader crash: which one it was is known then. Two such crashes
+/// quarantine it.
+/// @param is_alone  false: other contents made theirs crash, too, so the fault may be elsewhere; it stays a
+/// suspect
+/// @param now  the wall clock
+Blame blame_after_reader(Blame blame, const ContentName& name, bool is_alone, std::chrono::seconds now);
 
 /// The paths with points.
 std::vector<std::string> suspects(const Blame& blame, const std::vector<std::string>& paths);

@@ -1,19 +1,32 @@
 #include "base/state/record.hpp"
 
-#include <fmt/format.h>
-#include <xxhash.h>
+#include "base/state/name_hash.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 namespace vitrine {
 
+Box active_picture(const MediaRecord& record, const Shot& shot) {
+    const Box whole{{0, 0}, {static_cast<double>(record.width), static_cast<double>(record.height)}};
+    const Box active = shot.picture ? intersection(*shot.picture, whole) : whole;
+    return active.is_empty() ? whole : active;
+}
+
+Box active_picture(const MediaRecord& record) {
+    if (record.shots.empty()) return active_picture(record, {});
+    Box all = active_picture(record, record.shots.front());
+    for (const Shot& shot : record.shots)
+        all = united(all, active_picture(record, shot));
+    return all;
+}
+
 Box core(const MediaRecord& record, const Shot& shot) {
     const double seconds = std::chrono::duration<double>(shot.duration()).count();
     const Vec2 travel = shot.region.drift * seconds;
-    const Vec2 size{static_cast<double>(record.width), static_cast<double>(record.height)};
-    return {{std::max(0.0, -travel.x), std::max(0.0, -travel.y)},
-            {size.x - std::max(0.0, travel.x), size.y - std::max(0.0, travel.y)}};
+    const Box picture = active_picture(record, shot);
+    return {picture.min + Vec2{std::max(0.0, -travel.x), std::max(0.0, -travel.y)},
+            picture.max - Vec2{std::max(0.0, travel.x), std::max(0.0, travel.y)}};
 }
 
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
@@ -22,7 +35,8 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
                         record.height);
     };
     const auto is_same = [](const Shot& a, const Shot& b) {
-        return a.begin == b.begin && a.end == b.end && a.ends_with == b.ends_with && a.region == b.region;
+        return a.begin == b.begin && a.end == b.end && a.ends_with == b.ends_with && a.region == b.region &&
+               a.picture == b.picture;
     };
     return head(after) == head(before) && after.shots.size() >= before.shots.size() &&
            std::equal(before.shots.begin(), before.shots.end(), after.shots.begin(), is_same);
@@ -37,7 +51,7 @@ std::string record_path(const std::filesystem::path& file, const std::filesystem
 }
 
 std::string record_id(const std::string& path) {
-    return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(path.data(), path.size())));
+    return name_hash(path);
 }
 
 }  // namespace vitrine

@@ -41,6 +41,7 @@ struct Shot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
+    std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
     std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
 
     std::chrono::nanoseconds duration() const { return end - begin; }
@@ -70,8 +71,14 @@ struct MediaRecord {
     bool operator==(const MediaRecord&) const = default;
 };
 
-/// The part of the picture that every frame of the shot shows once frames are aligned along the drift,
-/// in px of the shot's first frame: the intersection over t of Frame - drift * t.
+/// The picture of a shot within its bars, px of the upright picture.
+Box active_picture(const MediaRecord& record, const Shot& shot);
+
+/// The smallest box that holds the active pictures of all its shots, px of the upright picture.
+Box active_picture(const MediaRecord& record);
+
+/// The part of the active picture that every frame of the shot shows once frames are aligned along the drift,
+/// in px of the shot's first frame: the intersection over t of active picture - drift * t.
 Box core(const MediaRecord& record, const Shot& shot);
 
 /// True if `after` describes the same content as `before`, with the same shots and perhaps more shots at the
@@ -81,7 +88,7 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
 /// The path of a file in its record: relative to the media folder if the file is inside, else unchanged.
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root);
 
-/// The name of the record of a path: 16 hex digits, always the same for the same path.
+/// The name of the record of a path: its name_hash().
 std::string record_id(const std::string& path);
 
 }  // namespace vitrine

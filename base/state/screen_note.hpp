@@ -4,10 +4,10 @@
 
 namespace vitrine {
 
-// The player notes the size of its screens for the analyzer, which makes clips no larger than they will be
-// shown: docs/catalogue.md.
+// The player notes the size of its screens. The analyzer makes clips of films in a size that suits them:
+// docs/catalogue.md, "The store".
 
-/// The longest side, px, of the largest canvas so far; 0: not known yet.
+/// The longest side of the player's screens when it last had any, px; 0: there is no valid note.
 /// @param state  the state directory
 int noted_screen_side(const std::filesystem::path& state);
 

@@ -27,7 +27,7 @@ struct StoredSound {
     bool operator==(const StoredSound&) const = default;
 };
 
-/// The name of the folder in the store for one content of one file: 16 hex digits.
+/// The name of the folder in the store for one content of one file: a name_hash().
 /// @param path  the path in the record
 std::string store_id(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);
 

@@ -47,6 +47,8 @@ constexpr std::array words{
           "No connected screen shows its folder", ": "},
     Words{Visibility::closed_folder, "closed_folder", "in a folder that is closed",
           "A visitor looks into another folder", ": "},
+    Words{Visibility::avoided, "avoided", "left out for a minute",
+          "The wall leaves it out for a minute: it could not be played, or a visitor flicked it away", "; "},
     Words{Visibility::waits_for_turn, "waits_for_turn", "waiting for their turn",
           "It is ready and waits for its turn", "; "},
     Words{Visibility::on_wall, "on_wall", "on the wall", "It is on the wall", "; "}};

@@ -25,6 +25,7 @@ enum class Visibility {
     out_of_hours,    // it has a period or hours, and now is outside
     other_folder,    // no connected screen shows its folder
     closed_folder,   // a visitor looks into another folder
+    avoided,         // left out for a minute: it could not be played, or a visitor flicked it away
     waits_for_turn,  // it may be shown, but other files are shown now
     on_wall          // it is shown now
 };

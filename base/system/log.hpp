@@ -7,7 +7,8 @@
 #include <utility>
 
 /// Writes log lines for the journal or a terminal. Thread-safe: each line is one write to the standard error.
-/// Only the daemon, the player and the two main() log above debug; one event gives one line.
+/// Only the daemon, the player, the two main() and the reader of the settings file log above debug; one event
+/// gives one line.
 namespace vitrine::log {
 
 enum class Level { error, warning, info, debug };
