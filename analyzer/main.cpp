@@ -43,6 +43,7 @@ int run_explain(const CommandLine& line, const Settings& settings) {
 int run_weave(const CommandLine& line, const Settings& settings) {
     keep_freed_memory();
     WeaveRequest request = line.weave;
+    request.is_alone = true;
     if (request.result().empty()) request.directory = request.file.filename().string() + ".tapestry";
     const std::string made = weave_file(request, settings);
     log::info("'{}': {}, woven into '{}'", request.file.string(), made, request.result().string());
@@ -72,25 +73,27 @@ void add_explain(CLI::App& command, CommandLine& line) {
 void add_weave(CLI::App& command, CommandLine& line) {
     WeaveRequest& weave = line.weave;
     command.add_option("FILE", weave.file)->required();
-    CLI::Option* folder =
-        command.add_option("-o,--output", weave.directory, "A folder for tiles and index [FILE.tapestry]");
-    command.add_option("--sheet", weave.sheet, "A PNG of all levels below each other");
+    CLI::Option* folder = command.add_option("-o,--output", weave.directory,
+                                             "The folder for tiles and index (default: FILE.tapestry)");
+    command.add_option("--sheet", weave.sheet, "Draws all levels below each other, as a PNG");
     command.add_option("--zoom", weave.zoom,
-                       "A PNG of the zoom between the two coarsest levels: faded, bent, synthesised");
-    command.add_option("--levels", weave.levels, "Number of levels at most, the coarsest first")
+                       "Draws the zoom between the two coarsest levels in three ways, as a PNG");
+    command.add_option("--levels", weave.levels, "Limit of the levels; the coarsest are woven first")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
-    command.add_option("--times", weave.times, "A file with the coarsest level's times, seconds, one a line");
-    command.add_flag("--uniform", weave.is_uniform, "Keyframes at equal distances, not chosen by content");
-    command.add_flag("--resume", weave.resumes, "Go on where an earlier weaving into the folder ended")
+    command.add_option("--times", weave.times,
+                       "A file with the times of the coarsest keyframes: seconds, one a line");
+    command.add_flag("--uniform", weave.is_uniform, "Takes keyframes at equal distances, not by content");
+    command.add_flag("--resume", weave.resumes, "Resumes an interrupted weaving into the folder")
         ->needs(folder);
-    command.add_option("--most-bytes", weave.max_bytes, "Bytes of the tapestry at most, approximately [any]");
-    command.add_option("--threads", weave.threads, "Number of threads [one a core]")
+    command.add_option("--most-bytes", weave.max_bytes,
+                       "Approximate limit of the tapestry in bytes (default: none)");
+    command.add_option("--threads", weave.threads, "Number of threads (default: one for each core)")
         ->check(CLI::Range(0, 256));
 }
 
 void add_watch(CLI::App& command, CommandLine& line) {
-    command.add_flag("--once", line.is_once, "End as soon as the catalogue is up to date");
+    command.add_flag("--once", line.is_once, "Ends as soon as the catalogue is up to date");
 }
 
 struct Command {
@@ -101,17 +104,17 @@ struct Command {
 };
 
 constexpr std::array commands{
-    Command{"analyze", "Print the record of one file as JSON", add_analyze, run_analyze},
-    Command{"thumbnail", "Write the thumbnail of a file that was analysed before", add_thumbnail,
+    Command{"analyze", "Prints the record of one file as JSON", add_analyze, run_analyze},
+    Command{"thumbnail", "Writes the thumbnail of a file that was analysed before", add_thumbnail,
             run_thumbnail},
-    Command{"explain", "Draw how the regions of one file came about", add_explain, run_explain},
-    Command{"weave", "Weave the tapestry of one film", add_weave, run_weave},
-    Command{"watch", "Keep the catalogue equal to the media folder", add_watch, run_watch},
+    Command{"explain", "Draws how the regions of one file came about", add_explain, run_explain},
+    Command{"weave", "Weaves the tapestry of one film", add_weave, run_weave},
+    Command{"watch", "Keeps the catalogue up to date with the media folder", add_watch, run_watch},
 };
 
 int run(int argc, char** argv) {
     CommandLine line;
-    CLI::App app("Looks at the photos and films of the media folder and says what matters in them.",
+    CLI::App app("Analyses photos and films: finds in each the region that must stay visible.",
                  "vitrine-analyzer");
     app.require_subcommand(1)->fallthrough();
     line.options.add_to(app);

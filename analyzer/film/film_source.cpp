@@ -139,10 +139,6 @@ void FilmSource::read_geometry(int analysis_size) {
     GstVideoInfo video;
     if (!gst_video_info_from_caps(&video, gst_sample_get_caps(first.get())))
         throw MediaError(MediaState::failed, "the film cannot be read: a frame of unknown layout");
-    if (video.width > max_film_side || video.height > max_film_side ||
-        std::int64_t{video.width} * video.height > max_film_pixels)
-        throw MediaError(MediaState::unsupported,
-                         fmt::format("the film is too large: {} x {} px", video.width, video.height));
     turn_ = orientation_at(sink_.get());
     tones_ = ToneMap::of(video.colorimetry);
     info_.colours = video.colorimetry;

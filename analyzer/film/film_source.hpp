@@ -9,20 +9,16 @@
 #include <gst/video/video.h>
 
 #include <chrono>
-#include <cstdint>
 #include <string>
 
 namespace vitrine::analyzer {
-
-/// Limits of a film.
-constexpr int max_film_side = 16'384;                 // px
-constexpr std::int64_t max_film_pixels = 40'000'000;  // 8K is 33 million
 
 /// The frames of a film, decoded as fast as they are asked for.
 class FilmSource : public FrameSource {
   public:
     /// @param background  colour that shows through where the film is transparent
-    /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits
+    /// @throws MediaError where the film is not complete, cannot be decoded or is beyond the limits of
+    /// film_size.hpp
     FilmSource(const std::string& path, int analysis_size, Colour background = {});
 
     const MediaInfo& info() const override { return info_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/media_file.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/store/store_place.hpp"
 #include "base/settings/settings.hpp"
@@ -23,14 +24,8 @@ class AnalysedFile {
 
     const Settings& settings() const { return settings_; }
 
-    std::string name() const { return file_.string(); }
-
-    std::uint64_t bytes() const { return bytes_; }
-
-    std::int64_t mtime_ns() const { return mtime_ns_; }
-
-    /// Its path as its record has it.
-    const std::string& path() const { return path_; }
+    /// The file itself: what it is called, and by which name it is opened.
+    const MediaFile& media() const { return file_; }
 
     /// The same record with path, bytes and mtime of the file.
     MediaRecord stamped(MediaRecord record) const;
@@ -38,7 +33,7 @@ class AnalysedFile {
     /// Opens it from its first frame. @throws MediaError where it cannot be read
     std::unique_ptr<FrameSource> open() const;
 
-    std::filesystem::path thumbnail() const;
+    std::filesystem::path thumbnail() const;  // in a folder of its own
 
     /// The folder of its tapestry, if it is a film.
     std::filesystem::path tapestry() const;
@@ -46,12 +41,8 @@ class AnalysedFile {
     StorePlace store_place() const;
 
   private:
-    std::filesystem::path file_;
+    MediaFile file_;
     const Settings& settings_;
-    std::string path_;
-    std::uint64_t bytes_ = 0;
-    std::int64_t mtime_ns_ = 0;
-    bool is_plain_ = false;  // neither a folder nor a device
 };
 
 /// The stages of the analysis as the settings want them.

@@ -6,14 +6,14 @@
 
 namespace vitrine::analyzer {
 
-/// By-products of an analysis to write, and whether truncated streams are accepted.
+/// The by-products that an analysis writes.
 struct AnalysisOutputs {
     bool growth = false;       // each shot on the standard output as soon as it is over
     bool stored = false;       // clips or a copy in the store (settings.store), for the player to play from
     bool sound = false;        // a film's sound in the store too
     bool frames = false;       // a film's frames for its tapestry (settings.tapestry), where it has none yet
     bool thumbnail = false;    // for the status folder
-    bool accepts_cut = false;  // a stream that breaks off inside a packet was waited for long enough
+    bool accepts_cut = false;  // accepts a stream that breaks off inside a packet: it will not grow any more
 };
 
 /// One output as a flag of `vitrine-analyzer analyze`.
@@ -25,13 +25,15 @@ struct OutputFlag {
 
 /// The only place where the outputs, their flags and the help are tied together.
 constexpr std::array output_flags{
-    OutputFlag{"--grow", &AnalysisOutputs::growth, "Print each shot as it is found, the whole record last"},
-    OutputFlag{"--keep", &AnalysisOutputs::stored, "Put it into the store, for the player to play from"},
-    OutputFlag{"--frames", &AnalysisOutputs::frames, "Keep a film's frames for its tapestry"},
-    OutputFlag{"--sound", &AnalysisOutputs::sound, "Put the sound of a film into the store, too"},
-    OutputFlag{"--thumbnail", &AnalysisOutputs::thumbnail, "Write a thumbnail for the status folder"},
+    OutputFlag{"--grow", &AnalysisOutputs::growth,
+               "Prints each shot when it is found, at last the whole record"},
+    OutputFlag{"--keep", &AnalysisOutputs::stored,
+               "Puts the file into the store, from which the player plays it"},
+    OutputFlag{"--frames", &AnalysisOutputs::frames, "Keeps a film's frames for its tapestry"},
+    OutputFlag{"--sound", &AnalysisOutputs::sound, "Puts the sound of a film into the store, too"},
+    OutputFlag{"--thumbnail", &AnalysisOutputs::thumbnail, "Writes a thumbnail for the status folder"},
     OutputFlag{"--as-it-is", &AnalysisOutputs::accepts_cut,
-               "Do not wait for the rest of a stream that breaks off"},
+               "Accepts a stream that breaks off, as half a copy does"},
 };
 
 /// The flags that ask a child for these outputs.

@@ -1,5 +1,6 @@
 #include "analyzer/one_file/analyze.hpp"
 
+#include "analyzer/film/active_picture.hpp"
 #include "analyzer/film/shot_detector.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "base/state/media_error.hpp"
@@ -27,11 +28,15 @@ class Sampler {
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
     void push(const FilmFrame& frame, SampleStore& into) {
         if (count_ == 0 || frame.time >= due_) {
+            bars_.add_picture(frame.picture, frame.time);
             into.push(sample(frame));
             due_ = frame.time + nanoseconds(std::chrono::seconds(1)) / settings_.samples_per_second;
         }
         before_ = frame;
     }
+
+    /// The bars of the samples so far.
+    ActivePictureFinder& bars() { return bars_; }
 
   private:
     Sample sample(const FilmFrame& frame) {
@@ -43,7 +48,8 @@ class Sampler {
         }
         Sample sample = sample_of({.frame = frame.picture,
                                    .before = has_pair ? before_.picture : cv::Mat(),
-                                   .seconds = std::chrono::duration<double>(interval).count()},
+                                   .seconds = std::chrono::duration<double>(interval).count(),
+                                   .active = bars_.newest()},
                                   settings_, last_faces_, stage_.get());
         ++count_;
         sample.time = frame.time;
@@ -58,6 +64,7 @@ class Sampler {
     bool keeps_pictures_;
     std::unique_ptr<FaceDetector> faces_;
     std::unique_ptr<ImageSaliencyStage> stage_;
+    ActivePictureFinder bars_;
     FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
@@ -65,7 +72,15 @@ class Sampler {
     nanoseconds last_faces_time_{0};
 };
 
-/// Adds shots to the record: takes the samples of each and finds its region.
+/// A part of the frames in px of the source; none where it is all of it.
+std::optional<Box> to_source(const cv::Rect& part, cv::Size frame, const MediaRecord& record) {
+    if (part.size() == frame) return std::nullopt;
+    const double x = static_cast<double>(record.width) / frame.width;
+    const double y = static_cast<double>(record.height) / frame.height;
+    return Box{{part.x * x, part.y * y}, {part.br().x * x, part.br().y * y}};
+}
+
+/// Adds shots to the record: takes the samples of each, cuts off its bars and finds its region.
 class ShotWriter {
   public:
     ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
@@ -76,11 +91,18 @@ class ShotWriter {
 
     SampleStore& samples() { return samples_; }
 
-    void close(const DetectedShot& found, cv::Size frame) {
-        std::vector<Sample> samples =
-            samples_.pop_samples(found.begin, std::max(found.end, found.begin + nanoseconds(1)));
+    /// @param bars  of the shot's samples
+    void close(const DetectedShot& found, ActivePictureFinder& bars) {
+        const nanoseconds end = std::max(found.end, found.begin + nanoseconds(1));
+        std::vector<Sample> samples = samples_.pop_samples(found.begin, end);
+        const cv::Rect active = bars.close_shot(found.begin, end);
         if (record_.shots.size() >= max_shots) return;
-        const Shot shot{.begin = found.begin, .end = found.end, .ends_with = found.ends_with, .region = {}};
+        const cv::Size frame = bars.whole().size();
+        const Shot shot{.begin = found.begin,
+                        .end = found.end,
+                        .ends_with = found.ends_with,
+                        .region = {},
+                        .picture = to_source(active, frame, record_)};
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
                                                   {record_.width, record_.height}, settings_);
         record_.shots.push_back(evidence.shot);
@@ -88,6 +110,18 @@ class ShotWriter {
         if (!grown_ || record_.kind == MediaKind::photo) return;
         part_.shots = {evidence.shot};
         grown_(part_);
+    }
+
+    /// Cuts off the bars that only later shots made known.
+    void finish(const ActivePictureFinder& bars) {
+        const std::vector<cv::Rect> active = bars.all_shots();
+        for (std::size_t i = 0; i < record_.shots.size(); ++i) {
+            Shot& shot = record_.shots[i];
+            const std::optional<Box> picture = to_source(active[i], bars.whole().size(), record_);
+            if (shot.picture || !picture) continue;
+            shot.picture = picture;
+            shot.region.polygon = clipped(shot.region.polygon, *picture);
+        }
     }
 
   private:
@@ -125,9 +159,8 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     Sampler sampler(settings, static_cast<bool>(observer));
     ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
-    const cv::Size size = frame->picture.size();
     if (info.kind == MediaKind::photo) {
-        writer.close({}, size);
+        writer.close({}, sampler.bars());
         return record;
     }
     ShotDetector detector;
@@ -137,7 +170,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     for (FilmFrame last = *frame; (frame = source.next());) {
         if (!follows(*frame, last)) continue;
         for (const DetectedShot& shot : detector.push(*frame))
-            writer.close(shot, size);
+            writer.close(shot, sampler.bars());
         sampler.push(*frame, writer.samples());
         interval = frame->time - last.time;
         last = std::move(*frame);
@@ -145,8 +178,9 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     }
     record.duration = film_end(info, last_time, interval);
     for (const DetectedShot& shot : detector.finish(record.duration))
-        writer.close(shot, size);
-    if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, size);
+        writer.close(shot, sampler.bars());
+    if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, sampler.bars());
+    writer.finish(sampler.bars());
     return record;
 }
 

@@ -1,5 +1,6 @@
 #include "analyzer/one_file/file_analysis.hpp"
 
+#include "analyzer/film/reader_sandbox.hpp"
 #include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/one_file/explain_sheet.hpp"
@@ -75,6 +76,11 @@ MediaRecord record_without_shots(const MediaError& error) {
     return record;
 }
 
+bool lacks_tapestry(const AnalysedFile& file) {
+    const MediaFile& media = file.media();
+    return tapestry_state(file.tapestry(), media.bytes(), media.mtime_ns()) == TapestryState::lacking;
+}
+
 /// The analysis of one file with its by-products.
 class FileAnalysis {
   public:
@@ -105,7 +111,7 @@ class FileAnalysis {
     MediaRecord record_after(const MediaError& error) {
         if (error.state() != MediaState::failed) return record_without_shots(error);
         try {
-            require_readable(file_.name());
+            require_readable(file_.media().name());
         } catch (const MediaError& fault) {
             return record_without_shots(fault);
         }
@@ -116,7 +122,8 @@ class FileAnalysis {
     }
 
     MediaRecord analyse() {
-        if (!outputs_.accepts_cut) require_whole_packets(file_.name(), media_format(file_.name()));
+        if (!outputs_.accepts_cut)
+            require_whole_packets(file_.media().name(), media_format(file_.media().name()));
         const std::unique_ptr<FrameSource> source = file_.open();
         begin_outputs(source->info());
         ObservedSource observed(
@@ -137,18 +144,18 @@ class FileAnalysis {
         if (outputs_.stored) {
             StorePlace place = file_.store_place();
             place.wants_sound = outputs_.sound;
-            store_ = std::make_unique<StoreWriter>(file_.name(), media, std::move(place));
+            store_ = std::make_unique<StoreWriter>(file_.media().name(), media, std::move(place));
         }
         if (!outputs_.frames || media.kind != MediaKind::film) return;
-        if (tapestry_state(file_.tapestry(), file_.bytes(), file_.mtime_ns()) != TapestryState::lacking)
-            return;
+        if (!lacks_tapestry(file_)) return;
         const auto max_bytes = static_cast<std::uint64_t>(file_.settings().tapestry.max_bytes);
         frames_.emplace(file_.tapestry(), tapestry_share(max_bytes));
     }
 
     /// Enters the places in the store.
     void finish_outputs(MediaRecord& record) {
-        if (frames_) frames_->finish(record.duration, {.bytes = file_.bytes(), .mtime_ns = file_.mtime_ns()});
+        const MediaFile& file = file_.media();
+        if (frames_) frames_->finish(record.duration, {.bytes = file.bytes(), .mtime_ns = file.mtime_ns()});
         if (store_) store_->finish(record);
     }
 
@@ -208,12 +215,27 @@ class ProgressLine {
     std::chrono::steady_clock::time_point written_;
 };
 
+MediaRecord analysed_record(const AnalysedFile& file, const AnalysisOutputs& outputs,
+                            const AnalysisEvents& events) {
+    return file.stamped(FileAnalysis(file, outputs, events).record());
+}
+
+/// The folder in the store comes first, and also where nothing is stored: libraries use it.
+ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
+    const StorePlace place = file.store_place();
+    const AnalysisSettings settings = analysis_settings(file.settings().analyzer);
+    ReaderNeeds needs{.models = {settings.face_model, settings.face_cascade, settings.saliency_model}};
+    if (outputs.stored || outputs.growth) needs.folders.push_back(place.store / place.id);
+    if (outputs.thumbnail) needs.folders.push_back(file.thumbnail().parent_path());
+    if (outputs.frames && lacks_tapestry(file)) needs.film_folder = file.tapestry();
+    return needs;
+}
+
 }  // namespace
 
 MediaRecord analyse_file(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs,
                          const AnalysisEvents& events) {
-    const AnalysedFile analysed(file, settings);
-    return analysed.stamped(FileAnalysis(analysed, outputs, events).record());
+    return analysed_record(AnalysedFile(file, settings), outputs, events);
 }
 
 void print_analysis(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs) {
@@ -225,7 +247,9 @@ void print_analysis(const fs::path& file, const Settings& settings, const Analys
     if (outputs.growth)
         events = {.grown = [&](const MediaRecord& part) { write_line(output, to_json(part)); },
                   .progressed = [&] { progress.write(); }};
-    write_line(output, to_json(analyse_file(file, settings, outputs, events)));
+    const AnalysedFile analysed(file, settings);
+    enter_reader_sandbox(analysed.media(), needs_of(analysed, outputs));
+    write_line(output, to_json(analysed_record(analysed, outputs, events)));
 }
 
 bool write_thumbnail(const fs::path& file, const Settings& settings) {
@@ -233,6 +257,7 @@ bool write_thumbnail(const fs::path& file, const Settings& settings) {
     const auto record = catalogue.find(record_path(file, settings.media.root));
     if (!record || record->shots.empty()) return false;
     const AnalysedFile analysed(file, settings);
+    enter_reader_sandbox(analysed.media(), {.folders = {analysed.thumbnail().parent_path()}});
     Thumbnail thumbnail(analysed.thumbnail());
     const std::unique_ptr<FrameSource> source = analysed.open();
     while (const std::optional<FilmFrame> frame = source->next()) {
@@ -246,7 +271,7 @@ bool write_thumbnail(const fs::path& file, const Settings& settings) {
 
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {
     const AnalysedFile analysed(file, settings);
-    const SheetTitle title{.name = file.filename().string(), .bytes = analysed.bytes()};
+    const SheetTitle title{.name = file.filename().string(), .bytes = analysed.media().bytes()};
     return write_explain_sheet([&] { return analysed.open(); }, title, sheet,
                                analysis_settings(settings.analyzer));
 }

@@ -31,12 +31,13 @@ MediaRecord analyse_file(const std::filesystem::path& file, const Settings& sett
 
 /// Prints that record on the standard output, and with `outputs.growth` each shot before, a line each, and an
 /// empty line a second while pictures are decoded. Other output of the process goes to the standard error
-/// from then on: libraries print too.
+/// from then on: libraries print too. This process enters the sandbox of a reader for good.
 /// @throws std::system_error
 void print_analysis(const std::filesystem::path& file, const Settings& settings,
                     const AnalysisOutputs& outputs);
 
-/// Writes the thumbnail of a file whose record is in the catalogue.
+/// Writes the thumbnail of a file whose record is in the catalogue. This process enters the sandbox of a
+/// reader for good.
 /// @return whether there is one now
 /// @throws MediaError where the file cannot be read
 bool write_thumbnail(const std::filesystem::path& file, const Settings& settings);

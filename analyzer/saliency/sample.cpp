@@ -54,15 +54,10 @@ std::vector<Face> scaled(std::span<const Face> faces, double scale) {
     return result;
 }
 
-}  // namespace
-
-cv::Size map_size(cv::Size frame) {
-    return fitted(frame, map_side);
-}
-
-Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces,
-                 ImageSaliencyStage* stage) {
-    const auto& [frame, before, seconds] = pair;
+/// Searches a frame without bars.
+Sample searched(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces,
+                ImageSaliencyStage* stage) {
+    const auto& [frame, before, seconds, active] = pair;
     const cv::Size size = fitted(frame.size(), settings.frame_size);
     const cv::Size map = map_size(frame.size());
     const cv::Mat now = resized(frame, size);
@@ -83,6 +78,52 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
             sample.subject_motion = motion_of_salient(motion.flow, both) * speed;
         }
     }
+    return sample;
+}
+
+/// The map of a part of a frame becomes one of the frame, with 0 around it.
+SaliencyMap placed_map(const SaliencyMap& map, const cv::Rect& part, cv::Size size) {
+    if (map.empty()) return map;
+    SaliencyMap result = SaliencyMap::zeros(size, CV_32FC1);
+    resized(map, part.size()).copyTo(result(part));
+    return result;
+}
+
+}  // namespace
+
+cv::Size map_size(cv::Size frame) {
+    return fitted(frame, map_side);
+}
+
+cv::Rect map_part(const cv::Rect& part, cv::Size frame) {
+    const cv::Size map = map_size(frame);
+    const double scale_x = static_cast<double>(map.width) / frame.width;
+    const double scale_y = static_cast<double>(map.height) / frame.height;
+    const int left = std::min(map.width - 1, cvRound(part.x * scale_x));
+    const int top = std::min(map.height - 1, cvRound(part.y * scale_y));
+    const int right = std::clamp(cvRound(part.br().x * scale_x), left + 1, map.width);
+    const int bottom = std::clamp(cvRound(part.br().y * scale_y), top + 1, map.height);
+    return {left, top, right - left, bottom - top};
+}
+
+Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces,
+                 ImageSaliencyStage* stage) {
+    const cv::Rect active = pair.active & cv::Rect({0, 0}, pair.frame.size());
+    if (active.empty() || active.size() == pair.frame.size()) return searched(pair, settings, faces, stage);
+    const cv::Rect part = map_part(active, pair.frame.size());
+    FramePair inner{.frame = pair.frame(active).clone(), .before = {}, .seconds = pair.seconds, .active = {}};
+    if (pair.before.size() == pair.frame.size()) inner.before = pair.before(active).clone();
+    const double scale = static_cast<double>(map_size(active.size()).width) / part.width;
+    const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
+    std::vector<Face> moved_faces(faces.begin(), faces.end());
+    for (Face& face : moved_faces)
+        face.box = {(face.box.min - corner) * scale, (face.box.max - corner) * scale};
+    Sample sample = searched(inner, settings, moved_faces, stage);
+    const cv::Size map = map_size(pair.frame.size());
+    sample.motion = placed_map(sample.motion, part, map);
+    sample.image = placed_map(sample.image, part, map);
+    sample.global_motion = sample.global_motion * (1 / scale);
+    sample.subject_motion = sample.subject_motion * (1 / scale);
     return sample;
 }
 

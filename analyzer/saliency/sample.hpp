@@ -32,6 +32,7 @@ struct FramePair {
     cv::Mat frame;       // CV_8UC3, not empty
     cv::Mat before;      // the frame before, equally large; empty at the start
     double seconds = 1;  // from one to the other, > 0
+    cv::Rect active{};   // px of the frame: the picture within its bars; empty: all of it
 };
 
 /// Searches one frame.
@@ -39,7 +40,7 @@ struct FramePair {
 /// @param settings  frame_size, motion and, where there is no stage, image are used
 /// @param faces     px of the maps, as far as they are known
 /// @param stage     finds the saliency of the picture itself
-/// @return          maps of at most map_side; times, faces and picture are left to the caller
+/// @return          maps of at most map_side, 0 in the bars; times, faces and picture are left to the caller
 Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces = {},
                  ImageSaliencyStage* stage = nullptr);
 
@@ -48,5 +49,8 @@ std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool 
 
 /// The size of the maps of a frame.
 cv::Size map_size(cv::Size frame);
+
+/// A part of a frame in px of its maps, at least one pixel large.
+cv::Rect map_part(const cv::Rect& part, cv::Size frame);
 
 }  // namespace vitrine::analyzer

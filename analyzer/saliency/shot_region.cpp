@@ -95,6 +95,48 @@ IRegion to_source(const Polygon& polygon, Vec2 drift, cv::Size map, cv::Size sou
     return region;
 }
 
+/// The shot's picture within its bars, in px of the map.
+cv::Rect active_part(const Shot& shot, cv::Size map, cv::Size source) {
+    const cv::Rect whole({0, 0}, map);
+    if (!shot.picture) return whole;
+    const double x = static_cast<double>(map.width) / source.width;
+    const double y = static_cast<double>(map.height) / source.height;
+    const Box& picture = *shot.picture;
+    const cv::Rect part(cv::Point(cvRound(picture.min.x * x), cvRound(picture.min.y * y)),
+                        cv::Point(cvRound(picture.max.x * x), cvRound(picture.max.y * y)));
+    return (part & whole).empty() ? whole : part & whole;
+}
+
+void move_faces(std::vector<Face>& faces, Vec2 by) {
+    for (Face& face : faces)
+        face.box = moved(face.box, by);
+}
+
+/// Leaves only a part of each sample's maps; the faces move along.
+void crop(std::vector<Sample>& samples, const cv::Rect& part) {
+    const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
+    for (Sample& sample : samples) {
+        for (SaliencyMap* map : {&sample.motion, &sample.image})
+            if (!map->empty()) *map = SaliencyMap((*map)(part).clone());
+        move_faces(sample.faces, corner * -1);
+    }
+}
+
+/// Puts the maps and faces of a part back into their places in the whole map.
+void place(ShotEvidence& evidence, const cv::Rect& part, cv::Size size) {
+    for (SaliencyMap* map :
+         {&evidence.motion, &evidence.image, &evidence.face, &evidence.combined, &evidence.volume}) {
+        if (map->empty()) continue;
+        SaliencyMap whole = SaliencyMap::zeros(size, CV_32FC1);
+        map->copyTo(whole(part));
+        *map = whole;
+    }
+    const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
+    move_faces(evidence.faces, corner);
+    for (ShownFrame& frame : evidence.frames)
+        move_faces(frame.faces, corner);
+}
+
 void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
                  const std::vector<SalientFrame>& frames, bool has_bodies) {
     const std::size_t middle = samples.size() / 2;
@@ -114,24 +156,30 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
 ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, cv::Size source,
                          const AnalysisSettings& settings) {
     drop_shot_before(samples, shot.begin);
+    const cv::Rect part = active_part(shot, map, source);
+    if (part.size() != map) crop(samples, part);
     const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
     const Vec2 drift = found_drift(frames, duration, settings.drift);
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
-        frames.empty() ? SaliencyMap(SaliencyMap::zeros(map, CV_32FC1)) : accumulated(frames, drift);
+        frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);
     SaliencyMap volume = evidence.volume.clone();
     if (settings.region.mode == RegionMode::min_area) {
-        volume += centre_prior(map) *
+        volume += centre_prior(part.size()) *
                   (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames.size())));
     }
-    std::vector<Box> whole = heads(samples, shot.begin, drift, map);
+    std::vector<Box> whole = heads(samples, shot.begin, drift, part.size());
     for (const Box& mover : movers(samples, shot.begin, drift))
         whole.push_back(mover);
-    const Polygon region = i_region(volume, common_part(map, drift, duration), whole, settings.region);
+    Polygon region = i_region(volume, common_part(part.size(), drift, duration), whole, settings.region);
+    for (Vec2& corner : region)
+        corner = corner + Vec2{static_cast<double>(part.x), static_cast<double>(part.y)};
     shot.region = to_source(region, drift, map, source);
+    if (shot.picture) shot.region.polygon = clipped(shot.region.polygon, *shot.picture);
     evidence.shot = std::move(shot);
     if (!samples.empty()) show_middle(evidence, samples, frames, settings.has_bodies);
+    if (part.size() != map) place(evidence, part, map);
     return evidence;
 }
 

@@ -79,31 +79,33 @@ void StatusWriter::write() {
     written_ = EventLoop::Clock::now();
 }
 
+/// A name that somebody blocks keeps no other file from being written.
 void StatusWriter::write_folder(const StatusReport& report) {
-    try {
-        const std::vector<StatusEntry> files = on_page(report);
-        thumbnails_.update(*folder_, files);
-        copy_wall();
+    const std::vector<StatusEntry> files = on_page(report);
+    if (!is_clean_)
+        write_part([&] {
+            folder_->remove_unfinished("");
+            folder_->remove_unfinished("thumbnails");
+            is_clean_ = true;
+        });
+    write_part([&] { thumbnails_.update(*folder_, files); });
+    copy_wall();
+    write_part([&] {
         folder_->write("", "index.html",
                        status_page(report, files, thumbnails_.ids(), has_wall_, clock_text));
-        folder_->write("", "status.txt", status_text(report, clock_text));
-        if (!complaint_.empty()) log::info("the status folder is written again");
-        complaint_.clear();
-    } catch (const std::system_error& error) {
-        complain(error);
-    }
+    });
+    write_part([&] { folder_->write("", "status.txt", status_text(report, clock_text)); });
+    end_complaints();
 }
 
 void StatusWriter::copy_wall() {
     const auto jpeg = read_picture(state_ / "wall.jpg");
     if (!jpeg || !folder_ || !is_online_) return;
-    try {
+    write_part([&] {
         folder_->write("", "wall.jpg", *jpeg);
         if (!has_wall_) touch();
         has_wall_ = true;
-    } catch (const std::system_error& error) {
-        complain(error);
-    }
+    });
 }
 
 void StatusWriter::look_at_player() {
@@ -119,10 +121,24 @@ void StatusWriter::add_player(StatusReport& report) {
     }
 }
 
-void StatusWriter::complain(const std::exception& error) {
-    if (complaint_ != error.what())
-        log::warning("there is no status folder in the media folder: {}", error.what());
-    complaint_ = error.what();
+void StatusWriter::write_part(const std::function<void()>& part) {
+    try {
+        part();
+    } catch (const std::system_error& error) {
+        const auto [complaint, is_new] = complaints_.try_emplace(error.what());
+        complaint->second = true;
+        if (is_new)
+            log::warning("the status folder in the media folder is missing or not complete: {}",
+                         error.what());
+    }
+}
+
+/// Forgets the complaints whose reason is gone.
+void StatusWriter::end_complaints() {
+    const std::size_t gone = std::erase_if(complaints_, [](const auto& entry) { return !entry.second; });
+    if (gone > 0 && complaints_.empty()) log::info("the status folder is written again");
+    for (auto& [what, is_seen] : complaints_)
+        is_seen = false;
 }
 
 }  // namespace vitrine::analyzer

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,7 +19,8 @@ namespace vitrine::analyzer {
 /// media folder, a moment after a change and then no more often than its size allows. Thumbnails are those
 /// that the analysing children left in STATE/thumbnails. The player's files in STATE are its picture of the
 /// wall, wall.jpg, and the reasons why files are not on it, visible.json. Where the
-/// media folder cannot be written, the folder is missing; the log says so once. Runs in the loop.
+/// media folder cannot be written, the folder is missing; where one of its files cannot, the others are
+/// written. The log says so once. Runs in the loop.
 class StatusWriter {
   public:
     using MakeReport = std::function<StatusReport()>;
@@ -42,7 +44,8 @@ class StatusWriter {
     void copy_wall();
     void look_at_player();
     void add_player(StatusReport& report);
-    void complain(const std::exception& error);
+    void write_part(const std::function<void()>& part);
+    void end_complaints();
 
     std::filesystem::path state_;
     std::optional<StatusFolder> folder_;
@@ -55,7 +58,9 @@ class StatusWriter {
     ThumbnailCopies thumbnails_;
     bool has_wall_ = false;   // the folder has a picture of the wall
     bool is_online_ = false;  // the media folder was there at the last writing
-    std::string complaint_;   // why the folder is missing, as the log has it
+    bool is_clean_ = false;   // nothing half-written is left of an earlier run
+    std::map<std::string, bool>
+        complaints_;  // what cannot be written, as the log has it; true: seen this time
     EventLoop::Source due_, wall_;
 };
 

@@ -46,6 +46,17 @@ std::vector<cv::Point> outline(const MediaRecord& record, const Shot& shot, cons
     return corners;
 }
 
+/// The picture within its bars, thumbnail px.
+cv::Rect active_part(const MediaRecord& record, const Shot& shot, cv::Size size) {
+    const Box active = active_picture(record, shot);
+    const double x = static_cast<double>(size.width) / record.width;
+    const double y = static_cast<double>(size.height) / record.height;
+    const cv::Rect part(cv::Point(cvRound(active.min.x * x), cvRound(active.min.y * y)),
+                        cv::Point(cvRound(active.max.x * x), cvRound(active.max.y * y)));
+    const cv::Rect whole({0, 0}, size);
+    return (part & whole).empty() ? whole : part & whole;
+}
+
 /// Draws a light line within a dark one: it is seen on any picture.
 void draw(cv::Mat& picture, const std::vector<cv::Point>& corners) {
     constexpr int shift = 16;
@@ -99,6 +110,7 @@ void Thumbnail::write(const MediaRecord& record) {
     if (frame == nullptr) return;
     cv::Mat picture = frame->picture.clone();
     draw(picture, outline(record, shot, *frame, picture.size()));
+    picture = picture(active_part(record, shot, picture.size())).clone();
     frames_.clear();
     try {
         fs::create_directories(file_.parent_path());

@@ -25,7 +25,7 @@ class ThumbnailCopies {
 
     /// Copies new thumbnails of ready files and removes those of files that are not on the page any more, in
     /// the state directory too.
-    /// @throws std::system_error where the folder cannot be written
+    /// @throws std::system_error where a file in the folder cannot be written; all others are
     void update(const StatusFolder& folder, const std::vector<StatusEntry>& page);
 
     /// The ids of the thumbnails in the folder.
@@ -35,14 +35,14 @@ class ThumbnailCopies {
     const std::vector<std::string>& lacking() const { return lacking_; }
 
   private:
-    void copy_changed(const StatusFolder& folder, const std::set<std::string>& wanted);
+    void copy_if_changed(const StatusFolder& folder, const std::string& id);
     void read_folder(const StatusFolder& folder);
     void remove_old(const std::set<std::string>& wanted) const;
 
     std::filesystem::path thumbnails_;
     std::set<std::string> ids_;
     std::vector<std::string> lacking_;
-    std::map<std::string, std::filesystem::file_time_type> copied_;  // by name, as they were in STATE
+    std::map<std::string, std::filesystem::file_time_type> copied_;  // by id, as they were in STATE
 };
 
 }  // namespace vitrine::analyzer

@@ -104,7 +104,7 @@ void FilmClips::run() {
             make(*pass, std::move(*shot));
         }
     } catch (const std::exception& error) {
-        log::debug("no further clips of '{}': {}", film_, error.what());
+        log::debug("no further clips in '{}': {}", place_.id, error.what());
     }
 }
 

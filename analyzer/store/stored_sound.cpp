@@ -76,7 +76,7 @@ StoredSound store_sound(const std::string& file, const StorePlace& place) {
     } catch (const std::system_error& error) {  // a full disk is no reason not to show it
         log::debug("the sound '{}' is not stored: {}", sound.file, error.what());
     } catch (const std::runtime_error& error) {
-        log::debug("the sound of '{}' cannot be read: {}", file, error.what());
+        log::debug("no sound for '{}': {}", sound.file, error.what());
         if (has_room(place)) sound.file.clear();
     }
     std::error_code ignored;  // usually it is not there

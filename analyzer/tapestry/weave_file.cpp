@@ -1,6 +1,8 @@
 #include "analyzer/tapestry/weave_file.hpp"
 
 #include "analyzer/film/frame_reader.hpp"
+#include "analyzer/film/media_file.hpp"
+#include "analyzer/film/reader_sandbox.hpp"
 #include "analyzer/models/face_model.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
@@ -10,12 +12,10 @@
 #include "analyzer/tapestry/weave/woven_sheet.hpp"
 #include "analyzer/tapestry/weave/zoom_sheet.hpp"
 #include "base/state/media_error.hpp"
-#include "base/state/record.hpp"
 #include "base/system/atomic_file.hpp"
-#include "base/system/error.hpp"
 #include "base/system/log.hpp"
 
-#include <sys/stat.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -55,21 +55,18 @@ std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
     return times;
 }
 
-std::unique_ptr<FrameSource> opened(const WeaveRequest& request, const Settings& settings) {
-    std::unique_ptr<FrameSource> source = open_media(request.file.string(), settings.analyzer.frame_size);
+std::unique_ptr<FrameSource> opened(const MediaFile& file, const Settings& settings) {
+    std::unique_ptr<FrameSource> source = open_media(file.name(), settings.analyzer.frame_size);
     if (source->info().kind == MediaKind::photo)
         throw MediaError(MediaState::unsupported, "a photo has no tapestry");
     return source;
 }
 
-Tapestry head_of(const fs::path& file, const fs::path& root) {
-    struct stat status {};
-
-    if (::stat(file.c_str(), &status) < 0) throw_errno("look at '{}'", file.string());
-    const std::string path = record_path(file, root);
-    return {.path = path == file.string() ? file.filename().string() : path,
-            .bytes = static_cast<std::uint64_t>(status.st_size),
-            .mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+/// @param name  as the person gave it
+Tapestry head_of(const MediaFile& file, const fs::path& name) {
+    return {.path = file.path() == name.string() ? name.filename().string() : file.path(),
+            .bytes = file.bytes(),
+            .mtime_ns = file.mtime_ns()};
 }
 
 /// One weaving, with all that it needs.
@@ -78,7 +75,8 @@ class Weaving {
     Weaving(const WeaveRequest& request, const Settings& settings)
         : request_(request),
           settings_(settings),
-          head_(head_of(request.file, settings.media.root)),
+          file_(request.file, settings.media.root),
+          head_(head_of(file_, request.file)),
           content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
           choice_{.max_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
           pyramid_{.retarget = {}, .max_bytes = request.max_bytes},
@@ -88,11 +86,20 @@ class Weaving {
         faces_ = face_detector(find_face_model(settings.analyzer.face_model), settings.analyzer.face_cascade);
     }
 
+    /// Lets the process read the film and write the result, and nothing else.
+    void enter_sandbox() const {
+        ReaderNeeds needs;
+        if (!request_.directory.empty()) needs.folders.push_back(request_.directory);
+        for (const fs::path& sheet : {request_.sheet, request_.zoom})
+            if (!sheet.empty()) needs.folders.push_back(fs::absolute(sheet).parent_path());
+        enter_reader_sandbox(file_, needs);
+    }
+
     std::string once() {
         const fs::path directory =
             request_.directory.empty() ? fs::absolute(request_.result()).parent_path() : request_.directory;
         fs::create_directories(directory);
-        const Film film = gathered(*opened(request_, settings_), directory, faces_.get());
+        const Film film = gathered(*opened(file_, settings_), directory, faces_.get());
         const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);
         if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
         if (!request_.zoom.empty()) draw_zoom(film, levels);
@@ -147,7 +154,7 @@ class Weaving {
 
     Film kept_film() {
         if (auto film = film_of_kept()) return std::move(*film);
-        const auto source = opened(request_, settings_);
+        const auto source = opened(file_, settings_);
         KeptFrames frames(request_.directory, request_.max_bytes > 0 ? request_.max_bytes : no_limit);
         while (const std::optional<FilmFrame> frame = source->next())
             frames.saw(*frame);
@@ -159,6 +166,7 @@ class Weaving {
 
     const WeaveRequest& request_;  // both outlive this
     const Settings& settings_;
+    MediaFile file_;
     Tapestry head_;
     FilmContent content_;
     WeaveChoice choice_;
@@ -172,6 +180,7 @@ class Weaving {
 std::string weave_file(const WeaveRequest& request, const Settings& settings) {
     try {
         Weaving weaving(request, settings);
+        if (request.is_alone) weaving.enter_sandbox();
         return request.resumes ? weaving.on() : weaving.once();
     } catch (const MediaError& error) {
         throw std::runtime_error(fmt::format("'{}': {}", request.file.string(), error.what()));

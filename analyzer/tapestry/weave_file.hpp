@@ -20,6 +20,7 @@ struct WeaveRequest {
     bool resumes = false;         // an interrupted weaving of the pyramid goes on
     std::uint64_t max_bytes = 0;  // for the pyramid, approximately; 0: any
     int threads = 0;              // 0: one a core
+    bool is_alone = false;  // this process does nothing else: it enters the sandbox of a reader for good
 
     /// The first of directory, sheet and zoom that is asked for; empty where none is.
     const std::filesystem::path& result() const {

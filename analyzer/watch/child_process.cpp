@@ -3,6 +3,7 @@
 #include "base/system/error.hpp"
 
 #include <fcntl.h>
+#include <linux/close_range.h>
 #include <sys/epoll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -65,6 +66,7 @@ void limit(__rlimit_resource resource, rlim_t value) {
     ::dup2(nothing, STDIN_FILENO);
     ::dup2(launch.output, STDOUT_FILENO);
     ::dup2(launch.complaint, STDERR_FILENO);
+    ::close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);  // nothing of ours, whoever opened it
     ::execv(launch.arguments.front(), launch.arguments.data());
     constexpr std::string_view sorry = "the analysing program cannot be started\n";
     if (::write(STDERR_FILENO, sorry.data(), sorry.size()) < 0) ::_exit(ChildProcess::exit_not_started);

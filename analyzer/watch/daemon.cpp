@@ -5,6 +5,7 @@
 #include "analyzer/watch/fault_record.hpp"
 #include "base/state/acquittal.hpp"
 #include "base/state/blame.hpp"
+#include "base/state/former_names.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/journal.hpp"
 #include "base/system/log.hpp"
@@ -118,6 +119,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
             advance();
         });
     });
+    rename_former(options.state);  // under the book's lock
     book_.load();
     attempt([this] { rescan(); });
     wake_.arm(0s);

@@ -32,10 +32,6 @@ UniqueFd lock_of(const fs::path& catalogue) {
     throw_errno("another vitrine-analyzer writes the catalogue '{}'", catalogue.string());
 }
 
-std::string thumbnail_name(const std::string& path) {
-    return record_id(path) + ".jpg";
-}
-
 }  // namespace
 
 FileBook::FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, Weaver& weaver)
@@ -109,7 +105,8 @@ bool FileBook::move(const std::string& from, const std::string& to) {
     store(*moved);
     remove(from);
     std::error_code none;  // only a picture for the status folder
-    fs::rename(thumbnails_ / thumbnail_name(from), thumbnails_ / thumbnail_name(to), none);
+    fs::remove_all(thumbnails_ / record_id(to), none);
+    fs::rename(thumbnails_ / record_id(from), thumbnails_ / record_id(to), none);
     return true;
 }
 

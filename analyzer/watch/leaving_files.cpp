@@ -26,6 +26,7 @@ LeavingFiles::Return LeavingFiles::take_back(const std::string& path, const File
 std::optional<std::string> LeavingFiles::take_renamed(const FileFacts& facts) {
     for (auto it = by_inode_.lower_bound({facts.inode, ""});
          it != by_inode_.end() && it->first == facts.inode; ++it) {
+        ++compared_;
         std::string path = it->second;
         const auto left = files_.find(path);
         if (!is_same_content(left->second.facts, facts)) continue;

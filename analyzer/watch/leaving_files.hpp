@@ -3,6 +3,7 @@
 #include "analyzer/watch/file_facts.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -42,6 +43,9 @@ class LeavingFiles {
 
     bool is_empty() const { return files_.empty(); }
 
+    /// The number of comparisons that take_renamed() has made so far.
+    std::size_t compared() const { return compared_; }
+
   private:
     struct File {
         FileFacts facts;
@@ -56,6 +60,7 @@ class LeavingFiles {
     Files files_;
     std::set<std::pair<std::uint64_t, std::string>> by_inode_;  // files that are done
     std::set<std::pair<Time, std::string>> by_time_;            // by forget_at
+    std::size_t compared_ = 0;
 };
 
 }  // namespace vitrine::analyzer

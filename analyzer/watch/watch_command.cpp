@@ -6,6 +6,7 @@
 #include "base/settings/settings_file.hpp"
 #include "base/settings/settings_snapshot.hpp"
 #include "base/system/log.hpp"
+#include "base/system/sandbox.hpp"
 #include "base/system/service.hpp"
 
 #include <fmt/format.h>
@@ -101,6 +102,15 @@ void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot) {
     }
 }
 
+/// Says at the start how far the children that read strangers' files are locked in.
+void tell_sandbox() {
+    const Sandbox sandbox = available_sandbox();
+    if (sandbox.limits_files && sandbox.limits_calls)
+        log::info("{}", in_words(sandbox));
+    else
+        log::warning("{}", in_words(sandbox));
+}
+
 }  // namespace
 
 int watch_media(const Settings& settings, const ReadSettings& read_settings, bool is_once) {
@@ -117,6 +127,7 @@ int watch_media(const Settings& settings, const ReadSettings& read_settings, boo
     const Daemon daemon(loop, watch_options(settings, snapshot.path(), is_once));
     service::ready(daemon.status());
     log::info("watching '{}': {}", settings.media.root, daemon.status());
+    tell_sandbox();
     loop.run();
     service::stopping();
     if (!is_once) return EXIT_SUCCESS;

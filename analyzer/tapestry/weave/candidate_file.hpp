@@ -27,7 +27,7 @@ struct CandidateEntry {
 };
 
 struct CandidateFileEnd {
-    static constexpr std::uint64_t usual_mark = 0x3174656d61726676;  // "vframet1"
+    static constexpr std::uint64_t usual_mark = 0x3274656d61726676;  // "vframet2"
 
     FilmContent content;
     std::int64_t duration_ns = 0;
@@ -35,6 +35,10 @@ struct CandidateFileEnd {
     std::int64_t entries = 0;
     std::int32_t brick_width = 0;  // px
     std::int32_t brick_height = 0;
+    std::int32_t frame_width = 0;  // px of the frames, which kept pictures with bars have
+    std::int32_t frame_height = 0;
+    std::array<std::int32_t, 4>
+        active{};  // the picture within its bars: left, top, width, height, px of the frames
     std::uint64_t mark = usual_mark;
 };
 

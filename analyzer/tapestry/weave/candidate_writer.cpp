@@ -24,15 +24,6 @@ constexpr double min_shape = 0.4;  // width to height
 constexpr double max_shape = 3;
 constexpr int jpeg_quality = 96;  // the tiles made of them have 90
 
-/// The largest middle part of a frame that has the shape of a brick.
-cv::Rect cut_to(cv::Size frame, cv::Size brick) {
-    const double scale = std::min(static_cast<double>(frame.width) / brick.width,
-                                  static_cast<double>(frame.height) / brick.height);
-    const cv::Size part(std::clamp(static_cast<int>(std::lround(brick.width * scale)), 1, frame.width),
-                        std::clamp(static_cast<int>(std::lround(brick.height * scale)), 1, frame.height));
-    return {{(frame.width - part.width) / 2, (frame.height - part.height) / 2}, part};
-}
-
 CandidateEntry entry_of(const FilmFrame& frame) {
     cv::Mat small;
     cv::resize(frame.picture, small, {FrameSignature::width, FrameSignature::height}, 0, 0, cv::INTER_AREA);
@@ -46,6 +37,14 @@ CandidateEntry entry_of(const FilmFrame& frame) {
 cv::Size brick_for(cv::Size frame) {
     const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, min_shape, max_shape);
     return {2 * static_cast<int>(std::lround(brick_height * shape / 2)), brick_height};
+}
+
+cv::Rect cut_to(cv::Size picture, cv::Size brick) {
+    const double scale = std::min(static_cast<double>(picture.width) / brick.width,
+                                  static_cast<double>(picture.height) / brick.height);
+    const cv::Size part(std::clamp(static_cast<int>(std::lround(brick.width * scale)), 1, picture.width),
+                        std::clamp(static_cast<int>(std::lround(brick.height * scale)), 1, picture.height));
+    return {{(picture.width - part.width) / 2, (picture.height - part.height) / 2}, part};
 }
 
 UniqueFd nameless_file(const std::filesystem::path& directory) {
@@ -67,7 +66,6 @@ void CandidateWriter::append(const void* data, std::size_t bytes) {
 void CandidateWriter::push(const FilmFrame& frame) {
     if (last_.count() < 0) {
         frame_ = frame.picture.size();
-        brick_ = brick_for(frame_);
         interval_ = min_interval;
         due_ = frame.time;
     }
@@ -75,8 +73,12 @@ void CandidateWriter::push(const FilmFrame& frame) {
     last_ = frame.time;
     if (frame.time < due_) return;
     due_ = frame.time + interval_;
-    cv::Mat picture;
-    cv::resize(frame.picture(cut_to(frame_, brick_)), picture, brick_, 0, 0, cv::INTER_AREA);
+    bars_.add_picture(frame.picture, frame.time);
+    cv::Mat picture = frame.picture;
+    if (bars_.newest() == bars_.whole()) {
+        const cv::Size brick = brick_for(frame_);
+        cv::resize(frame.picture(cut_to(frame_, brick)), picture, brick, 0, 0, cv::INTER_AREA);
+    }
     const std::string jpeg = to_jpeg(picture, jpeg_quality);
     CandidateEntry entry = entry_of(frame);
     entry.offset = written_;
@@ -96,13 +98,18 @@ void CandidateWriter::thin() {
 }
 
 UniqueFd CandidateWriter::finish(std::chrono::nanoseconds duration, const FilmContent& content) {
+    const cv::Rect active = bars_.close_shot(std::chrono::nanoseconds(0), std::chrono::nanoseconds::max());
+    const cv::Size brick = brick_for(active.size());
     const CandidateFileEnd end{
         .content = content,
         .duration_ns = std::max(duration, last_ + std::chrono::nanoseconds(1)).count(),
         .entries_offset = written_,
         .entries = static_cast<std::int64_t>(entries_.size()),
-        .brick_width = brick_.width,
-        .brick_height = brick_.height,
+        .brick_width = brick.width,
+        .brick_height = brick.height,
+        .frame_width = frame_.width,
+        .frame_height = frame_.height,
+        .active = {active.x, active.y, active.width, active.height},
     };
     append(entries_.data(), entries_.size() * sizeof(CandidateEntry));
     append(&end, sizeof end);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyzer/film/active_picture.hpp"
 #include "analyzer/film/film_frame.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"
 #include "base/system/unique_fd.hpp"
@@ -12,8 +13,8 @@
 namespace vitrine::analyzer {
 
 /// Keeps the frames of a film that may become keyframes, two a second, while it is decoded: small signatures
-/// in memory, pictures of the size of a brick in a file. Of a film beyond two hours fewer frames a second are
-/// kept.
+/// in memory, pictures of the size of a brick in a file. A picture with bars is kept in the size of the
+/// frame, since a part of it will be the brick. Of a film beyond two hours fewer frames a second are kept.
 /// Source: Video Tapestries 4.1, the precomputation.
 class CandidateWriter {
   public:
@@ -44,7 +45,7 @@ class CandidateWriter {
     UniqueFd file_;
     std::size_t max_frames_;
     cv::Size frame_;  // px of the pushed frames
-    cv::Size brick_;
+    ActivePictureFinder bars_;
     std::chrono::nanoseconds interval_{0};
     std::chrono::nanoseconds due_{0};
     std::chrono::nanoseconds last_{-1};
@@ -55,6 +56,9 @@ class CandidateWriter {
 /// Makes a file without a name, which is gone as soon as nobody has it open.
 /// @throws std::system_error
 UniqueFd nameless_file(const std::filesystem::path& directory);
+
+/// The largest middle part of a picture that has the shape of a brick, px of the picture.
+cv::Rect cut_to(cv::Size picture, cv::Size brick);
 
 /// The brick for frames of a size: 100 px tall, its width even and within [0.4, 3] times that.
 cv::Size brick_for(cv::Size frame);

@@ -1,6 +1,7 @@
 #include "analyzer/tapestry/weave/candidates.hpp"
 
 #include "analyzer/tapestry/synthesis/as_index.hpp"
+#include "analyzer/tapestry/weave/candidate_writer.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "base/system/error.hpp"
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::int64_t max_entries = 20'000;
 constexpr std::int64_t max_jpeg_bytes = 1 << 20;
-constexpr int max_brick_side = 4096;  // px
-constexpr double enlargement = 2;     // bricks are small for detectors
+constexpr int max_side = 4096;     // px of bricks and frames
+constexpr double enlargement = 2;  // bricks are small for detectors
 
 void require(bool is_so) {
     if (!is_so) throw std::runtime_error("it is not a file of a film's frames");
@@ -35,9 +36,7 @@ Candidates::Candidates(UniqueFd file, FaceDetector* faces) : file_(std::move(fil
     require(end.mark == CandidateFileEnd::usual_mark && end.entries > 0 && end.entries <= max_entries);
     require(end.entries_offset >= 0 && end.entries_offset <= end_offset);
     require(end_offset - end.entries_offset == end.entries * std::int64_t{sizeof(CandidateEntry)});
-    require(end.brick_width > 0 && end.brick_width <= max_brick_side && end.brick_height > 0 &&
-            end.brick_height <= max_brick_side);
-    brick_ = {end.brick_width, end.brick_height};
+    read_sizes(end);
     duration_ = std::chrono::nanoseconds(end.duration_ns);
     content_ = end.content;
     for (std::int64_t i = 0; i < end.entries; ++i) {
@@ -49,6 +48,18 @@ Candidates::Candidates(UniqueFd file, FaceDetector* faces) : file_(std::move(fil
         kept_.push_back({.offset = entry.offset, .bytes = entry.bytes});
     }
     faces_.resize(kept_.size());
+}
+
+void Candidates::read_sizes(const CandidateFileEnd& end) {
+    const auto is_side = [](int px) { return px > 0 && px <= max_side; };
+    require(is_side(end.brick_width) && is_side(end.brick_height));
+    require(is_side(end.frame_width) && is_side(end.frame_height));
+    const auto& [left, top, width, height] = end.active;
+    require(is_side(width) && is_side(height));
+    brick_ = {end.brick_width, end.brick_height};
+    frame_ = {end.frame_width, end.frame_height};
+    active_ = {left, top, width, height};
+    require(left >= 0 && top >= 0 && (active_ & cv::Rect({0, 0}, frame_)) == active_);
 }
 
 void Candidates::read(void* into, std::size_t bytes, std::int64_t offset) const {
@@ -63,11 +74,29 @@ Keyframe Candidates::keyframe(int number) const {
     std::string jpeg(static_cast<std::size_t>(kept.bytes), '\0');
     read(jpeg.data(), jpeg.size(), kept.offset);
     Keyframe keyframe{.picture = from_jpeg(jpeg), .faces = {}};
-    if (keyframe.picture.size() != brick_) throw std::runtime_error("a kept frame has another size");
+    keyframe.picture = as_brick(keyframe.picture);
     auto& faces = faces_[as_index(number)];
     if (!faces) faces = faces_in(keyframe.picture);
     keyframe.faces = *faces;
     return keyframe;
+}
+
+/// Cuts off the bars. A picture of the size of a brick was kept when its bars were not known.
+cv::Mat Candidates::as_brick(const cv::Mat& kept) const {
+    const cv::Size known = kept.size();
+    if (known != frame_ && known != brick_for(frame_))
+        throw std::runtime_error("a kept frame has another size");
+    if (known == brick_ && active_.size() == frame_) return kept;
+    const double x = static_cast<double>(known.width) / frame_.width;
+    const double y = static_cast<double>(known.height) / frame_.height;
+    const cv::Rect active(cv::Point(cvCeil(active_.x * x), cvCeil(active_.y * y)),
+                          cv::Point(cvFloor(active_.br().x * x), cvFloor(active_.br().y * y)));
+    if (active.empty()) throw std::runtime_error("a kept frame has no picture within its bars");
+    const cv::Mat picture = kept(active);
+    cv::Mat brick;
+    cv::resize(picture(cut_to(active.size(), brick_)), brick, brick_, 0, 0,
+               active.height < brick_.height ? cv::INTER_CUBIC : cv::INTER_AREA);
+    return brick;
 }
 
 std::vector<cv::Rect> Candidates::faces_in(const cv::Mat& picture) const {

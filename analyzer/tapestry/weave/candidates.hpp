@@ -42,11 +42,15 @@ class Candidates {
     };
 
     void read(void* into, std::size_t bytes, std::int64_t offset) const;
+    void read_sizes(const CandidateFileEnd& end);
+    cv::Mat as_brick(const cv::Mat& kept) const;
     std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
 
     UniqueFd file_;
     FaceDetector* detector_;  // outlives this
     cv::Size brick_;
+    cv::Size frame_;   // px; pictures with bars have it
+    cv::Rect active_;  // px of the frame: the picture within its bars
     std::chrono::nanoseconds duration_{0};
     FilmContent content_;
     std::vector<FrameSignature> signatures_;
