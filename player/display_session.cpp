@@ -112,7 +112,7 @@ std::string DisplaySession::description() const {
     return complaint_.empty() ? "no graphics card at present" : complaint_;
 }
 
-/// Tells the analyzer the size of the screens: it makes clips no larger.
+/// Tells the analyzer the size of the screens: it makes clips of films to suit them.
 void DisplaySession::note_screens() {
     int side = 0;
     for (const Screen* screen : screens())

@@ -3,14 +3,20 @@
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/memory.hpp"
+#include "player/display/mesa_options.hpp"
 #include "player/plan_command.hpp"
+#include "player/playback/reader/host_process.hpp"
+#include "player/playback/reader/reader_host.hpp"
 #include "player/player.hpp"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
 #include <exception>
 #include <map>
+#include <memory>
 #include <string>
+#include <string_view>
 
 // vitrine-player: shows the catalogue on a screen, or plans a wall without one.
 
@@ -18,6 +24,8 @@ namespace {
 
 using namespace vitrine;
 using namespace vitrine::player;
+
+constexpr const char* reader_host_word = "reader-host";  // not for persons: it is not in the help
 
 /// Reads "20s", "1500ms", "2m" or "20", which are seconds.
 std::chrono::nanoseconds duration_of(const std::string& text) {
@@ -129,14 +137,29 @@ void run(const CommandLine& line) {
     log::set_level(settings.log.level);
     if (is_plan) return write_plan(settings, line.plan);
     PlayOptions play = line.play;
+    play.readers = std::make_shared<ReaderHost>(std::vector<std::string>{"/proc/self/exe", reader_host_word});
     play.read_settings = [&line] { return line.settings.settings(); };
     Player(settings, play).run();
+}
+
+/// Runs this program as the reader host, and ends it.
+[[noreturn]] void run_reader_host() {
+    int code = 0;
+    try {
+        serve_orders();
+    } catch (const std::exception& error) {
+        log::error("reader host: {}", error.what());
+        code = 1;
+    }
+    ::_exit(code);  // without the ends of libraries, which nobody needs
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     bound_memory();
+    if (argc == 2 && std::string_view(argv[1]) == reader_host_word) run_reader_host();
+    set_mesa_options();
     CommandLine line;
     add_play_options(line);
     add_plan_options(line);

@@ -12,6 +12,7 @@
 #include "player/display_session.hpp"
 #include "player/input/input_devices.hpp"
 #include "player/playback/hardware_decoders.hpp"
+#include "player/playback/reader/upload_readers.hpp"
 #include "player/playback/sound/wall_sound.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/player_service.hpp"
@@ -49,8 +50,9 @@ WallContent content_of(const Stages& stages, const SourcePool& sources) {
     WallContent content{.folders = {}, .files = {}, .open = sources.open_files()};
     for (const auto& stage : stages.all()) {
         if (stage->screens().empty()) continue;
-        content.folders.push_back(
-            {.folder = stage->files().folder(), .opened = stage->files().opened_folder()});
+        content.folders.push_back({.folder = stage->files().folder(),
+                                   .opened = stage->files().opened_folder(),
+                                   .avoided = stage->wall().avoided_files()});
         for (const SlotShot& shot : stage->wall().standing())
             content.files.insert(shot.key.path);
     }
@@ -125,13 +127,15 @@ void Player::make_display() {
 
 void Player::make_sources() {
     init_vips();  // here, where there are no threads yet that load libraries or read the environment
-    sources_ = std::make_unique<SourcePool>(media_places(settings_),
-                                            source_options(settings_, !is_paced_by_pictures()));
+    SourceOptions options = source_options(settings_, !is_paced_by_pictures());
+    if (options_.readers) options.uploads = upload_readers(options_.readers, settings_.media.root);
+    sources_ = std::make_unique<SourcePool>(media_places(settings_), options);
     if (settings_.output.decoders == DecoderChoice::automatic)
         sources_->film_options().decoders = hardware_decoders(is_usable_here);
     log::info("films are decoded {}", in_words(sources_->film_options().decoders));
-    sources_->set_before_opening(
-        [this](const std::string& path) { files_->note_opening(path, EventLoop::Clock::now()); });
+    sources_->listen_to_files([this](const std::string& path, FileNews news) {
+        files_->note_file(path, news, EventLoop::Clock::now());
+    });
 }
 
 PlayerView Player::view() const {
@@ -181,6 +185,7 @@ void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
     display_->follow_display();
+    renew_stages(time);
     stages_->set_screens(display_->screens(), time);
     service_->look(time);
     if (display_->screens().empty()) {
@@ -247,7 +252,12 @@ void Player::reload() {
     };
     log::info("settings read again: {} changed now, {} will change after a restart", list(change.now),
               list(change.later));
-    if (!change.are_walls_new) return;
+    if (change.are_walls_new) stages_->ask_anew();
+}
+
+/// Makes the walls anew if the settings ask for it.
+void Player::renew_stages(std::chrono::nanoseconds time) {
+    if (!stages_->claim_renewal(time)) return;
     for (const SourceId source : sources_->retire_all())
         display_->forget_source(source);
     stages_->make_anew();

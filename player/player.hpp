@@ -20,6 +20,7 @@ class SourcePool;
 class Stages;
 class VisibleFiles;
 class InputDevices;
+class ReaderHost;
 class WallPicture;
 class WallSound;
 struct PlayerActions;
@@ -33,6 +34,7 @@ struct PlayOptions {
     std::optional<std::filesystem::path> tapestry;  // a directory; its tapestry is shown in place of the wall
     std::optional<Rehearsal> rehearsal;             // events for a run without new files or visitors
     std::function<Settings()> read_settings;        // reads the settings again; empty: they stay as they are
+    std::shared_ptr<ReaderHost> readers;            // decodes the media folder's files; none: the player does
     bool is_realtime = false;  // off screen: pictures at their time, even if late; else each picture exact
 };
 
@@ -69,6 +71,7 @@ class Player {
     void play_sound(std::chrono::nanoseconds time);
     void take_wall_picture(std::chrono::nanoseconds time);
     void reload();
+    void renew_stages(std::chrono::nanoseconds time);
     void finish();
 
     Settings settings_;

@@ -29,7 +29,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto report_interval = 5s;
-constexpr auto screenshot_pause = 1s;
 
 const char* tier_of(const SourceState& source) {
     if (!source.is_film) return "photo";
@@ -171,9 +170,8 @@ const MediaRecord& PlayerService::require_shown(const std::string& given, const 
 
 /// A picture is copied from the display, which keeps the next one waiting.
 std::vector<OutputPicture> PlayerService::take_screenshots() {
-    if (screenshot_ && now_ - *screenshot_ < screenshot_pause)
+    if (!screenshots_.take_turn(now_))
         throw std::runtime_error("a screenshot was taken this very second; try again in a second");
-    screenshot_ = now_;
     std::vector<OutputPicture> shots;
     for (Screen* screen : view_.display.screens())
         if (std::optional<Picture> picture = screen->shown())

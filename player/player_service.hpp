@@ -7,6 +7,7 @@
 #include "player/control/health.hpp"
 #include "player/control/metrics_file.hpp"
 #include "player/control/player_report.hpp"
+#include "player/control/rate_limit.hpp"
 #include "player/scene/show_controls.hpp"
 
 #include <chrono>
@@ -86,11 +87,11 @@ class PlayerService {
     ShowControls controls_;
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
-    std::optional<std::chrono::nanoseconds> screenshot_;  // when the last one was taken
-    std::chrono::nanoseconds now_{0};                     // the time of the last look()
-    std::chrono::nanoseconds reported_{0};                // time of the last report to systemd
-    std::uint64_t flips_ = 0;                             // flips of the first screen at that time
-    double rate_ = 0;                                     // flips a second between the last two reports
+    RateLimit screenshots_{std::chrono::seconds(1)};
+    std::chrono::nanoseconds now_{0};       // the time of the last look()
+    std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
+    std::uint64_t flips_ = 0;               // flips of the first screen at that time
+    double rate_ = 0;                       // flips a second between the last two reports
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

@@ -3,27 +3,16 @@
 #include "base/state/record_json.hpp"
 #include "base/system/atomic_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace vitrine::player {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_before(const RecordList::Record& a, const RecordList::Record& b) {
-    return a->path < b->path;
-}
-
-RecordList ordered(std::vector<RecordList::Record> records) {
-    std::ranges::sort(records, is_before);
-    return RecordList(std::move(records));
-}
 
 template <typename T> void append(std::vector<T>& to, std::vector<T>& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
@@ -111,7 +100,7 @@ CatalogueNews CatalogueReader::read(Request request) {
             request.names.insert(entry.path().filename().string());
     }
     CatalogueNews news;
-    std::vector<RecordList::Record> before, after;
+    Records before, after;
     for (const std::string& name : request.names) {
         if (fs::path(name).extension() != ".json") continue;
         const auto known = records_.find(name);
@@ -126,11 +115,24 @@ CatalogueNews CatalogueReader::read(Request request) {
         records_.emplace(name, std::move(record));
     }
     if (before.empty() && after.empty()) return news;
-    news.change = change_between(ordered(std::move(before)), ordered(std::move(after)));
-    news.records = list();
-    for (const auto& [name, record] : records_)
-        ++news.counts[record->state];
+    update_list(before, after);
+    news.change = change_between(RecordList(std::move(before)), RecordList(std::move(after)));
+    news.records = list_;
+    news.counts = counts_;
     return news;
+}
+
+void CatalogueReader::update_list(const Records& before, const Records& after) {
+    RecordList::Changes changes;
+    for (const RecordList::Record& record : before) {
+        if (--counts_[record->state] == 0) counts_.erase(record->state);
+        if (list_.find(record->path) == record) changes[record->path] = nullptr;
+    }
+    for (const RecordList::Record& record : after) {
+        ++counts_[record->state];
+        changes[record->path] = record;
+    }
+    list_.apply(changes);
 }
 
 /// One unreadable record never hides the others.
@@ -146,14 +148,6 @@ RecordList::Record CatalogueReader::read_record(const std::string& name, Catalog
         if (unreadable_.insert(name).second) news.unreadable.emplace(file.string(), error.what());
         return nullptr;
     }
-}
-
-RecordList CatalogueReader::list() const {
-    std::vector<RecordList::Record> all;
-    all.reserve(records_.size());
-    for (const auto& [name, record] : records_)
-        all.push_back(record);
-    return ordered(std::move(all));
 }
 
 }  // namespace vitrine::player

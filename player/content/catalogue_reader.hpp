@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -50,6 +51,8 @@ class CatalogueReader {
     std::optional<CatalogueNews> pop_news();
 
   private:
+    using Records = std::vector<RecordList::Record>;
+
     /// The files to read.
     struct Request {
         bool is_all = false;
@@ -60,14 +63,16 @@ class CatalogueReader {
 
     void run();
     CatalogueNews read(Request request);
+    void update_list(const Records& before, const Records& after);
     RecordList::Record read_record(const std::string& name, CatalogueNews& news);
-    RecordList list() const;
 
     const Catalogue catalogue_;
     const std::function<void()> on_news_;
     std::map<std::string, RecordList::Record>
-        records_;                       // by the name of the file; only the reader's thread uses it
-    std::set<std::string> unreadable_;  // likewise
+        records_;                               // by the name of the file; only the reader's thread uses it
+    RecordList list_;                           // likewise: the same records by path
+    std::map<MediaState, std::size_t> counts_;  // likewise
+    std::set<std::string> unreadable_;          // likewise
     std::mutex mutex_;
     std::condition_variable wake_;
     Request request_;                    // guarded by mutex_

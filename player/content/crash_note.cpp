@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -23,6 +24,7 @@ namespace {
 constexpr auto usual_opening = 10s;     // a crash within this time is put down to the opened file
 constexpr auto max_opening = 60s;       // the same for a file that was open in several crashes
 constexpr auto forgiving_time = 10min;  // time without a crash until all is forgiven
+constexpr auto doubtful_time = 1h;      // if several files crash within this time, none of them is condemned
 
 std::string content_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -50,6 +52,7 @@ CrashNote::CrashNote(fs::path state)
       blame_(read_blame(state_)),
       note_{.boot = this_boot(), .process = ::getpid(), .opening = {}, .playing = {}} {
     count_crash();
+    quarantined_ = count_quarantined(blame_, wall_clock());
     if (is_active_) note_own_crash(state_ / crashed_file);
     for (const auto& [name, suspicion] : blame_)
         if (suspicion.points >= suspect_points && suspicion.points < quarantine_points)
@@ -91,21 +94,32 @@ bool CrashNote::is_on_hold(const MediaRecord& record) const {
     return suspects_.contains(name) && name != on_trial_;
 }
 
-void CrashNote::set_files(const RecordList& files) {
-    for (const RecordList::Record& file : files)
-        if (is_quarantined(*file) && logged_.insert(file->path).second)
-            log::warning("quarantined: '{}': {}", file->path, brought_the_player_down);
-    if (suspects_.empty()) return;
-    const auto is_suspect = [&](const RecordList::Record& record) {
-        return suspects_.contains(content_name(*record));
-    };
-    const auto is_on_trial = [&](const RecordList::Record& record) {
-        return content_name(*record) == on_trial_;
-    };
-    if (std::ranges::any_of(files, is_on_trial)) return;
-    const auto next = std::ranges::find_if(files, is_suspect);
-    on_trial_ = next == files.end() ? std::nullopt : std::optional(content_name(**next));
+bool CrashNote::set_files(const RecordList& files) {
+    files.for_each_change(files_, [&](const RecordList::Record& /*before*/, const RecordList::Record& now) {
+        if (now) log_quarantine(*now);
+    });
+    files_ = files;
+    return !suspects_.empty() && choose_suspect();
+}
+
+/// Logs once that a file is quarantined, if it is.
+void CrashNote::log_quarantine(const MediaRecord& record) {
+    if (is_quarantined(record) && logged_.insert(record.path).second)
+        log::warning("quarantined: '{}': {}", record.path, brought_the_player_down);
+}
+
+/// Puts the first suspect on trial if none is. True: another file is on trial now.
+bool CrashNote::choose_suspect() {
+    const RecordList::Record tried = files_.find(trial_path_);
+    if (tried && on_trial_ == content_name(*tried)) return false;
+    const auto next = std::ranges::find_if(
+        files_, [&](const RecordList::Record& record) { return suspects_.contains(content_name(*record)); });
+    const bool is_found = next != files_.end();
+    const auto before =
+        std::exchange(on_trial_, is_found ? std::optional(content_name(**next)) : std::nullopt);
+    trial_path_ = is_found ? (*next)->path : "";
     trial_begin_.reset();
+    return on_trial_ != before;
 }
 
 void CrashNote::note_opening(const MediaRecord& record, Time now) {
@@ -121,19 +135,47 @@ std::chrono::seconds CrashNote::opening_time(const ContentName& name) const {
                                                                                   : usual_opening;
 }
 
+void CrashNote::note_reader_crash(const MediaRecord& record, Time now) {
+    const ContentName name = content_name(record);
+    std::erase_if(reader_crashes_, [&](const auto& entry) { return now - entry.second > doubtful_time; });
+    reader_crashes_[name] = now;
+    start_ = now;
+    log::warning("its reader crashed: '{}'", record.path);
+    blame_ = blame_after_reader(std::move(blame_), name, reader_crashes_.size() == 1, wall_clock());
+    if (is_active_) write_blame();
+}
+
+/// Without a disk that takes it, the quarantine lasts as long as this run.
+void CrashNote::write_blame() {
+    try {
+        replace_file(state_ / blamed_file, to_text(blame_));
+    } catch (const std::system_error& error) {
+        log::debug("the files that crashed cannot be noted: {}", error.what());
+    }
+}
+
 bool CrashNote::note_open(const std::set<ContentName>& open, Time now) {
     if (start_ == Time{}) start_ = now;
     std::erase_if(opened_, [&](const auto& entry) { return !open.contains(entry.first); });
     PlayingNote note{.boot = note_.boot, .process = note_.process, .opening = {}, .playing = {}};
     for (const auto& [name, since] : opened_)
         (now - since < opening_time(name) ? note.opening : note.playing).insert(name);
-    const bool is_acquitted = end_trial(now);
+    const bool is_cleared = end_trial(now), has_other_quarantines = follow_quarantines();
     if (now - start_ > forgiving_time) forgive();
     if (note != note_) {
         note_ = std::move(note);
         write();
     }
-    return is_acquitted;
+    return is_cleared || has_other_quarantines;
+}
+
+/// True: a quarantine has begun or ended since the last call.
+bool CrashNote::follow_quarantines() {
+    const std::size_t before = std::exchange(quarantined_, count_quarantined(blame_, wall_clock()));
+    if (quarantined_ == before) return false;
+    for (const RecordList::Record& record : files_)
+        log_quarantine(*record);
+    return true;
 }
 
 /// Ends a trial that has lasted long enough, or when all is forgiven. True: there was one.
@@ -153,12 +195,7 @@ bool CrashNote::end_trial(Time now) {
 void CrashNote::forgive() {
     const auto forgiven =
         std::erase_if(blame_, [](const auto& entry) { return entry.second.quarantines == 0; });
-    if (forgiven == 0 || !is_active_) return;
-    try {
-        replace_file(state_ / blamed_file, to_text(blame_));
-    } catch (const std::system_error& error) {
-        log::debug("the files of earlier crashes stay suspects: {}", error.what());
-    }
+    if (forgiven > 0 && is_active_) write_blame();
 }
 
 /// A rename alone makes the note whole: it is read only after this process has ended.

@@ -4,6 +4,7 @@
 #include "player/scene/show_files.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -34,14 +35,19 @@ class CrashNote {
 
     /// Call when the files have changed. Logs each quarantined file once, and chooses the next suspect to
     /// show if none is on trial.
-    void set_files(const RecordList& files);
+    /// @return  true: is_on_hold() may answer otherwise for files that have not changed
+    bool set_files(const RecordList& files);
 
     /// Call before the file is opened.
     void note_opening(const MediaRecord& record, Time now);
 
-    /// Notes the files that are still open. Call now and then. A run of ten minutes forgives all files that
-    /// are not quarantined.
-    /// @return  true: a suspect was cleared, so that another file may be shown
+    /// Call when a file has made its own reader crash. Logs. Twice, and the file is quarantined, unless other
+    /// files did the same within an hour.
+    void note_reader_crash(const MediaRecord& record, Time now);
+
+    /// Notes the files that are still open. Call now and then. Ten minutes without a crash forgive all files
+    /// that are not quarantined.
+    /// @return  true: other files may be shown than before
     bool note_open(const std::set<ContentName>& open, Time now);
 
     /// Forgets all crashes of a file, and tells the analyzer. @param path  "": of all files
@@ -53,20 +59,28 @@ class CrashNote {
 
   private:
     void count_crash();
+    void write_blame();
     void forgive();
     std::chrono::seconds opening_time(const ContentName& name) const;
+    bool choose_suspect();
     bool end_trial(Time now);
+    bool follow_quarantines();
+    void log_quarantine(const MediaRecord& record);
     void write();
 
     std::filesystem::path state_;
     Blame blame_;
     PlayingNote note_;                    // the note on the disk
     std::map<ContentName, Time> opened_;  // open files and when they were opened
-    Time start_{};                        // time of the first call
+    Time start_{};                        // time of the first call, or of a reader's last crash
     std::set<ContentName> suspects_;      // the files on hold, and the one on trial
     std::optional<ContentName> on_trial_;
-    std::optional<Time> trial_begin_;  // time of the first opening of the file on trial
-    std::set<std::string> logged_;     // paths of quarantined files
+    std::string trial_path_;                      // of the file on trial
+    std::optional<Time> trial_begin_;             // time of the first opening of the file on trial
+    RecordList files_;                            // as they were set last
+    std::size_t quarantined_ = 0;                 // contents that are quarantined
+    std::set<std::string> logged_;                // paths of quarantined files
+    std::map<ContentName, Time> reader_crashes_;  // the last of each content, within an hour
     bool is_active_ = true;  // false: another player has this state directory, or it cannot be written
 };
 

@@ -1,10 +1,12 @@
 #include "player/content/crash_signal.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
+#include <cstddef>
 #include <system_error>
 
 namespace vitrine::player {
@@ -26,6 +28,17 @@ void write_signal(int signal, siginfo_t* info, void* /*context*/) {
     ::raise(signal);  // comes as soon as this function has returned
 }
 
+/// Gives the handler a stack of its own in this thread, as a stack that is used up has no room for it.
+void use_own_stack() {
+    constexpr std::size_t size = 64UL << 10U;
+    stack_t stack{};
+    if (::sigaltstack(nullptr, &stack) < 0 || (stack.ss_flags & SS_DISABLE) == 0) return;
+    void* room = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) return;
+    stack = {.ss_sp = room, .ss_flags = 0, .ss_size = size};
+    ::sigaltstack(&stack, nullptr);
+}
+
 }  // namespace
 
 void note_own_crash(const std::filesystem::path& file) {
@@ -33,6 +46,7 @@ void note_own_crash(const std::filesystem::path& file) {
     if (crash_file >= 0) ::close(crash_file);
     crash_file = opened;
     if (crash_file < 0) return;
+    use_own_stack();
 
     struct sigaction action {};
 

@@ -11,7 +11,7 @@ namespace vitrine::player {
 constexpr const char* crashed_file = "crashed";  // below the state directory
 
 /// Opens the file, empties it, and writes into it if this process crashes from now on. Where the file cannot
-/// be opened nothing is noted.
+/// be opened nothing is noted. A stack that is used up is noted if it is that of the calling thread.
 void note_own_crash(const std::filesystem::path& file);
 
 /// @return true where the last process that noted into this file crashed by its own doing

@@ -23,9 +23,9 @@ bool HoursFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {
 }
 
 std::string HoursFollower::hours_of(const std::string& path) const {
-    const auto found = hours_.hints().find(path);
-    if (found == hours_.hints().end()) return {};
-    return in_words(Hints{.period = found->second.period, .hours = found->second.hours});
+    const ShowHints::Entry file = hours_.hints().find(path);
+    if (!file) return {};
+    return in_words(Hints{.period = file->hints.period, .hours = file->hints.hours});
 }
 
 /// Reads the folders' hints; the analyzer replaces the file as a whole. If the file cannot be read, the hints

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,10 @@ class HoursFollower {
     /// @param rehearsed  a local time that replaces the present one
     /// @return  true: other files may be shown than at the last call, or with other hints
     bool look(std::optional<std::chrono::local_seconds> rehearsed);
+
+    /// Removes and returns the paths of the files that look() has found to be open, closed or hinted
+    /// otherwise.
+    std::set<std::string> take_changed() { return hours_.take_changed(); }
 
     bool is_open(const std::string& path) const { return hours_.is_open(path); }
 

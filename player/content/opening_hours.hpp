@@ -4,7 +4,7 @@
 #include "player/scene/show_files.hpp"
 
 #include <chrono>
-#include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,12 +15,19 @@ namespace vitrine::player {
 /// clock: the time is passed in.
 class OpeningHours {
   public:
+    /// Reads the hints of files that came since the last call.
     void set_files(const RecordList& files);
+
+    /// Reads the hints of all files again.
     void set_folders(FolderHints folders);
 
     /// @param now   local time; none: unknown
     /// @return  true: other files may be shown than at the last call, or with other hints
     bool advance(std::optional<std::chrono::local_seconds> now);
+
+    /// Removes and returns the paths of the files that opened, closed or got other hints since the last call,
+    /// and of those with hours if the time has become known or unknown.
+    std::set<std::string> take_changed();
 
     bool is_open(const std::string& path) const { return !closed_.contains(path); }
 
@@ -28,18 +35,18 @@ class OpeningHours {
     const ShowHints& hints() const { return hints_; }
 
     /// True: a file has a period or hours.
-    bool has_hours() const { return has_hours_; }
-
-    std::size_t count_closed() const { return closed_.size(); }
+    bool has_hours() const { return !scheduled_.empty(); }
 
   private:
-    void read_hints();
+    void set_hints(const std::string& path, const Hints& hints, ShowHints::Changes& changes);
 
     FolderHints folders_;
     RecordList files_;
     ShowHints hints_;
-    std::set<std::string> closed_;  // paths of the files that may not be shown now
-    bool has_hours_ = false;
+    std::map<std::string, Hints> scheduled_;  // the files with a period or hours
+    std::set<std::string> closed_;            // paths of the files that may not be shown now
+    std::set<std::string> changed_;
+    bool has_time_ = false;
     bool is_new_ = true;  // files or folders have changed since the last advance()
 };
 

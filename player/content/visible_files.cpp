@@ -26,6 +26,35 @@ bool is_in(const std::string& path, const std::string& folder) {
     return folder.empty() || path.starts_with(folder + "/");
 }
 
+/// The last filters: is the file's folder shown on a screen, and does that screen choose the file?
+Visibility judge_folder(const WallContent& content, const std::string& path) {
+    const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
+    const auto is_open = [&](const ShownFolder& shown) {
+        return is_shown(shown) && is_in(path, shown.opened);
+    };
+    const auto is_chosen = [&](const ShownFolder& shown) {
+        return is_open(shown) && !shown.avoided.contains(path);
+    };
+    if (content.folders.empty() || std::ranges::any_of(content.folders, is_chosen))
+        return Visibility::waits_for_turn;
+    if (std::ranges::any_of(content.folders, is_open)) return Visibility::avoided;
+    return std::ranges::any_of(content.folders, is_shown) ? Visibility::closed_folder
+                                                          : Visibility::other_folder;
+}
+
+/// Words for the ready files that the filters keep off the wall: ", 3 out of hours". @param kept_off  their
+/// number
+std::string reasons_in(const std::map<Visibility, std::size_t>& counts, std::size_t& kept_off) {
+    std::string reasons;
+    for (const auto& [visibility, count] : counts) {
+        const bool is_ready = visibility != Visibility::not_analysed && visibility != Visibility::unsupported;
+        if (may_be_shown(visibility) || !is_ready || count == 0) continue;
+        reasons += fmt::format(", {} {}", count, in_short(visibility));
+        kept_off += count;
+    }
+    return reasons;
+}
+
 void log_change(const CatalogueChange& change) {
     for (const std::string& path : change.added)
         log::write_with(log::Level::info, fmt::format("new: '{}'", path), {{"VITRINE_FILE", path}});
@@ -45,6 +74,11 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Rehears
       on_change_(std::move(on_change)),
       crash_note_(state),
       hours_(state),
+      judged_([this](const MediaRecord& file) {
+          FileVisibility judged = judge_file(file);
+          if (may_be_shown(judged.visibility)) judged.visibility = judge_folder(content_, file.path);
+          return judged;
+      }),
       note_(rehearsal == nullptr ? state / visible_file : fs::path()),
       follower_(loop, Catalogue(state / "catalogue"),
                 [this](const CatalogueChange& change, const RecordList& records) {
@@ -71,95 +105,84 @@ FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
 FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
     FileVisibility judged = judge_file(file);
     if (!may_be_shown(judged.visibility)) return judged;
-    judged.visibility = content_.files.contains(file.path) ? Visibility::on_wall : judge_folder(file.path);
+    judged.visibility =
+        content_.files.contains(file.path) ? Visibility::on_wall : judge_folder(content_, file.path);
     return judged;
-}
-
-/// The last filter: is the file's folder shown on a screen?
-Visibility VisibleFiles::judge_folder(const std::string& path) const {
-    const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
-    const auto is_open = [&](const ShownFolder& shown) {
-        return is_shown(shown) && is_in(path, shown.opened);
-    };
-    if (content_.folders.empty() || std::ranges::any_of(content_.folders, is_open))
-        return Visibility::waits_for_turn;
-    return std::ranges::any_of(content_.folders, is_shown) ? Visibility::closed_folder
-                                                           : Visibility::other_folder;
 }
 
 void VisibleFiles::follow_catalogue(const CatalogueChange& change, const RecordList& records) {
     log_change(change);
+    std::set<std::string> changed;
+    RecordList::Changes ready;
+    records.for_each_change(records_, [&](const RecordList::Record& before, const RecordList::Record& now) {
+        const std::string& path = (now ? now : before)->path;
+        changed.insert(path);
+        ready[path] = now && is_ready(*now) ? now : nullptr;
+    });
     records_ = records;
-    apply_filters();
-}
-
-void VisibleFiles::apply_filters() {
-    RecordList ready;
-    for (const RecordList::Record& record : records_)
-        if (is_ready(*record)) ready.add(record);
-    ready_ = ready.size();
+    ready_.apply(ready);
     // A dismissal ends when the file has changed or is gone.
     std::erase_if(dismissed_, [&](const auto& dismissed) {
         const RecordList::Record now = records_.find(dismissed.first);
         return !now || !is_same_content(*now, *dismissed.second);
     });
-    crash_note_.set_files(ready);
-    hours_.set_files(ready);
-    (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
-    select_visible();
+    judge_again(std::move(changed));
 }
 
-/// Files whose folder no screen shows stay in the list: the screen may come at any time.
-void VisibleFiles::select_visible() {
-    visible_ = {};
-    for (const RecordList::Record& record : records_)
-        if (may_be_shown(judge_file(*record).visibility)) visible_.add(record);
-    log_reasons();
+void VisibleFiles::apply_filters() {
+    judge_again(std::nullopt);
+}
+
+/// Judges these files, and those whose hours have begun or ended. Files whose folder no screen shows stay in
+/// the list: the screen may come at any time.
+/// @param paths  none: all files
+void VisibleFiles::judge_again(std::optional<std::set<std::string>> paths) {
+    const bool is_other_trial = crash_note_.set_files(ready_);
+    hours_.set_files(ready_);
+    (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
+    std::set<std::string> by_hours = hours_.take_changed();
+    const bool has_other_hints = !by_hours.empty();
+    if (paths) paths->merge(by_hours);
+    const bool is_other =
+        is_other_trial || !paths ? judged_.judge_all(records_) : judged_.judge(*paths, records_);
+    tell_change(is_other || has_other_hints);
+}
+
+/// Logs how many ready files the filters keep off the wall, if that has changed.
+/// @param is_other  the list of files, or their hints, are others
+void VisibleFiles::tell_change(bool is_other) {
+    std::size_t kept_off = 0;
+    std::string reasons = reasons_in(judged_.counts(), kept_off);
+    if (reasons != logged_)
+        log::info("files: {} of {} may be shown now{}", ready_.size() - kept_off, ready_.size(), reasons);
+    logged_ = std::move(reasons);
     note_.set_changed();
-    on_change_();
+    if (is_other) on_change_();
 }
 
 void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
                         const std::function<WallContent()>& content) {
     if (time < next_look_) return;
     next_look_ = time + 1s;
-    if (hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt)) select_visible();
+    if (hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt))
+        judge_again(std::set<std::string>{});
     set_content(content());
     std::set<ContentName> open;
     for (const std::string& path : content_.open)
         if (const RecordList::Record record = records_.find(path)) open.insert(content_name(*record));
     if (crash_note_.note_open(open, now)) apply_filters();
-    note_.write_if_due(now, [this] {
-        std::vector<FileVisibility> files;
-        for (const RecordList::Record& record : records_)
-            files.push_back(judge(*record));
-        return files;
-    });
+    note_.write_if_due(now,
+                       [this] { return VisibleState{.files = judged_.all(), .on_wall = content_.files}; });
 }
 
 void VisibleFiles::set_content(WallContent content) {
     if (content == content_) return;
     const bool has_other_folders = content.folders != content_.folders;
     content_ = std::move(content);
-    if (has_other_folders) log_reasons();
-    note_.set_changed();
-}
-
-/// Logs how many ready files the filters keep off the wall, if that has changed.
-void VisibleFiles::log_reasons() {
-    std::map<Visibility, std::size_t> counts;
-    for (const RecordList::Record& record : records_)
-        if (is_ready(*record)) ++counts[judge(*record).visibility];
-    std::string reasons;
-    std::size_t kept_off = 0;
-    for (const auto& [visibility, count] : counts) {
-        if (may_be_shown(visibility)) continue;
-        reasons += fmt::format(", {} {}", count, in_short(visibility));
-        kept_off += count;
-    }
-    if (reasons == logged_) return;
-    log::info("files: {} of {} may be shown now{}", ready_ - kept_off, ready_, reasons);
-    logged_ = std::move(reasons);
+    if (has_other_folders)
+        tell_change(judged_.judge_all(records_));
+    else
+        note_.set_changed();
 }
 
 void VisibleFiles::dismiss(const MediaRecord& file) {
@@ -179,8 +202,13 @@ std::vector<std::string> VisibleFiles::dismissed() const {
     return paths;
 }
 
-void VisibleFiles::note_opening(const std::string& path, Time now) {
-    if (const RecordList::Record record = records_.find(path)) crash_note_.note_opening(*record, now);
+void VisibleFiles::note_file(const std::string& path, FileNews news, Time now) {
+    const RecordList::Record record = records_.find(path);
+    if (!record) return;
+    if (news == FileNews::opens)
+        crash_note_.note_opening(*record, now);
+    else
+        crash_note_.note_reader_crash(*record, now);
 }
 
 void VisibleFiles::end_run() {

@@ -4,6 +4,7 @@
 #include "player/content/catalogue_follower.hpp"
 #include "player/content/crash_note.hpp"
 #include "player/content/hours_follower.hpp"
+#include "player/content/judged_files.hpp"
 #include "player/content/visible_note.hpp"
 
 #include <chrono>
@@ -21,8 +22,9 @@ class Rehearsal;
 
 /// A folder that at least one screen shows.
 struct ShownFolder {
-    std::string folder;  // the output's folder, below the media folder; empty: all files
-    std::string opened;  // the only folder that a visitor looks into; empty: all
+    std::string folder;               // the output's folder, below the media folder; empty: all files
+    std::string opened;               // the only folder that a visitor looks into; empty: all
+    std::set<std::string> avoided{};  // paths of the files that the screen leaves out for a while
 
     bool operator==(const ShownFolder&) const = default;
 };
@@ -38,7 +40,8 @@ struct WallContent {
 
 /// The one list of the files that may be on the wall, with the reason for each other file. It follows the
 /// catalogue, the hours, the crashes of the player and the files that vitrinectl took off; judge_file() has a
-/// line for each filter. It keeps STATE/visible.json up to date. Logs.
+/// line for each filter. Only files that changed are judged anew. It keeps STATE/visible.json up to date.
+/// Logs.
 class VisibleFiles {
   public:
     using Time = CrashNote::Time;
@@ -50,7 +53,7 @@ class VisibleFiles {
                  std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
-    const RecordList& records() const { return visible_; }
+    const RecordList& records() const { return judged_.visible(); }
 
     /// The hints for showing the files.
     const ShowHints& hints() const { return hours_.hints(); }
@@ -59,7 +62,10 @@ class VisibleFiles {
     const std::map<MediaState, std::size_t>& counts() const { return follower_.counts(); }
 
     /// The number of ready files, with those that a filter keeps off the wall.
-    std::size_t count_ready() const { return ready_; }
+    std::size_t count_ready() const { return ready_.size(); }
+
+    /// The number of judgements so far.
+    std::size_t judgements() const { return judged_.judgements(); }
 
     /// The record of a file, visible or not. None: the analyzer has written no record.
     RecordList::Record find(const std::string& path) const { return follower_.records().find(path); }
@@ -67,7 +73,7 @@ class VisibleFiles {
     /// The first filter that keeps the file off the wall.
     FileVisibility judge(const MediaRecord& file) const;
 
-    /// Applies all filters again: the rehearsal or the clock has changed.
+    /// Judges all files again: the rehearsal has changed.
     void apply_filters();
 
     /// Call at every tick. Looks once a second, because hours begin and end on the second.
@@ -86,19 +92,18 @@ class VisibleFiles {
     /// Paths of the dismissed files.
     std::vector<std::string> dismissed() const;
 
-    /// Call before the player opens a file of the media folder.
-    void note_opening(const std::string& path, Time now);
+    /// Call before the player opens a file of the media folder, and when a file made its reader crash.
+    void note_file(const std::string& path, FileNews news, Time now);
 
     /// Call when the run ends in order.
     void end_run();
 
   private:
     void follow_catalogue(const CatalogueChange& change, const RecordList& records);
-    void select_visible();
-    void log_reasons();
+    void judge_again(std::optional<std::set<std::string>> paths);
+    void tell_change(bool is_other);
     void set_content(WallContent content);
     FileVisibility judge_file(const MediaRecord& file) const;
-    Visibility judge_folder(const std::string& path) const;
 
     const Rehearsal* rehearsal_;
     std::function<void()> on_change_;
@@ -108,9 +113,9 @@ class VisibleFiles {
     WallContent content_;
     std::chrono::nanoseconds next_look_{0};
     RecordList records_;  // the whole catalogue
-    RecordList visible_;
-    std::size_t ready_ = 0;
-    std::string logged_;  // the last logged line of log_reasons()
+    RecordList ready_;    // those with shots
+    JudgedFiles judged_;
+    std::string logged_;  // the last logged line of tell_change()
     VisibleNote note_;
     CatalogueFollower follower_;  // last: it calls back from its constructor
 };

@@ -3,8 +3,11 @@
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -14,10 +17,31 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto min_interval = 1s;
+constexpr auto rest_a_file = 100us;  // between two writings, for each file: some twenty times what one takes
 
-bool write_list(const std::vector<FileVisibility>& files, const fs::path& file) {
+bool is_same(const VisibleState& a, const VisibleState& b) {
+    bool is_same = a.on_wall == b.on_wall;
+    a.files.for_each_change(b.files,
+                            [&](const JudgedFiles::List::Entry& one, const JudgedFiles::List::Entry& other) {
+                                is_same = is_same && one && other && *one == *other;
+                            });
+    return is_same;
+}
+
+std::string text_of(const VisibleState& state) {
+    std::vector<FileVisibility> files;
+    files.reserve(state.files.size());
+    for (const JudgedFiles::List::Entry& file : state.files) {
+        files.push_back(*file);
+        if (has_passed_filters(file->visibility) && state.on_wall.contains(file->path))
+            files.back().visibility = Visibility::on_wall;
+    }
+    return visible_json(files);
+}
+
+bool write_state(const VisibleState& state, const fs::path& file) {
     try {
-        replace_file_unsynced(file, visible_json(files));
+        replace_file_unsynced(file, text_of(state));
         return true;
     } catch (
         const std::exception& error) {  // no exception may leave a thread; the wall goes on without the file
@@ -28,18 +52,22 @@ bool write_list(const std::vector<FileVisibility>& files, const fs::path& file) 
 
 }  // namespace
 
-void VisibleNote::write_if_due(Time now, const List& list) {
+void VisibleNote::write_if_due(Time now, const Look& look) {
     if (file_.empty() || (looked_ && now - *looked_ < min_interval)) return;
     looked_ = now;
     if (written_.valid()) {
         if (written_.wait_for(0s) != std::future_status::ready) return;
         if (!written_.get()) return retry_later(now);
     }
-    if (std::exchange(has_changed_, false)) {
-        std::vector<FileVisibility> files = list();
-        if (!told_ || files != files_) {
+    if (has_changed_ && (!told_ || now >= next_writing_)) {
+        has_changed_ = false;
+        VisibleState state = look();
+        if (!told_ || !is_same(state, state_)) {
             told_ = now;
-            return write(std::move(files));
+            next_writing_ =
+                now + std::min<Time::duration>(rest_a_file * static_cast<std::int64_t>(state.files.size()),
+                                               visible_heartbeat);
+            return write(std::move(state));
         }
     }
     if (now - *told_ < visible_heartbeat) return;
@@ -47,9 +75,9 @@ void VisibleNote::write_if_due(Time now, const List& list) {
     set_time();
 }
 
-void VisibleNote::write(std::vector<FileVisibility> files) {
-    files_ = files;
-    written_ = std::async(std::launch::async, write_list, std::move(files), file_);
+void VisibleNote::write(VisibleState state) {
+    state_ = state;
+    written_ = std::async(std::launch::async, write_state, std::move(state), file_);
 }
 
 /// Sets the file's time. If somebody has deleted the file, it is written again.

@@ -18,15 +18,6 @@ std::string dumped(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// No exception crosses a thread; a file that cannot be read says nothing.
-AnalyzerWord read_word(const fs::path& file) noexcept try {
-    return analyzer_word_from(read_file(file));
-
-} catch (const std::exception&) {
-
-    return {};
-}
-
 }  // namespace
 
 std::string AnalyzerWord::entry(const std::string& path) const {
@@ -56,19 +47,34 @@ AnalyzerWord analyzer_word_from(const std::string& json) {
     return word;
 }
 
+AnalyzerWord read_analyzer_word(const fs::path& file) noexcept {
+    try {
+        return analyzer_word_from(read_file(file));
+    } catch (const std::exception&) {  // no exception crosses a thread
+        return {};
+    }
+}
+
 void AnalyzerWordReader::look(Time now) {
     if (now < next_look_) return;
     next_look_ = now + 1s;
     if (reading_.valid()) {
         if (reading_.wait_for(0s) != std::future_status::ready) return;
-        word_ = reading_.get();
+        replace_word(reading_.get());
     }
     std::error_code missing;
     const auto time = fs::last_write_time(file_, missing);
     const auto size = missing ? 0 : fs::file_size(file_, missing);
     if (missing || read_ == Version(time, size)) return;
     read_ = Version(time, size);
-    reading_ = std::async(std::launch::async, read_word, file_);
+    reading_ = std::async(std::launch::async, read_word_, file_);
+}
+
+void AnalyzerWordReader::replace_word(AnalyzerWord word) {
+    std::swap(word_, word);
+    forgetting_ = std::async(std::launch::async, [before = std::move(word)]() mutable {
+        const AnalyzerWord gone = std::move(before);  // ends with the thread's work
+    });
 }
 
 }  // namespace vitrine::player

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -23,13 +24,19 @@ struct AnalyzerWord {
 /// @param json  the content of status.json; anything else gives an empty word
 AnalyzerWord analyzer_word_from(const std::string& json);
 
+/// A file that cannot be read gives an empty word.
+AnalyzerWord read_analyzer_word(const std::filesystem::path& file) noexcept;
+
 /// Reads status.json on another thread whenever it has changed: with many files that takes longer than a
-/// picture may.
+/// picture may, and so does forgetting the word before.
 class AnalyzerWordReader {
   public:
     using Time = std::chrono::nanoseconds;
+    using Read = std::function<AnalyzerWord(const std::filesystem::path&)>;
 
-    explicit AnalyzerWordReader(std::filesystem::path file) : file_(std::move(file)) {}
+    /// @param read  called on another thread
+    explicit AnalyzerWordReader(std::filesystem::path file, Read read = read_analyzer_word)
+        : file_(std::move(file)), read_word_(std::move(read)) {}
 
     /// To be called at every tick; looks once a second. @param now  since the player's start
     void look(Time now);
@@ -40,10 +47,14 @@ class AnalyzerWordReader {
   private:
     using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
+    void replace_word(AnalyzerWord word);
+
     std::filesystem::path file_;
+    Read read_word_;
     AnalyzerWord word_;
     std::optional<Version> read_;  // the version of the file that was read, or is being read
     std::future<AnalyzerWord> reading_;
+    std::future<void> forgetting_;  // the word before
     Time next_look_{0};
 };
 

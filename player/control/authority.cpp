@@ -22,12 +22,20 @@ class Polkit final : public Authority {
         Question& question = questions_[number];
         question.authority = this;
         question.number = number;
-        question.sender = sd_bus_message_get_sender(&call);
+        const char* sender = sd_bus_message_get_sender(&call);
+        question.sender = sender != nullptr ? sender : "";
         question.bus = sd_bus_message_get_bus(&call);
         question.answer = std::move(answer);
         const bool may_ask_back = sd_bus_message_get_allow_interactive_authorization(&call) > 0;
-        ask_polkit(question, may_ask_back);
+        try {
+            ask_polkit(question, may_ask_back);
+        } catch (...) {
+            questions_.erase(number);
+            throw;
+        }
     }
+
+    void drop_questions() override { questions_.clear(); }
 
   private:
     struct Question {

@@ -24,6 +24,9 @@ class Authority {
     /// Answers at once or later, from the event loop; never after this is destroyed.
     /// @param call  lent; its sender is asked about
     virtual void ask(sd_bus_message& call, Answer answer) = 0;
+
+    /// Drops all questions without an answer: the bus of their calls is gone.
+    virtual void drop_questions() {}
 };
 
 /// Asks polkit, over the bus of the call, if the sender may do org.vitrine.player.control. Without polkit,

@@ -146,6 +146,7 @@ void BusObject::open() {
 }
 
 void BusObject::close() {
+    authority_->drop_questions();
     named_.reset();
     gone_.reset();
     object_.reset();

@@ -3,10 +3,12 @@
 #include "player/display/picture.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -54,30 +56,62 @@ void print_cells(const Json& status) {
                         cell.value("pinned", false) ? " (pinned)" : ""));
 }
 
+/// The analyzer's count of files: "8 ready, 1 waiting".
+std::string files_in_words(const Json& analyzer) {
+    std::string words;
+    const Json states = analyzer.value("states", Json::object());
+    for (const auto& [state, count] : states.items())
+        words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count.get<std::size_t>(), state);
+    if (words.empty()) words = "no files";
+    return words + (analyzer.value("online", true) ? "" : "; the media folder is not there");
+}
+
+/// The analyzer's entry of one file: "waiting since 2026-11-22 17:57: the copy is not complete".
+std::string entry_in_words(const Json& entry) {
+    std::string words = entry.value("state", "");
+    if (entry.contains("since"))
+        words +=
+            fmt::format(" since {:%Y-%m-%d %H:%M}", fmt::localtime(entry.value("since", std::time_t{0})));
+    if (entry.contains("reason")) words += ": " + entry.value("reason", "");
+    if (entry.contains("shown")) words += "; shown " + entry.value("shown", "");
+    return words;
+}
+
+/// "6 photos, 2 films with all pictures, 1 film with key pictures".
+std::string sources_in_words(const Json& sources) {
+    std::size_t photos = 0;
+    std::map<std::string, std::size_t> films;
+    for (const Json& source : sources) {
+        const std::string tier = source.value("pictures", "");
+        ++(tier == "photo" ? photos : films[tier]);
+    }
+    std::string words = fmt::format("{} {}", photos, photos == 1 ? "photo" : "photos");
+    for (const auto& [tier, count] : films)
+        words += fmt::format(", {} {} with {} pictures", count, count == 1 ? "film" : "films", tier);
+    return words;
+}
+
+void print_outputs(const Json& outputs) {
+    for (const Json& output : outputs) {
+        const double hertz = output.value("hertz", 0.0);
+        print(fmt::format("output    {}, {}x{} px{}, {} flips", output.value("name", ""),
+                          output.value("width", 0), output.value("height", 0),
+                          hertz > 0 ? fmt::format(", {:.2f} Hz", hertz) : "", output.value("flips", 0U)));
+    }
+}
+
 void print_status(const Json& status) {
     print(fmt::format("state     {}{}", status.value("state", ""),
                       status.value("paused", false) ? ", paused" : ""));
     print("display   " + status.value("display", ""));
-    for (const Json& output : status.at("outputs"))
-        print(fmt::format("output    {} {}x{}, {:.2f} Hz, {} flips", output.value("name", ""),
-                          output.value("width", 0), output.value("height", 0), output.value("hertz", 0.0),
-                          output.value("flips", 0U)));
-    print(fmt::format("pictures  {} shown, {} late, {:.1f} a second, last flip {:.1f} s ago",
+    print_outputs(status.at("outputs"));
+    print(fmt::format("pictures  {} shown, {} left out as too late, {:.1f} a second, the last {:.1f} s ago",
                       status.value("pictures", 0), status.value("late", 0),
                       status.value("pictures_per_second", 0.0), status.value("seconds_since_flip", 0.0)));
-    std::size_t photos = 0;
-    std::map<std::string, std::size_t> films;
-    for (const Json& source : status.at("sources")) {
-        const std::string tier = source.value("pictures", "");
-        ++(tier == "photo" ? photos : films[tier]);
-    }
-    std::string tiers;
-    for (const auto& [tier, count] : films)
-        tiers += fmt::format(", {} with {} pictures", count, tier);
-    print(fmt::format("sources   {} photos, films:{}; {} to come; pictures of films late: {}", photos,
-                      tiers.empty() ? " none" : tiers.substr(1), status.value("queue", 0),
+    print(fmt::format("sources   {}; {} without a picture so far; {} pictures of films were late",
+                      sources_in_words(status.at("sources")), status.value("queue", 0),
                       status.value("film_pictures_late", 0)));
-    if (status.contains("analyzer")) print("analyzer  " + status.at("analyzer").dump());
+    if (status.contains("analyzer")) print("analyzer  " + files_in_words(status.at("analyzer")));
     for (const auto& [key, word] : {std::pair("pinned", "pinned"), std::pair("removed", "removed")})
         for (const Json& file : status.at(key))
             print(fmt::format("{:<9} {}", word, file.get<std::string>()));
@@ -93,7 +127,7 @@ void print_why(const Json& report) {
         print(fmt::format("  {}, {}x{} px, shots: {}", report.value("kind", ""), report.value("width", 0),
                           report.value("height", 0), report.value("shots", 0)));
     if (state == "ready" && !report.value("reason", "").empty()) print("  " + report.value("reason", ""));
-    if (report.contains("analyzer")) print("  analyzer: " + report.at("analyzer").dump());
+    if (report.contains("analyzer")) print("  analyzer: " + entry_in_words(report.at("analyzer")));
 }
 
 /// Saves the first output's picture in the file; the others' go beside it, under the outputs' names.

@@ -1,6 +1,7 @@
 #include "player/display/egl.hpp"
 
 #include "player/display/gl_device.hpp"
+#include "player/display/mesa_options.hpp"
 
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
@@ -52,6 +53,7 @@ std::string error_name(EGLint error) {
 }
 
 EGLDisplay open_display(EGLenum platform, const char* extension, void* device) {
+    set_mesa_options();  // for programs that have not done so at their start
     if (!has_word(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), extension))
         throw std::runtime_error(fmt::format("EGL has no {}: install Mesa's EGL (libegl-mesa0)", extension));
     const EGLDisplay display = eglGetPlatformDisplay(platform, device, nullptr);

@@ -23,8 +23,9 @@ Polygon middle_box(const Box& core) {
 LayoutItem layout_item(const MediaRecord& record, const Shot& shot) {
     LayoutItem item;
     item.core = core(record, shot);
-    if (std::min(item.core.width(), item.core.height()) < min_side)
-        item.core = {{0, 0}, {std::max(1.0, 1.0 * record.width), std::max(1.0, 1.0 * record.height)}};
+    if (std::min(item.core.width(), item.core.height()) < min_side) item.core = active_picture(record, shot);
+    item.core.max = {std::max(item.core.max.x, item.core.min.x + 1),
+                     std::max(item.core.max.y, item.core.min.y + 1)};
     item.region = clipped(shot.region.polygon, item.core);
     if (area(item.region) < min_area) item.region = middle_box(item.core);
     return item;

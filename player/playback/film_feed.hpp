@@ -74,6 +74,9 @@ class FilmFeed {
 
     /// The reason why it ended by itself, in plain words.
     virtual std::optional<std::string> failure() const = 0;
+
+    /// True: what it plays made its reader crash. A feed in this process cannot report that.
+    virtual bool has_crashed() const { return false; }
 };
 
 /// @param queue  outlives the feed, which closes it when no more pictures will come

@@ -131,7 +131,6 @@ void FilmLoop::enter() {
     const MediaFormat format = chain_->format();
     FilmWindow window{.period = period(chain_->tail()), .is_named_by_stamp = has_true_time_stamps(format)};
     window.begin = part_.begin.count() > 0 ? part_.begin + window.period / 3 : part_.begin;
-    if (format == MediaFormat::mpeg_ps) window.begin = {};  // a seek into the middle gives no picture
     const std::chrono::nanoseconds whole = chain_->duration();
     if (!starts_at_zero(format) || whole.count() <= 0 || part_.end + rounding < whole)
         window.end = std::max(window.begin + rounding, part_.end - window.period / 2);

@@ -1,9 +1,11 @@
 #include "player/playback/film_stream.hpp"
 
+#include "base/media/film_elements.hpp"
 #include "player/playback/shared_frame.hpp"
 
 #include <time.h>
 
+#include <exception>
 #include <utility>
 
 namespace vitrine::player {
@@ -36,7 +38,12 @@ void FilmStream::connect(GstElement* sink) {
 GstFlowReturn FilmStream::on_sample(GstAppSink* sink, gpointer self) {
     const GstPtr<GstSample> sample(gst_app_sink_pull_sample(sink));
     if (!sample) return GST_FLOW_EOS;
-    return static_cast<FilmStream*>(self)->put(sample.get());
+    try {
+        return static_cast<FilmStream*>(self)->put(sample.get());
+    } catch (const std::exception& error) {  // no memory
+        post_error(GST_ELEMENT(sink), GST_STREAM_ERROR_FAILED, error.what(), "vitrine-no-picture");
+        return GST_FLOW_ERROR;
+    }
 }
 
 /// After a flush the streaming thread stands still and its pictures are dropped: the next picture is from the
@@ -53,7 +60,8 @@ GstPadProbeReturn FilmStream::on_flush(GstPad*, GstPadProbeInfo* info, gpointer 
     return GST_PAD_PROBE_OK;
 }
 
-GstFlowReturn FilmStream::put(GstSample* sample) noexcept {
+/// @throws std::bad_alloc
+GstFlowReturn FilmStream::put(GstSample* sample) {
     const std::optional<std::chrono::nanoseconds> time = time_in_film(sample);
     if (!time) return GST_FLOW_OK;  // outside the segment
     std::chrono::nanoseconds stream_time = *time;

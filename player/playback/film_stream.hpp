@@ -48,7 +48,7 @@ class FilmStream {
 
     static GstFlowReturn on_sample(GstAppSink* sink, gpointer self);
     static GstPadProbeReturn on_flush(GstPad* pad, GstPadProbeInfo* info, gpointer self);
-    GstFlowReturn put(GstSample* sample) noexcept;
+    GstFlowReturn put(GstSample* sample);
     std::optional<std::chrono::nanoseconds> time_in_film(GstSample* sample) const;
     void note_cost();
 

@@ -18,8 +18,11 @@ void swap_red_and_blue(std::span<std::byte> pixels) {
         std::swap(pixels[i], pixels[i + 2]);
 }
 
-Sample read(const std::string& file, int width, int height, Colour background) {
-    const auto picture = std::make_shared<StillPicture>(load_still(file, width, height, background));
+}  // namespace
+
+Sample load_photo(const PhotoWish& wish) {
+    const auto picture =
+        std::make_shared<StillPicture>(load_still(wish.file, wish.width, wish.height, wish.background));
     swap_red_and_blue(picture->pixels);
     return {.width = picture->width,
             .height = picture->height,
@@ -29,13 +32,8 @@ Sample read(const std::string& file, int width, int height, Colour background) {
             .owner = picture};
 }
 
-}  // namespace
-
-PhotoLoad::PhotoLoad(std::string file, int width, int height, Colour background, SampleQueue& queue)
-    : width_(width),
-      height_(height),
-      queue_(queue),
-      thread_([this, file = std::move(file), background] { run(file, width_, height_, background); }) {}
+PhotoLoad::PhotoLoad(PhotoWish wish, SampleQueue& queue)
+    : queue_(queue), thread_([this, wish = std::move(wish)] { run(wish); }) {}
 
 PhotoLoad::~PhotoLoad() {
     thread_.join();
@@ -46,9 +44,9 @@ std::optional<std::string> PhotoLoad::failure() const {
     return failure_;
 }
 
-void PhotoLoad::run(const std::string& file, int width, int height, Colour background) {
+void PhotoLoad::run(const PhotoWish& wish) {
     try {
-        queue_.put({.sample = read(file, width, height, background)});
+        queue_.put({.sample = load_photo(wish)});
     } catch (const std::exception& error) {
         {
             const std::lock_guard lock(mutex_);

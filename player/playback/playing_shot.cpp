@@ -23,6 +23,10 @@ double share_of_screen(const DrawItem& item, Vec2 canvas) {
     return std::min(1.0, item.alpha * area / (canvas.x * canvas.y));
 }
 
+void tell_file(const PoolState& pool, const std::string& path, FileNews news) {
+    if (pool.tell_file) pool.tell_file(path, news);
+}
+
 }  // namespace
 
 PlayingShot::PlayingShot(ShotRequest request, PoolState& pool) : pool_(pool), request_(std::move(request)) {
@@ -31,12 +35,14 @@ PlayingShot::PlayingShot(ShotRequest request, PoolState& pool) : pool_(pool), re
 
 /// Prefers the copy in the store.
 void PlayingShot::start(bool may_be_stored, std::chrono::nanoseconds at) {
-    if (pool_.before_opening) pool_.before_opening(request_.path);
+    tell_file(pool_, request_.path, FileNews::opens);
     opened_ = std::chrono::steady_clock::now();
     const std::optional<ShotFile> stored = may_be_stored ? stored_file(request_, pool_.places) : std::nullopt;
     is_stored_ = stored.has_value();
     const ShotFile file = stored ? *stored : media_file(request_, pool_.places);
     SourceOptions options = pool_.options;
+    if (!stored && options.uploads.make_film) options.make_film = options.uploads.make_film;
+    if (!stored && options.uploads.make_photo) options.make_photo = options.uploads.make_photo;
     if (is_software_) options.film.decoders.clear();
     source_ = std::make_unique<ShotSource>(file.path, file.request, options, at);
     meter_.restart();
@@ -76,24 +82,23 @@ void PlayingShot::collect_events(std::vector<SourceEvent>& events) {
     std::optional<std::string> failure = given_up_ ? given_up_ : source_->failure();
     if (!failure) return;
     const bool may_be_damaged = is_stored_ && !is_told_ready_;  // the file itself may be undamaged
-    const bool may_be_decoder = !is_software_ && !pool_.options.film.decoders.empty() && !given_up_;
+    const bool may_use_hardware = is_stored_ || !pool_.options.uploads.make_film;
+    const bool may_be_decoder =
+        !is_software_ && may_use_hardware && !pool_.options.film.decoders.empty() && !given_up_;
     if (may_be_damaged || may_be_decoder) {
         if (!may_be_damaged) is_software_ = true;
         pool_.ending.push_back(std::move(source_));
         return start(is_stored_ && !may_be_damaged, {});
     }
     is_told_failed_ = true;
+    if (source_->has_crashed()) tell_file(pool_, request_.path, FileNews::crashed_its_reader);
     events.push_back({.source = request_.source, .failure = std::move(failure)});
 }
 
-void PlayingShot::advance(DrawItem& item, const Frame& frame) {
+void PlayingShot::advance(const DrawItem& item, const Frame& frame) {
     local_ = item.local;
     if (handover_.is_due(local_)) take_clip();
-    if (std::optional<Sample> sample = source_->picture_at(local_)) {
-        sample_ = std::move(sample);
-        slide_ = source_->slide();
-    }
-    item.slide = slide_;
+    if (std::optional<Sample> sample = source_->picture_at(local_)) sample_ = std::move(sample);
     if (!pool_.options.keeps_time) return;
     meter_.note_shown(share_of_screen(item, frame.canvas), frame.time);
     watch(frame.time);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/state/blame.hpp"
 #include "player/playback/clip_handover.hpp"
 #include "player/playback/governor.hpp"
 #include "player/playback/media_places.hpp"
@@ -29,12 +30,15 @@ struct SourceState {
     std::uint64_t late = 0;  // pictures that were missing when due
 };
 
+/// @param path  below the media folder
+using FileListener = std::function<void(const std::string& path, FileNews news)>;
+
 /// The state that all shots of a pool share.
 struct PoolState {
     MediaPlaces places;
-    SourceOptions options;                                        // for new sources
-    std::function<void(const std::string& path)> before_opening;  // path: below the media folder
-    std::vector<std::unique_ptr<ShotSource>> ending;              // destroyed once their threads have ended
+    SourceOptions options;                            // for new sources
+    FileListener tell_file;                           // empty: nobody listens
+    std::vector<std::unique_ptr<ShotSource>> ending;  // destroyed once their threads have ended
     std::uint64_t late = 0;  // late pictures of sources that were replaced or retired
 };
 
@@ -65,9 +69,9 @@ class PlayingShot {
     /// in software.
     void collect_events(std::vector<SourceEvent>& events);
 
-    /// Goes to the item's time, and sets the item's slide to that of the shown picture. If sources keep time,
-    /// a film without a picture for two seconds is rebuilt (watchdog.hpp).
-    void advance(DrawItem& item, const Frame& frame);
+    /// Goes to the item's time. If sources keep time, a film without a picture for two seconds is rebuilt
+    /// (watchdog.hpp).
+    void advance(const DrawItem& item, const Frame& frame);
 
     /// The picture as of the last advance().
     const std::optional<Sample>& sample() const { return sample_; }
@@ -104,7 +108,6 @@ class PlayingShot {
     ClipHandover handover_;
     std::chrono::nanoseconds local_{0};  // shot time of its last frame
     std::optional<Sample> sample_;
-    Vec2 slide_;  // source px
     Watchdog watchdog_;
     FilmMeter meter_;
     std::optional<std::string> given_up_;  // the reason why it is not rebuilt again

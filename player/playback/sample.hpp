@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/geometry/vec2.hpp"
+
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -67,6 +69,8 @@ struct Sample {
     ColourCode colours;                       // for planes, not for rgba and bgra
     std::shared_ptr<const void> owner;        // shared by the decoder's buffer pool and the renderer's queue
     std::chrono::nanoseconds stream_time{0};  // its time in the film
+    Vec2 slide;  // drift * time into the shot, source px: the texel at canvas point u is
+                 // (u - offset) / scale + slide
 
     /// The memory of the planes. If set, `pixels` and `chroma` have no bytes.
     std::optional<SharedPlanes> shared;

@@ -25,6 +25,8 @@ class SampleQueue {
   public:
     explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
 
+    std::size_t capacity() const { return capacity_; }
+
     /// Waits while the queue is full. False: the queue is closed and the picture is dropped.
     bool put(LoopedSample sample);
 

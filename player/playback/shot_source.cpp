@@ -68,9 +68,10 @@ bool ShotSource::wait_for(std::chrono::nanoseconds local, std::chrono::nanosecon
     }
 }
 
-Vec2 ShotSource::slide() const {
-    if (!film_ || !current_) return {};
-    const auto passed = current_->sample.stream_time - request_.shot.begin;
+/// The way of the subject since the shot's begin.
+Vec2 ShotSource::slide_of(const Sample& sample) const {
+    if (!film_) return {};
+    const auto passed = sample.stream_time - request_.shot.begin;
     const auto in_shot = std::clamp(passed, std::chrono::nanoseconds(0), request_.shot.duration());
     return request_.shot.region.drift * std::chrono::duration<double>(in_shot).count();
 }
@@ -84,7 +85,12 @@ void ShotSource::resize(int width, int height) {
 void ShotSource::read_photo() {
     assert(!film_ && (!photo_ || photo_->has_ended()));
     is_photo_coming_ = true;
-    photo_ = std::make_unique<PhotoLoad>(file_, request_.width, request_.height, options_.background, queue_);
+    photo_width_ = request_.width;
+    photo_height_ = request_.height;
+    const PhotoWish wish{
+        .file = file_, .width = photo_width_, .height = photo_height_, .background = options_.background};
+    photo_ =
+        options_.make_photo ? options_.make_photo(wish, queue_) : std::make_unique<PhotoLoad>(wish, queue_);
 }
 
 ShotCounts ShotSource::counts() const {
@@ -102,6 +108,7 @@ void ShotSource::set_detail(Detail detail) {
 void ShotSource::stop() {
     queue_.close();
     if (film_) film_->stop();
+    if (photo_) photo_->stop();
 }
 
 bool ShotSource::has_ended() const {
@@ -121,6 +128,7 @@ void ShotSource::take_due_pictures(std::chrono::nanoseconds target) {
     };
     while (auto sample = queue_.take_if(is_due)) {
         current_ = std::move(sample);
+        current_->sample.slide = slide_of(current_->sample);
         is_photo_coming_ = false;
         has_news_ = true;
     }

@@ -13,11 +13,19 @@
 
 namespace vitrine::player {
 
+/// The factories for files of the media folder, which strangers have made. Empty: as for all other files.
+struct UploadFactories {
+    FilmFactory make_film;
+    PhotoFactory make_photo;
+};
+
 /// The options of a source.
 struct SourceOptions {
     Colour background;  // behind the transparent parts of a photo
     FilmOptions film;
     FilmFactory make_film;    // empty: makes a FilmLoop
+    PhotoFactory make_photo;  // empty: makes a PhotoLoad
+    UploadFactories uploads;  // a PlayingShot takes them for files that are not in the store
     bool keeps_time = false;  // a film that is too slow skips pictures; else it falls behind
     std::chrono::nanoseconds opening_patience = std::chrono::seconds(15);  // then others need not wait for it
 };
@@ -37,6 +45,9 @@ class ShotSource {
     /// The reason why no more pictures come, in plain words. The last picture stays.
     std::optional<std::string> failure() const;
 
+    /// True: the file made its reader crash.
+    bool has_crashed() const { return film_ ? film_->has_crashed() : photo_->has_crashed(); }
+
     /// The newest picture that is due. None: the first picture is not ready. Does not wait. If decoding
     /// cannot keep up, pictures are skipped or the shot falls behind `local`, as the options say.
     /// @param local  time since the shot was first shown; never goes back, and counts over all loops
@@ -48,16 +59,13 @@ class ShotSource {
     /// Waits until is_ready() or failure(), at most for `patience`.
     void wait_until_ready(std::chrono::nanoseconds patience) const { queue_.wait(patience); }
 
-    /// The shift of the subject in the last picture of picture_at(), source px.
-    Vec2 slide() const;
-
     /// Changes the size of the pictures to come. A photo changes when it is read again.
     void resize(int width, int height);
 
     /// True if another size was asked for since the photo was read.
     bool is_outdated() const {
         return photo_ && photo_->has_ended() && !queue_.is_closed() &&
-               (request_.width != photo_->width() || request_.height != photo_->height());
+               (request_.width != photo_width_ || request_.height != photo_height_);
     }
 
     /// Reads the photo again, in the size last asked for. The present picture stays meanwhile.
@@ -83,6 +91,7 @@ class ShotSource {
 
   private:
     std::chrono::nanoseconds position(const LoopedSample& sample) const;
+    Vec2 slide_of(const Sample& sample) const;
     void take_due_pictures(std::chrono::nanoseconds target);
     void judge_lateness(std::chrono::nanoseconds local);
 
@@ -91,8 +100,10 @@ class ShotSource {
     SourceOptions options_;
     SampleQueue queue_;
     std::unique_ptr<FilmFeed> film_;    // none: a photo
-    std::unique_ptr<PhotoLoad> photo_;  // none: a film
-    bool is_photo_coming_ = false;      // a reading whose picture was not yet taken from the queue
+    std::unique_ptr<PhotoFeed> photo_;  // none: a film
+    int photo_width_ = 0;               // px that the photo was last read for
+    int photo_height_ = 0;
+    bool is_photo_coming_ = false;  // a reading whose picture was not yet taken from the queue
     std::optional<LoopedSample> current_;
     bool has_news_ = false;  // the last picture_at() found a new picture
     ShotClock clock_;

@@ -72,8 +72,8 @@ std::vector<SourceEvent> SourcePool::update() {
     return listeners_.deliver(std::move(events));
 }
 
-void SourcePool::advance(Frame& frame) {
-    for (DrawItem& item : frame.items) {
+void SourcePool::advance(const Frame& frame) {
+    for (const DrawItem& item : frame.items) {
         const auto found = playing_.find(item.source);
         if (found != playing_.end()) found->second.advance(item, frame);
     }

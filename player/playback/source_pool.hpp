@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,18 +23,13 @@ namespace vitrine::player {
 class SourcePool {
   public:
     explicit SourcePool(MediaPlaces places, SourceOptions options = {})
-        : pool_{.places = std::move(places),
-                .options = std::move(options),
-                .before_opening = {},
-                .ending = {}} {}
+        : pool_{.places = std::move(places), .options = std::move(options), .tell_file = {}, .ending = {}} {}
 
     /// The options for decoding films, used by new sources.
     FilmOptions& film_options() { return pool_.options.film; }
 
-    /// Sets a function that is called with each file's path, below the media folder, before the file is read.
-    void set_before_opening(std::function<void(const std::string& path)> call) {
-        pool_.before_opening = std::move(call);
-    }
+    /// Sets a function that is called before each file is read, and when a file has made its reader crash.
+    void listen_to_files(FileListener call) { pool_.tell_file = std::move(call); }
 
     /// The files that are being read or played.
     std::set<std::string> open_files() const;
@@ -59,10 +53,10 @@ class SourcePool {
     /// @return the news of sources without a listener
     std::vector<SourceEvent> update();
 
-    /// Takes every source of the frame to its item's time, and sets each item's slide to that of the shown
-    /// picture. If sources keep time, films that cost too much are judged once a second (governor.hpp), and a
-    /// film without a picture for two seconds is rebuilt (watchdog.hpp).
-    void advance(Frame& frame);
+    /// Takes every source of the frame to its item's time. If sources keep time, films that cost too much are
+    /// judged once a second (governor.hpp), and a film without a picture for two seconds is rebuilt
+    /// (watchdog.hpp).
+    void advance(const Frame& frame);
 
     /// The picture of a source as of the last advance(). None: it had no picture yet.
     std::optional<Sample> sample(SourceId source) const;

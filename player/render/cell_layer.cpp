@@ -90,7 +90,8 @@ void CellLayer::draw_range(const PictureProgram& program, const DrawItem& item, 
                          : is_one_to_one     ? Sampling::exact
                                              : Sampling::smooth,
                          texture.width() / (item.picture.x * item.placement.scale));
-    program.use(item, texture, view, is_one_to_one);
+    program.use(item, {.texture = texture, .slide = pictures_.slide(item.source), .is_exact = is_one_to_one},
+                view);
     glDrawArrays(mode, range.first, range.count);
 }
 
@@ -105,7 +106,7 @@ const PicturePrograms& CellLayer::programs(const DrawItem& item) {
 /// costs half if the processor draws.
 bool CellLayer::is_exact(const PictureTexture& texture, const DrawItem& item) const {
     const Vec2 shown = item.picture * item.placement.scale;
-    return is_on_pixels_ && is_rgb(texture.layout()) && item.slide == Vec2{} &&
+    return is_on_pixels_ && is_rgb(texture.layout()) && pictures_.slide(item.source) == Vec2{} &&
            std::abs(shown.x - texture.width()) < same_size &&
            std::abs(shown.y - texture.height()) < same_size;
 }

@@ -12,6 +12,20 @@ namespace {
 
 constexpr double filler_blur = 0.25;  // radius, as a share of the picture's shorter side
 
+/// The part of a picture that has nothing of its bars, source px. @param texel  of the smaller copy that is
+/// read, as a share of the picture: one that lies over the edge of a bar is not read
+Box within_bars(const DrawItem& item, Vec2 texel) {
+    const Box whole{{0, 0}, item.picture};
+    if (item.active.is_empty()) return whole;
+    Box part = item.active;
+    const Vec2 margin{texel.x * item.picture.x, texel.y * item.picture.y};
+    if (part.min.x > 0) part.min.x += margin.x;
+    if (part.min.y > 0) part.min.y += margin.y;
+    if (part.max.x < whole.max.x) part.max.x -= margin.x;
+    if (part.max.y < whole.max.y) part.max.y -= margin.y;
+    return part.is_empty() ? item.active : part;
+}
+
 }  // namespace
 
 PictureProgram::PictureProgram(const std::string& fragment_shader)
@@ -21,6 +35,7 @@ PictureProgram::PictureProgram(const std::string& fragment_shader)
       uv_offset_(program_.uniform("uv_offset")),
       blur_(program_.uniform("blur")),
       level_(program_.uniform("level")),
+      mirrors_(program_.uniform("mirrors")),
       alpha_(program_.uniform("alpha")),
       to_rgb_(program_.uniform("to_rgb")),
       zero_(program_.uniform("zero")) {
@@ -30,39 +45,44 @@ PictureProgram::PictureProgram(const std::string& fragment_shader)
         glUniform1i(program_.uniform(plane), unit++);
 }
 
-void PictureProgram::use(const DrawItem& item, const PictureTexture& texture, const ToNdc& view,
-                         bool is_exact) const {
+void PictureProgram::use(const DrawItem& item, const DrawnPicture& picture, const ToNdc& view) const {
     program_.use();
     view_.set(view);
-    set_texels(item, texture, is_exact);
+    set_texels(item, picture);
     glUniform1f(alpha_, static_cast<float>(item.alpha));
     if (to_rgb_ >= 0) {
-        const ColourMatrix colours = colour_matrix(texture.colours());
+        const ColourMatrix colours = colour_matrix(picture.texture.colours());
         glUniformMatrix3fv(to_rgb_, 1, GL_FALSE, colours.matrix.data());
         glUniform3fv(zero_, 1, colours.zero.data());
     }
-    if (is_filler()) set_blur(texture);
+    if (is_filler()) set_blur(item, picture.texture);
 }
 
 // texel = (u - offset) / scale + slide, as a share of the picture. A picture that is drawn pixel for pixel is
 // moved to whole pixels, by less than half a pixel.
-void PictureProgram::set_texels(const DrawItem& item, const PictureTexture& texture, bool is_exact) const {
+void PictureProgram::set_texels(const DrawItem& item, const DrawnPicture& picture) const {
+    const PictureTexture& texture = picture.texture;
     const Vec2 offset = item.placement.offset;
-    if (is_exact) {
+    if (picture.is_exact) {
         set(uv_scale_, {1.0 / texture.width(), 1.0 / texture.height()});
         set(uv_offset_, {-std::round(offset.x) / texture.width(), -std::round(offset.y) / texture.height()});
         return;
     }
     const double scale = item.placement.scale;
-    const Vec2 first = item.slide - offset * (1 / scale);
+    const Vec2 first = picture.slide - offset * (1 / scale);
     set(uv_scale_, {1 / (scale * item.picture.x), 1 / (scale * item.picture.y)});
     set(uv_offset_, {first.x / item.picture.x, first.y / item.picture.y});
 }
 
-void PictureProgram::set_blur(const PictureTexture& texture) const {
+void PictureProgram::set_blur(const DrawItem& item, const PictureTexture& texture) const {
     const double radius = filler_blur * std::min(texture.width(), texture.height());  // texels
     set(blur_, {radius / texture.width(), radius / texture.height()});
     glUniform1f(level_, static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius a texel
+    const Box part = within_bars(item, {radius / 2 / texture.width(), radius / 2 / texture.height()});
+    glUniform4f(mirrors_, static_cast<float>(part.min.x / item.picture.x),
+                static_cast<float>(part.min.y / item.picture.y),
+                static_cast<float>(part.width() / item.picture.x),
+                static_cast<float>(part.height() / item.picture.y));
 }
 
 PicturePrograms::PicturePrograms(PixelLayout layout)

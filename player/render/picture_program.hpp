@@ -12,32 +12,38 @@
 
 namespace vitrine::player {
 
+/// An item's picture for one drawing.
+struct DrawnPicture {
+    const PictureTexture& texture;  // the picture, or a reduced copy of it
+    Vec2 slide;                     // Sample::slide
+    bool is_exact = false;          // each texel is drawn as one pixel
+};
+
 /// A GL program that draws the picture of an item into its cell.
 class PictureProgram {
   public:
     explicit PictureProgram(const std::string& fragment_shader);
 
     /// Takes the program into use and sets all uniforms for an item.
-    /// @param texture   the item's picture, or a reduced copy of it
-    /// @param is_exact  each texel is drawn as one pixel
-    void use(const DrawItem& item, const PictureTexture& texture, const ToNdc& view, bool is_exact) const;
+    void use(const DrawItem& item, const DrawnPicture& picture, const ToNdc& view) const;
 
     /// True if it fills a cell with the blurred picture.
     bool is_filler() const { return blur_ >= 0; }
 
   private:
-    void set_texels(const DrawItem& item, const PictureTexture& texture, bool is_exact) const;
-    void set_blur(const PictureTexture& texture) const;
+    void set_texels(const DrawItem& item, const DrawnPicture& picture) const;
+    void set_blur(const DrawItem& item, const PictureTexture& texture) const;
 
     GlProgram program_;
     ViewUniforms view_;
     GLint uv_scale_;
     GLint uv_offset_;
-    GLint blur_;    // -1: the program draws sharp
-    GLint level_;   // -1: the program draws sharp
-    GLint alpha_;   // -1: the program draws opaque
-    GLint to_rgb_;  // -1: the picture is in RGB
-    GLint zero_;    // -1: the picture is in RGB
+    GLint blur_;     // -1: the program draws sharp
+    GLint level_;    // -1: the program draws sharp
+    GLint mirrors_;  // -1: the program draws sharp
+    GLint alpha_;    // -1: the program draws opaque
+    GLint to_rgb_;   // -1: the picture is in RGB
+    GLint zero_;     // -1: the picture is in RGB
 };
 
 /// The programs for one layout of pixels.

@@ -116,13 +116,15 @@ void main() {
 }
 )";
 
-// The mirrored picture, dark and so blurred that nothing in it is recognised: a frame, not a second picture.
+// The picture, mirrored at its edges or at its bars, dark and so blurred that nothing in it is recognised: a
+// frame, not a second picture.
 // The taps lie on a sunflower's spiral and are the same for each pixel, so that still pictures stand still.
 inline constexpr const char* filler_shader = R"(
 in highp vec2 uv;
 in mediump float coverage;
 uniform highp vec2 blur;     // radius, as a share of the picture
 uniform highp float level;   // the smaller copy that is read
+uniform highp vec4 mirrors;  // place and size of what is mirrored, as shares of the picture
 uniform float alpha;
 out vec4 pixel;
 
@@ -130,12 +132,17 @@ const int taps = 16;
 const float light = 0.3;
 const highp mat2 golden_turn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
 
+highp vec2 mirrored(highp vec2 place) {
+    highp vec2 turn = mod((place - mirrors.xy) / mirrors.zw, 2.0);
+    return mirrors.xy + mirrors.zw * (1.0 - abs(turn - 1.0));
+}
+
 void main() {
     highp vec3 sum = vec3(0.0);
     highp vec2 unit = vec2(1.0, 0.0);
     for (int i = 0; i < taps; ++i) {
         highp vec2 place = unit * sqrt((float(i) + 0.5) / float(taps)) * blur;
-        sum += copy_at(uv + place, level);
+        sum += copy_at(mirrored(uv + place), level);
         unit = golden_turn * unit;
     }
     pixel = vec4(sum * (light / float(taps)), alpha * coverage);

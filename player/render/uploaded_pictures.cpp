@@ -6,6 +6,12 @@
 namespace vitrine::player {
 
 std::optional<std::string> UploadedPictures::upload(SourceId source, const Sample& sample) {
+    std::optional<std::string> reason = read_or_copy(source, sample);
+    slides_[source] = sample.slide;
+    return reason;
+}
+
+std::optional<std::string> UploadedPictures::read_or_copy(SourceId source, const Sample& sample) {
     if (!sample.shared) {
         copy(source, sample);
         return std::nullopt;
@@ -50,6 +56,7 @@ void UploadedPictures::give_back(const PictureTexture& texture) {
 
 void UploadedPictures::forget(SourceId source) {
     copied_.erase(source);
+    slides_.erase(source);
     const auto place = textures_.find(source);
     if (place == textures_.end()) return;
     give_back(place->second);

@@ -37,6 +37,9 @@ class UploadedPictures {
     /// @pre has(source)
     PictureTexture& at(SourceId source) { return textures_.at(source); }
 
+    /// The slide of the source's picture (Sample). @pre has(source)
+    Vec2 slide(SourceId source) const { return slides_.at(source); }
+
   private:
     struct EndSync {
         void operator()(GLsync sync) const { glDeleteSync(sync); }
@@ -48,6 +51,7 @@ class UploadedPictures {
         std::unique_ptr<std::remove_pointer_t<GLsync>, EndSync> read;
     };
 
+    std::optional<std::string> read_or_copy(SourceId source, const Sample& sample);
     void copy(SourceId source, const Sample& sample);
     void replace(SourceId source, PictureTexture texture);
     void give_back(const PictureTexture& texture);
@@ -56,6 +60,7 @@ class UploadedPictures {
     std::set<SourceId> copied_;  // sources whose shared planes cannot be read in place
     std::deque<Lent> lent_;      // the oldest first
     std::unordered_map<SourceId, PictureTexture> textures_;
+    std::unordered_map<SourceId, Vec2> slides_;
 };
 
 }  // namespace vitrine::player

@@ -38,7 +38,7 @@ void main() {
 }
 )";
 
-constexpr const char* blended_shader = R"(
+constexpr const char* tile_shader = R"(
 precision mediump float;
 uniform sampler2D picture;
 in highp vec2 uv;
@@ -73,7 +73,7 @@ ZoomLayer::MeshProgram::MeshProgram(const char* fragment_shader)
       share(program.uniform("share")),
       alpha(program.uniform("alpha")) {}
 
-ZoomLayer::ZoomLayer() : whole_(whole_shader), blended_(blended_shader) {}
+ZoomLayer::ZoomLayer() : whole_(whole_shader), blended_(tile_shader) {}
 
 void ZoomLayer::draw(const DrawItem& item, const ToNdc& view) {
     Mesh& drawn = mesh(item.zoom);

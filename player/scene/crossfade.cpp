@@ -1,5 +1,7 @@
 #include "player/scene/crossfade.hpp"
 
+#include "player/scene/photo_drift.hpp"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -8,14 +10,16 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double max_blended = 0.999;  // the renderer draws opaque items without blending
+/// Nearly opaque: the renderer may leave out items below an opaque one, and here they must be drawn.
+constexpr double max_blended = 0.999;
 
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
     const auto local = std::max(std::chrono::nanoseconds(0), now - placed.began);
     return {.source = placed.shot.source,
             .cell = placed.cell,
-            .placement = placed.placement,
+            .placement = {placed.placement.scale, placed.placement.offset + drift_at(placed, now)},
             .picture = placed.shot.picture,
+            .active = placed.shot.active,
             .local = local,
             .alpha = alpha};
 }
@@ -67,13 +71,13 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
     return frame;
 }
 
-Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
+Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds duration,
                    std::chrono::nanoseconds now) {
     Frame frame{.canvas = canvas, .idle = 1, .time = now};
     for (const PlacedShot& placed : wall) {
         if (placed.began == never) continue;
         const double passed = std::chrono::duration<double>(now - placed.began).count();
-        const double whole = std::chrono::duration<double>(crossfade).count();
+        const double whole = std::chrono::duration<double>(duration).count();
         frame.items.push_back(drawn(placed, passed < whole ? eased(passed / whole) : 1, now));
     }
     return frame;

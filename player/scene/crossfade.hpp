@@ -26,7 +26,8 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
 
 /// A frame in which each shot of the first wall fades in over the idle picture, from the time at which the
 /// shot appeared.
-Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds crossfade,
+/// @param duration  time in which a shot fades in
+Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds duration,
                    std::chrono::nanoseconds now);
 
 /// Fades a whole frame in over the idle picture, and fades out the items of the previous frame.

@@ -22,8 +22,7 @@ struct DrawItem {
     double share = 0;                      // position between the two places of the mesh's points, [0, 1]
     Placement placement;                   // canvas = source px * scale + offset, at the shot's start
     Vec2 picture;                          // size of the upright source picture, source px
-    Vec2 slide;                            // drift * time into the shot, source px: the texel at canvas
-                                           // point u is (u - offset) / scale + slide
+    Box active;                            // its part within its bars, source px; empty: all of it
     std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
     double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
 };

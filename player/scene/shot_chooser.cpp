@@ -15,24 +15,30 @@ bool can_be_shown(const MediaRecord& record) {
 
 }  // namespace
 
-WallFiles wall_files(const RecordList& records) {
-    WallFiles files;
-    for (const RecordList::Record& record : records)
-        if (can_be_shown(*record)) files.emplace(record->path, record);
-    return files;
+void WallFiles::set(const RecordList& records) {
+    RecordList::Changes changes;
+    records.for_each_change(given_, [&](const RecordList::Record& before, const RecordList::Record& now) {
+        changes[(now ? now : before)->path] = now && can_be_shown(*now) ? now : nullptr;
+    });
+    given_ = records;
+    shown_.apply(changes);
 }
 
-void ShotChooser::set_files(const WallFiles& files, const WallFiles& before, const ShowHints& hints) {
+void ShotChooser::set_files(const RecordList& files, const RecordList& before, const ShowHints& hints) {
     std::erase_if(avoided_, [&](const auto& avoided) {
-        const auto old = before.find(avoided.first);
-        const auto now = files.find(avoided.first);
-        return old == before.end() || now == files.end() || !is_grown_from(*now->second, *old->second);
+        const RecordList::Record old = before.find(avoided.first);
+        const RecordList::Record now = files.find(avoided.first);
+        return !old || !now || !is_grown_from(*now, *old);
     });
-    std::vector<const MediaRecord*> known;
-    for (const auto& [path, record] : files)
-        known.push_back(record.get());
-    rotation_.set_files(known, hints);
+    rotation_.set_files(files, hints);
     files_ = files.size();
+}
+
+std::set<std::string> ShotChooser::avoided_files() const {
+    std::set<std::string> paths;
+    for (const auto& [path, until] : avoided_)
+        paths.insert(path);
+    return paths;
 }
 
 bool ShotChooser::end_avoidance(std::chrono::nanoseconds now) {

@@ -9,16 +9,24 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace vitrine::player {
 
-/// The files that a wall may show, by path.
-using WallFiles = std::map<std::string, RecordList::Record>;
+/// The files that a wall may show: those whose shots can all be shown.
+class WallFiles {
+  public:
+    /// Takes over what has changed since the last call.
+    void set(const RecordList& records);
 
-/// The records whose shots can all be shown.
-WallFiles wall_files(const RecordList& records);
+    const RecordList& all() const { return shown_; }
+
+  private:
+    RecordList given_;
+    RecordList shown_;
+};
 
 /// The slot that needs another shot, and the wall around it.
 struct FreeSlot {
@@ -39,12 +47,14 @@ class ShotChooser {
 
     /// @param before  the previous files; one that has changed since is not avoided any more
     /// @param hints   tell the frequency of files
-    void set_files(const WallFiles& files, const WallFiles& before, const ShowHints& hints);
+    void set_files(const RecordList& files, const RecordList& before, const ShowHints& hints);
 
     /// Chooses no shot of the file until this time, unless the file changes.
     void avoid_file(const std::string& path, std::chrono::nanoseconds until) { avoided_[path] = until; }
 
     bool is_avoided(const std::string& path) const { return avoided_.contains(path); }
+
+    std::set<std::string> avoided_files() const;
 
     /// @return true: a file may be chosen again from now on
     bool end_avoidance(std::chrono::nanoseconds now);

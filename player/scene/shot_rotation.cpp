@@ -2,40 +2,63 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <utility>
 
 namespace vitrine::player {
 
-void ShotRotation::set_files(std::span<const MediaRecord* const> files, const ShowHints& hints) {
-    std::map<std::string, File> now;
-    for (const MediaRecord* record : files) {
-        const auto said = hints.find(record->path);
-        now[record->path] = {.mtime_ns = record->mtime_ns,
-                             .shots = static_cast<int>(record->shots.size()),
-                             .repeat = said == hints.end() ? 1 : said->second.repeat.value_or(1)};
-    }
-    std::erase_if(waiting_, [&](const ShotKey& key) {
-        const auto found = now.find(key.path);
-        return found == now.end() || key.shot >= found->second.shots;
-    });
+namespace {
+
+int shots_of(const RecordList::Record& record) {
+    return record ? static_cast<int>(record->shots.size()) : 0;
+}
+
+int repeat_of(const ShowHints::Entry& said) {
+    return said ? said->hints.repeat.value_or(1) : 1;
+}
+
+}  // namespace
+
+void ShotRotation::set_files(const RecordList& files, const ShowHints& hints) {
+    std::set<std::string> shrunk;
     std::vector<ShotKey> first;
     std::vector<ShotKey> later;
     Turns taken;
-    for (const auto& [path, file] : now) {
-        const auto known = files_.find(path);
-        const int from = known == files_.end() ? 0 : known->second.shots;
-        for (int shot = from; shot < file.shots; ++shot) {
+    files.for_each_change(records_, [&](const RecordList::Record& before, const RecordList::Record& now) {
+        const std::string& path = (now ? now : before)->path;
+        if (shots_of(now) < shots_of(before)) shrunk.insert(path);
+        if (!now) {
+            files_.erase(path);
+            return;
+        }
+        const int repeat = repeat_of(hints.find(path));
+        files_[path] = {.mtime_ns = now->mtime_ns, .shots = shots_of(now), .repeat = repeat};
+        for (int shot = shots_of(before); shot < shots_of(now); ++shot) {
             if (shot == 0) first.push_back({path, shot});
             if (shot == 0) taken[{path, shot}] = 1;
-            if (shot > 0 || file.repeat > 1) later.push_back({path, shot});
+            if (shot > 0 || repeat > 1) later.push_back({path, shot});
         }
-    }
-    files_ = std::move(now);
+    });
+    hints.for_each_change(hints_, [&](const ShowHints::Entry& before, const ShowHints::Entry& now) {
+        const auto file = files_.find((now ? now : before)->path);
+        if (file != files_.end()) file->second.repeat = repeat_of(now);
+    });
+    records_ = files;
+    hints_ = hints;
+    drop_lost_turns(shrunk);
     first = ordered(std::move(first));
     later = repeated(ordered(std::move(later)), taken);
     waiting_.insert(waiting_.begin(), first.begin(), first.end());
     waiting_.insert(waiting_.end(), later.begin(), later.end());
+}
+
+/// @param files  files that are gone, or have fewer shots than before
+void ShotRotation::drop_lost_turns(const std::set<std::string>& files) {
+    if (files.empty()) return;
+    std::erase_if(waiting_, [&](const ShotKey& key) {
+        if (!files.contains(key.path)) return false;
+        const auto found = files_.find(key.path);
+        return found == files_.end() || key.shot >= found->second.shots;
+    });
 }
 
 std::optional<ShotKey> ShotRotation::next_shot(const Fits& fits) {

@@ -11,7 +11,7 @@
 #include <map>
 #include <optional>
 #include <random>
-#include <span>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +37,7 @@ class ShotRotation {
     /// Sets the files. Shots that are gone lose their turn. The first shot of a new file is next; its other
     /// shots come last.
     /// @param hints  tell the frequency of files
-    void set_files(std::span<const MediaRecord* const> files, const ShowHints& hints = {});
+    void set_files(const RecordList& files, const ShowHints& hints = {});
 
     /// Removes and returns the first shot of the round that fits. None: no shot fits.
     std::optional<ShotKey> next_shot(const Fits& fits);
@@ -65,8 +65,12 @@ class ShotRotation {
     std::vector<ShotKey> ordered(std::vector<ShotKey> keys);
     void keep_time_order(std::vector<ShotKey>& keys) const;
 
+    void drop_lost_turns(const std::set<std::string>& files);
+
     ShotOrder order_;
     std::mt19937_64 engine_;
+    RecordList records_;  // as they were set last
+    ShowHints hints_;     // likewise
     std::map<std::string, File> files_;
     std::deque<ShotKey> waiting_;
 };

@@ -11,7 +11,9 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -78,11 +80,14 @@ class Show {
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;
 
-    /// Number of shots on the screen.
-    virtual std::size_t count() const = 0;
-
     /// The shots on the screen.
-    virtual std::vector<SlotShot> standing() const { return {}; }
+    virtual std::vector<SlotShot> standing() const = 0;
+
+    std::size_t count() const { return standing().size(); }
+
+    /// Paths of the files that the show leaves out for a while: their sources failed, or a visitor dismissed
+    /// them and no other shot was there.
+    virtual std::set<std::string> avoided_files() const { return {}; }
 };
 
 }  // namespace vitrine::player

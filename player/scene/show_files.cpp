@@ -1,26 +1,27 @@
 #include "player/scene/show_files.hpp"
 
-#include <algorithm>
-
 namespace vitrine::player {
 
-RecordList::RecordList(std::span<const MediaRecord> records) {
-    for (const MediaRecord& record : records)
-        add(std::make_shared<const MediaRecord>(record));
+namespace {
+
+template <typename Item> std::vector<std::shared_ptr<const Item>> shared_copies(std::span<const Item> items) {
+    std::vector<std::shared_ptr<const Item>> copies;
+    copies.reserve(items.size());
+    for (const Item& item : items)
+        copies.push_back(std::make_shared<const Item>(item));
+    return copies;
 }
 
-RecordList::Record RecordList::find(const std::string& path) const {
-    const auto found = std::ranges::lower_bound(
-        records_, path, {}, [](const Record& record) -> const std::string& { return record->path; });
-    return found != records_.end() && (*found)->path == path ? *found : nullptr;
-}
+}  // namespace
+
+ShowHints::ShowHints(std::initializer_list<HintedFile> files)
+    : SharedList(shared_copies(std::span<const HintedFile>(files.begin(), files.size()))) {}
+
+RecordList::RecordList(std::span<const MediaRecord> records) : SharedList(shared_copies(records)) {}
 
 RecordList RecordList::in_folder(const std::string& folder) const {
-    if (folder.empty()) return *this;
-    RecordList within;
-    for (const Record& record : records_)
-        if (record->path.starts_with(folder + "/")) within.add(record);
-    return within;
+    constexpr char after_slash = '/' + 1;
+    return folder.empty() ? *this : RecordList(between(folder + '/', folder + after_slash));
 }
 
 }  // namespace vitrine::player

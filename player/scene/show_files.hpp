@@ -2,9 +2,9 @@
 
 #include "base/hints/hints.hpp"
 #include "base/state/record.hpp"
+#include "player/scene/shared_list.hpp"
 
-#include <cstddef>
-#include <map>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,44 +13,42 @@
 
 namespace vitrine::player {
 
-/// Hints by path. A file without hints has no entry.
-using ShowHints = std::map<std::string, Hints>;
+/// A file with hints.
+struct HintedFile {
+    std::string path;
+    Hints hints;
 
-/// Records that several parts of the player keep at the same time. Copies of the list share the records.
-/// Records are large: while a film grows, they would otherwise be copied twice a second during drawing.
-class RecordList {
+    bool operator==(const HintedFile&) const = default;
+};
+
+/// Hints by path. A file without hints has no entry.
+class ShowHints : public SharedList<HintedFile> {
   public:
-    using Record =
-        std::shared_ptr<const MediaRecord>;  // shared: a show may keep it longer than the catalogue
+    ShowHints() = default;
+
+    ShowHints(std::initializer_list<HintedFile> files);  // NOLINT: implicit, like a map
+};
+
+/// Records that several parts of the player keep at the same time.
+class RecordList : public SharedList<MediaRecord> {
+  public:
+    using Record = Entry;  // shared: a show may keep it longer than the catalogue
 
     RecordList() = default;
 
-    explicit RecordList(std::vector<Record> records) : records_(std::move(records)) {}
+    explicit RecordList(std::vector<Record> records) : SharedList(std::move(records)) {}
 
     // Implicit, so that a list of plain records can be passed. The records are copied.
     RecordList(std::span<const MediaRecord> records);  // NOLINT
 
     RecordList(const std::vector<MediaRecord>& records) : RecordList(std::span(records)) {}  // NOLINT
 
-    void add(Record record) { records_.push_back(std::move(record)); }
-
-    auto begin() const { return records_.begin(); }
-
-    auto end() const { return records_.end(); }
-
-    std::size_t size() const { return records_.size(); }
-
-    bool is_empty() const { return records_.empty(); }
-
-    /// The record of a file. None: it is not in the list. @pre the list is ordered by path
-    Record find(const std::string& path) const;
-
     /// The records of the files in a folder of the media folder, including its sub-folders.
     /// @param folder  empty: all records
     RecordList in_folder(const std::string& folder) const;
 
   private:
-    std::vector<Record> records_;
+    explicit RecordList(SharedList records) : SharedList(std::move(records)) {}
 };
 
 }  // namespace vitrine::player

@@ -1,140 +1,296 @@
 #include "player/scene/transition.hpp"
 
+#include "player/layout/cells/grid.hpp"
 #include "player/scene/crossfade.hpp"
-#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
+#include <set>
 
 namespace vitrine::player {
 
 namespace {
 
-using Shots = std::vector<PlacedShot>;
+constexpr double clearance = 1.0 / 64;  // canvas px between regions that are shrunk and others
+constexpr double guard_share = 0.3;     // side of the part of a seat that no shot may cross on its way
+constexpr int samples = 24;             // times at which the ways are looked at
+constexpr double min_fade = 0.3;        // share of the duration
 
-constexpr double shrinking = 0.93;      // factor of each try to shrink a slot's last shot that is in the way
-constexpr double min_remainder = 0.55;  // share of its scale; below it the shot fades out first
-constexpr double clearance = 1.0 / 64;  // canvas px
-
-bool is_free(const LayoutItem& item, const Placement& at, std::span<const PlacedShot> others) {
-    return std::all_of(others.begin(), others.end(), [&](const PlacedShot& other) {
-        return overlap_interval({item, at, at}, {other.shot.item, other.placement, other.placement},
-                                clearance)
-            .is_empty();
-    });
+double progress_of(const Motion& motion, double share, bool is_even) {
+    if (is_even) return share;
+    if (motion.kind != Motion::Kind::staged) return eased(share);
+    const auto stages = static_cast<double>(motion.keys.size() - 1);
+    const double stage = std::min(std::floor(share * stages), stages - 1);
+    return (stage + eased(share * stages - stage)) / stages;
 }
 
-/// The place where a slot's last shot waits for its next one among the shots that have moved. None: it would
-/// be too small.
-std::optional<Placement> making_room(const PlacedShot& last, std::span<const PlacedShot> moved) {
-    const Vec2 place = seat_of(last.shot.item, last.placement).centre;
-    const Vec2 centroid = (place - last.placement.offset) * (1 / last.placement.scale);
-    double factor = 1;
-    Placement at = last.placement;
-    while (factor >= min_remainder) {
-        if (is_free(last.shot.item, at, moved)) return at;
-        factor *= shrinking;
-        const double scale = last.placement.scale * factor;
-        at = {scale, place - centroid * scale};
+LayoutItem item_of(const Polygon& region) {
+    return {.region = region, .core = bounding_box(region)};
+}
+
+/// The middle of what the seats of two shots have in common. None: nothing.
+std::optional<LayoutItem> guard_of(const PlacedShot& leaving, const PlacedShot& coming) {
+    const Loops common = intersection_of({to_grid(placed_region(leaving.shot.item, leaving.placement))},
+                                         {to_grid(placed_region(coming.shot.item, coming.placement))});
+    if (common.size() != 1 || area_of(common) < 1) return std::nullopt;
+    const Polygon whole = from_grid(common[0]);
+    const Vec2 middle = centroid(whole);
+    return item_of(transformed(whole, guard_share, middle * (1 - guard_share)));
+}
+
+/// Finds the parts of all shots in a transition.
+class TransitionSearch {
+  public:
+    explicit TransitionSearch(Transition& found) : found_(found) {}
+
+    void run() {
+        for (std::size_t i = 0; i < found_.old_wall.size(); ++i)
+            if (const auto j = twin_of(i)) staying_.push_back({i, *j});
+        add_guards();
+        while (!staying_.empty()) {
+            found_.fade_begin = 0;
+            found_.fade_end = 1;
+            const auto motion = motion_of();
+            if (motion) {
+                take(*motion);
+                if (motion->kind == Motion::Kind::still) break;
+                choose_times();
+                if (found_.fade_end - found_.fade_begin >= min_fade) return;
+            }
+            if (!drop_one(motion ? blocking() : conflicts())) staying_.clear();
+        }
+        found_.fade_begin = 0;
+        found_.fade_end = 1;
+        if (staying_.empty()) take({Motion::Kind::still, {{}}});
     }
-    return std::nullopt;
-}
 
-/// The shots that stay while others come and go, before and after their motion.
-struct StayingShots {
-    Shots before;
-    Shots after;
+  private:
+    /// A shot that stays: its places in both walls.
+    struct Staying {
+        std::size_t before = 0;
+        std::size_t after = 0;
+    };
+
+    /// The middle of the seat that a shot leaves to another one.
+    struct Guard {
+        LayoutItem item;
+        std::size_t leaving = 0;
+        std::size_t coming = 0;
+    };
+
+    const PlacedShot& before(const Staying& staying) const { return found_.old_wall[staying.before].placed; }
+
+    const PlacedShot& after(const Staying& staying) const { return found_.new_wall[staying.after].placed; }
+
+    std::optional<std::size_t> twin_of(std::size_t old) const {
+        const SourceId source = found_.old_wall[old].placed.shot.source;
+        const auto same = std::ranges::find(found_.new_wall, source,
+                                            [](const ChangingShot& shot) { return shot.placed.shot.source; });
+        if (same == found_.new_wall.end()) return std::nullopt;
+        return static_cast<std::size_t>(same - found_.new_wall.begin());
+    }
+
+    void add_guards() {
+        for (std::size_t i = 0; i < found_.old_wall.size(); ++i) {
+            if (twin_of(i)) continue;
+            for (std::size_t j = 0; j < found_.new_wall.size(); ++j) {
+                if (found_.new_wall[j].placed.shot.slot != found_.old_wall[i].placed.shot.slot) continue;
+                if (auto guard = guard_of(found_.old_wall[i].placed, found_.new_wall[j].placed))
+                    guards_.push_back({std::move(*guard), i, j});
+            }
+        }
+    }
+
+    /// The motion of the shots that stay and of the guards, which do not move. None: there is no free way.
+    std::optional<Motion> motion_of() const {
+        std::vector<LayoutItem> items;
+        std::vector<Placement> from;
+        std::vector<Placement> to;
+        for (const Staying& staying : staying_) {
+            items.push_back(before(staying).shot.item);
+            from.push_back(before(staying).placement);
+            to.push_back(after(staying).placement);
+        }
+        for (const Guard& guard : guards_) {
+            items.push_back(guard.item);
+            from.emplace_back();
+            to.emplace_back();
+        }
+        return motion_between(items, from, to, found_.canvas);
+    }
+
+    void take(const Motion& motion) {
+        found_.motion = motion;
+        for (auto* wall : {&found_.old_wall, &found_.new_wall})
+            for (ChangingShot& shot : *wall)
+                shot.moving.reset();
+        for (std::size_t k = 0; k < staying_.size(); ++k)
+            found_.old_wall[staying_[k].before].moving = found_.new_wall[staying_[k].after].moving = k;
+    }
+
+    /// Chooses the focus of each shot that leaves or comes, and when the new wall fades in.
+    void choose_times() {
+        places_.clear();
+        for (int k = 0; k <= samples; ++k)
+            places_.push_back(placements_at(found_, k / double{samples}));
+        for (auto* wall : {&found_.old_wall, &found_.new_wall})
+            for (std::size_t i = 0; i < wall->size(); ++i) {
+                ChangingShot& shot = (*wall)[i];
+                if (shot.moving) continue;
+                const bool leaves = wall == &found_.old_wall;
+                choose_focus(shot, leaves, i);
+                const double time = time_of(shot, leaves);
+                if (leaves)
+                    found_.fade_end = std::min(found_.fade_end, time);
+                else
+                    found_.fade_begin = std::max(found_.fade_begin, time);
+            }
+    }
+
+    void choose_focus(ChangingShot& shot, bool leaves, std::size_t index) const {
+        for (const Guard& guard : guards_)
+            if ((leaves ? guard.leaving : guard.coming) == index) {
+                shot.focus = centroid(guard.item.region);
+                return;
+            }
+        constexpr double towards_corner = 0.7;
+        const Polygon region = placed_region(shot.placed.shot.item, shot.placed.placement);
+        const Vec2 middle = centroid(region);
+        ChangingShot best = shot;
+        best.focus = middle;
+        for (const Vec2 corner : region) {
+            ChangingShot other = shot;
+            other.focus = middle + (corner - middle) * towards_corner;
+            const double gain = time_of(other, leaves) - time_of(best, leaves);
+            if (leaves ? gain > 0 : gain < 0) best = other;
+        }
+        shot.focus = best.focus;
+    }
+
+    /// The share of the duration at which a shot that leaves has no place any more, or from which on a shot
+    /// that comes has one.
+    double time_of(const ChangingShot& shot, bool leaves) const {
+        const auto has_place = [&](int k) {
+            return free_share(found_, shot, places_[static_cast<std::size_t>(k)]) >= min_free_share;
+        };
+        if (leaves) {
+            int last = 0;
+            while (last < samples && has_place(last + 1))
+                ++last;
+            return last / double{samples};
+        }
+        int first = samples;
+        while (first > 0 && has_place(first - 1))
+            --first;
+        return first / double{samples};
+    }
+
+    bool moves(std::size_t k) const { return before(staying_[k]).placement != after(staying_[k]).placement; }
+
+    /// For each shot that stays: the number of others that it meets on the straight way.
+    std::vector<int> conflicts() const {
+        std::vector<int> counts(staying_.size(), 0);
+        const auto moving = [&](std::size_t k) {
+            return MovingItem{before(staying_[k]).shot.item, before(staying_[k]).placement,
+                              after(staying_[k]).placement};
+        };
+        for (std::size_t k = 0; k < staying_.size(); ++k) {
+            if (!moves(k)) continue;
+            for (std::size_t other = 0; other < staying_.size(); ++other)
+                if (other != k && !overlap_interval(moving(k), moving(other), clearance).is_empty())
+                    ++counts[k];
+            for (const Guard& guard : guards_)
+                if (!overlap_interval(moving(k), {guard.item, {}, {}}, clearance).is_empty()) ++counts[k];
+        }
+        return counts;
+    }
+
+    /// For each shot that stays: how long it covers a focus.
+    std::vector<int> blocking() const {
+        std::vector<int> counts(staying_.size(), 0);
+        for (const auto* wall : {&found_.old_wall, &found_.new_wall})
+            for (const ChangingShot& shot : *wall) {
+                if (shot.moving) continue;
+                for (const std::vector<Placement>& placements : places_)
+                    for (std::size_t k = 0; k < staying_.size(); ++k)
+                        if (moves(k) &&
+                            is_inside_convex(placed_region(before(staying_[k]).shot.item, placements[k]),
+                                             shot.focus))
+                            ++counts[k];
+            }
+        return counts;
+    }
+
+    /// Lets the shot with the largest count fade from place to place; of equal ones that with the longest
+    /// way.
+    bool drop_one(const std::vector<int>& counts) {
+        std::optional<std::size_t> worst;
+        const auto way = [&](std::size_t k) {
+            return length(after(staying_[k]).placement.offset - before(staying_[k]).placement.offset);
+        };
+        for (std::size_t k = 0; k < staying_.size(); ++k) {
+            if (!moves(k)) continue;
+            if (!worst || counts[k] > counts[*worst] || (counts[k] == counts[*worst] && way(k) > way(*worst)))
+                worst = k;
+        }
+        if (worst) staying_.erase(staying_.begin() + static_cast<std::ptrdiff_t>(*worst));
+        return worst.has_value();
+    }
+
+    Transition& found_;  // outlives this
+    std::vector<Staying> staying_;
+    std::vector<Guard> guards_;
+    std::vector<std::vector<Placement>> places_;  // of the motion, at each sample
 };
 
-StayingShots staying_shots(std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming) {
-    Shots moved;
-    for (const PlacedShot& placed : incoming)
-        if (find_source(shown, placed.shot.source) != nullptr) moved.push_back(placed);
-    StayingShots staying;
-    for (const PlacedShot& placed : shown) {
-        PlacedShot after = placed;
-        if (const PlacedShot* same = find_source(incoming, placed.shot.source)) {
-            after.placement = same->placement;
-        } else {
-            if (find_slot(incoming, placed.shot.slot) == nullptr) continue;
-            const auto room = making_room(placed, moved);
-            if (!room) continue;
-            after.placement = *room;
-        }
-        staying.before.push_back(placed);
-        staying.after.push_back(after);
-    }
-    return staying;
-}
-
-std::optional<Motion> motion_of(const StayingShots& staying, Vec2 canvas) {
-    std::vector<LayoutItem> items;
-    std::vector<Placement> from;
-    std::vector<Placement> to;
-    for (std::size_t i = 0; i < staying.before.size(); ++i) {
-        items.push_back(staying.before[i].shot.item);
-        from.push_back(staying.before[i].placement);
-        to.push_back(staying.after[i].placement);
-    }
-    return motion_between(items, from, to, canvas);
+std::vector<ChangingShot> changing(std::span<const PlacedShot> wall) {
+    std::vector<ChangingShot> shots;
+    for (const PlacedShot& placed : wall)
+        shots.push_back({.placed = placed, .moving = {}, .focus = {}});
+    return shots;
 }
 
 }  // namespace
 
-std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
-                            std::span<const PlacedShot> incoming, const TransitionStyle& style) {
-    const Shots first(shown.begin(), shown.end());
-    const Shots last(incoming.begin(), incoming.end());
-    std::vector<Act> fade{{.from = first, .to = last, .duration = style.crossfade}};
-    if (style.motion.count() <= 0 || first.empty() || last.empty()) return fade;
-    StayingShots stays = staying_shots(shown, incoming);
-    const auto motion = motion_of(stays, canvas);
-    if (!motion || motion->kind == Motion::Kind::still) return fade;
-    std::vector<Act> acts;
-    if (stays.before.size() < first.size()) {
-        give_cells(stays.before, canvas, style.cells);
-        acts.push_back({.from = first, .to = stays.before, .duration = style.crossfade});
+Transition transition(Vec2 canvas, std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming,
+                      const TransitionStyle& style) {
+    Transition found{.canvas = canvas,
+                     .old_wall = changing(shown),
+                     .new_wall = changing(incoming),
+                     .motion = {Motion::Kind::still, {{}}},
+                     .duration = style.duration,
+                     .is_even = style.is_even};
+    if (style.moves && style.duration.count() > 0) TransitionSearch(found).run();
+    return found;
+}
+
+std::size_t wayless_count(const Transition& transition) {
+    const auto is_wayless = [&](const ChangingShot& shot) {
+        if (shot.moving) return false;
+        return std::ranges::any_of(transition.new_wall, [&](const ChangingShot& other) {
+            return other.placed.shot.source == shot.placed.shot.source &&
+                   other.placed.placement != shot.placed.placement;
+        });
+    };
+    return static_cast<std::size_t>(std::ranges::count_if(transition.old_wall, is_wayless));
+}
+
+std::vector<Placement> placements_at(const Transition& transition, double share) {
+    return placements_at(transition.motion, progress_of(transition.motion, share, transition.is_even));
+}
+
+double free_share(const Transition& transition, const ChangingShot& shot,
+                  std::span<const Placement> placements) {
+    double share = 1;
+    for (const ChangingShot& other : transition.old_wall) {
+        if (!other.moving) continue;
+        const Placement& at = placements[*other.moving];
+        const OverlapInterval overlap =
+            overlap_interval({shot.placed.shot.item, {0, shot.focus}, shot.placed.placement},
+                             {other.placed.shot.item, at, at}, clearance);
+        if (!overlap.is_empty()) share = std::min(share, overlap.begin);
     }
-    const int stages = motion->kind == Motion::Kind::straight ? 1 : 2;
-    acts.push_back({.from = stays.before,
-                    .motion = motion,
-                    .duration = style.motion * stages,
-                    .is_even = style.is_even});
-    const bool is_anything_new = std::any_of(last.begin(), last.end(), [&](const PlacedShot& placed) {
-        return find_source(shown, placed.shot.source) == nullptr;
-    });
-    if (!is_anything_new) return acts;
-    give_cells(stays.after, canvas, style.cells);
-    acts.push_back({.from = stays.after, .to = last, .duration = style.crossfade});
-    return acts;
-}
-
-std::chrono::nanoseconds duration_of(std::span<const Act> acts) {
-    std::chrono::nanoseconds sum{0};
-    for (const Act& act : acts)
-        sum += act.duration;
-    return sum;
-}
-
-Frame transition_frame(Vec2 canvas, const TransitionTime& time, const CellStyle& style,
-                       std::chrono::nanoseconds now) {
-    assert(!time.acts.empty());
-    std::chrono::nanoseconds passed = time.passed;
-    std::size_t at = 0;
-    while (at + 1 < time.acts.size() && passed >= time.acts[at].duration)
-        passed -= time.acts[at++].duration;
-    const Act& act = time.acts[at];
-    const double progress = act.duration.count() > 0 ? std::chrono::duration<double>(passed) /
-                                                           std::chrono::duration<double>(act.duration)
-                                                     : 1;
-    if (!act.motion) return crossfade(canvas, act.from, act.to, progress, now);
-    Shots moving = act.from;
-    const std::vector<Placement> placements =
-        placements_at(*act.motion, act.is_even ? progress : eased(progress));
-    for (std::size_t i = 0; i < moving.size(); ++i)
-        moving[i].placement = placements[i];
-    give_cells(moving, canvas, style);
-    return standing_frame(canvas, moving, now);
+    return share;
 }
 
 }  // namespace vitrine::player

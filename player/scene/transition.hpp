@@ -2,10 +2,10 @@
 
 #include "player/layout/cells/cells.hpp"
 #include "player/layout/edit/motion.hpp"
-#include "player/scene/frame.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,40 +13,55 @@
 namespace vitrine::player {
 
 struct TransitionStyle {
-    std::chrono::nanoseconds crossfade = std::chrono::milliseconds(700);
-    std::chrono::nanoseconds motion =
-        std::chrono::milliseconds(250);  // duration of one stage of a motion; 0: all shots fade instead
+    std::chrono::nanoseconds duration = std::chrono::milliseconds(800);  // of the whole transition
     CellStyle cells;
+    bool moves = true;     // false: all shots that change fade
     bool is_even = false;  // shots move at constant speed, for changes that follow a finger
 };
 
-/// One part of a transition: `from` moves, or `to` fades in over it.
-struct Act {
-    std::vector<PlacedShot> from;
-    std::vector<PlacedShot> to;
-    std::optional<Motion> motion;  // the motion of `from`
+/// A shot of the old or of the new wall, and its part in a transition.
+struct ChangingShot {
+    PlacedShot placed;                  // on its own wall, with its cell there
+    std::optional<std::size_t> moving;  // its place in the motion; none: it leaves, or it comes
+    Vec2
+        focus;  // canvas px; its cell shrinks to this point while it leaves, and grows from it while it comes
+};
+
+/// The way from one wall to the next: who leaves, comes and moves, from where to where, when and how. A
+/// value; transition_frame() draws it at any time.
+///
+/// All happens at once. The shots that stay move, so that no I-Region of theirs is ever covered. A shot that
+/// leaves keeps what the others leave of its cell, and a shot that comes fades in over it.
+struct Transition {
+    Vec2 canvas;  // px
+    std::vector<ChangingShot> old_wall;
+    std::vector<ChangingShot> new_wall;
+    Motion motion;          // of the shots that stay
+    double fade_begin = 0;  // share of the duration: from here on the new wall fades in
+    double fade_end = 1;    // share of the duration: from here on nothing of the old wall is seen
     std::chrono::nanoseconds duration{0};
-    bool is_even = false;  // true: moves at constant speed; false: moves start and end slowly
+    bool is_even = false;  // the motion has constant speed
 };
 
-/// The acts that lead from one wall to the next. First the shots that leave without a successor fade out.
-/// Then the shots that stay move to their new places, so that no I-Region is covered at any moment. Then the
-/// new shots fade in. A slot's last shot makes room for those that move, and stays until its next one has
-/// faded in. If nothing moves, or no such motion is found, there is one crossfade.
+/// Finds the transition from one wall to the next. A shot that stays but has no free way to its new place
+/// leaves its old place and comes to its new one; only such shots do so.
 /// @param shown, incoming  both on this canvas, with cells
-std::vector<Act> transition(Vec2 canvas, std::span<const PlacedShot> shown,
-                            std::span<const PlacedShot> incoming, const TransitionStyle& style);
+Transition transition(Vec2 canvas, std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming,
+                      const TransitionStyle& style);
 
-std::chrono::nanoseconds duration_of(std::span<const Act> acts);
+/// The number of shots that stay but have no free way: they fade from place to place.
+std::size_t wayless_count(const Transition& transition);
 
-/// The acts of one transition and the time since the first act's start.
-struct TransitionTime {
-    std::span<const Act> acts;  // at least one
-    std::chrono::nanoseconds passed{0};
-};
+/// The placements of the motion. @param share  of the duration
+std::vector<Placement> placements_at(const Transition& transition, double share);
 
-/// The frame of a transition at this time.
-Frame transition_frame(Vec2 canvas, const TransitionTime& time, const CellStyle& style,
-                       std::chrono::nanoseconds now);
+/// The share to which the region of a shot that leaves or comes must shrink towards its focus, so that it
+/// touches none of the shots that move. 0: it has no place at all.
+/// @param placements  of the motion
+double free_share(const Transition& transition, const ChangingShot& shot,
+                  std::span<const Placement> placements);
+
+/// A region that is shrunk to a smaller share has no cell any more.
+constexpr double min_free_share = 0.03;
 
 }  // namespace vitrine::player

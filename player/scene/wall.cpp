@@ -1,6 +1,7 @@
 #include "player/scene/wall.hpp"
 
 #include "player/scene/crossfade.hpp"
+#include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
@@ -45,6 +46,17 @@ PlanItem plan_item(const WallShot& shot, std::span<const PlacedShot> shown,
     return item;
 }
 
+/// True if the change can begin without a flash; notes its begin. A calm wall waits with all changes.
+bool may_begin(const WallChange& change, std::span<const PlacedShot> shown, ChangePace& pace,
+               std::chrono::nanoseconds now) {
+    const bool is_small =
+        !pace.is_calm() && change.is_by_touch && is_too_small_to_flash(shown, change.wall, change.canvas);
+    if (is_small) return true;
+    if (!pace.is_free(now)) return false;
+    pace.note_change(now);
+    return true;
+}
+
 }  // namespace
 
 int folder_number(const std::string& path, std::map<std::string, int>& folders) {
@@ -54,7 +66,11 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders) 
 }
 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
-    : settings_(settings), canvas_(canvas), slots_(settings.slots), touch_(settings.touch, settings.idle) {}
+    : settings_(settings),
+      canvas_(canvas),
+      slots_(settings.slots),
+      touch_(settings.touch, settings.idle),
+      pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
 void Wall::set_canvas(Vec2 canvas) {
     is_canvas_new_ = is_canvas_new_ || canvas != canvas_;
@@ -76,7 +92,9 @@ void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
 }
 
 void Wall::handle_gesture(const Gesture& gesture) {
-    if (!settings_.nests) touch_.handle_gesture(gesture, shown_, canvas_);
+    const bool is_drag = gesture.kind == Gesture::Kind::drag;
+    if (settings_.nests || (settings_.is_calm && is_drag)) return;
+    touch_.handle_gesture(gesture, shown_, canvas_);
 }
 
 std::optional<ShotKey> Wall::shot_at(Vec2 point) const {
@@ -139,7 +157,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
 /// Makes the new wall the shown one once its fade has ended.
 void Wall::end_change(std::chrono::nanoseconds now) {
     if (change_->phase == Phase::arriving) advance_arrival(now);
-    if (!has_ended(*change_, sources_, settings_.transition.crossfade, now)) return;
+    if (!has_ended(*change_, sources_, settings_.transition.duration, now)) return;
     shown_canvas_ = change_->canvas;
     shown_ = std::move(change_->wall);
     change_.reset();
@@ -192,20 +210,22 @@ std::optional<WallPlan> Wall::follow_slots() {
 
 /// Starts the fade when everything is ready and the time has come. Gives up on sources that are too late.
 void Wall::wait_for_sources(std::chrono::nanoseconds now) {
-    if (!is_ready(*change_, sources_, shown_.empty())) {
+    if (!is_ready(*change_, sources_, shown_.empty() && !settings_.is_calm)) {
         if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
         return;
     }
-    TransitionStyle style = settings_.transition;
+    TransitionStyle style = transition_style(*change_, settings_.transition);
     const bool is_other_canvas = change_->canvas != shown_canvas_;
-    const bool is_resized = is_other_canvas && !shown_.empty();
-    if (is_resized || settings_.nests) style.motion = {};  // on the way, hulls of groups might overlap
-    if (is_resized) style.crossfade = {};                  // the old wall does not fit the new canvas
-    const std::chrono::nanoseconds duration = prepare_acts(*change_, shown_, style);
+    // on the way, hulls of groups might overlap
+    style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
     const bool waits_for_turn = !change_->is_by_touch && !is_other_canvas;
     const auto due = waits_for_turn ? slots_.due() : std::nullopt;
-    if (due && now < *due - duration) return;
-    begin_fade(*change_, shown_, now);
+    if ((due && now < *due - style.duration) || !may_begin(*change_, shown_, pace_, now)) return;
+    if (settings_.photos_drift) give_drifts(change_->wall, shown_);
+    if (is_other_canvas && !shown_.empty())
+        begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
+    else
+        begin_transition(*change_, shown_, style, now);
     if (change_->phase == Phase::arriving) return advance_arrival(now);
     tell_appeared();
 }

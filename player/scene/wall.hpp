@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/scene/change_pace.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/wall_change.hpp"
 #include "player/scene/wall_slots.hpp"
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +21,8 @@ struct WallSettings {
     SlotSettings slots;
     TransitionStyle transition;
     bool nests = false;                                            // the files of a folder are grouped
+    bool is_calm = false;                                          // nothing moves, and changes are rare
+    bool photos_drift = false;                                     // photos move slowly inside their cells
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // time to wait for a late source
     EditRules touch;                                               // rules by which a finger moves shots
     std::chrono::nanoseconds idle = std::chrono::seconds(30);      // then a tapped shot returns to its place
@@ -35,6 +39,9 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders);
 /// the change is replaced. The first wall waits for its first source only; its shots fade in over the idle
 /// picture, each when it is ready.
 ///
+/// Two changes never begin so soon after one another that bright and dark pictures would flash. On a calm
+/// wall nothing moves and changes begin at least calm_spacing apart; its first wall comes as a whole.
+///
 /// A change moves the shots that stay as little as possible. If that leaves much more of the canvas empty
 /// than a completely new layout, the new layout is used.
 class Wall final : public Show {
@@ -48,7 +55,7 @@ class Wall final : public Show {
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
     /// Moves, enlarges or dismisses the touched shot (WallTouch). No other change starts until the wall has
-    /// settled. Folders whose files are grouped cannot be touched.
+    /// settled. Folders whose files are grouped cannot be touched, and shots of a calm wall not be dragged.
     void handle_gesture(const Gesture& gesture) override;
 
     std::optional<ShotKey> shot_at(Vec2 point) const override;
@@ -69,9 +76,9 @@ class Wall final : public Show {
     /// @param now  since the player's start; never goes back
     WallStep step(std::chrono::nanoseconds now) override;
 
-    std::size_t count() const override { return shown_.size(); }
-
     std::vector<SlotShot> standing() const override;
+
+    std::set<std::string> avoided_files() const override { return slots_.avoided_files(); }
 
     /// The shots on the wall, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }
@@ -97,6 +104,7 @@ class Wall final : public Show {
     bool is_canvas_new_ = false;
     double usual_waste_ = 1;  // waste of the last new layout, as a share of the canvas
     std::uint64_t generation_ = 0;
+    ChangePace pace_;
     std::vector<ShotRequest> restored_;  // requests for shots that are in the store since the last step
 };
 

@@ -15,6 +15,9 @@ void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& sty
 /// @pre each shot has a cell
 double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
 
+/// The same wall on another canvas: as large as it fits, in the middle.
+std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other);
+
 /// True if the shot's cell contains this canvas point.
 bool is_at(const PlacedShot& placed, Vec2 point);
 

@@ -1,6 +1,7 @@
 #include "player/scene/wall_change.hpp"
 
 #include "player/scene/crossfade.hpp"
+#include "player/scene/transition_frame.hpp"
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ void lay_out(WallChange& change, const Layout& layout, const CellStyle& style) {
     for (std::size_t i = 0; i < change.wall.size(); ++i)
         change.wall[i].placement = layout.placements[i];
     give_cells(change.wall, change.canvas, style);
-    change.acts.clear();
     change.is_final = layout.is_final;
     // For a first layout that is not final, the sources are requested at once; for later layouts, only when
     // the final one has come.
@@ -57,25 +57,29 @@ bool is_ready(const WallChange& change, const WallSources& sources, bool is_firs
     return is_first ? std::ranges::any_of(change.wall, is_there) : std::ranges::all_of(change.wall, is_there);
 }
 
-nanoseconds prepare_acts(WallChange& change, std::span<const PlacedShot> shown, TransitionStyle style) {
-    if (change.pace) {
-        style.motion = style.crossfade = *change.pace;
-        style.is_even = true;
-    }
-    if (change.acts.empty()) change.acts = transition(change.canvas, shown, change.wall, style);
-    return duration_of(change.acts);
+TransitionStyle transition_style(const WallChange& change, TransitionStyle usual) {
+    if (!change.pace) return usual;
+    usual.duration = *change.pace;
+    usual.is_even = true;
+    return usual;
 }
 
-void begin_fade(WallChange& change, std::span<const PlacedShot> shown, nanoseconds now) {
-    Act& last = change.acts.back();
-    const nanoseconds appears = now + duration_of(change.acts) - last.duration;
+void begin_transition(WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
+                      nanoseconds now) {
     change.began = now;
     change.phase = shown.empty() ? Phase::arriving : Phase::fading;
-    for (PlacedShot& placed : change.wall) {
-        const PlacedShot* same = find_source(shown, placed.shot.source);
-        placed.began = shown.empty() ? never : same != nullptr ? same->began : appears;
+    if (shown.empty()) {
+        for (PlacedShot& placed : change.wall)
+            placed.began = never;
+        return;
     }
-    if (!last.motion) last.to = change.wall;
+    Transition& made = change.transition.emplace(transition(change.canvas, shown, change.wall, style));
+    const nanoseconds appears =
+        now + std::chrono::duration_cast<nanoseconds>(made.duration * made.fade_begin);
+    for (std::size_t i = 0; i < change.wall.size(); ++i) {
+        const PlacedShot* same = find_source(shown, change.wall[i].shot.source);
+        change.wall[i].began = made.new_wall[i].placed.began = same != nullptr ? same->began : appears;
+    }
 }
 
 void let_arrive(WallChange& change, const WallSources& sources, nanoseconds now) {
@@ -83,18 +87,16 @@ void let_arrive(WallChange& change, const WallSources& sources, nanoseconds now)
         if (placed.began == never && sources.is_ready(placed)) placed.began = now;
 }
 
-bool has_ended(const WallChange& change, const WallSources& sources, nanoseconds crossfade, nanoseconds now) {
-    if (change.phase == Phase::fading) return now - change.began >= duration_of(change.acts);
+bool has_ended(const WallChange& change, const WallSources& sources, nanoseconds arrival, nanoseconds now) {
+    if (change.phase == Phase::fading) return now - change.began >= change.transition->duration;
     return std::ranges::all_of(change.wall, [&](const PlacedShot& placed) {
-        return placed.began == never ? sources.has_failed(placed) : now - placed.began >= crossfade;
+        return placed.began == never ? sources.has_failed(placed) : now - placed.began >= arrival;
     });
 }
 
 Frame change_frame(const WallChange& change, const TransitionStyle& style, nanoseconds now) {
-    if (change.phase == Phase::arriving)
-        return fade_in_each(change.canvas, change.wall, style.crossfade, now);
-    return transition_frame(change.canvas, {.acts = change.acts, .passed = now - change.began}, style.cells,
-                            now);
+    if (change.phase == Phase::arriving) return fade_in_each(change.canvas, change.wall, style.duration, now);
+    return transition_frame(*change.transition, now - change.began, style.cells, now);
 }
 
 }  // namespace vitrine::player

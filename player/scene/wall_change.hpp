@@ -22,7 +22,7 @@ struct WallChange {
         wasteful,  // its layout leaves much of the canvas empty: another plan will be made
         laid_out,  // its sources must be requested
         waiting,   // waits for its sources and for the end of the leaving shot's time
-        fading,    // from the old wall to the new one
+        fading,    // on the way from the old wall to the new one
         arriving,  // the first wall: each shot fades in when its source is ready
     };
 
@@ -33,10 +33,10 @@ struct WallChange {
     std::vector<PlacedShot> calm;  // the wasteful layout, which moves the shots little; empty: none
     bool is_final = false;         // the layout is final: no better one follows
     bool is_by_touch = false;
-    std::optional<std::chrono::nanoseconds> pace;  // for a touch: duration of its one act; none: the usual
+    std::optional<std::chrono::nanoseconds> pace;           // for a touch: its duration; none: the usual
     std::optional<std::chrono::nanoseconds> waiting_since;  // start of waiting for sources
-    std::chrono::nanoseconds began{0};                      // start of the fade
-    std::vector<Act> acts;                                  // the acts of its transition
+    std::chrono::nanoseconds began{0};                      // start of the transition
+    std::optional<Transition> transition;                   // since then; none: the first wall arrives
 
     bool is_fading() const { return phase == Phase::fading || phase == Phase::arriving; }
 
@@ -65,19 +65,20 @@ std::vector<ShotRequest> ask_for_sources(WallChange& change, WallSources& source
 /// waiting: true if all sources are ready; for the first wall, if one is ready.
 bool is_ready(const WallChange& change, const WallSources& sources, bool is_first);
 
-/// waiting: computes the acts that lead from the shown wall to the new one, unless that is done. @return
-/// their duration
-std::chrono::nanoseconds prepare_acts(WallChange& change, std::span<const PlacedShot> shown,
-                                      TransitionStyle style);
+/// waiting: the style of its transition. @param usual  of changes that follow no touch
+TransitionStyle transition_style(const WallChange& change, TransitionStyle usual);
 
-/// waiting: starts to fade in the new wall; the first wall starts to arrive.
-void begin_fade(WallChange& change, std::span<const PlacedShot> shown, std::chrono::nanoseconds now);
+/// waiting: starts the transition from the shown wall to the new one; the first wall starts to arrive.
+/// @param shown  on the change's canvas
+void begin_transition(WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
+                      std::chrono::nanoseconds now);
 
 /// arriving: shows the shots whose sources are ready.
 void let_arrive(WallChange& change, const WallSources& sources, std::chrono::nanoseconds now);
 
 /// fading, arriving: true once the new wall is complete. A failed shot does not arrive.
-bool has_ended(const WallChange& change, const WallSources& sources, std::chrono::nanoseconds crossfade,
+/// @param arrival  time in which a shot of the first wall fades in
+bool has_ended(const WallChange& change, const WallSources& sources, std::chrono::nanoseconds arrival,
                std::chrono::nanoseconds now);
 
 /// fading, arriving: the frame at this time.

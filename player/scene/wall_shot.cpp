@@ -14,6 +14,7 @@ WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId sourc
             .key = key,
             .kind = record.kind,
             .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
+            .active = active_picture(record, shot),
             .item = layout_item(record, shot),
             .shot = shot};
 }

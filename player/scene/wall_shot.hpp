@@ -21,6 +21,7 @@ struct WallShot {
     ShotKey key;
     MediaKind kind = MediaKind::photo;
     Vec2 picture;  // size of the upright picture, source px
+    Box active;    // its part within its bars, source px
     LayoutItem item;
     Shot shot;
 
@@ -30,6 +31,13 @@ struct WallShot {
 /// @param key  a shot of this record
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
 
+/// The way on which a photo moves slowly inside its cell, from `from` through its place to `to` and back.
+/// Canvas px, relative to the place of its layout. Both are 0 where it does not move.
+struct PhotoDrift {
+    Vec2 from;
+    Vec2 to;
+};
+
 /// A shot at its place on the canvas.
 struct PlacedShot {
     WallShot shot;
@@ -37,6 +45,7 @@ struct PlacedShot {
     std::shared_ptr<const Cell> cell;   // shared with the frames under way
     std::chrono::nanoseconds began{0};  // time of its first appearance; `never`: not yet
     int group = PlanItem::no_group;     // shots of one group are placed together
+    PhotoDrift drift = {};
 };
 
 constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();

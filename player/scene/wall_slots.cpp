@@ -5,6 +5,28 @@
 
 namespace vitrine::player {
 
+namespace {
+
+/// A time at which a shot could leave, and the length of its loop: 0 for a shot that leaves at any time.
+struct Leaving {
+    std::chrono::nanoseconds due;
+    std::chrono::nanoseconds loop;
+};
+
+/// The time at which a shot leaves. A film that stays longer than its time leaves at the end of a loop,
+/// unless that would delay the next change by more than `spacing`.
+std::chrono::nanoseconds leaving_time(const Leaving& leaving, std::chrono::nanoseconds earliest,
+                                      std::chrono::nanoseconds spacing) {
+    const auto [due, loop] = leaving;
+    if (earliest <= due) return due;
+    if (loop.count() <= 0) return earliest;
+    const auto loops = (earliest - due + loop - std::chrono::nanoseconds(1)) / loop;
+    const std::chrono::nanoseconds seam = due + loops * loop;
+    return seam - earliest <= spacing ? seam : earliest;
+}
+
+}  // namespace
+
 WallSlots::WallSlots(const SlotSettings& settings)
     : settings_(settings),
       chooser_(settings.order, settings.seed, settings.film),
@@ -13,25 +35,26 @@ WallSlots::WallSlots(const SlotSettings& settings)
 
 void WallSlots::set_catalogue(const RecordList& records, const ShowHints& hints) {
     hints_ = hints;
-    const WallFiles before = std::exchange(files_, wall_files(records));
-    chooser_.set_files(files_, before, hints_);
+    const RecordList before = files_.all();
+    files_.set(records);
+    chooser_.set_files(files_.all(), before, hints_);
     follow_changes(before);
     fill_slots();
 }
 
-void WallSlots::follow_changes(const WallFiles& before) {
+void WallSlots::follow_changes(const RecordList& before) {
     for (Slot& slot : slots_) {
         if (!slot.shot) continue;
         const ShotKey key = slot.shot->key;
-        const auto found = files_.find(key.path);
-        if (found == files_.end() || key.shot >= static_cast<int>(found->second->shots.size())) {
+        const RecordList::Record file = files_.all().find(key.path);
+        if (!file || key.shot >= static_cast<int>(file->shots.size())) {
             slot = {};
-        } else if (!is_grown_from(*found->second, *before.at(key.path))) {
+        } else if (!is_grown_from(*file, *before.find(key.path))) {
             put_shot(slot, key);
             due_.reset();
         } else {
             slot.shot->shot =
-                found->second->shots[static_cast<std::size_t>(key.shot)];  // the store may have it by now
+                file->shots[static_cast<std::size_t>(key.shot)];  // the store may have it by now
         }
     }
 }
@@ -49,7 +72,7 @@ bool WallSlots::is_pinned(const Slot& slot) const {
 const std::string* WallSlots::pinned_and_missing() const {
     const auto found =
         std::find_if(controls_.files.begin(), controls_.files.end(), [&](const std::string& path) {
-            return files_.contains(path) && !chooser_.is_avoided(path) && count_on_wall(path) == 0;
+            return files_.all().contains(path) && !chooser_.is_avoided(path) && count_on_wall(path) == 0;
         });
     return found == controls_.files.end() ? nullptr : &*found;
 }
@@ -67,22 +90,14 @@ void WallSlots::advance(std::chrono::nanoseconds now) {
         const auto key = choose_shot(*turn.slot);
         if (!key) continue;
         put_shot(*turn.slot, *key);
-        due_ = is_at_once ? now : leaving_time(turn, std::max(now, last_due_ + settings_.spacing));
+        due_ = is_at_once ? now
+                          : leaving_time({.due = turn.due, .loop = turn.loop},
+                                         std::max(now, last_due_ + settings_.spacing), settings_.spacing);
         last_due_ = *due_;
         next_turn_ = *due_ + settings_.spacing - settings_.lead;
         return;
     }
     if (!next.empty()) next_turn_ = now + std::chrono::seconds(1);  // all shots are on the wall already
-}
-
-/// The time at which a shot leaves. A film that stays longer than its time leaves at the end of a loop,
-/// unless that would delay the next change.
-std::chrono::nanoseconds WallSlots::leaving_time(const Turn& turn, std::chrono::nanoseconds earliest) const {
-    if (earliest <= turn.due) return turn.due;
-    if (turn.loop.count() <= 0) return earliest;
-    const auto loops = (earliest - turn.due + turn.loop - std::chrono::nanoseconds(1)) / turn.loop;
-    const std::chrono::nanoseconds seam = turn.due + loops * turn.loop;
-    return seam - earliest <= settings_.spacing ? seam : earliest;
 }
 
 void WallSlots::shot_appeared(SourceId source, std::chrono::nanoseconds now) {
@@ -170,8 +185,8 @@ std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until
 /// The time that a shot stays: as its hints say; else a film stays for whole loops, unless they take too
 /// long, and a film in sequence beside its own other shots for one loop.
 std::chrono::nanoseconds WallSlots::time_to_stay(const WallShot& shot) const {
-    const auto hints = hints_.find(shot.key.path);
-    if (hints != hints_.end() && hints->second.dwell) return *hints->second.dwell;
+    const auto said = hints_.find(shot.key.path);
+    if (said && said->hints.dwell) return *said->hints.dwell;
     if (shot.kind == MediaKind::photo) return settings_.dwell;
     const std::chrono::nanoseconds loop = shot.shot.duration();
     if (settings_.film == FilmShow::sequence && count_on_wall(shot.key.path) > 1)
@@ -194,7 +209,8 @@ std::optional<ShotKey> WallSlots::choose_shot(const Slot& slot) {
 void WallSlots::put_shot(Slot& slot, const ShotKey& key) {
     slot.shown.reset();
     slot.ahead = {};
-    slot.shot = wall_shot(*files_.at(key.path), key, ++last_source_, static_cast<int>(&slot - slots_.data()));
+    slot.shot =
+        wall_shot(*files_.all().find(key.path), key, ++last_source_, static_cast<int>(&slot - slots_.data()));
 }
 
 long WallSlots::count_on_wall(const std::string& path) const {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -67,6 +68,9 @@ class WallSlots {
     /// Replaces the shot now. If there is no other shot, avoids its file for `retry_after`.
     void dismiss_shot(SourceId source, std::chrono::nanoseconds now);
 
+    /// Paths of the files that have failed or were dismissed, for as long as they are avoided.
+    std::set<std::string> avoided_files() const { return chooser_.avoided_files(); }
+
     /// The shots to show, in the order of the slots, without free slots.
     std::vector<WallShot> shots() const;
 
@@ -85,10 +89,9 @@ class WallSlots {
 
     bool is_pinned(const Slot& slot) const;
     const std::string* pinned_and_missing() const;
-    void follow_changes(const WallFiles& before);
+    void follow_changes(const RecordList& before);
     void fill_slots();
     void spread_leaving(const std::vector<Slot*>& filled);
-    std::chrono::nanoseconds leaving_time(const Turn& turn, std::chrono::nanoseconds earliest) const;
     std::vector<Turn> due_turns(std::chrono::nanoseconds until);
     std::chrono::nanoseconds time_to_stay(const WallShot& shot) const;
     std::optional<ShotKey> choose_shot(const Slot& slot);

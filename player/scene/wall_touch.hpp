@@ -15,9 +15,8 @@ namespace vitrine::player {
 
 /// A small change of the wall that follows a touch.
 struct TouchedWall {
-    std::vector<PlacedShot> wall;  // with outdated cells
-    std::optional<std::chrono::nanoseconds>
-        pace;  // duration of the change's one act; none: the usual duration
+    std::vector<PlacedShot> wall;                  // with outdated cells
+    std::optional<std::chrono::nanoseconds> pace;  // duration of the change; none: the usual one
 };
 
 /// A shot that was flicked out of the canvas.

@@ -18,7 +18,7 @@ std::vector<AudibleShot> AudibleFilms::shots(const Frame& frame, const ShowHints
         const auto film = films_.find(item.source);
         if (film == films_.end()) continue;
         const auto said = hints.find(film->second.path);
-        if (said == hints.end() || !said->second.sound.value_or(false)) continue;
+        if (!said || !said->hints.sound.value_or(false)) continue;
         AudibleShot& shot = shots.emplace_back(film->second);
         const Vec2 size = item.picture * item.placement.scale;
         shot.area = size.x * size.y;

@@ -1,6 +1,6 @@
 #include "player/stage/show_modes.hpp"
 
-#include "player/scene/panning_wall.hpp"
+#include "player/scene/pan/panning_wall.hpp"
 #include "player/scene/wall.hpp"
 #include "player/stage/stage_settings.hpp"
 
@@ -13,10 +13,10 @@ namespace {
 
 std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
     WallSettings wall{.slots = slot_settings(settings),
-                      .transition = {.crossfade = settings.show.crossfade,
-                                     .motion = settings.show.motion,
-                                     .cells = cell_style(settings)},
+                      .transition = {.duration = settings.show.motion, .cells = cell_style(settings)},
                       .nests = settings.layout.folders == FolderMode::nested,
+                      .is_calm = settings.show.calm,
+                      .photos_drift = settings.show.photo_drift && !settings.show.calm,
                       .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
                                 .clearance = settings.layout.clearance,
                                 .max_scale = settings.layout.max_enlargement},
@@ -45,7 +45,8 @@ const std::array<ShowMode, 2>& show_modes() {
 }  // namespace
 
 const ShowMode& show_mode(const Settings& settings) {
-    const auto found = std::ranges::find(show_modes(), settings.layout.mode, &ShowMode::mode);
+    const WallMode mode = settings.show.calm ? WallMode::fit : settings.layout.mode;
+    const auto found = std::ranges::find(show_modes(), mode, &ShowMode::mode);
     return found == show_modes().end() ? show_modes().front() : *found;
 }
 

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-/// A kind of wall, chosen by `layout.mode`.
+/// A kind of wall, chosen by `layout.mode`. A calm wall does not pan.
 struct ShowMode {
     using Factory = std::unique_ptr<Show> (*)(const Settings& settings, Vec2 canvas, SourceId last_source);
 

@@ -4,9 +4,10 @@
 #include "base/system/log.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/stage/show_modes.hpp"
+#include "player/stage/stage_settings.hpp"
 
-#include <algorithm>
 #include <exception>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -17,9 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set in a tapestry's sources
-
-/// Nearly opaque: the renderer may leave out items below an opaque one, and here they must be drawn.
-constexpr double max_alpha_behind = 0.999;
 
 }  // namespace
 
@@ -58,24 +56,22 @@ WallStep ShowSwitch::step(Renderer& renderer) {
 
 void ShowSwitch::fade(Frame& frame) {
     if (!tapestry_) wall_frame_ = frame;
-    if (!has_switched_ || time_ - switched_ >= settings_.show.crossfade) return;
-    const double shown = eased(std::chrono::duration<double>(time_ - switched_) /
-                               std::chrono::duration<double>(settings_.show.crossfade));
-    for (DrawItem& item : frame.items)
-        item.alpha *= shown;
-    frame.idle = 1;
-    if (!tapestry_) return;
-    std::vector<DrawItem> items = wall_frame_.items;
-    for (DrawItem& item : items)
-        item.alpha = std::min(item.alpha * (1 - shown), max_alpha_behind);
-    items.insert(items.end(), frame.items.begin(), frame.items.end());
-    frame.items = std::move(items);
+    if (!has_switched_ || time_ - switched_ >= settings_.show.motion) return;
+    const double progress = std::chrono::duration<double>(time_ - switched_) /
+                            std::chrono::duration<double>(settings_.show.motion);
+    fade_in(frame, tapestry_ ? std::span<const DrawItem>(wall_frame_.items) : std::span<const DrawItem>(),
+            progress);
+}
+
+/// True if wall and tapestry can replace one another without flashing.
+bool ShowSwitch::may_switch() const {
+    return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
 }
 
 bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
     std::error_code error;
-    if (!std::filesystem::exists(directory / "index.json", error)) return false;
+    if (!may_switch() || !std::filesystem::exists(directory / "index.json", error)) return false;
     try {
         if (!is_woven_from(read_tapestry(directory), *film)) {
             log::info("no tapestry of '{}': the film has changed since it was woven", film->path);
@@ -94,6 +90,7 @@ bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot)
 void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryPlaybackOptions options) {
     options.first_source = sources_of(owner_) | tapestry_bit;
     options.awaits_tiles = awaits_tiles_;
+    options.rests = settings_.show.calm;
     tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, std::move(options));
     switched_ = time_;
     has_switched_ = true;
@@ -101,7 +98,7 @@ void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryP
 }
 
 std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
-    if (!tapestry_ || !tapestry_->is_over()) return {};
+    if (!tapestry_ || !tapestry_->is_over() || !may_switch()) return {};
     std::vector<SourceId> retired = tapestry_->close();
     tapestry_.reset();
     wall_frame_ = {};

@@ -56,7 +56,7 @@ class ShowSwitch {
     /// Shows a film's tapestry in place of the wall, if there is one and it was woven from the present
     /// content of the film.
     /// @param shot  the shot of the film at which the view starts
-    /// @return false: there is no such tapestry
+    /// @return false: there is no such tapestry, or the last switch was too short a time ago
     bool open_tapestry(const RecordList::Record& film, std::size_t shot);
 
     /// Shows a tapestry in place of the wall.
@@ -64,7 +64,8 @@ class ShowSwitch {
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
     void show_tapestry(const std::filesystem::path& directory, TapestryPlaybackOptions options);
 
-    /// If the tapestry is over, the wall continues from where it was.
+    /// If the tapestry is over, the wall continues from where it was, unless the switch to the tapestry was
+    /// too short a time ago.
     /// @return the sources that the tapestry used
     std::vector<SourceId> leave_finished_tapestry();
 
@@ -72,6 +73,8 @@ class ShowSwitch {
     void forget_uploads();
 
   private:
+    bool may_switch() const;
+
     const Settings& settings_;  // outlive this
     std::uint64_t owner_;
     bool awaits_tiles_;

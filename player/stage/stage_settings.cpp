@@ -2,11 +2,37 @@
 
 #include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
+#include "player/scene/change_pace.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace vitrine::player {
+
+namespace {
+
+/// The values, in canvas px, that a look gives to keys that are not written down.
+struct LookSizes {
+    double gutter;
+    double corner_radius;
+    double feather;
+};
+
+LookSizes sizes_of(WallLook look, CellMethod cells) {
+    // Without a gutter round corners would leave holes, except round bends of taut seams.
+    const double bend_radius = cells == CellMethod::taut ? 24 : 0;
+    switch (look) {
+    case WallLook::tiles:
+        return {.gutter = 8, .corner_radius = 16, .feather = 1};
+    case WallLook::soft:
+        return {.gutter = 0, .corner_radius = bend_radius, .feather = 24};
+    case WallLook::seamless:
+        break;
+    }
+    return {.gutter = 0, .corner_radius = bend_radius, .feather = 1};
+}
+
+}  // namespace
 
 SlotSettings slot_settings(const Settings& settings) {
     return {.count = settings.layout.slots,
@@ -14,15 +40,23 @@ SlotSettings slot_settings(const Settings& settings) {
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .film = settings.show.film,
             .dwell = settings.show.dwell,
-            .max_dwell = settings.show.longest};
+            .max_dwell = settings.show.longest,
+            .spacing = settings.show.calm ? calm_spacing : SlotSettings{}.spacing};
+}
+
+std::chrono::nanoseconds change_spacing(const Settings& settings) {
+    return settings.show.calm ? calm_spacing : flash_spacing;
 }
 
 CellStyle cell_style(const Settings& settings) {
-    return {.gutter = settings.layout.gutter,
-            .corner_radius = settings.layout.corner_radius,
-            .feather = settings.layout.feather,
-            .sample_spacing =
-                settings.layout.cells == CellMethod::sampled ? settings.layout.sample_spacing : 0};
+    const Settings::Layout& layout = settings.layout;
+    const LookSizes look = sizes_of(layout.look, layout.cells);
+    const auto chosen = [](double written, double usual) { return written < 0 ? usual : written; };
+    return {.is_taut = layout.cells == CellMethod::taut,
+            .gutter = chosen(layout.gutter, look.gutter),
+            .corner_radius = chosen(layout.corner_radius, look.corner_radius),
+            .feather = std::max(1.0, chosen(layout.feather, look.feather)),
+            .sample_spacing = layout.cells == CellMethod::sampled ? layout.sample_spacing : 0};
 }
 
 SourceOptions source_options(const Settings& settings, bool keeps_time) {
@@ -50,7 +84,7 @@ View view_of(const Settings& settings, int width, int height) {
 PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
     return {.canvas = canvas,
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
-            .clearance = settings.layout.clearance,
+            .clearance = std::max(settings.layout.clearance, cell_style(settings).gutter),
             .max_scale = settings.layout.max_enlargement,
             .energy = settings.layout.energy,
             .order = settings.layout.order};

@@ -7,12 +7,17 @@
 #include "player/render/view.hpp"
 #include "player/scene/wall_slots.hpp"
 
+#include <chrono>
+
 namespace vitrine::player {
 
 // Converts the settings for the parts of a stage.
 
 SlotSettings slot_settings(const Settings& settings);
 CellStyle cell_style(const Settings& settings);
+
+/// The least time between the begins of two changes.
+std::chrono::nanoseconds change_spacing(const Settings& settings);
 
 /// @param keeps_time  true: pictures are shown at their time and late ones are skipped; false: all are shown
 SourceOptions source_options(const Settings& settings, bool keeps_time);

@@ -19,6 +19,13 @@ Stages::Stages(const Settings& settings, SourcePool& sources, bool awaits_source
     make_anew();
 }
 
+bool Stages::claim_renewal(std::chrono::nanoseconds now) {
+    if (!is_asked_anew_ || !pace_.is_free(now)) return false;
+    is_asked_anew_ = false;
+    pace_.note_change(now);
+    return true;
+}
+
 void Stages::make_anew() {
     const auto folders = output_folders_named(settings_.output.folders).value();
     std::map<std::string, std::size_t> number_of_folder{{"", 0}};
@@ -102,8 +109,9 @@ std::vector<SlotShot> Stages::standing() const {
 void Stages::log_counts() {
     for (const auto& stage : stages_) {
         const auto [logged, is_new] = logged_.try_emplace(stage->files().folder(), 0);
-        if (logged->second == stage->wall().count()) continue;
-        logged->second = stage->wall().count();
+        const std::size_t count = stage->wall().count();
+        if (logged->second == count) continue;
+        logged->second = count;
         log::info("wall of {} {}{}", logged->second, logged->second == 1 ? "item" : "items",
                   stage->files().folder().empty() ? "" : fmt::format(" of '{}'", stage->files().folder()));
     }

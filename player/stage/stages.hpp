@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/scene/change_pace.hpp"
 #include "player/scene/show_controls.hpp"
 #include "player/scene/show_files.hpp"
 #include "player/stage/stage.hpp"
@@ -24,7 +25,14 @@ class Stages {
     /// @param awaits_sources     the clock stands still until the sources of a frame are ready
     Stages(const Settings& settings, SourcePool& sources, bool awaits_sources);
 
-    /// Replaces all stages with new ones without files, because the settings have changed.
+    /// Asks for new stages, because the settings have changed.
+    void ask_anew() { is_asked_anew_ = true; }
+
+    /// True once if new stages were asked for, and the walls were not made anew a moment ago: settings that
+    /// are read again and again must not let the screens flash. Then call make_anew().
+    bool claim_renewal(std::chrono::nanoseconds now);
+
+    /// Replaces all stages with new ones without files.
     void make_anew();
 
     void set_catalogue(const RecordList& records, const ShowHints& hints);
@@ -68,6 +76,8 @@ class Stages {
     ShowControls controls_;
     std::map<std::string, std::size_t> number_of_;  // output -> stages_; other outputs show the first
     std::vector<std::unique_ptr<Stage>> stages_;
+    ChangePace pace_{flash_spacing};
+    bool is_asked_anew_ = false;
     std::map<std::string, std::size_t> logged_;  // folder -> the last logged number of shots on its wall
 };
 

@@ -33,9 +33,13 @@ TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                               .shots = {},
                               .plays_at_once = options.film != nullptr,
                               .first_seen = options.first_seen};
+    if (options.rests) settings.pace.patience = std::chrono::nanoseconds::max();
     if (options.film) {
         tapestry.path = options.film->path;
-        picture = {static_cast<double>(options.film->width), static_cast<double>(options.film->height)};
+        const Box active = active_picture(*options.film);
+        picture = active.max - active.min;
+        settings.active = {{active.min.x / options.film->width, active.min.y / options.film->height},
+                           {active.max.x / options.film->width, active.max.y / options.film->height}};
         settings.shots = options.film->shots;
     }
     return {std::move(tapestry), picture, canvas, settings};

@@ -19,6 +19,7 @@ struct TapestryPlaybackOptions {
     SourceId first_source = 0;                         // its sources are numbered from here on
     std::optional<std::chrono::nanoseconds> patience;  // time without a touch until it ends; none: never
     bool awaits_tiles = false;                         // each frame waits for all its tiles
+    bool rests = false;                                // it never moves by itself
     RecordList::Record film;                           // none: the film has no record
     std::chrono::nanoseconds first_seen{0};            // film time in the middle of the first view
 };

@@ -1,7 +1,11 @@
 #include "player/layout/cells/cells.hpp"
 
+#include "player/layout/cells/seam_bends.hpp"
 #include "player/layout/cells/sharing.hpp"
+#include "player/layout/cells/taut.hpp"
 #include "player/layout/cells/triangulation.hpp"
+
+#include "base/geometry/convex_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +28,12 @@ void open_gutters(std::vector<Loops>& shown, std::span<const Polygon> regions, d
     }
 }
 
+/// True if the corners of cells are cut off. Taut seams without a gutter have round bends, which take nothing
+/// from the cells.
+bool cuts_corners(const CellStyle& style) {
+    return style.corner_radius > 0 && (style.gutter > 0 || !style.is_taut);
+}
+
 /// Rounds the corners of each cell without cutting its I-Region.
 void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, double radius) {
     if (radius <= 0) return;
@@ -31,6 +41,74 @@ void round_corners(std::vector<Loops>& shown, std::span<const Polygon> regions, 
         const Loops inner = grown(shown[i], -radius);
         const Loops rounded = inner.empty() ? inner : intersection_of(grown(inner, radius), shown[i]);
         shown[i] = union_of(rounded, {to_grid(regions[i])});
+    }
+}
+
+/// The smallest distances of each region to another one, canvas px, up to a limit.
+std::vector<double> rooms_between(std::span<const Polygon> regions, double limit) {
+    std::vector<double> rooms(regions.size(), limit);
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            if (regions[i].empty() || regions[j].empty()) continue;
+            const Box a = bounding_box(regions[i]);
+            const Box b = bounding_box(regions[j]);
+            if (a.min.x - b.max.x > limit || b.min.x - a.max.x > limit || a.min.y - b.max.y > limit ||
+                b.min.y - a.max.y > limit)
+                continue;
+            double room = limit;
+            for (const Vec2& p : regions[i])
+                room = std::min(room, distance_to(regions[j], p));
+            for (const Vec2& p : regions[j])
+                room = std::min(room, distance_to(regions[i], p));
+            rooms[i] = std::min(rooms[i], room);
+            rooms[j] = std::min(rooms[j], room);
+        }
+    return rooms;
+}
+
+/// A convex region with up to `margin` px around its edges and up to `reach` px around its corners.
+Polygon widened(const Polygon& region, double margin, double reach) {
+    if (region.size() < 3 || reach <= 0) return region;
+    Polygon corners = region;
+    for (std::size_t k = 0; k < region.size(); ++k) {
+        const Vec2 in = region[k] - region[(k + region.size() - 1) % region.size()];
+        const Vec2 out = region[(k + 1) % region.size()] - region[k];
+        const Vec2 normals = Vec2{in.y, -in.x} * (1 / length(in)) + Vec2{out.y, -out.x} * (1 / length(out));
+        const double squared = dot(normals, normals);
+        if (!(squared > 0.1)) continue;  // a needle
+        const Vec2 by = normals * (2 * margin / squared);
+        corners.push_back(region[k] + by * std::min(1.0, reach / length(by)));
+    }
+    return convex_hull(corners);
+}
+
+struct SeamForm {
+    double margin = 0;  // canvas px that seams keep from regions where there is room
+    double radius = 0;  // canvas px
+};
+
+/// Pulls the seams between the cells taut, and rounds their bends.
+void straighten(CanvasShares& shares, const ItemAreas& items, const Box& canvas, const SeamForm& form) {
+    constexpr double flattening = 0.5;  // canvas px: twice the error of flattened arcs
+    const std::size_t count = items.regions.size();
+    std::vector<Loops> areas = shares.shown;
+    areas.insert(areas.end(), shares.filler.begin(), shares.filler.end());
+    auto seams = seams_of(std::move(areas), canvas);
+    if (!seams) return;
+    const std::vector<double> rooms = rooms_between(items.regions, 2 * (form.margin + flattening) + 1);
+    SeamLimits limits{.cores = items.cores};
+    for (std::size_t i = 0; i < count; ++i) {
+        limits.regions.push_back(to_grid(items.regions[i]));
+        const Box bounds = items.cores[i].empty() ? Box{} : bounding_box(from_grid(items.cores[i][0]));
+        const double reach = (rooms[i] - flattening) / 2;
+        limits.reserves.push_back(to_grid(clipped(widened(items.regions[i], form.margin, reach), bounds)));
+    }
+    pull_taut(*seams, limits);
+    if (form.radius > 0) round_bends(*seams, limits, form.radius);
+    areas = areas_of(*seams, 2 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        shares.shown[i] = std::move(areas[i]);
+        shares.filler[i] = std::move(areas[count + i]);
     }
 }
 
@@ -99,8 +177,11 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
     }
     CanvasShares shares = share_canvas(sites, layout.groups, canvas,
                                        {.spacing = style.sample_spacing, .inset = style.sample_inset});
+    // The hulls of two groups may be nearer to each other than any two regions are.
+    const double margin = layout.groups.empty() ? style.gutter / 2 + 1 : 0;
+    if (style.is_taut) straighten(shares, sites, canvas, {.margin = margin, .radius = style.corner_radius});
     open_gutters(shares.shown, sites.regions, style.gutter);
-    round_corners(shares.shown, sites.regions, style.corner_radius);
+    if (cuts_corners(style)) round_corners(shares.shown, sites.regions, style.corner_radius);
     std::vector<Loops*> all;
     for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
         for (Loops& loops : *some) {
@@ -114,7 +195,7 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
         add_to(cell.parts, cell.triangles, shares.shown[i]);
         add_to(cell.filler, cell.filler_triangles, shares.filler[i]);
         put_first(cell.parts, sites.regions[i]);
-        if (style.gutter > 0 || style.corner_radius > 0) cell.edge_coverage = 1;
+        if (style.gutter > 0 || cuts_corners(style)) cell.edge_coverage = 1;
         for (std::size_t k = 0; style.feather > 1 && k < cell.parts.size(); ++k)
             cell.fade_edges.push_back(fade_edge(cell.parts[k], i, sites.regions, frames[i], style.feather));
     }

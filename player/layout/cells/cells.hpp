@@ -25,6 +25,8 @@ struct Cell {
 
 /// The style of the cells. All canvas px.
 struct CellStyle {
+    bool is_taut =
+        false;          // borders of two cells are pulled taut between regions; else they lie in the middle
     double gutter = 0;  // width of the gap between cells, which belongs to none; none at the canvas' edge
     double corner_radius = 0;   // radius of the cells' corners; corners of I-Regions are never cut
     double feather = 1;         // width in which neighbours fade into each other outside I-Regions

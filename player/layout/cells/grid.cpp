@@ -96,6 +96,10 @@ Polygon from_grid(const Loop& loop) {
     return polygon;
 }
 
+std::int64_t turn(CellPoint a, CellPoint b, CellPoint c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 double twice_area(const Loop& loop) {
     std::int64_t sum = 0;  // terms are below 2^61 and cancel; relative to the first corner
     for (std::size_t i = 1; i + 1 < loop.size(); ++i)

@@ -31,6 +31,10 @@ Vec2 from_grid(CellPoint point);
 Loop to_grid(const Polygon& polygon);
 Polygon from_grid(const Loop& loop);
 
+/// Twice the signed area of a triangle, grid units^2: positive if c lies on the positive-angle side of a ->
+/// b.
+std::int64_t turn(CellPoint a, CellPoint b, CellPoint c);
+
 /// Twice the signed area, grid units^2.
 double twice_area(const Loop& loop);
 

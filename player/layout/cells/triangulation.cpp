@@ -7,10 +7,6 @@ namespace vitrine::player {
 
 namespace {
 
-std::int64_t turn(CellPoint a, CellPoint b, CellPoint c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 bool is_in_triangle(CellPoint p, CellPoint a, CellPoint b, CellPoint c) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }

@@ -16,6 +16,8 @@ constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
 constexpr double background_weight = 3;
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
+constexpr double fair_size = -0.15;         // ln(scale) relative to the base; a smaller item is tiny
+constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
 constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
 constexpr double max_move_share = 0.3;
 constexpr double max_share_from_home = 0.05;
@@ -59,23 +61,35 @@ struct FillingState {
     double cost = 0;
 };
 
-/// The mean square deviation of the sizes, updated when single sizes change.
+/// The cost of sizes that differ, updated when single sizes change. A size is ln(scale / base).
 class SizeSpread {
   public:
     void add(double size) {
         sum_ += size;
         squares_ += size * size;
+        lacks_ += square_of_lack(size);
     }
 
     void replace(double size, double by) {
         sum_ += by - size;
         squares_ += by * by - size * size;
+        lacks_ += square_of_lack(by) - square_of_lack(size);
     }
 
-    double variance(double count) const { return squares_ / count - (sum_ / count) * (sum_ / count); }
+    /// @param count  the number of sizes
+    double cost(double count) const {
+        const double variance = squares_ / count - (sum_ / count) * (sum_ / count);
+        return unevenness_weight * variance + tininess_weight * lacks_ / count;
+    }
 
   private:
+    static double square_of_lack(double size) {
+        const double lack = std::max(0.0, fair_size - size);
+        return lack * lack;
+    }
+
     double sum_ = 0, squares_ = 0;
+    double lacks_ = 0;  // sum of the squares of what is missing to a fair size
 };
 
 /// Simulated annealing from one arrangement. All items are made smaller first, so that there is room to move.
@@ -124,9 +138,8 @@ class GapFilling {
 
     double cost() const {
         const auto count = static_cast<double>(problem_.size());
-        const double unevenness = spread_.variance(count);
         const double empty = targets_.frames.empty() ? 0 : unfilled_share(problem_, targets_.frames, now_);
-        return background_weight * empty - covered_ + unevenness_weight * unevenness + pull() * moved_;
+        return background_weight * empty - covered_ + spread_.cost(count) + pull() * moved_;
     }
 
     /// Tries one change of an item. @param wide  from 1 at the start to 0 at the end: steps get smaller with

@@ -12,7 +12,9 @@ namespace vitrine::player {
 namespace {
 
 constexpr double max_apart = 2;  // largest quotient of a scale and the natural one
-constexpr int patience = 4;      // rounds of separation without less overlap
+constexpr double fair_scale =
+    0.75;  // share of the natural scale: 0.56 of the area. No item becomes smaller unless all do
+constexpr int patience = 4;  // rounds of separation without less overlap
 constexpr double newcomer_shrink = 0.93;
 constexpr double first_common_shrink = 0.02;  // share of the scale; it rises with each further shrink
 constexpr double common_shrink_rise = 1.35;
@@ -47,8 +49,10 @@ double growth_of_kept(const PlanRequest& request, const PackingProblem& problem)
 }
 
 /// Sets every scale for a growth of 1. Inserted items come in addition, so all unpinned items make room.
-void set_scales(const PlanRequest& request, PackingProblem& problem) {
+/// @return the least fair scale of each item
+std::vector<double> set_scales(const PlanRequest& request, PackingProblem& problem) {
     const double growth = growth_of_kept(request, problem);
+    std::vector<double> fair_scales = problem.scales;
     double kept_area = 0;
     double inserted_area = 0;
     for (std::size_t i = 0; i < problem.size(); ++i) {
@@ -59,14 +63,18 @@ void set_scales(const PlanRequest& request, PackingProblem& problem) {
             scale = problem.pinned[i] ? item.previous->scale : home_of(item).scale;
         else if (takes_a_seat(item))
             scale = std::sqrt(item.seat->area / problem.shapes[i].area);
-        if (!problem.pinned[i]) scale = std::clamp(scale, natural / max_apart, natural * max_apart);
+        const double least = natural * (item.previous ? 1 / max_apart : fair_scale);
+        if (!problem.pinned[i]) scale = std::clamp(scale, least, natural * max_apart);
         problem.scales[i] = problem.pinned[i] ? scale : std::min(scale, problem.limits[i]);
         const double area = problem.shapes[i].area * problem.scales[i] * problem.scales[i];
         (is_inserted(item) ? inserted_area : kept_area) += area;
     }
     const double room = std::sqrt(kept_area / (kept_area + inserted_area));
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.size(); ++i) {
         if (!problem.pinned[i]) problem.scales[i] *= room;
+        fair_scales[i] *= growth * room * fair_scale;
+    }
+    return fair_scales;
 }
 
 /// The items that shrink if they cannot be separated.
@@ -84,7 +92,7 @@ class WarmStart {
           contacts_(problem.shapes, problem.clearance) {}
 
     std::optional<Arrangement> run() {
-        set_scales(request_, problem_);
+        fair_scales_ = set_scales(request_, problem_);
         const std::vector<double> wished_scales = problem_.scales;
         const std::vector<Vec2> starts = start_places();
         const std::vector<Vec2> homes = home_places(starts);
@@ -167,11 +175,13 @@ class WarmStart {
                 gives[i] = true;
         for (std::size_t i = 0; i < problem_.size(); ++i) {
             if (who == Shrinking::newcomers) gives[i] = !request_.items[i].previous;
-            if (gives[i] && !problem_.pinned[i]) problem_.scales[i] *= factor;
+            if (!gives[i] || problem_.pinned[i]) continue;
+            const double least = who == Shrinking::all ? 0 : std::min(problem_.scales[i], fair_scales_[i]);
+            problem_.scales[i] = std::max(least, problem_.scales[i] * factor);
         }
     }
 
-    /// Shrinks first the newcomers, then the colliding items, then all.
+    /// Shrinks first the newcomers, then the colliding items, both down to what is fair, then all.
     bool separate(Arrangement& arrangement, const std::vector<Vec2>& homes) {
         const SeparationStyle style = calm_style(homes);
         Separation separation(problem_, contacts_, random_);
@@ -244,6 +254,7 @@ class WarmStart {
     Random& random_;              // outlives this
     SearchBudget& budget_;        // outlives this
     Contacts contacts_;
+    std::vector<double> fair_scales_;  // least fair scales
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace vitrine::player {
 /// grow into the remaining room, and everything moves back towards its former place.
 ///
 /// @param problem  scales in canvas px. Those of kept items and of seated newcomers are set from the
-/// placements and seats, limited to [1/2, 2] of the natural ones
+/// placements and seats, limited to [1/2, 2] of the natural ones; newcomers to [3/4, 2]
 /// @return         free of overlap; none: no way was found
 /// Source: docs/algorithms.md, (d) "Slots rotating". Differs: if separation fails, the newcomers shrink, then
 /// all items.

@@ -1,7 +1,6 @@
 #include "player/playback/sound/wall_sound.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +24,7 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
         return std::ranges::find(shots, source, &AudibleShot::source) == shots.end();
     });
     std::erase_if(sound, [&](const AudibleShot& shot) {
-        return shot.duration() <= 0ns || failed_.contains(shot.source);
+        return shot.duration() <= 0ns || failed_.contains(shot.source) || !is_stored(shot);
     });
     const AudibleShot* one = chosen_sound(sound, heard());
     const auto origin = one ? moment - one->local : 0ns;
@@ -35,19 +34,20 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     if (one && !now_ && ending_.size() < max_ending) start(*one, origin);
 }
 
-/// Prefers the copy in the store; the store may have lost it since.
+/// Files of the media folder are not decoded in this process.
+bool WallSound::is_stored(const AudibleShot& shot) {
+    if (shot.stored && !shot.stored->is_dropped) return true;
+    tell_once(fmt::format("'{}' is silent until its sound is in the store", shot.path), false);
+    return false;
+}
+
+/// @pre is_stored(shot)
 void WallSound::start(const AudibleShot& shot, std::chrono::nanoseconds origin) {
-    const bool is_kept = shot.stored && !shot.stored->is_dropped;
-    if (is_kept && shot.stored->file.empty()) {
+    if (shot.stored->file.empty()) {
         failed_.insert(shot.source);
         return tell_once(fmt::format("'{}' has no sound that can be played", shot.path), false);
     }
-    const std::string copy = is_kept ? places_.store + "/" + shot.stored->file : "";
-    const bool is_stored = is_kept && ::access(copy.c_str(), R_OK) == 0;
-    if (!is_stored)
-        tell_once(fmt::format("not in the store, sound is played from the media folder: '{}'", shot.path),
-                  false);
-    const SoundPart part{.file = is_stored ? copy : places_.media + "/" + shot.path,
+    const SoundPart part{.file = places_.store + "/" + shot.stored->file,
                          .begin = shot.begin,
                          .end = shot.end,
                          .origin = origin};

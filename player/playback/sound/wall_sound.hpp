@@ -22,6 +22,7 @@ struct SoundEvent {
 };
 
 /// The sound of the walls: one film at a time, for as long as it is on a wall. The player never waits for it.
+/// A film is silent until its sound is in the store.
 class WallSound {
   public:
     WallSound(MediaPlaces places, SoundSink make_sink)
@@ -32,9 +33,6 @@ class WallSound {
     /// @param shots   the shots that may be heard
     /// @param moment  time of the frame, by the monotonic clock
     void follow(std::span<const AudibleShot> shots, std::chrono::nanoseconds moment);
-
-    /// Fades the sound out.
-    void fall_silent() { follow({}, {}); }
 
     /// The source that is heard, or prepares to be. None: silence.
     std::optional<SourceId> heard() const { return now_ ? std::optional(now_->shot.source) : std::nullopt; }
@@ -49,6 +47,7 @@ class WallSound {
         std::unique_ptr<FilmSound> sound;
     };
 
+    bool is_stored(const AudibleShot& shot);
     void start(const AudibleShot& shot, std::chrono::nanoseconds origin);
     void leave();
     void look_after();

@@ -86,6 +86,18 @@ class Drawing {
     bool has_zooms(std::size_t level) const;
     void cover_strip();
 
+    /// The size of the film's whole picture, if the picture within its bars fills a box, canvas px.
+    Vec2 picture_at(const Box& at) const {
+        return whole_picture(drawn_.preview.film(), {at.width(), at.height()});
+    }
+
+    /// The corner of that whole picture.
+    Vec2 corner_at(const Box& at) const {
+        const Vec2 bars = drawn_.preview.film().active.min;
+        const Vec2 picture = picture_at(at);
+        return at.min - Vec2{bars.x * picture.x, bars.y * picture.y};
+    }
+
     const DrawnTapestry& drawn_;
     TapestryPlace place_;
     Frame frame_;
@@ -179,8 +191,8 @@ void Drawing::draw_in_place() {
         eased(std::chrono::duration<double>(local) / std::chrono::duration<double>(appearing));
     frame_.items.push_back({.source = playing->source,
                             .cell = soft_cell(at, soft_edge * at.height()),
-                            .placement = {.scale = 1, .offset = at.min},
-                            .picture = {at.width(), at.height()},
+                            .placement = {.scale = 1, .offset = corner_at(at)},
+                            .picture = picture_at(at),
                             .local = local,
                             .alpha = std::min(alpha, nearly_opaque)});
 }
@@ -192,8 +204,8 @@ void Drawing::draw_preview() {
     frame_.covered.push_back(at);
     frame_.items.push_back({.source = playing->source,
                             .cell = box_cell(at),
-                            .placement = {.scale = 1, .offset = at.min},
-                            .picture = {at.width(), at.height()},
+                            .placement = {.scale = 1, .offset = corner_at(at)},
+                            .picture = picture_at(at),
                             .local = drawn_.preview.time_above(frame_.time),
                             .alpha = 1});
 }

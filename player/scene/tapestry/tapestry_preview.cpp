@@ -127,14 +127,14 @@ PlayingSpan TapestryPreview::request(const FilmSpan& wanted, double width) {
         shot.stored = within->stored;
         shot.stored->begin += shot.begin - within->begin;
     }
+    const Vec2 whole = whole_picture(film_, {width, width * film_.picture.y / film_.picture.x});
     const PlayingSpan playing{.source = ++last_source_, .span = {shot.begin, shot.end}, .began = {}};
-    changes_.requests.push_back(
-        {.source = playing.source,
-         .path = film_.path,
-         .kind = MediaKind::film,
-         .shot = shot,
-         .width = std::max(1, static_cast<int>(std::lround(width))),
-         .height = std::max(1, static_cast<int>(std::lround(width * film_.picture.y / film_.picture.x)))});
+    changes_.requests.push_back({.source = playing.source,
+                                 .path = film_.path,
+                                 .kind = MediaKind::film,
+                                 .shot = shot,
+                                 .width = std::max(1, static_cast<int>(std::lround(whole.x))),
+                                 .height = std::max(1, static_cast<int>(std::lround(whole.y)))});
     return playing;
 }
 

@@ -13,9 +13,15 @@ namespace vitrine::player {
 struct PreviewedFilm {
     std::string path;  // relative to the media folder
     std::chrono::nanoseconds duration{0};
-    Vec2 picture;             // size of the upright picture, px; only its shape counts
-    std::vector<Shot> shots;  // the shots of the film's record; none: they are not known
+    Vec2 picture;                // size of the upright picture within its bars, px; only its shape counts
+    Box active{{0, 0}, {1, 1}};  // that part of the whole picture, in shares of its sides
+    std::vector<Shot> shots;     // the shots of the film's record; none: they are not known
 };
+
+/// The size of the whole picture, with its bars, if the picture within them has this size.
+inline Vec2 whole_picture(const PreviewedFilm& film, Vec2 active) {
+    return {active.x / film.active.width(), active.y / film.active.height()};
+}
 
 /// A part of the film, half-open [begin, end).
 struct FilmSpan {
@@ -46,7 +52,7 @@ class TapestryPreview {
     void set_shots(std::vector<Shot> shots) { film_.shots = std::move(shots); }
 
     /// Plays the film from this time above the strip, as soon as the source is ready.
-    /// @param width  px of the picture
+    /// @param width  px of the picture within its bars
     void play(std::chrono::nanoseconds from, double width);
 
     /// The span that plays in place after a tap on this time. It lies within one shot, because the next shot

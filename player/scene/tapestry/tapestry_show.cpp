@@ -35,6 +35,7 @@ TapestryShow::TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const T
       preview_({.path = tapestry_.path,
                 .duration = tapestry_.duration,
                 .picture = picture,
+                .active = settings.active,
                 .shots = settings.shots},
                sources_.film()) {
     if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());

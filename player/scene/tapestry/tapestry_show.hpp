@@ -19,6 +19,7 @@ struct TapestrySettings {
     std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // limit of the tiles' memory as RGBA textures
     TapestryPace pace;
     std::vector<Shot> shots;                 // the shots of the film's record; none: they are not known
+    Box active{{0, 0}, {1, 1}};              // the film's picture within its bars, in shares of its sides
     bool plays_at_once = false;              // the preview plays from first_seen on at once
     std::chrono::nanoseconds first_seen{0};  // the first time in the middle, as far as the film's ends allow
 };
@@ -39,7 +40,7 @@ struct TapestryStep {
 /// else one level fades into the other.
 class TapestryShow {
   public:
-    /// @param picture  size of the film's upright picture, px; only its shape counts
+    /// @param picture  size of the film's upright picture within its bars, px; only its shape counts
     /// @param canvas   px
     TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings);
 

@@ -79,7 +79,7 @@ class TapestryPlace {
 
     /// The approximate place of the picture of the keyframe nearest to a time: in the upper or in the lower
     /// row.
-    /// @param picture  size of the film's upright picture; only its shape counts
+    /// @param picture  size of the film's upright picture within its bars; only its shape counts
     Box brick(const TapestryView& view, std::chrono::nanoseconds time, Vec2 picture) const;
 
     /// Width of a brick at a whole level, canvas px.

@@ -23,9 +23,9 @@ class PanningShots {
 
     void set_files(const RecordList& records, const ShowHints& hints);
 
-    bool has_file(const std::string& path) const { return files_.contains(path); }
+    bool has_file(const std::string& path) const { return files_.all().contains(path); }
 
-    bool is_empty() const { return files_.empty(); }
+    bool is_empty() const { return files_.all().is_empty(); }
 
     /// @param is_on_wall  true: the shot is on the wall already
     std::vector<WallShot> next_shots(std::size_t count,

@@ -1,4 +1,4 @@
-#include "player/scene/panning_shots.hpp"
+#include "player/scene/pan/panning_shots.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,11 +6,8 @@
 namespace vitrine::player {
 
 void PanningShots::set_files(const RecordList& records, const ShowHints& hints) {
-    files_ = wall_files(records);
-    std::vector<const MediaRecord*> known;
-    for (const auto& [path, record] : files_)
-        known.push_back(record.get());
-    rotation_.set_files(known, hints);
+    files_.set(records);
+    rotation_.set_files(files_.all(), hints);
 }
 
 std::vector<WallShot> PanningShots::next_shots(std::size_t count,
@@ -27,7 +24,7 @@ std::vector<WallShot> PanningShots::next_shots(std::size_t count,
         }
         if (!key) key = rotation_.next_shot([](const ShotKey&) { return true; });
         if (!key) break;
-        shots.push_back(wall_shot(*files_.at(key->path), *key, ++last_source_, 0));
+        shots.push_back(wall_shot(*files_.all().find(key->path), *key, ++last_source_, 0));
     }
     return shots;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/plan/ribbon.hpp"
-#include "player/scene/panning_shots.hpp"
+#include "player/scene/pan/panning_shots.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
@@ -37,7 +37,6 @@ class PanningWall final : public Show {
     void set_controls(const ShowControls& controls) override { is_paused_ = controls.is_paused; }
 
     WallStep step(std::chrono::nanoseconds now) override;
-    std::size_t count() const override;
     std::vector<SlotShot> standing() const override;
 
     /// Left edge of the view, px from the wall's start.

@@ -1,4 +1,4 @@
-#include "player/scene/panning_wall.hpp"
+#include "player/scene/pan/panning_wall.hpp"
 
 #include "player/scene/crossfade.hpp"
 #include "player/scene/wall_cells.hpp"
@@ -159,12 +159,6 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     step.frame = standing_frame(canvas_, seen, now);
     step.frame.view = {view_ - base_, 0};
     return step;
-}
-
-std::size_t PanningWall::count() const {
-    return static_cast<std::size_t>(std::count_if(shots_.begin(), shots_.end(), [&](const Shown& shown) {
-        return is_in_view(shown) && shown.source == Source::ready;
-    }));
 }
 
 std::vector<SlotShot> PanningWall::standing() const {

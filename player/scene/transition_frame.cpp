@@ -1,0 +1,185 @@
+#include "player/scene/transition_frame.hpp"
+
+#include "player/layout/cells/cut_cell.hpp"
+#include "player/scene/crossfade.hpp"
+#include "player/scene/photo_drift.hpp"
+#include "player/scene/wall_cells.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+using Layer = std::vector<PlacedShot>;
+
+Layer placed_shots(const std::vector<ChangingShot>& wall) {
+    Layer placed;
+    for (const ChangingShot& shot : wall)
+        placed.push_back(shot.placed);
+    return placed;
+}
+
+/// A shot whose region is shrunk towards its focus.
+PlacedShot shrunk(const ChangingShot& shot, double share) {
+    PlacedShot placed = shot.placed;
+    const Vec2 focus = (shot.focus - placed.placement.offset) * (1 / placed.placement.scale);
+    placed.shot.item.region = transformed(placed.shot.item.region, share, focus * (1 - share));
+    return placed;
+}
+
+std::shared_ptr<const Cell> shared(Cell cell) {
+    return std::make_shared<const Cell>(std::move(cell));
+}
+
+/// Shows what is on a wall in the gaps of a layer.
+void fill_gaps(Layer& layer, const std::vector<ChangingShot>& wall) {
+    std::vector<Polygon> gaps;
+    for (PlacedShot& placed : layer) {
+        if (placed.cell->filler.empty()) continue;
+        gaps.insert(gaps.end(), placed.cell->filler.begin(), placed.cell->filler.end());
+        placed.cell = shared(without_filler(*placed.cell));
+    }
+    if (gaps.empty()) return;
+    for (const ChangingShot& shot : wall) {
+        PlacedShot piece = shot.placed;
+        piece.cell = shared(inside_part(*shot.placed.cell, gaps));
+        if (!piece.cell->parts.empty() || !piece.cell->filler.empty()) layer.push_back(std::move(piece));
+    }
+}
+
+/// The shots of a wall that move, and those that leave or come where they have a place. @param share  of the
+/// duration
+Layer layer_at(const Transition& transition, const std::vector<ChangingShot>& wall, double share,
+               const CellStyle& style) {
+    const std::vector<Placement> placements = placements_at(transition, share);
+    Layer layer;
+    for (const ChangingShot& shot : wall) {
+        if (shot.moving) {
+            layer.push_back(shot.placed);
+            layer.back().placement = placements[*shot.moving];
+            continue;
+        }
+        const double free = free_share(transition, shot, placements);
+        if (free >= min_free_share) layer.push_back(shrunk(shot, free));
+    }
+    give_cells(layer, transition.canvas, style);
+    fill_gaps(layer, wall);
+    return layer;
+}
+
+/// The part of an upper layer's shot that the same shot in the lower layer does not show already. None:
+/// nothing.
+std::optional<PlacedShot> unseen(const PlacedShot& placed, const Layer& lower) {
+    const auto same = std::ranges::find_if(lower, [&](const PlacedShot& other) {
+        return other.shot.source == placed.shot.source && other.placement == placed.placement;
+    });
+    if (same == lower.end()) return placed;
+    if (same->cell->parts == placed.cell->parts && placed.cell->filler.empty()) return std::nullopt;
+    if (!placed.cell->fade_edges.empty() || !placed.cell->filler.empty()) return placed;
+    PlacedShot rest = placed;
+    rest.cell = shared(outside_part(*placed.cell, same->cell->parts));
+    if (rest.cell->parts.empty()) return std::nullopt;
+    return rest;
+}
+
+/// Where the photos of a transition are on their ways. In the first half they come back from the way on the
+/// old wall, in the second half they begin the way on the new one. A photo that has the same place and cell
+/// on both walls goes on.
+class DriftingPhotos {
+  public:
+    DriftingPhotos(const Transition& transition, double share, std::chrono::nanoseconds now)
+        : transition_(transition), share_(share), now_(now) {}
+
+    /// Notes how far photos can go within these cells.
+    /// @param is_first_half  true: the cells count in the first half only; false: in the second half only
+    void keep_within(const Layer& layer, bool is_first_half) {
+        const double weight = eased(is_first_half ? 1 - 2 * share_ : 2 * share_ - 1);
+        const auto& wall = is_first_half ? transition_.old_wall : transition_.new_wall;
+        for (const PlacedShot& placed : layer) {
+            const ChangingShot* shot = find(wall, placed.shot.source);
+            if (shot == nullptr || offsets_.contains(placed.shot.source)) continue;
+            const bool goes_on = is_standing(placed.shot.source);
+            if (weight <= 0 && !goes_on) continue;
+            offsets_[placed.shot.source] =
+                drift_within_cell(placed, shot->placed.drift, goes_on ? 1 : weight, now_);
+        }
+    }
+
+    /// Moves the photos of a layer.
+    void move(Layer& layer) const {
+        for (PlacedShot& placed : layer) {
+            placed.drift = {};
+            const auto offset = offsets_.find(placed.shot.source);
+            if (offset != offsets_.end()) placed.placement.offset = placed.placement.offset + offset->second;
+        }
+    }
+
+  private:
+    static const ChangingShot* find(const std::vector<ChangingShot>& wall, SourceId source) {
+        const auto found =
+            std::ranges::find(wall, source, [](const ChangingShot& shot) { return shot.placed.shot.source; });
+        return found == wall.end() ? nullptr : &*found;
+    }
+
+    bool is_standing(SourceId source) const {
+        const ChangingShot* before = find(transition_.old_wall, source);
+        const ChangingShot* after = find(transition_.new_wall, source);
+        return before != nullptr && after != nullptr && before->placed.placement == after->placed.placement &&
+               before->placed.cell->parts == after->placed.cell->parts;
+    }
+
+    const Transition& transition_;  // outlives this
+    double share_;
+    std::chrono::nanoseconds now_;
+    std::map<SourceId, Vec2> offsets_;
+};
+
+/// The layers of a transition, the lower one first, with the photos at their places.
+std::pair<Layer, Layer> drifting_layers(const Transition& transition, std::pair<Layer, Layer> layers,
+                                        double share, std::chrono::nanoseconds now) {
+    DriftingPhotos photos(transition, share, now);
+    photos.keep_within(layers.first, true);
+    photos.keep_within(layers.second, false);
+    photos.move(layers.first);
+    photos.move(layers.second);
+    return layers;
+}
+
+}  // namespace
+
+Frame transition_frame(const Transition& transition, std::chrono::nanoseconds passed, const CellStyle& style,
+                       std::chrono::nanoseconds now) {
+    const Vec2 canvas = transition.canvas;
+    const double share =
+        passed >= transition.duration
+            ? 1
+            : std::chrono::duration<double>(passed) / std::chrono::duration<double>(transition.duration);
+    if (transition.motion.kind == Motion::Kind::still || share <= 0 || share >= 1) {
+        std::pair<Layer, Layer> layers{placed_shots(transition.old_wall), placed_shots(transition.new_wall)};
+        if (share > 0 && share < 1) layers = drifting_layers(transition, std::move(layers), share, now);
+        return crossfade(canvas, layers.first, layers.second, share, now);
+    }
+    const double fade = (share - transition.fade_begin) / (transition.fade_end - transition.fade_begin);
+    const double alpha = eased(fade);
+    const auto [lower, above] =
+        drifting_layers(transition,
+                        {alpha < 1 ? layer_at(transition, transition.old_wall, share, style) : Layer{},
+                         alpha > 0 ? layer_at(transition, transition.new_wall, share, style) : Layer{}},
+                        share, now);
+    if (alpha >= 1) return standing_frame(canvas, above, now);
+    Frame frame = standing_frame(canvas, lower, now);
+    if (alpha <= 0) return frame;
+    Layer upper;
+    for (const PlacedShot& placed : above)
+        if (auto rest = unseen(placed, lower)) upper.push_back(std::move(*rest));
+    for (DrawItem item : standing_frame(canvas, upper, now).items) {
+        item.alpha = alpha;
+        frame.items.push_back(std::move(item));
+    }
+    return frame;
+}
+
+}  // namespace vitrine::player
