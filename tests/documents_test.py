@@ -37,6 +37,15 @@ class Documents(unittest.TestCase):
                   for target in re.findall(r"\]\((?!https?:|#)([^)#]+)", d.read_text()) if not (d.parent / target).exists()]
         self.assertEqual(broken, [])
 
+    def test_installed_guides_link_to_what_is_installed(self):
+        installed = set(re.findall(r"docs/([\w/.]+)", "".join(
+            re.findall(r"install\(FILES ([^)]*)\)", (TREE / "CMakeLists.txt").read_text()))))
+        guides = [TREE / "docs" / name for name in sorted(installed) if name.endswith(".md")]
+        self.assertIn(TREE / "docs/technician.md", guides)
+        missing = [f"{guide.name}: {target}" for guide in guides
+                   for target in re.findall(r"\]\((?!https?:|#)([^)#]+)", guide.read_text()) if target not in installed]
+        self.assertEqual(missing, [])
+
     def test_no_name_of_a_guide_that_is_gone(self):
         found = subprocess.run(["git", "-C", str(TREE), "grep", "-l", "docs/operating.md", "--", ".", ":!CHANGELOG.md",
                                 ":!tests/documents_test.py"], capture_output=True, text=True)

@@ -17,7 +17,7 @@ MIN_SHARE = 0.01  # of the screen that each file's colour covers; a fair part wo
 MAX_BLACK = 0.05  # of the screen; the wall leaves none
 # An emulated machine is twenty times slower: little is analysed, and few pictures a second are drawn.
 SETTINGS = {
-    "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 5, "show.crossfade_milliseconds": 0,
+    "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 5, "show.motion_milliseconds": 0,
     "analyzer.children": 2, "analyzer.deadline_seconds": 600, "analyzer.frame_size": 96, "analyzer.samples_per_second": 2,
     "analyzer.face_model": "", "analyzer.face_cascade": "", "tapestry.max_bytes": 0}
 EDITABLE = "/etc/vitrine/vitrine.toml"

@@ -71,7 +71,6 @@ slots = {slots}
 [show]
 order = "name"
 dwell_seconds = 3600
-crossfade_milliseconds = 0
 motion_milliseconds = 0
 [output]
 screen = "offscreen:160x90"

@@ -89,7 +89,7 @@ class Endurance(unittest.TestCase):
         with open(log, "w") as said:
             player = subprocess.Popen([str(word) for word in (
                 PLAYER, *self.settings, "--screen", "offscreen:96x54", "--output.frame_rate", 2, "--slots", 4, "--duration",
-                f"{OPTIONS.seconds}s", "--show.dwell_seconds", 1, "--show.crossfade_milliseconds", 0, "--show.motion_milliseconds", 0,
+                f"{OPTIONS.seconds}s", "--show.dwell_seconds", 1, "--show.motion_milliseconds", 0,
                 "--log.level", "debug")], stderr=said)
             self.addCleanup(player.wait)
             self.addCleanup(player.kill)

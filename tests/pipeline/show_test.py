@@ -151,7 +151,7 @@ class Show(unittest.TestCase):
         counting_film(self.root / "b.mkv", 1, 40)
         self.write_records(["a.mkv", "b.mkv"], 40)
 
-        pictures = self.play("--duration", "18s", "--slots", "1", "--show.dwell_seconds", "4", "--show.crossfade_milliseconds", "0",
+        pictures = self.play("--duration", "18s", "--slots", "1", "--show.dwell_seconds", "4",
                              "--show.motion_milliseconds", "0", "--show.order", "name")
 
         at = (HEIGHT // 2 * WIDTH + WIDTH // 2) * 3

@@ -229,7 +229,7 @@ class Watch(WatchedFolder):
         (self.root / "a.png").write_bytes(png(64))
         (self.root / "_STATUS").write_text("in the way")  # as good as a read-only share, for root too
         once = subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
-        self.assertEqual(once.stderr.count(b"no status folder"), 1)
+        self.assertEqual(once.stderr.count(b"the status folder in the media folder is missing"), 1)
         self.assertEqual(self.records()["a.png"]["state"], "ready")
         self.assertEqual(json.loads((self.state / "status.json").read_text())["files"][0]["state"], "ready")
 

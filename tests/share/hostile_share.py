@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """A FUSE file system that shows a folder and fails as it is told.
 
-    hostile_share.py BACKING MOUNTPOINT FAULTS
+    hostile_share.py BACKING MOUNTPOINT FAULTS [CALLERS]
 
+CALLERS is a file that gets a line for each file opened and each read: the process that asked, and the call.
 FAULTS is a JSON file that is read again at each call: a list of {"path": GLOB, "call": CALL, ...}. CALL is one of
 stat, list, open, read. A fault has one of these:
 
@@ -19,12 +20,12 @@ import stat
 import sys
 import time
 
-from fusepy import FUSE, FuseOSError, Operations
+from fusepy import FUSE, FuseOSError, Operations, fuse_get_context
 
 
 class HostileShare(Operations):
-    def __init__(self, backing, faults):
-        self.backing, self.faults = backing, faults
+    def __init__(self, backing, faults, callers):
+        self.backing, self.faults, self.callers = backing, faults, callers
 
     def real(self, path):
         return self.backing + path
@@ -65,7 +66,17 @@ class HostileShare(Operations):
         names = sorted(os.listdir(self.real(path)))
         return [".", "..", *(names[::2] if fault.get("half") else names)]
 
+    def note_caller(self, call):
+        if not self.callers:
+            return
+        thread = fuse_get_context()[2]  # it waits for the answer, so it is still there
+        with open(f"/proc/{thread}/status", encoding="utf-8") as status:
+            process = next(line.split()[1] for line in status if line.startswith("Tgid:"))
+        with open(self.callers, "a", encoding="utf-8") as callers:
+            callers.write(f"{process} {call}\n")
+
     def open(self, path, flags):
+        self.note_caller("open")
         self.fault(path, "open")
         if flags & (os.O_WRONLY | os.O_RDWR):
             raise FuseOSError(errno.EROFS)
@@ -75,6 +86,7 @@ class HostileShare(Operations):
             raise FuseOSError(error.errno) from error
 
     def read(self, path, size, offset, fh):
+        self.note_caller("read")
         fault = self.fault(path, "read")
         return os.pread(fh, min(size, fault.get("short", size)), offset)
 
@@ -87,10 +99,11 @@ class HostileShare(Operations):
 
 
 def main():
-    backing, mountpoint, faults = sys.argv[1:]
+    backing, mountpoint, faults = sys.argv[1:4]
+    callers = sys.argv[4] if len(sys.argv) > 4 else None
     assert stat.S_ISDIR(os.stat(backing).st_mode)
     # Nothing is remembered, so that each call of the analyzer comes here.
-    FUSE(HostileShare(backing, faults), mountpoint, foreground=True, ro=True, allow_other=True, direct_io=True,
+    FUSE(HostileShare(backing, faults, callers), mountpoint, foreground=True, ro=True, allow_other=True, direct_io=True,
          attr_timeout=0, entry_timeout=0, negative_timeout=0, fsname="hostile")
 
 

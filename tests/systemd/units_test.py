@@ -45,9 +45,10 @@ class Units(unittest.TestCase):
                 ours = [line for line in said.stderr.splitlines() if "vitrine" in line]
                 self.assertEqual(ours, [])
 
-    def test_the_screen_is_never_given_up(self):
+    def test_the_screen_and_the_media_folder_are_never_given_up(self):
         player = dict(assignments("vitrine-player.service"))
         self.assertEqual((player["Restart"], player["StartLimitIntervalSec"]), ("always", "0"))
+        self.assertEqual(dict(assignments("vitrine-analyzer.service"))["StartLimitIntervalSec"], "0")  # a server comes back
         self.assertEqual(player["FileDescriptorStoreMax"], "1")  # of the card, with the last picture
 
     def test_both_are_watched_and_told_when_settings_change(self):

@@ -69,6 +69,13 @@ Outcome read_in(const char* name) {
     return fs::exists(media / name) ? read(media / name) : Outcome{};
 }
 
+// Codecs and containers that docs/operator.md does not name.
+bool is_left_out(const std::string& path) {
+    const std::string name = fs::path(path).filename().string();
+    return name.starts_with("prores") || name.starts_with("dnxhd") || name.ends_with(".mpg") ||
+           name.ends_with(".ogv");
+}
+
 // A reason as the operator reads it: some words, none of them a library's or a path.
 bool is_plain(const std::string& reason) {
     if (reason.size() < 10 || reason.ends_with(' ') || reason.ends_with(':') || reason.ends_with('.'))
@@ -90,6 +97,12 @@ TEST_CASE("every codec, container and still format opens" * doctest::test_suite(
                 continue;
             }
             CAPTURE(outcome.reason);
+            if (is_left_out(path)) {
+                CHECK(outcome.state == MediaState::unsupported);
+                CHECK(outcome.reason.ends_with("; H.264 in MP4 plays everywhere"));
+                CHECK(is_plain(outcome.reason));
+                continue;
+            }
             CHECK(outcome.state == MediaState::ready);
             CHECK(outcome.frames > 0);
             const int longest = outcome.info.kind == MediaKind::photo ? 640 : 320;  // twice, for its faces

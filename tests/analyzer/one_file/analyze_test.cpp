@@ -130,3 +130,27 @@ TEST_CASE("every region lies in the part of the picture that its whole shot show
             CHECK(is_inside_convex(allowed, p, 1e-3));
     }
 }
+
+TEST_CASE("the region of a letterboxed film lies in its picture, and its subject is no other for the bars") {
+    const auto disc = [](int i) { return with_disc({200, 190, 180}, {60 + i, 70}); };
+    const auto letterboxed = [&](int i) {
+        cv::Mat picture = disc(i);
+        picture.rowRange(0, 24) = cv::Scalar::all(2);
+        picture.rowRange(156, 180) = cv::Scalar::all(2);
+        return picture;
+    };
+    DrawnFilm with(MediaKind::film, 50, letterboxed);
+    const MediaRecord record = analyze(with, without_faces());
+    REQUIRE(record.shots.size() == 1);
+    REQUIRE(record.shots[0].picture);
+    CHECK(record.shots[0].picture->min.y >= 48);
+    CHECK(record.shots[0].picture->min.y <= 52);
+    CHECK(record.shots[0].picture->max.y <= 312);
+    const Box box = bounding_box(record.shots[0].region.polygon);
+    CHECK(box.min.y >= record.shots[0].picture->min.y - 0.01);
+    CHECK(box.max.y <= record.shots[0].picture->max.y + 0.01);
+    CHECK(box.area() < 0.5 * record.shots[0].picture->area());
+
+    DrawnFilm without(MediaKind::film, 50, disc);
+    CHECK_FALSE(analyze(without, without_faces()).shots.at(0).picture);
+}

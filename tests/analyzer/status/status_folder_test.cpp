@@ -57,6 +57,46 @@ TEST_CASE("no link that somebody puts in its place is followed") {
     CHECK(read_file(share.path / "_STATUS/status.txt") == "one");
 }
 
+TEST_CASE("a name that somebody takes beforehand blocks nothing") {
+    const TemporaryDirectory share;
+    const StatusFolder folder(share.path, "_STATUS");
+    share.write("_STATUS/status.txt.new/theirs", "theirs");
+    fs::create_directory(share.path / "_STATUS/status.txt");
+    share.write("_STATUS/thumbnails", "a file in its place");
+    folder.write("", "status.txt", "one");
+    folder.write("thumbnails", "a.jpg", "a");
+    CHECK(read_file(share.path / "_STATUS/status.txt") == "one");
+    CHECK(read_file(share.path / "_STATUS/thumbnails/a.jpg") == "a");
+    CHECK(fs::exists(share.path / "_STATUS/status.txt.new/theirs"));
+}
+
+TEST_CASE("a folder with files in the place of a file stays, and the error names it") {
+    const TemporaryDirectory share;
+    const StatusFolder folder(share.path, "_STATUS");
+    share.write("_STATUS/index.html/theirs", "theirs");
+    for (int i = 0; i < 2; ++i) {
+        try {
+            folder.write("", "index.html", "one");
+            FAIL("a folder with files was replaced");
+        } catch (const std::system_error& error) {
+            CHECK(std::string(error.what())
+                      .starts_with("write 'index.html', as a folder of that name is in the way"));
+        }
+    }
+    CHECK(fs::exists(share.path / "_STATUS/index.html/theirs"));
+    CHECK(folder.names("", "").size() == 3);  // with "." and "..": nothing is left half-written
+}
+
+TEST_CASE("what a killed analyzer has left half-written goes, and nothing else") {
+    const TemporaryDirectory share;
+    const StatusFolder folder(share.path, "_STATUS");
+    share.write("_STATUS/.vitrine-0123456789abcdef", "half");
+    share.write("_STATUS/.vitrine-notes", "theirs");
+    folder.remove_unfinished("");
+    CHECK_FALSE(fs::exists(share.path / "_STATUS/.vitrine-0123456789abcdef"));
+    CHECK(fs::exists(share.path / "_STATUS/.vitrine-notes"));
+}
+
 TEST_CASE("where the share cannot be written an error says so") {
     const TemporaryDirectory share;
     CHECK_THROWS_AS(StatusFolder(share.path / "none", "_STATUS").write("", "a", "a"), std::system_error);

@@ -33,7 +33,7 @@ struct Share {
 
 TEST_CASE("what is said goes to the share and the state directory, with thumbnails and the wall") {
     Share share;
-    share.state.write("thumbnails/" + std::string(id) + ".jpg", "thumbnail");
+    share.state.write("thumbnails/" + std::string(id) + "/thumbnail.jpg", "thumbnail");
     share.state.write("wall.jpg", "wall");
     share.writer.write();
     CHECK(read_file(share.file("status.txt")) ==
@@ -63,7 +63,7 @@ TEST_CASE("the page tells why the player keeps a file off the wall, and when the
 
 TEST_CASE("a file that is removed leaves with its thumbnail, one that is replaced has another") {
     Share share;
-    const fs::path made = share.state.write("thumbnails/" + std::string(id) + ".jpg", "first");
+    const fs::path made = share.state.write("thumbnails/" + std::string(id) + "/thumbnail.jpg", "first");
     const std::string copied = "thumbnails/" + std::string(id) + ".jpg";
     share.writer.write();
     replace_file(made, "second");
@@ -82,12 +82,12 @@ TEST_CASE("a file that is removed leaves with its thumbnail, one that is replace
 
 TEST_CASE("a thumbnail that no file on the page has goes after a while") {
     Share share;
-    const fs::path young = share.state.write("thumbnails/young.jpg", "a");
-    const fs::path old = share.state.write("thumbnails/old.jpg", "a");
-    fs::last_write_time(old, fs::file_time_type::clock::now() - 1h);
+    const fs::path young = share.state.write("thumbnails/young/thumbnail.jpg", "a");
+    const fs::path old = share.state.write("thumbnails/old/thumbnail.jpg", "a");
+    fs::last_write_time(old.parent_path(), fs::file_time_type::clock::now() - 1h);
     share.writer.write();
     CHECK(fs::exists(young));
-    CHECK_FALSE(fs::exists(old));
+    CHECK_FALSE(fs::exists(old.parent_path()));
 }
 
 TEST_CASE("nothing is written where a share is not mounted or not writable, but into the state directory") {
@@ -102,6 +102,25 @@ TEST_CASE("nothing is written where a share is not mounted or not writable, but 
     fs::remove(share.root.path / "_STATUS");
     share.writer.write();
     CHECK(fs::exists(share.file("status.txt")));
+}
+
+TEST_CASE("names that somebody blocks keep no other file from being written") {
+    Share share;
+    share.state.write("thumbnails/" + std::string(id) + "/thumbnail.jpg", "thumbnail");
+    share.state.write("wall.jpg", "wall");
+    for (const char* name : {"index.html", "wall.jpg", "thumbnails/0123456789abcdef.jpg"})
+        share.root.write("_STATUS/" + std::string(name) + "/theirs", "theirs");
+    share.root.write("_STATUS/.vitrine-0123456789abcdef", "half");
+    share.writer.write();
+    CHECK(fs::exists(share.file("status.txt")));
+    CHECK_FALSE(fs::exists(share.file(".vitrine-0123456789abcdef")));
+
+    for (const char* name : {"index.html", "wall.jpg", "thumbnails/0123456789abcdef.jpg"})
+        fs::remove_all(share.file(name));
+    share.writer.write();
+    CHECK(fs::is_regular_file(share.file("index.html")));
+    CHECK(read_file(share.file("wall.jpg")) == "wall");
+    CHECK(read_file(share.file("thumbnails/0123456789abcdef.jpg")) == "thumbnail");
 }
 
 TEST_CASE("many changes together are written once") {

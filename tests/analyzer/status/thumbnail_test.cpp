@@ -75,6 +75,17 @@ TEST_CASE("a thumbnail is small and has the region drawn where it lies") {
     CHECK(fs::file_size(file) < 20'000);
 }
 
+TEST_CASE("a thumbnail has no bars") {
+    const TemporaryDirectory directory;
+    const fs::path file = directory.path / "a.jpg";
+    Thumbnail thumbnail(file);
+    thumbnail.add_frame(frame({200, 40, 40}));
+    MediaRecord letterboxed = record();
+    letterboxed.shots[0].picture = Box{{0, 80}, {1280, 640}};
+    thumbnail.write(letterboxed);
+    CHECK(seen(file).height == 105);
+}
+
 TEST_CASE("of a film the first frame of its first shot is shown, not what fades in before") {
     const TemporaryDirectory directory;
     const fs::path file = directory.path / "a.jpg";

@@ -134,6 +134,22 @@ TEST_CASE("the processor time that another takes is not held against a child") {
     CHECK(result->end == End::idle);
 }
 
+TEST_CASE("the time for which the daemon itself stands still is not held against a child") {
+    EventLoop loop;
+    std::optional<ChildResult> result;
+    ChildProcess child(loop, {"/bin/sh", "-c", "sleep 1000"}, {.patience = {.idling = 800ms}},
+                       [&](const ChildResult& ended) { result = ended; });
+    loop.run_once(60s);  // the first look at it: by the next it is idle
+    const auto end = EventLoop::Clock::now() + 1s;
+    while (EventLoop::Clock::now() < end) {
+    }
+    loop.run_once(0s);
+    child.stop();  // too late, if it was killed before
+    while (!result)
+        REQUIRE(loop.run_once(60s));
+    CHECK(result->end == End::stopped);
+}
+
 TEST_CASE("a child that left others behind with its pipes open ends all the same") {
     CHECK(run("sleep 1000 & echo done").output == "done\n");
 }

@@ -72,7 +72,7 @@ struct Desk {
 TEST_CASE("a renamed film has its record, its clips and its thumbnail under the new name alone") {
     Desk desk;
     desk.put_into_store(stored);
-    desk.home.write("thumbnails/" + record_id("a") + ".jpg", "picture");
+    desk.home.write("thumbnails/" + record_id("a") + "/thumbnail.jpg", "picture");
     MediaRecord record = film("a", 1, true);
     record.shots[0].stored = {.file = stored, .width = 4, .height = 3};
     desk.book.store(record);
@@ -82,7 +82,7 @@ TEST_CASE("a renamed film has its record, its clips and its thumbnail under the 
     CHECK_FALSE(desk.book.record("a"));
     REQUIRE(desk.book.record("b"));
     CHECK(desk.book.record("b")->shots == record.shots);
-    CHECK(std::filesystem::exists(desk.home.path / "thumbnails" / (record_id("b") + ".jpg")));
+    CHECK(std::filesystem::exists(desk.home.path / "thumbnails" / record_id("b") / "thumbnail.jpg"));
     desk.sweep();
     CHECK(desk.has_stored(stored));
     desk.book.remove("b");

@@ -35,6 +35,19 @@ TEST_CASE("a record goes to the new name of the same inode and content, once") {
     CHECK_FALSE(leaving.take_renamed(facts));
 }
 
+TEST_CASE("each of two thousand renamed files is compared with one of those that vanished") {
+    LeavingFiles leaving;
+    const auto numbered = [](int i) {
+        return FileFacts{.bytes = 10, .mtime_ns = 1, .blocks = 8, .inode = static_cast<std::uint64_t>(i + 1)};
+    };
+    for (int i = 0; i < 2000; ++i)
+        leaving.add("old/" + std::to_string(i), numbered(i), true, noon);
+    for (int i = 2000; i-- > 0;)
+        CHECK(leaving.take_renamed(numbered(i)) == "old/" + std::to_string(i));
+    CHECK(leaving.compared() == 2000);
+    CHECK(leaving.is_empty());
+}
+
 TEST_CASE("where inodes are not kept nothing is taken for a rename") {
     const FileFacts unknown{.bytes = 10, .mtime_ns = 1};
     LeavingFiles leaving;

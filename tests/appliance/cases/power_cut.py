@@ -1,4 +1,4 @@
-"""The power goes while files arrive, are written over and go, at 40 moments, or as many as VITRINE_RIG_CUTS says.
+"""The power goes while files arrive, are written over and go, at 10 moments, or as many as VITRINE_RIG_CUTS says.
 
 The machine's data are on a disk whose writes are kept, so that the disk can be had as a cut at any moment would have left it: with
 all that was flushed, and any part of what was not. Of each the file system is in order again after its journal, every record
@@ -20,8 +20,8 @@ from write_log import Replay
 STATE = "/var/lib/vitrine"
 SIZE = 192 << 20  # bytes of the disk
 LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 30))
-CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 40))
-STARTS = max(4, CUTS // 10)  # cuts after which the analyzer is started, too
+CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 10))
+STARTS = max(2, CUTS // 10)  # cuts after which the analyzer is started, too
 
 
 def run(box):

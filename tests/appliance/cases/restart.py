@@ -1,6 +1,6 @@
 """The player is restarted, killed and stopped: over a restart the screen keeps its picture until the next process has one.
 
-Three restarts and a kill, or as many more of each as VITRINE_RIG_RESTARTS says.
+Two restarts and a kill, or as many more of each as VITRINE_RIG_RESTARTS says.
 """
 import os
 import time
@@ -8,7 +8,7 @@ import time
 from machine import wait_for
 
 MORE = int(os.environ.get("VITRINE_RIG_RESTARTS", 0))
-RESTARTS = 2 + MORE
+RESTARTS = 1 + MORE
 KILLS = 1 + MORE
 MAX_BLACK = 0.3  # of the screen; the wall leaves none, the console is black
 

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <unistd.h>
 #include <vector>
 
@@ -128,6 +130,18 @@ TEST_CASE("a file of sound only is refused in those words") {
     }
 }
 
+TEST_CASE("a film in a codec that no document names is refused, with a way out") {
+    const TempFolder folder;
+    const std::string path = drawn_film(folder, "avenc_huffyuv ! avimux", "film.avi");
+    try {
+        DecodeChain(path, make_bin("fakesink name=sink")).preroll();
+        FAIL("no error");
+    } catch (const MediaError& error) {
+        CHECK(error.state() == MediaState::unsupported);
+        CHECK(std::string(error.what()).ends_with("not decoded here; H.264 in MP4 plays everywhere"));
+    }
+}
+
 TEST_CASE("what a library says of a film is not the operator's reason") {
     start_gstreamer();
     for (const int code : {GST_STREAM_ERROR_DEMUX, GST_STREAM_ERROR_DECODE, GST_STREAM_ERROR_FAILED,
@@ -141,4 +155,39 @@ TEST_CASE("what a library says of a film is not the operator's reason") {
         CHECK(reason.find("srv") == std::string::npos);
         CHECK(reason.find("demu") == std::string::npos);
     }
+}
+
+TEST_CASE("a film may grow in its midst, but not so far that a small one takes the memory of a large one") {
+    const TempFolder folder;
+    const std::string small = drawn_film(folder, "x264enc ! mpegtsmux", "small.ts");
+    // Plays the small film and then another size of it; returns the largest width of a picture, or why it
+    // ended.
+    const auto play = [&](int width, int height) -> std::string {
+        const std::string both = folder.path / "both.ts";
+        const std::string large = folder.path / "large.ts";
+        run(fmt::format("videotestsrc num-buffers=10 ! video/x-raw,width={},height={},framerate=25/1 ! "
+                        "x264enc speed-preset=ultrafast ! mpegtsmux ! filesink location={}",
+                        width, height, large));
+        std::filesystem::copy_file(small, both, std::filesystem::copy_options::overwrite_existing);
+        std::ofstream(both, std::ios::app | std::ios::binary)
+            << std::ifstream(large, std::ios::binary).rdbuf();
+        int widest = 0;
+        try {
+            DecodeChain chain(both, frames_tail());
+            chain.preroll();
+            gst_element_set_state(chain.pipeline(), GST_STATE_PLAYING);
+            while (const GstPtr<GstSample> sample = chain.pull(sink_of(chain))) {
+                int found = 0;
+                gst_structure_get_int(gst_caps_get_structure(gst_sample_get_caps(sample.get()), 0), "width",
+                                      &found);
+                widest = std::max(widest, found);
+            }
+        } catch (const MediaError& error) {
+            CHECK(error.state() == MediaState::unsupported);
+            return error.what();
+        }
+        return fmt::format("{}", widest);
+    };
+    CHECK(play(1280, 720) == "1280");
+    CHECK(play(2048, 1088) == "a picture in its midst is far larger than its first: 2048 x 1088 px");
 }

@@ -54,6 +54,7 @@ TEST_CASE("a transport stream is known by its packets, with and without time sta
     for (std::size_t i = 0; i < 5; ++i)
         stamped[4 + i * 192] = '\x47';
     CHECK(format_of(stamped) == MediaFormat::mpeg_ts);
+    CHECK(format_of("x" + packets) == MediaFormat::mpeg_ts);  // a recording that begins within a packet
 }
 
 TEST_CASE("a text that begins with BM is no bitmap") {
@@ -69,6 +70,17 @@ TEST_CASE("what could lead to other files or the network is refused by name") {
     CHECK(refusal_of("#EXTM3U\n"sv).reason == "this is a playlist; playlists are not played");
     CHECK(refusal_of("\0\0\0\1Bud1\0"sv).reason ==
           "this is a file of macOS about a folder, not a picture or film");
+}
+
+TEST_CASE("containers that no document names are refused, with a way out") {
+    for (const std::string_view head :
+         {"\0\0\1\xba\x44"sv, "OggS\0\2"sv, "FLV\1\1"sv, "\x30\x26\xb2\x75\x8e\x66\xcf\x11\xa6"sv,
+          "\x06\x0e\x2b\x34\x02\x05\x01\x01\x0d"sv, "YUV4MPEG2 W96 H64"sv}) {
+        const Refusal refusal = refusal_of(head);
+        CAPTURE(refusal.reason);
+        CHECK(refusal.state == MediaState::unsupported);
+        CHECK(refusal.reason.ends_with("; H.264 in MP4 plays everywhere"));
+    }
 }
 
 TEST_CASE("nothing and only zeros are waited for") {

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 using namespace vitrine;
-using namespace std::string_literals;
 
 namespace {
 
@@ -45,40 +44,6 @@ TEST_CASE("a transport stream breaks off wherever its last packet is not whole")
         CHECK(unseen(stream, MediaFormat::mpeg_ts) == 3);
     }
     CHECK_FALSE(is_cut(packets(4, 0) + "something else", MediaFormat::mpeg_ts));
-}
-
-TEST_CASE("a program stream breaks off wherever its last packet is not whole") {
-    const std::string packet = "\0\0\1\xe0\0\x20"s + std::string(32, 'v');
-    for (const std::string& head :
-         {"\0\0\1\xba\x44"s + std::string(8, 'p') + "\xf8", "\0\0\1\xba\x21"s + std::string(7, 'p')}) {
-        const std::string stream = head + packet + packet + head + packet;
-        CHECK_FALSE(is_cut(stream, MediaFormat::mpeg_ps));
-        CHECK_FALSE(is_cut(stream + "\0\0\1\xb9"s, MediaFormat::mpeg_ps));
-        CHECK_FALSE(is_cut(stream + std::string(100, '\0'), MediaFormat::mpeg_ps));
-        CHECK(is_cut(stream.substr(0, stream.size() - 1), MediaFormat::mpeg_ps));
-        CHECK(is_cut(stream.substr(0, head.size() + packet.size() + 10), MediaFormat::mpeg_ps));
-        CHECK(is_cut(stream.substr(0, head.size() + 5), MediaFormat::mpeg_ps));
-    }
-    CHECK_FALSE(is_cut("no pack at all", MediaFormat::mpeg_ps));
-}
-
-TEST_CASE("an Ogg stream ends with a page that says so") {
-    const auto page = [](char kind) {
-        return "OggS\0"s + kind + std::string(20, 'x') + "\x02\x03\x02"s + "12345";
-    };
-    const std::string stream = page(2) + page(0) + page(4);
-    CHECK_FALSE(is_cut(stream, MediaFormat::ogg));
-    CHECK(unseen(stream, MediaFormat::ogg) == 0);
-}
-
-TEST_CASE("an FLV file ends with the length of its last tag") {
-    const auto tag = [](char bytes) {
-        return "\x09\0\0"s + bytes + std::string(7, '\0') +
-               std::string(static_cast<std::size_t>(bytes), 'v') + "\0\0\0"s + static_cast<char>(bytes + 11);
-    };
-    const std::string stream = "FLV\1\1\0\0\0\x09\0\0\0\0"s + tag(20) + tag(30);
-    CHECK_FALSE(is_cut(stream, MediaFormat::flv));
-    CHECK(unseen(stream, MediaFormat::flv) == 1);
 }
 
 TEST_CASE("formats that say how long they are, are not looked at") {

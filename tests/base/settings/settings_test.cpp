@@ -82,6 +82,18 @@ TEST_CASE("a wrong key or section names file, line and the known ones") {
     CHECK(error_of("[layout\n").find("wall.toml:1") == 0);
 }
 
+TEST_CASE("a key that an earlier version had is passed over, and told of") {
+    Settings settings;
+    const auto lines =
+        read_settings("[show]\ncrossfade_milliseconds = 400\ndwell_seconds = 7\n", "wall.toml", settings);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].starts_with(
+        "wall.toml:2: 'show.crossfade_milliseconds' is not a setting any more; remove it. "));
+    CHECK(settings.show.dwell == std::chrono::seconds(7));
+    CHECK_FALSE((documented_toml().find("crossfade_milliseconds") != std::string::npos));
+    CHECK_THROWS_AS(apply_setting("show.crossfade_milliseconds", "400", settings), SettingsError);
+}
+
 TEST_CASE("an option wins, and a wrong one says what is allowed") {
     Settings settings;
     apply_setting("layout.slots", "3", settings);

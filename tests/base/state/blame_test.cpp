@@ -68,6 +68,19 @@ TEST_CASE("one that is quarantined stays so whoever crashes next") {
     CHECK(blame.at(film).points == quarantine_points);
 }
 
+TEST_CASE("a content that crashed its own reader twice is quarantined, unless other contents did so, too") {
+    const MediaRecord record = record_named("evil.mp4");
+    const ContentName evil = content_name(record);
+    const Blame once = blame_after_reader({}, evil, true, noon);
+    CHECK_FALSE(is_quarantined(once, record));
+    CHECK(is_quarantined(blame_after_reader(once, evil, true, noon), record));
+    Blame doubtful = once;
+    for (int i = 0; i < 5; ++i)
+        doubtful = blame_after_reader(doubtful, evil, false, noon);
+    CHECK_FALSE(is_quarantined(doubtful, record));
+    CHECK(is_quarantined(blame_after_reader(doubtful, evil, true, noon), record));
+}
+
 TEST_CASE("a quarantine ends after a day, and one more crash begins another that lasts a week") {
     using namespace std::chrono_literals;
     const MediaRecord record = record_named("evil.mp4");

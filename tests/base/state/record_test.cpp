@@ -1,3 +1,5 @@
+#include "base/state/name_hash.hpp"
+#include "base/state/path_text.hpp"
 #include "base/state/record.hpp"
 #include "base/state/record_json.hpp"
 
@@ -78,6 +80,17 @@ TEST_CASE("the store knows a file by its name and its content") {
     CHECK(is_store_name(store_id("a.mp4", 1, 2) + "/a.mp4"));
 }
 
+TEST_CASE("nobody can make up a name that shares its record with another") {
+    CHECK(name_hash("abc") == "ba7816bf8f01cfea414140de5dae2223");  // the begin of SHA-256's own example
+    const std::string one = from_hex("d1562a5124cec7453a5296093bbc56af");  // they shared one in version 0.1
+    const std::string other = from_hex("b93942ea7b73826718172b5680d439c7");
+    CHECK(record_id(one) != record_id(other));
+}
+
+TEST_CASE("what version 0.1 has stored is still played") {
+    CHECK(is_store_name("0123456789abcdef/a.mp4"));
+}
+
 TEST_CASE("a record has grown where it says the same of the same content, and more behind") {
     MediaRecord before = film();
     before.is_complete = false;
@@ -92,6 +105,21 @@ TEST_CASE("a record has grown where it says the same of the same content, and mo
     other = after;
     other.mtime_ns = 7;
     CHECK_FALSE(is_grown_from(other, before));
+}
+
+TEST_CASE("a shot's picture within its bars survives the way to JSON, and its core lies in it") {
+    MediaRecord record = film();
+    record.shots[0].picture = Box{{0, 40}, {640, 320}};
+    CHECK(record_from_json(to_json(record)) == record);
+    const Box expected{{0, 50}, {620, 320}};
+    CHECK(core(record, record.shots[0]) == expected);
+    CHECK_FALSE(is_grown_from(record, film()));
+    record.shots[0].picture = Box{{700, 40}, {800, 320}};  // from a damaged record
+    const Box whole{{0, 0}, {640, 360}};
+    CHECK(active_picture(record, record.shots[0]) == whole);
+    record.shots.push_back({.begin = 2s, .end = 3s, .region = {}, .picture = Box{{80, 0}, {560, 360}}});
+    record.shots[0].picture = Box{{0, 40}, {640, 320}};
+    CHECK(active_picture(record) == whole);
 }
 
 TEST_CASE("text that is no record is refused, with the reason") {

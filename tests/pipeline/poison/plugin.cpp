@@ -1,4 +1,4 @@
-// A decoder that misbehaves, for tests alone: it stands in for that of Cinepak films where GStreamer is led
+// A decoder that misbehaves, for tests alone: it stands in for that of AV1 films where GStreamer is led
 // to it, and does by the width of the picture what broken decoders do.
 
 #include <gst/gst.h>
@@ -30,7 +30,7 @@ GType poison_decoder_get_type();
 G_DEFINE_TYPE(PoisonDecoder, poison_decoder, GST_TYPE_ELEMENT)
 
 GstStaticPadTemplate sink_template =
-    GST_STATIC_PAD_TEMPLATE("sink", GST_PAD_SINK, GST_PAD_ALWAYS, GST_STATIC_CAPS("video/x-cinepak"));
+    GST_STATIC_PAD_TEMPLATE("sink", GST_PAD_SINK, GST_PAD_ALWAYS, GST_STATIC_CAPS("video/x-av1"));
 GstStaticPadTemplate source_template =
     GST_STATIC_PAD_TEMPLATE("src", GST_PAD_SRC, GST_PAD_ALWAYS, GST_STATIC_CAPS("video/x-raw"));
 
@@ -97,7 +97,7 @@ void poison_decoder_init(PoisonDecoder* self) {
 }
 
 gboolean start(GstPlugin* plugin) {
-    return gst_element_register(plugin, "avdec_cinepak", GST_RANK_NONE, poison_decoder_get_type());
+    return gst_element_register(plugin, "av1dec", GST_RANK_NONE, poison_decoder_get_type());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <iterator>
 
@@ -25,6 +26,26 @@ const MediaRecord good{.path = "good.mp4", .bytes = 20, .mtime_ns = 2};
 [[noreturn]] void crash() {
     ::raise(SIGILL);
     ::_exit(1);
+}
+
+/// Needs more stack the deeper it gets.
+int use_stack(int depth) {
+    std::array<volatile char, 8192> room{};
+    room[0] = static_cast<char>(depth);
+    return depth < 0 ? 0 : use_stack(depth + 1) + room[0];
+}
+
+/// A player whose main thread uses up its stack.
+void overflow(const std::filesystem::path& state) {
+    const pid_t player = ::fork();
+    if (player == 0) {
+        const stack_t none{.ss_sp = nullptr, .ss_flags = SS_DISABLE, .ss_size = 0};
+        ::sigaltstack(&none, nullptr);  // ASan has made one
+        CrashNote note(state);
+        note.note_opening(evil, noon);
+        ::_exit(use_stack(0));
+    }
+    ::waitpid(player, nullptr, 0);
 }
 
 /// A player that plays the good film for a minute, opens the evil one and crashes, or ends well.
@@ -108,6 +129,13 @@ TEST_CASE("of four files that are opened together the second crash shows which o
         CHECK(quarantined(state.path, four) == std::vector{poison.path});
         CHECK_FALSE(show(state.path, four, poison.path));
     }
+}
+
+TEST_CASE("a stack that is used up counts as a crash") {
+    const TemporaryDirectory state;
+    for (int i = 0; i < 2; ++i)
+        overflow(state.path);
+    CHECK(quarantined(state.path, {evil}) == std::vector{evil.path});
 }
 
 TEST_CASE("a player that somebody kills however often loses none of its files") {
@@ -207,4 +235,34 @@ TEST_CASE("a state directory that is not there costs the protection and nothing 
     note.note_open(std::set<ContentName>{content_name(evil)}, noon + 1min);
     note.end_run();
     CHECK_FALSE(note.is_quarantined(evil));
+}
+
+TEST_CASE(
+    "a file whose reader crashes twice is quarantined while the player runs, and the analyzer is told") {
+    const TemporaryDirectory state;
+    CrashNote note(state.path);
+    note.note_reader_crash(evil, noon);
+    CHECK_FALSE(note.note_open({}, noon + 1s));
+    CHECK_FALSE(note.is_quarantined(evil));
+    note.note_reader_crash(evil, noon + 9min);
+    CHECK(note.note_open({}, noon + 9min));
+    CHECK(note.is_quarantined(evil));
+    CHECK_FALSE(note.note_open({}, noon + 9min));
+    CHECK(find_quarantine(
+        read_blame(state.path), evil,
+        std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())));
+}
+
+TEST_CASE(
+    "readers of several files that crash within an hour condemn none of them, a later one is judged alone") {
+    const TemporaryDirectory state;
+    CrashNote note(state.path);
+    for (const auto time : {noon, noon + 5min, noon + 10min}) {
+        note.note_reader_crash(evil, time);
+        note.note_reader_crash(good, time + 1s);
+    }
+    CHECK_FALSE(note.is_quarantined(evil));
+    CHECK_FALSE(note.is_quarantined(good));
+    note.note_reader_crash(evil, noon + 3h);
+    CHECK(note.is_quarantined(evil));
 }

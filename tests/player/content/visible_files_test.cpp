@@ -1,5 +1,6 @@
 #include "player/content/visible_files.hpp"
 
+#include "base/state/record_json.hpp"
 #include "base/system/atomic_file.hpp"
 #include "player/content/crash_signal.hpp"
 #include "player/input/rehearsal.hpp"
@@ -61,6 +62,11 @@ struct House {
     std::chrono::nanoseconds time{0};
     int changes = 0;
 };
+
+/// A list made anew each time.
+JudgedFiles::List one_file() {
+    return JudgedFiles::List({std::make_shared<const FileVisibility>(FileVisibility{.path = "a.jpg"})});
+}
 
 /// The process of a player that is not there any more.
 int dead_process() {
@@ -167,7 +173,7 @@ TEST_CASE("a file that brought the player down is held back, and of two suspects
     REQUIRE(house.files->records().size() == 1);
     CHECK(house.may_show("a.jpg"));
 
-    house.files->note_opening("a.jpg", noon);
+    house.files->note_file("a.jpg", FileNews::opens, noon);
     for (int i = 0; i < 12; ++i)
         house.look({.folders = {{}}, .files = {}, .open = {"a.jpg"}});
     CHECK(house.may_show("b.jpg"));  // a.jpg has been open for long enough
@@ -196,6 +202,38 @@ TEST_CASE("a file that was dismissed is kept off until it changes; one that grow
     CHECK(house.files->dismissed().empty());
 }
 
+TEST_CASE("a change of one record among many has one file judged, and a look at the wall none") {
+    House house({});
+    for (const MediaRecord& record : photos(400))
+        house.state.write("catalogue/" + record_id(record.path) + ".json", to_json(record));
+    house.open(&at_seven);
+    house.look();
+    const std::size_t before = house.files->judgements();
+    CHECK(before >= 400);
+
+    house.look({.folders = {}, .files = {"p100", "p101"}, .open = {"p102"}});
+    CHECK(house.files->judgements() == before);
+
+    house.catalogue.store(photo("p200", 9));
+    for (int i = 0; i < 200 && house.files->find("p200")->mtime_ns != 9; ++i)
+        house.loop.run_once(50ms);
+    CHECK(house.files->judgements() == before + 1);
+    CHECK(house.find_file("p200")->mtime_ns == 9);
+    CHECK(house.files->records().size() == 400);
+}
+
+TEST_CASE("files open and close at their hours without any change of the catalogue") {
+    House house({photo("20-21 Evening/late.png"), photo("a.jpg")});
+    Rehearsal evening("0 clock 2026-12-24 19:59:59\n5 clock 2026-12-24 20:00:00");
+    house.open(&evening);
+    CHECK_FALSE(house.may_show("20-21 Evening/late.png"));
+    const int before = house.changes;
+    (void)evening.advance(5s);
+    house.look();
+    CHECK(house.may_show("20-21 Evening/late.png"));
+    CHECK(house.changes == before + 1);
+}
+
 TEST_CASE("a file waits only for a screen that shows its folder") {
     House house({photo("lobby/a.jpg"), photo("bar/b.jpg"), photo("bar/cellar/c.jpg")});
     house.open();
@@ -209,6 +247,21 @@ TEST_CASE("a file waits only for a screen that shows its folder") {
 
     house.look();  // no screen at all is no reason
     CHECK(house.why("lobby/a.jpg").visibility == Visibility::waits_for_turn);
+}
+
+TEST_CASE("a file that a screen leaves out is told so, unless another screen chooses it") {
+    House house({photo("a.jpg"), photo("b.jpg")});
+    house.open();
+    const ShownFolder leaves_out{.folder = {}, .opened = {}, .avoided = {"a.jpg"}};
+    house.look({.folders = {leaves_out}, .files = {}, .open = {}});
+    CHECK(house.why("a.jpg").visibility == Visibility::avoided);
+    CHECK(house.why("b.jpg").visibility == Visibility::waits_for_turn);
+    CHECK(house.may_show("a.jpg"));  // for the other screens, and after a minute
+
+    house.look({.folders = {leaves_out, {}}, .files = {}, .open = {}});
+    CHECK(house.why("a.jpg").visibility == Visibility::waits_for_turn);
+    house.look({.folders = {leaves_out}, .files = {"a.jpg"}, .open = {}});
+    CHECK(house.why("a.jpg").visibility == Visibility::on_wall);  // until its neighbours are ready
 }
 
 TEST_CASE("the reason of each file is in the state directory, for as long as the player runs") {
@@ -241,7 +294,7 @@ TEST_CASE("the note is written at most once a second, and its time tells that th
     const auto look = [&](std::chrono::milliseconds time) {
         note.write_if_due(noon + time, [&] {
             ++asked;
-            return std::vector<FileVisibility>{{.path = "a.jpg"}};
+            return VisibleState{.files = one_file(), .on_wall = {}};
         });
     };
     look(0s);

@@ -1,5 +1,6 @@
 #include "player/control/bus_object.hpp"
 
+#include "player/control/bus_messages.hpp"
 #include "player/control/control_client.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -9,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -18,7 +20,9 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -97,6 +101,7 @@ struct Asked {
     EventLoop loop{};
     std::string refusal{};
     std::vector<std::string> changes{};
+    std::function<void()> on_status{};
     std::optional<BusObject> object{};
 
     CommandHandlers handlers() {
@@ -123,7 +128,8 @@ struct Asked {
             throw std::runtime_error("there is no '" + call.file + "'");
         };
         return {{"Status",
-                 [](const CommandCall&) {
+                 [this](const CommandCall&) {
+                     if (on_status) on_status();
                      return CommandAnswer{.text = R"({"state": "showing"})", .pictures = {}};
                  }},
                 {"Why", why},
@@ -284,4 +290,95 @@ TEST_CASE("a bus that goes takes nothing with it") {
     for (int i = 0; i < 20; ++i)
         asked.loop.run_once(10ms);
     CHECK(asked.changes.empty());
+}
+
+TEST_CASE("a hundred users who ask without end keep a picture waiting for two or three answers") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.start();
+    asked.settle();
+    std::atomic<bool> is_over = false;
+    std::atomic<int> answered = 0;
+    std::vector<std::thread> users;
+    for (int i = 0; i < 100; ++i)
+        users.emplace_back([&] {
+            try {
+                for (ControlClient client; !is_over;) {
+                    text(client, "Status");
+                    ++answered;
+                }
+            } catch (const ControlError&) {  // the bus takes so many clients and no more
+            }
+        });
+    int pictures = 0, most = 0, since_due = 0;
+    EventLoop::Clock::time_point due;
+    asked.on_status = [&] {
+        const auto begin = EventLoop::Clock::now();
+        if (begin > due) ++since_due;
+        while (EventLoop::Clock::now() < begin + 2ms) {  // longer than a timer is late
+        }
+    };
+    EventLoop::Source tick = asked.loop.timer([&] {
+        if (answered > 200) most = std::max(most, since_due);
+        if (answered > 200) ++pictures;
+        since_due = 0;
+        due = EventLoop::Clock::now() + 5ms;
+        tick.arm(5ms);
+    });
+    due = EventLoop::Clock::now();
+    tick.arm(0s);
+    const auto end = EventLoop::Clock::now() + 60s;
+    while (pictures < 60 && EventLoop::Clock::now() < end)
+        asked.loop.run_once(100ms);
+    is_over = true;
+    std::future<void> ending = std::async(std::launch::async, [&] {
+        for (std::thread& user : users)
+            user.join();
+    });
+    while (ending.wait_for(0s) != std::future_status::ready)
+        asked.loop.run_once(10ms);
+    CHECK(pictures >= 60);
+    CHECK(most <= 3);
+}
+
+namespace {
+
+/// A call on a bus, as a player would get it from a user.
+struct UserCall {
+    UserCall() {
+        REQUIRE(sd_bus_open_system(&bus) >= 0);
+        REQUIRE(sd_bus_message_new_method_call(bus, &message, bus_name, bus_path, bus_name, "Next") >= 0);
+        REQUIRE(sd_bus_message_set_sender(message, ":1.99") >= 0);
+    }
+
+    UserCall(const UserCall&) = delete;
+    UserCall& operator=(const UserCall&) = delete;
+
+    ~UserCall() {
+        sd_bus_message_unref(message);
+        sd_bus_flush_close_unref(bus);
+    }
+
+    sd_bus* bus = nullptr;
+    sd_bus_message* message = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("a question that cannot be asked, or whose bus is gone, is forgotten") {
+    PrivateBus bus;
+    bus.start();
+    const auto held = std::make_shared<int>(0);
+    const std::unique_ptr<Authority> authority = polkit_authority();
+    UserCall call;
+    authority->ask(*call.message, [held](const std::string&) {});
+    CHECK(held.use_count() == 2);
+    authority->drop_questions();
+    CHECK(held.use_count() == 1);
+
+    UserCall late;
+    sd_bus_close(late.bus);
+    CHECK_THROWS_AS(authority->ask(*late.message, [held](const std::string&) {}), std::system_error);
+    CHECK(held.use_count() == 1);
 }

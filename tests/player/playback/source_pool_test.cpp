@@ -1,9 +1,12 @@
 #include "player/playback/source_pool.hpp"
 
+#include "player/playback/film_loop.hpp"
+#include "player/playback/photo_load.hpp"
 #include "tests/player/playback/numbered_film.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -31,7 +34,7 @@ ShotRequest request(SourceId source, std::string path) {
 Frame frame_of(int sources, std::chrono::nanoseconds local) {
     Frame frame{.canvas = {640, 480}};
     for (int i = 1; i <= sources; ++i) {
-        frame.items.push_back({.source = static_cast<SourceId>(i), .slide = {-1, -1}, .local = local});
+        frame.items.push_back({.source = static_cast<SourceId>(i), .local = local});
     }
     return frame;
 }
@@ -54,7 +57,7 @@ TEST_CASE("every source asked for is told of once, ready or failed with a reason
     CHECK(pool.update().empty());
 }
 
-TEST_CASE("a frame's sources are taken to its time and its slides to the very pictures") {
+TEST_CASE("a frame's sources are taken to its time, and each picture has its own slide") {
     const Folder folder;
     write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
     SourcePool pool({.media = folder.path, .store = folder.path / "store"});
@@ -62,12 +65,13 @@ TEST_CASE("a frame's sources are taken to its time and its slides to the very pi
         pool.request(request(id, "film"));
     pool.wait_until_ready(patience);
     for (int i = 0; i < 60; ++i) {
-        Frame frame = frame_of(3, i * 40ms + 13ms);
+        const Frame frame = frame_of(3, i * 40ms + 13ms);
         REQUIRE(pool.wait_for(frame, patience));
         pool.advance(frame);
         for (const DrawItem& item : frame.items) {
-            REQUIRE(number(pool.sample(item.source).value()) == i % 25);
-            CHECK(length(item.slide - Vec2{25 * 0.04 * (i % 25), 0}) < 1e-6);
+            const Sample sample = pool.sample(item.source).value();
+            REQUIRE(number(sample) == i % 25);
+            CHECK(length(sample.slide - Vec2{25 * 0.04 * (i % 25), 0}) < 1e-6);
         }
     }
     CHECK(pool.late() == 0);
@@ -172,7 +176,6 @@ TEST_CASE("what retires is gone at once, whether it waits, reads or plays") {
         CHECK_FALSE(pool.sample(1).has_value());
         Frame frame = frame_of(8, 0s);
         pool.advance(frame);
-        CHECK(frame.items[0].slide == Vec2{-1, -1});
     }
 }
 
@@ -203,4 +206,34 @@ TEST_CASE("a shot is read from the store, and from the media folder where the st
     CHECK(told() == std::pair(std::string(), 80));
     std::filesystem::remove(folder.path / "film");
     CHECK(told() == std::pair(std::string(), 80));
+}
+
+TEST_CASE("files of the media folder go to the factories for uploads, those of the store do not") {
+    const Folder folder;
+    const std::string store = folder.path / "store";
+    std::filesystem::create_directory(store);
+    write_film(folder.path / "film", {.pictures = 25, .rate = 25, .chain = mp4});
+    write_film(store + "/clip", {.pictures = 25, .rate = 25, .chain = mp4});
+    write_photo(folder.path / "photo");
+    std::set<std::string> uploads;
+    SourceOptions options;
+    options.uploads.make_film = [&](const FilmPart& part, SampleQueue& queue, const FilmOptions& film) {
+        uploads.insert(part.file);
+        return std::make_unique<FilmLoop>(part, queue, film);
+    };
+    options.uploads.make_photo = [&](const PhotoWish& wish, SampleQueue& queue) {
+        uploads.insert(wish.file);
+        return std::make_unique<PhotoLoad>(wish, queue);
+    };
+    SourcePool pool({.media = folder.path, .store = store}, options);
+    ShotRequest photo = request(2, "photo");
+    photo.kind = MediaKind::photo;
+    ShotRequest clip = request(3, "gone");
+    clip.shot.stored = StoredShot{.file = "clip", .width = 160, .height = 96};
+    for (const ShotRequest& one : {request(1, "film"), photo, clip})
+        pool.request(one);
+    const std::vector<SourceEvent> events = pool.wait_until_ready(patience);
+    CHECK(events.size() == 3);
+    CHECK(std::ranges::none_of(events, [](const SourceEvent& event) { return event.failure.has_value(); }));
+    CHECK(uploads == std::set<std::string>{folder.path / "film", folder.path / "photo"});
 }

@@ -27,6 +27,21 @@ TEST_CASE("filler shows the picture's mirror, darkened") {
     CHECK(is_near(at(picture, 190, 50), dark(red)));
 }
 
+TEST_CASE("filler is mirrored at a film's bars, and shows nothing of them") {
+    DrawnWall wall;
+    wall.add(1, filler(box(0, 0, 200, 100)), {0, 0});
+    wall.frame.items[0].active = {{0, 15}, {100, 85}};
+    wall.renderer.upload(1, still(400, 400, [](int, int y) {
+                                return y < 56 || y >= 344 ? Colour{} : Colour{200, 200, 200};
+                            }).sample);
+
+    const Picture picture = wall.shown();
+
+    for (int y = 0; y < 100; ++y)
+        CHECK(is_near(at(picture, 50, y),
+                      {200 * filler_percent / 100, 200 * filler_percent / 100, 200 * filler_percent / 100}));
+}
+
 TEST_CASE("filler lets nothing of a photo or a film be recognised") {
     for (const int uploads : {1, 2}) {  // a film's picture is not the first
         DrawnWall wall;

@@ -76,9 +76,10 @@ TEST_CASE("blue first is drawn as red first, pixel for pixel, in another size, s
 TEST_CASE("a drifting film moves against its drift under its cell") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});
-    wall.renderer.upload(1, still(100, 100, [](int x, int) { return x < 60 ? red : green; }).sample);
+    Still picture_of_film = still(100, 100, [](int x, int) { return x < 60 ? red : green; });
 
-    wall.frame.items[0].slide = {30, 0};
+    picture_of_film.sample.slide = {30, 0};
+    wall.renderer.upload(1, picture_of_film.sample);
     const Picture picture = wall.shown();
 
     CHECK(is_near(at(picture, 25, 50), red));

@@ -18,10 +18,7 @@ bool holds_none(const ShotKey& /*key*/) {
 }
 
 void set(ShotRotation& round, const std::vector<MediaRecord>& records) {
-    std::vector<const MediaRecord*> files;
-    for (const MediaRecord& record : records)
-        files.push_back(&record);
-    round.set_files(files);
+    round.set_files(records);
 }
 
 std::vector<ShotKey> take_all(ShotRotation& round) {
@@ -95,10 +92,7 @@ TEST_CASE("only files of which all was shown begin again, those on the wall last
 TEST_CASE("what comes three times as often has three turns in a round, evenly spread") {
     ShotRotation round(ShotOrder::name, 1);
     const std::vector<MediaRecord> records{photo("a"), photo("b"), photo("c"), photo("d")};
-    std::vector<const MediaRecord*> files;
-    for (const MediaRecord& record : records)
-        files.push_back(&record);
-    round.set_files(files, {{"a", {.repeat = 3}}});
+    round.set_files(records, {{"a", {.repeat = 3}}});
     CHECK(take_all(round).size() == 6);
     round.restart_all(holds_none);
     CHECK(take_all(round) ==
@@ -110,8 +104,7 @@ TEST_CASE("what comes three times as often has three turns in a round, evenly sp
 TEST_CASE("a film that comes twice in a round comes as a whole each time") {
     ShotRotation round(ShotOrder::shuffle, 5);
     const MediaRecord twice = film("a", 4);
-    const std::vector<const MediaRecord*> files{&twice};
-    round.set_files(files, {{"a", {.repeat = 2}}});
+    round.set_files(std::vector{twice}, {{"a", {.repeat = 2}}});
     take_all(round);
     round.restart_all(holds_none);
     CHECK(
@@ -122,8 +115,7 @@ TEST_CASE("a film that comes twice in a round comes as a whole each time") {
 TEST_CASE("turns that are left are not given anew") {
     ShotRotation round(ShotOrder::name, 1);
     const MediaRecord often = photo("a");
-    const std::vector<const MediaRecord*> files{&often};
-    round.set_files(files, {{"a", {.repeat = 3}}});
+    round.set_files(std::vector{often}, {{"a", {.repeat = 3}}});
     for (int i = 0; i < 5; ++i)
         round.restart_all(holds_none);
     CHECK(take_all(round).size() == 3);

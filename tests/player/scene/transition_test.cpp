@@ -1,7 +1,7 @@
 #include "player/scene/transition.hpp"
 
-#include "player/layout/pack/energy.hpp"
-#include "player/scene/wall_cells.hpp"
+#include "tests/player/scene/changing_wall.hpp"
+#include "tests/player/scene/frame_faults.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr Vec2 canvas{400, 200};
-const TransitionStyle style{.crossfade = 700ms, .motion = 250ms};
+const TransitionStyle style{.duration = 1000ms};
 
 PlacedShot shot(SourceId source, int slot, Vec2 offset, double scale = 1) {
     PlacedShot placed{.shot = {.source = source, .slot = slot, .picture = {100, 100}}};
@@ -26,64 +26,125 @@ std::vector<PlacedShot> wall(std::vector<PlacedShot> shots) {
     return shots;
 }
 
+const DrawItem* find_item(const Frame& frame, SourceId source) {
+    const auto found = std::ranges::find(frame.items, source, &DrawItem::source);
+    return found == frame.items.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
-TEST_CASE("a wall where only one shot changes fades") {
-    const auto acts = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}),
-                                 wall({shot(1, 0, {0, 0}), shot(3, 1, {100, 0})}), style);
-    REQUIRE(acts.size() == 1);
-    CHECK(duration_of(acts) == 700ms);
+TEST_CASE("where no shot moves, the new shot fades in over the one that leaves") {
+    const Transition made = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}),
+                                       wall({shot(1, 0, {0, 0}), shot(3, 1, {100, 0})}), style);
+    CHECK(made.motion.kind == Motion::Kind::still);
+    const Frame middle = transition_frame(made, 500ms, {}, 0s);
+    CHECK(find_item(middle, 2)->alpha == 1);
+    CHECK(find_item(middle, 3)->alpha == doctest::Approx(0.5));
 }
 
-TEST_CASE("what stays moves first, then the new one fades in") {
-    const auto last = wall({shot(1, 0, {0, 50}), shot(2, 1, {100, 0}), shot(3, 2, {200, 0})});
-    const auto acts = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}), last, style);
-    REQUIRE(acts.size() == 2);
-    CHECK(acts[0].motion);
-    CHECK(duration_of(acts) == 950ms);
-    const Frame moving = transition_frame(canvas, {.acts = acts, .passed = 125ms}, {}, 0s);
-    CHECK(moving.items.size() == 2);
-    CHECK(moving.items[0].placement.offset.y == doctest::Approx(25));
-    CHECK(moving.items[0].alpha == 1);
-    const Frame fading = transition_frame(canvas, {.acts = acts, .passed = 600ms}, {}, 0s);
-    CHECK(fading.items[0].placement == last[0].placement);
-    CHECK(fading.items.back().source == 3);
-    CHECK(fading.items.back().alpha == doctest::Approx(0.5));
+TEST_CASE("a shot comes while the others move, and the one that leaves stays below until it is covered") {
+    const auto last = wall({shot(1, 0, {0, 50}), shot(3, 1, {110, 0})});
+    const Transition made = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}), last, style);
+    const Frame middle = transition_frame(made, 500ms, {}, 0s);
+    CHECK(find_item(middle, 1)->placement.offset.y == doctest::Approx(25));
+    CHECK(find_item(middle, 1)->alpha == 1);
+    CHECK(find_item(middle, 2)->alpha == 1);
+    CHECK(find_item(middle, 2)->placement.offset.x == 100);
+    CHECK(find_item(middle, 3)->alpha == doctest::Approx(0.5));
+    CHECK(find_item(transition_frame(made, 0ms, {}, 0s), 3) == nullptr);
+    const Frame end = transition_frame(made, 1000ms, {}, 0s);
+    CHECK(find_item(end, 2) == nullptr);
+    CHECK(find_item(end, 3)->alpha == 1);
+    CHECK(find_item(end, 1)->placement == last[0].placement);
 }
 
-TEST_CASE("what leaves without a successor fades out before the others take its room") {
-    const auto acts = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}),
-                                 wall({shot(1, 0, {100, 0}, 1.5)}), style);
-    REQUIRE(acts.size() == 2);
-    CHECK_FALSE(acts[0].motion);
-    CHECK(acts[0].to.size() == 1);
-    CHECK(acts[1].motion);
+TEST_CASE("a shot that leaves without a successor is gone when the others have taken its room") {
+    const Transition made = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}),
+                                       wall({shot(1, 0, {40, -60}, 2.4)}), style);
+    REQUIRE(made.motion.kind == Motion::Kind::straight);
+    CHECK(made.fade_end < 1);
+    for (int k = 0; k <= 20; ++k)
+        CHECK(faults_of(made, k / 20.0).covered < 0.01);
+    const Frame late = transition_frame(made, 990ms, {}, 0s);
+    CHECK(find_item(late, 2) == nullptr);
 }
 
-TEST_CASE("a slot's last shot makes room for what moves until its next one is there") {
-    const auto acts = transition(canvas, wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})}),
-                                 wall({shot(1, 0, {62, 0}), shot(3, 1, {150, 0})}), style);
-    REQUIRE(acts.size() == 2);
-    REQUIRE(acts[0].motion);
-    CHECK(acts[1].from[1].placement.scale < 1);
-    for (int k = 0; k <= 20; ++k) {
-        const Frame frame = transition_frame(canvas, {.acts = acts, .passed = k * 12ms}, {}, 0s);
-        std::vector<Placement> placements;
-        std::vector<LayoutItem> items;
-        for (const DrawItem& item : frame.items) {
-            placements.push_back(item.placement);
-            items.push_back(shot(1, 0, {}).shot.item);
-        }
-        CHECK(measured(items, placements).hidden == 0);
-    }
+TEST_CASE("only the shots that have no free way fade from place to place") {
+    constexpr Vec2 narrow{400, 50};
+    std::vector<PlacedShot> first{shot(1, 0, {0, -25}), shot(2, 1, {50, -25}), shot(3, 2, {200, -25})};
+    std::vector<PlacedShot> last{shot(1, 0, {50, -25}), shot(2, 1, {0, -25}), shot(3, 2, {260, -25})};
+    give_cells(first, narrow, {});
+    give_cells(last, narrow, {});
+    const Transition made = transition(narrow, first, last, style);
+    for (int k = 0; k <= 20; ++k)
+        CHECK(faults_of(made, k / 20.0).covered < 0.01);
+    CHECK(wayless_count(made) == 1);
+    CHECK(made.old_wall[2].moving);
 }
 
-TEST_CASE("where there is no way, or nothing shall move, all fades") {
+TEST_CASE("where nothing shall move, all that changes fades at its place") {
     const auto first = wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})});
     const auto last = wall({shot(1, 0, {200, 0}), shot(2, 1, {100, 0})});
     TransitionStyle still = style;
-    still.motion = 0ms;
-    CHECK(transition(canvas, first, last, still).size() == 1);
-    CHECK_FALSE(transition(canvas, first, last, still)[0].motion);
-    CHECK_FALSE(transition(canvas, {}, last, style)[0].motion);
+    still.moves = false;
+    const Frame middle = transition_frame(transition(canvas, first, last, still), 500ms, {}, 0s);
+    CHECK(middle.items[0].placement == first[0].placement);
+    CHECK(middle.items[0].alpha == 1);
+    CHECK(middle.items.back().alpha == doctest::Approx(0.5));
+}
+
+namespace {
+
+/// No frame of any change covers an I-Region that stays, is bare, or has new filler.
+/// @return  shots without a free way
+std::size_t check_changes(std::uint64_t seeds, const CellStyle& cells) {
+    std::size_t wayless = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        ChangingWall changing({960, 540}, 5 + 3 * seed, seed, random_item, cells);
+        for (int change = 0; change < 3; ++change) {
+            CAPTURE(seed);
+            CAPTURE(change);
+            const auto next = change == 0   ? changing.turned()
+                              : change == 1 ? changing.with_one_more()
+                                            : changing.with_one_less();
+            const Transition made = transition(changing.canvas(), changing.shown(), next, style);
+            wayless += wayless_count(made);
+            for (int k = 0; k <= 12; ++k) {
+                const FrameFaults faults = faults_of(made, k / 12.0, cells);
+                CHECK(faults.covered < 0.05);
+                CHECK(faults.bare < 0.5);
+                CHECK(faults.dark < 0.5);
+            }
+            changing.show(next);
+        }
+    }
+    return wayless;
+}
+
+}  // namespace
+
+TEST_CASE("no frame of a change covers an I-Region that stays, is bare, or has new filler") {
+    CHECK(check_changes(4, {}) <= 2);
+}
+
+TEST_CASE("no frame of a change with taut seams covers an I-Region that stays, is bare, or has new filler") {
+    CHECK(check_changes(3, {.is_taut = true}) <= 2);
+    CHECK(check_changes(1, {.is_taut = true, .corner_radius = 24}) <= 2);
+}
+
+TEST_CASE("no frame of a drag covers an I-Region, is bare, or has new filler") {
+    ChangingWall changing({960, 540}, 8, 5);
+    int steps = 0;
+    changing.drag([&](const std::vector<PlacedShot>& next) {
+        const Transition made =
+            transition(changing.canvas(), changing.shown(), next, {.duration = 120ms, .is_even = true});
+        for (int k = 0; k <= 4; ++k) {
+            const FrameFaults faults = faults_of(made, k / 4.0);
+            CHECK(faults.covered < 0.05);
+            CHECK(faults.bare < 0.5);
+            CHECK(faults.dark < 0.5);
+        }
+        ++steps;
+    });
+    CHECK(steps > 4);
 }

@@ -131,13 +131,13 @@ TEST_CASE("the shots of the first wall fade in over the idle picture, each when 
     REQUIRE(asked.size() == 3);
     const SourceId first = asked.begin()->first;
     house.wall.source_ready(first);
-    step = house.run(350ms);
+    step = house.run(400ms);
     REQUIRE(step.frame.items.size() == 1);
     CHECK(step.frame.items[0].source == first);
     CHECK(step.frame.items[0].alpha == doctest::Approx(0.5));
     CHECK(step.frame.idle == 1);
     house.wall.source_ready(asked.rbegin()->first);
-    step = house.run(350ms);
+    step = house.run(400ms);
     REQUIRE(step.frame.items.size() == 2);
     CHECK(step.frame.items[0].alpha == 1);
     CHECK(step.frame.items[1].alpha == doctest::Approx(0.5));
@@ -315,6 +315,18 @@ TEST_CASE("a source that fails while it plays stays as it is until another has t
     CHECK(shown_paths(house) == std::vector<std::string>{"c", "b"});
 }
 
+TEST_CASE("a file whose source has failed is avoided for a minute") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.run(2s);
+    CHECK(house.wall.avoided_files().empty());
+    house.wall.source_failed(house.playing.begin()->first, house.now);
+    CHECK(house.wall.avoided_files() == std::set<std::string>{"a"});
+    house.run(50s);
+    CHECK(house.wall.avoided_files() == std::set<std::string>{"a"});
+    house.run(15s);
+    CHECK(house.wall.avoided_files().empty());
+}
+
 TEST_CASE("an outdated layout is ignored") {
     House house = ::house({photo("a")});
     house.plans = false;
@@ -341,7 +353,7 @@ TEST_CASE("another canvas lays the same shots out anew without restarting them")
 }
 
 TEST_CASE(
-    "until a wall is laid out for another canvas it is shown whole on its own, then the new one at once") {
+    "until a wall is laid out for another canvas it is shown whole on its own, then the new one fades in") {
     House house = ::house({photo("a"), photo("b")});
     house.run(2s);
     house.plans = false;
@@ -354,9 +366,14 @@ TEST_CASE(
     house.plan(house.planned.back());
     step = house.step();
     CHECK(step.frame.canvas == Vec2{720, 1280});
-    CHECK(step.frame.items.size() == 2);
+    REQUIRE(step.frame.items.size() >= 2);
     CHECK(step.frame.items[0].alpha == 1);
-    CHECK(house.run(1s).frame.canvas == Vec2{720, 1280});
+    CHECK(step.frame.items[0].placement.scale == doctest::Approx(0.5 * 720 / 1280));
+    CHECK(step.frame.items[0].placement.offset.y == doctest::Approx((1280 - 720 * 720.0 / 1280) / 2));
+    step = house.run(1s);
+    CHECK(step.frame.canvas == Vec2{720, 1280});
+    CHECK(step.frame.items.size() == 2);
+    CHECK(step.frame.items[0].placement.scale == 0.5);
 }
 
 TEST_CASE("a shot that a finger holds goes with it, and nothing takes its turn meanwhile") {
@@ -461,7 +478,7 @@ TEST_CASE("a finger need not wait for a change that is being prepared, which com
     house.run(16500ms);  // the next shot is waiting for its turn
     REQUIRE(house.playing.size() == 4);
     house.wall.handle_gesture({.kind = Gesture::Kind::hold, .at = on_second, .from = on_second});
-    house.run(500ms);
+    house.run(1s);
     CHECK(areas(house).at("b") > 2 * before.at("b"));
     CHECK(house.playing.size() == 4);
     house.wall.handle_gesture({.kind = Gesture::Kind::release, .at = on_second, .from = on_second});
@@ -556,6 +573,87 @@ TEST_CASE("a film that the store gets while it plays is asked for again, with it
     house.wall.set_catalogue(std::vector{grown, photo("b")});
     house.run(1s);
     CHECK(house.requests == 3);
+}
+
+namespace {
+
+/// The times at which the frames of a calm wall began to change, and true if any shot has moved.
+struct CalmRun {
+    House house;
+    std::vector<std::chrono::nanoseconds> begins{};
+    bool has_moved = false;
+    bool was_fading = false;
+
+    void step() {
+        const std::chrono::nanoseconds now = house.now;
+        const WallStep step = house.step();
+        bool is_fading = false;
+        for (const DrawItem& item : step.frame.items)
+            is_fading = is_fading || item.alpha < 1;
+        if (is_fading && !was_fading) begins.push_back(now);
+        was_fading = is_fading;
+        std::set<double> allowed;  // the places on the old wall, which stands until the fade ends
+        for (const PlacedShot& placed : house.wall.shown())
+            allowed.insert(placed.placement.offset.x);
+        for (const DrawItem& item : step.frame.items)
+            if (item.alpha == 1 && !house.wall.shown().empty() && !allowed.contains(item.placement.offset.x))
+                has_moved = true;
+    }
+
+    void run(std::chrono::nanoseconds duration) {
+        for (const auto end = house.now + duration; house.now < end;)
+            step();
+    }
+
+    std::chrono::nanoseconds least_spacing() const {
+        std::chrono::nanoseconds least = std::chrono::hours(1);
+        for (std::size_t i = 1; i < begins.size(); ++i)
+            least = std::min(least, begins[i] - begins[i - 1]);
+        return least;
+    }
+};
+
+CalmRun calm_run(int files) {
+    CalmRun run{.house = {.wall = Wall({1280, 720},
+                                       {.slots = {.count = 3, .order = ShotOrder::name}, .is_calm = true})}};
+    run.house.wall.set_catalogue(photos(files));
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("on a calm wall nothing moves, and one change begins in five seconds, however many are wanted") {
+    CalmRun run = calm_run(20);
+    for (std::uint64_t turns = 0; turns < 40; ++turns) {
+        run.house.wall.set_controls({.turns = turns});
+        if (turns % 7 == 3) {
+            auto records = photos(20);
+            records.erase(records.begin() + static_cast<std::ptrdiff_t>(turns) / 7, records.begin() + 10);
+            run.house.wall.set_catalogue(records);
+        }
+        run.house.wall.handle_gesture({.kind = turns % 2 == 0 ? Gesture::Kind::tap : Gesture::Kind::drag,
+                                       .at = {700, 400},
+                                       .from = {60 + 100.0 * static_cast<double>(turns % 3), 90}});
+        run.run(1s);
+    }
+    CHECK(run.begins.size() >= 5);
+    CHECK(run.least_spacing() >= 5s);
+    CHECK_FALSE(run.has_moved);
+}
+
+TEST_CASE("the first calm wall comes as a whole") {
+    CalmRun run = calm_run(3);
+    run.house.readies = false;
+    run.run(2s);
+    REQUIRE(run.house.playing.size() == 3);
+    run.house.wall.source_ready(run.house.playing.begin()->first);
+    run.run(2s);
+    CHECK(run.begins.empty());
+    for (const auto& [source, request] : run.house.playing)
+        run.house.wall.source_ready(source);
+    run.run(2s);
+    CHECK(run.begins.size() == 1);
+    CHECK(run.house.wall.shown().size() == 3);
 }
 
 TEST_CASE("hours of rotation with failures, additions and deletions leave no source behind") {

@@ -27,6 +27,7 @@ MediaRecord record_of(const std::string& path) {
                        .width = 64,
                        .height = 48,
                        .duration = 6s};
+    record.sound = StoredSound{.file = path};  // the film itself is its sound in the store
     record.shots = {Shot{.begin = 2s, .end = 6s, .region = {.polygon = region}}};
     return record;
 }
@@ -37,7 +38,7 @@ Settings one_film_at_a_time() {
     settings.layout.max_enlargement = 100;
     settings.show.order = ShotOrder::name;
     settings.show.dwell = 10s;
-    settings.show.crossfade = 0ms;
+    settings.show.motion = 0ms;
     return settings;
 }
 
@@ -90,7 +91,7 @@ struct Theatre {
 TEST_CASE("a film whose name says so is heard in time with its picture, and nothing of another") {
     Theatre theatre;
     SoundRecorder recorder;
-    WallSound sound({.media = theatre.folder.path.string(), .store = {}}, recorder.sink());
+    WallSound sound({.media = {}, .store = theatre.folder.path.string()}, recorder.sink());
     for (auto time = 0s; time < 5s; time += 1s)
         theatre.show(time);
     REQUIRE(theatre.stage->wall().standing().at(0).key.path == "a.mp4");

@@ -53,7 +53,7 @@ Settings one_photo_at_a_time() {
     settings.layout.slots = 1;
     settings.layout.max_enlargement = 100;
     settings.show.order = ShotOrder::name;
-    settings.show.crossfade = 0ms;
+    settings.show.motion = 0ms;
     return settings;
 }
 

@@ -56,3 +56,19 @@ TEST_CASE("stages that are made anew have no files yet") {
     CHECK(stages.standing().empty());
     CHECK(stages.audible().empty());
 }
+
+TEST_CASE("however often new stages are asked for, they come at most twice a second") {
+    const Settings settings;
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    Stages stages(settings, sources, false);
+    CHECK_FALSE(stages.claim_renewal(0s));
+    int made = 0;
+    for (auto now = 0ms; now < 10s; now += 20ms) {
+        stages.ask_anew();
+        if (stages.claim_renewal(now)) ++made;
+    }
+    CHECK(made == 20);
+    CHECK_FALSE(stages.claim_renewal(10001ms - 600ms));
+    CHECK(stages.claim_renewal(11s));  // what was asked for meanwhile
+    CHECK_FALSE(stages.claim_renewal(12s));
+}

@@ -86,6 +86,24 @@ TEST_CASE("frames of a film that breaks off or needs too much room are not kept"
     CHECK(std::filesystem::is_empty(folder.path / "large"));
 }
 
+TEST_CASE("the bricks of a letterboxed film have no bars") {
+    const TemporaryDirectory folder;
+    CandidateWriter writer(nameless_file(folder.path));
+    for (int i = 0; i < 20; ++i) {
+        cv::Mat picture(180, 320, CV_8UC3, cv::Scalar::all(0));
+        if (i != 3) picture.rowRange(20, 160) = cv::Scalar(40, 120 + 4 * i, 200);  // one is black
+        writer.push({.picture = picture, .time = milliseconds(500) * i});
+    }
+    const Film film = film_of(writer.finish(seconds(10), {}), nullptr);
+    CHECK(film.candidates->brick() == brick_for({320, 138}));
+    const cv::Mat brick = film.candidates->keyframe(0).picture;
+    CHECK(brick.size() == film.candidates->brick());
+    double darkest = 0;
+    cv::minMaxLoc(brick.reshape(1).colRange(2, 3), &darkest, nullptr);
+    CHECK(darkest > 150);
+    CHECK(film.candidates->keyframe(3).picture.size() == film.candidates->brick());
+}
+
 TEST_CASE("a file that is none of frames, or is cut short, is refused") {
     const TemporaryDirectory folder;
     CandidateWriter writer(nameless_file(folder.path));

@@ -1,6 +1,7 @@
 #include "player/layout/plan/plan.hpp"
 
 #include "player/layout/plan/plan_output.hpp"
+#include "tests/player/layout/fair_shares.hpp"
 #include "tests/player/layout/instances.hpp"
 #include "tests/player/layout/soundness.hpp"
 
@@ -118,6 +119,29 @@ TEST_CASE("kept items move little when one is replaced, and pinned ones not at a
         }
         std::sort(moves.begin(), moves.end());
         CHECK(moves[2] <= 0.1 * length(request.canvas));  // the median
+    }
+}
+
+TEST_CASE("a newcomer is not tiny in the seat of the smallest item, and makes no other one tiny") {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PlanRequest request = random_request(12, seed);
+        request.budget = 60'000;
+        request.max_scale = 1.5;
+        std::vector<Placement> placements = plan(request).placements;
+        Random random(seed + 100);
+        for (int turn = 0; turn < 3; ++turn) {
+            const std::vector<LayoutItem> items = items_of(request);
+            const std::vector<double> before = fair_shares(items, placements, request.max_scale);
+            const auto smallest = static_cast<std::size_t>(std::ranges::min_element(before) - before.begin());
+            for (std::size_t i = 0; i < items.size(); ++i)
+                request.items[i] = {.item = items[i], .previous = placements[i]};
+            request.items[smallest] = {.item = random_item(random),
+                                       .seat = seat_of(items[smallest], placements[smallest])};
+            placements = plan(request).placements;
+            CAPTURE(seed);
+            CAPTURE(turn);
+            CHECK(std::ranges::min(fair_shares(items_of(request), placements, request.max_scale)) >= 0.5);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-#include "player/scene/panning_wall.hpp"
+#include "player/scene/pan/panning_wall.hpp"
 
 #include "player/layout/plan/plan.hpp"
 #include "tests/player/scene/scene_media.hpp"

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "player/display/egl.hpp"
+#include "player/render/renderer.hpp"
+#include "tests/player/render/random_frame.hpp"
+#include "tests/player/render/reference_compositor.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace vitrine::player {
+
+/// The largest differences between a frame of the renderer and the same frame of the reference, in steps of
+/// 8 bits. Those of single pixels count for smooth pictures only.
+struct Deviation {
+    double grey = 0;      // of the brightness of a pixel that is not at an edge
+    double colour = 0;    // of a channel of such a pixel
+    double at_edges = 0;  // of a channel of a pixel at an edge from all that the reference drew within 1 px
+    double blocks = 0;    // of the mean of a channel in a block of 16 x 16 px, without edges
+    std::string place;    // of the largest one
+
+    double worst() const;
+
+    /// True if the renderer draws as it should. The largest brightness is mostly below 2; samplers may pick
+    /// another smaller copy. Planes may be further off: each is read in steps of 8 bits, and a step of a
+    /// colour difference is two steps of blue.
+    bool is_good(bool has_planes) const {
+        const double channel = has_planes ? 6 : 4;
+        return grey <= (has_planes ? 3.5 : 3) && colour <= channel && at_edges <= channel && blocks <= 2;
+    }
+};
+
+Deviation deviation(const Picture& drawn, const ReferenceImage& expected, bool is_noise);
+
+/// Draws random frames with one renderer and with the reference.
+class ComparedFrames {
+  public:
+    Deviation compare(std::uint64_t seed, int max_side);
+
+    /// True if the last frame had planes.
+    bool had_planes() const { return had_planes_; }
+
+    /// The frame that the renderer drew last, and the reference's.
+    const Picture& drawn() const { return drawn_; }
+
+    const ReferenceImage& expected() const { return expected_; }
+
+  private:
+    std::shared_ptr<Egl> egl_ = std::make_shared<Egl>(Egl::surfaceless());  // shared with the screens
+    Renderer renderer_{1, 1};
+    bool had_planes_ = false;
+    Picture drawn_;
+    ReferenceImage expected_;
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,17 @@
+#include "tests/player/render/compared_frames.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+TEST_CASE("random frames are drawn as the reference draws them") {
+    ComparedFrames frames;
+    for (std::uint64_t seed = 1; seed <= 48; ++seed) {
+        CAPTURE(seed);
+        const Deviation found = frames.compare(seed, seed % 8 == 0 ? 1080 : 400);
+        CAPTURE(found.place);
+        CAPTURE(found.worst());
+        CHECK(found.is_good(frames.had_planes()));
+    }
+}

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "player/layout/plan/plan.hpp"
+#include "player/scene/drag.hpp"
+#include "player/scene/wall_cells.hpp"
+#include "tests/player/layout/instances.hpp"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace vitrine::player {
+
+/// Where the items of a wall come from.
+using DrawItems = std::function<LayoutItem(Random&)>;
+
+/// A wall that is planned and changed as the player does, without files, sources and time.
+class ChangingWall {
+  public:
+    using Shots = std::vector<PlacedShot>;
+
+    ChangingWall(Vec2 canvas, std::size_t count, std::uint64_t seed, DrawItems draw = random_item,
+                 const CellStyle& style = {})
+        : canvas_(canvas), random_(seed), seed_(seed), draw_(std::move(draw)), style_(style) {
+        PlanRequest request;
+        Shots wall;
+        for (std::size_t i = 0; i < count; ++i) {
+            wall.push_back(newcomer(static_cast<int>(i)));
+            request.items.push_back({.item = wall.back().shot.item});
+        }
+        shown_ = laid_out(std::move(wall), std::move(request));
+    }
+
+    Vec2 canvas() const { return canvas_; }
+
+    const Shots& shown() const { return shown_; }
+
+    /// The wall after a change becomes the shown one.
+    void show(Shots wall) { shown_ = std::move(wall); }
+
+    /// One shot gives its seat to another one.
+    Shots turned() {
+        Shots next = shown_;
+        PlanRequest request = request_of_shown();
+        const std::size_t item = uniform_index(random_, next.size());
+        const Seat seat = seat_of(next[item].shot.item, next[item].placement);
+        next[item] = newcomer(next[item].shot.slot);
+        request.items[item] = {.item = next[item].shot.item, .seat = seat};
+        return laid_out(std::move(next), std::move(request));
+    }
+
+    Shots with_one_more() {
+        Shots next = shown_;
+        PlanRequest request = request_of_shown();
+        next.push_back(newcomer(100 + static_cast<int>(last_)));
+        request.items.push_back({.item = next.back().shot.item});
+        return laid_out(std::move(next), std::move(request));
+    }
+
+    Shots with_one_less() {
+        Shots next = shown_;
+        PlanRequest request = request_of_shown();
+        const auto item = static_cast<std::ptrdiff_t>(uniform_index(random_, next.size()));
+        next.erase(next.begin() + item);
+        request.items.erase(request.items.begin() + item);
+        return laid_out(std::move(next), std::move(request));
+    }
+
+    /// A finger takes a shot to any place and drops it there. Each step of the wall becomes the shown one.
+    /// @param on_step  gets each step before it is shown
+    void drag(const std::function<void(const Shots& next)>& on_step) {
+        constexpr int steps = 8;
+        const PlacedShot& held = shown_[uniform_index(random_, shown_.size())];
+        const Vec2 from = seat_of(held.shot.item, held.placement).centre;
+        const double x = uniform(random_);
+        const Vec2 to{canvas_.x * x, canvas_.y * uniform(random_)};
+        Drag drag({.seed = seed_++, .budget = 20'000});
+        for (int k = 1; k <= steps + 1; ++k) {
+            drag.follow_finger(from + (to - from) * (k / double{steps}), from);
+            if (k > steps) drag.lift_finger();
+            const auto placements = drag.next_placements(shown_, canvas_);
+            if (!placements) continue;
+            Shots next = shown_;
+            for (std::size_t i = 0; i < next.size(); ++i)
+                next[i].placement = (*placements)[i];
+            give_cells(next, canvas_, {});
+            on_step(next);
+            show(std::move(next));
+        }
+    }
+
+  private:
+    PlacedShot newcomer(int slot) {
+        PlacedShot placed{.shot = {.source = ++last_, .slot = slot}};
+        placed.shot.item = draw_(random_);
+        placed.shot.picture = placed.shot.item.core.max;
+        return placed;
+    }
+
+    PlanRequest request_of_shown() const {
+        PlanRequest request;
+        for (const PlacedShot& placed : shown_)
+            request.items.push_back({.item = placed.shot.item, .previous = placed.placement});
+        return request;
+    }
+
+    Shots laid_out(Shots wall, PlanRequest request) {
+        request.canvas = canvas_;
+        request.seed = seed_++;
+        request.budget = 60'000;
+        const Layout layout = plan(request);
+        for (std::size_t i = 0; i < wall.size(); ++i)
+            wall[i].placement = layout.placements[i];
+        give_cells(wall, canvas_, style_);
+        return wall;
+    }
+
+    Vec2 canvas_;
+    Random random_;
+    std::uint64_t seed_;
+    DrawItems draw_;
+    CellStyle style_;
+    SourceId last_ = 0;
+    Shots shown_;
+};
+
+}  // namespace vitrine::player
