@@ -1,5 +1,6 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
-//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] [--verbose]
+//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift|bars]
+//   [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -15,8 +16,9 @@ using namespace vitrine::analyzer;
 namespace {
 
 int usage() {
-    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift] "
-               "[--verbose]\n");
+    fmt::print(
+        "analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift|bars] "
+        "[--verbose]\n");
     return 2;
 }
 
@@ -52,5 +54,6 @@ int main(int argc, char** argv) {
     if (only.empty() || only == "subjects") subjects_table(input);
     if (only.empty() || only == "motion") motion_table(input);
     if (only.empty() || only == "drift") drift_table(input);
+    if (only.empty() || only == "bars") bars_table(input);
     return 0;
 }

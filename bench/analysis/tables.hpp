@@ -24,4 +24,7 @@ void motion_table(const TableInput& input);
 /// The drift found on pictures that move by known velocities.
 void drift_table(const TableInput& input);
 
+/// Bars of films and photos found, and pictures wrongly cut.
+void bars_table(const TableInput& input);
+
 }  // namespace vitrine::analyzer
