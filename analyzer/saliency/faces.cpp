@@ -1,7 +1,7 @@
 #include "analyzer/saliency/faces.hpp"
 
-#include "analyzer/saliency/viola_jones.hpp"
-#include "analyzer/saliency/yunet.hpp"
+#include "analyzer/faces/viola_jones.hpp"
+#include "analyzer/faces/yunet.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/saliency/face_detector.hpp"
+#include "analyzer/faces/face_detector.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/watch/child_process.hpp"
+#include "analyzer/child/child_process.hpp"
 #include "analyzer/watch/file_facts.hpp"
 #include "analyzer/watch/schedule.hpp"
 #include "base/state/record.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/watch/child_process.hpp"
+#include "analyzer/child/child_process.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/saliency/face_detector.hpp"
+#include "analyzer/faces/face_detector.hpp"
 #include "analyzer/tapestry/synthesis/brickwork.hpp"
 #include "analyzer/tapestry/synthesis/frame_signature.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"

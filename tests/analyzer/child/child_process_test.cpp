@@ -1,4 +1,4 @@
-#include "analyzer/watch/child_process.hpp"
+#include "analyzer/child/child_process.hpp"
 
 #include "tests/temporary_directory.hpp"
 

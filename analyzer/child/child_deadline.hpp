@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/watch/progress_rule.hpp"
+#include "analyzer/child/progress_rule.hpp"
 #include "base/system/event_loop.hpp"
 
 #include <functional>

@@ -1,4 +1,4 @@
-#include "analyzer/saliency/yunet.hpp"
+#include "analyzer/faces/yunet.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analyzer/watch/progress_rule.hpp"
+#include "analyzer/child/progress_rule.hpp"
 
 #include <doctest/doctest.h>
 

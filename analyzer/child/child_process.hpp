@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyzer/watch/child_deadline.hpp"
-#include "analyzer/watch/progress_rule.hpp"
+#include "analyzer/child/child_deadline.hpp"
+#include "analyzer/child/progress_rule.hpp"
 #include "base/system/event_loop.hpp"
 #include "base/system/unique_fd.hpp"
 

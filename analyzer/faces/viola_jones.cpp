@@ -1,4 +1,4 @@
-#include "analyzer/saliency/viola_jones.hpp"
+#include "analyzer/faces/viola_jones.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,4 +1,4 @@
-#include "analyzer/watch/child_deadline.hpp"
+#include "analyzer/child/child_deadline.hpp"
 
 #include <fmt/format.h>
 
