@@ -1,6 +1,7 @@
 #include "analyzer/explain/sheet.hpp"
 
 #include "analyzer/explain/time_line.hpp"
+#include "analyzer/saliency/subject_outline.hpp"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -169,12 +170,23 @@ double part_of(const IRegion& region, const MediaRecord& record) {
     return 100 * area(region.polygon) / (static_cast<double>(record.width) * record.height);
 }
 
+/// Why the region of a photo is as large as it is.
+std::string reason_for_size(double certainty) {
+    if (certainty >= sure_certainty) return "the network's outline";
+    if (certainty >= blind_certainty) return "joined: it doubts";
+    return "large: nothing stands out";
+}
+
 /// The words of the row, in the place of a sixth map.
 void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const MediaRecord& record) {
     std::vector<std::pair<std::string, Ink>> lines;
     lines.emplace_back(fmt::format("region {:.0f} %", part_of(row.shot.region, record)), ink);
     if (!row.letter.polygon.empty())
         lines.emplace_back(fmt::format("paper's letter {:.0f} %", part_of(row.letter, record)), ink);
+    if (row.shot.certainty) {
+        lines.emplace_back(fmt::format("network sure {:.0f} %", 100 * *row.shot.certainty), ink);
+        lines.emplace_back(reason_for_size(*row.shot.certainty), faint_ink);
+    }
     if (record.kind == MediaKind::film) {
         const Vec2 drift = row.shot.region.drift;
         lines.emplace_back(drift == Vec2{} ? "stands still"
@@ -192,7 +204,10 @@ void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
 void draw_maps(Canvas& canvas, double top, const ShotEvidence& row, const MediaRecord& record,
                const Plan& plan) {
     const auto cell = [&](int column, int line) { return Cell{plan.map_at(column, line, top), plan.map}; };
-    draw_map(canvas, cell(0, 0), {"S_M motion", row.motion, 1, "no frame before"});
+    if (row.subject.empty())
+        draw_map(canvas, cell(0, 0), {"S_M motion", row.motion, 1, "no frame before"});
+    else
+        draw_map(canvas, cell(0, 0), {"subject by the network", row.subject});
     draw_map(canvas, cell(1, 0), {"S_I image", row.image, 1, "no sample"});
     draw_map(canvas, cell(2, 0), {"S_F faces", row.faces.empty() ? SaliencyMap() : row.face, 1, "no face"});
     draw_map(canvas, cell(0, 1),

@@ -1,7 +1,7 @@
 #include "analyzer/one_file/analysed_file.hpp"
 
 #include "analyzer/film/frame_reader.hpp"
-#include "analyzer/models/face_model.hpp"
+#include "analyzer/models/model_file.hpp"
 #include "analyzer/status/thumbnail_place.hpp"
 #include "base/media/colour.hpp"
 #include "base/state/catalogue.hpp"
@@ -58,8 +58,10 @@ AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
     settings.weights = {.motion = from.motion_weight, .image = from.image_weight, .face = from.face_weight};
     settings.region.mass = from.region_mass;
     settings.region.margin = from.region_margin;
-    settings.face_model = find_face_model(from.face_model);
-    settings.saliency_model = from.saliency_model;
+    const Settings::Analyzer usual;
+    settings.face_model = find_model(from.face_model, usual.face_model);
+    if (from.saliency == SaliencyMethod::network)
+        settings.saliency_model = find_model(from.saliency_model, usual.saliency_model);
     return settings;
 }
 

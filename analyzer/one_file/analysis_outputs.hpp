@@ -6,13 +6,14 @@
 
 namespace vitrine::analyzer {
 
-/// The by-products that an analysis writes.
+/// The by-products that an analysis writes, and how thoroughly it looks.
 struct AnalysisOutputs {
     bool growth = false;       // each shot on the standard output as soon as it is over
     bool stored = false;       // clips or a copy in the store (settings.store), for the player to play from
     bool sound = false;        // a film's sound in the store too
     bool frames = false;       // a film's frames for its tapestry (settings.tapestry), where it has none yet
     bool thumbnail = false;    // for the status folder
+    bool network = false;      // a photo's region by the network too (settings.analyzer.saliency)
     bool accepts_cut = false;  // accepts a stream that breaks off inside a packet: it will not grow any more
 };
 
@@ -32,6 +33,7 @@ constexpr std::array output_flags{
     OutputFlag{"--frames", &AnalysisOutputs::frames, "Keeps a film's frames for its tapestry"},
     OutputFlag{"--sound", &AnalysisOutputs::sound, "Puts the sound of a film into the store, too"},
     OutputFlag{"--thumbnail", &AnalysisOutputs::thumbnail, "Writes a thumbnail for the status folder"},
+    OutputFlag{"--network", &AnalysisOutputs::network, "Finds the region of a photo by the network too"},
     OutputFlag{"--as-it-is", &AnalysisOutputs::accepts_cut,
                "Accepts a stream that breaks off, as half a copy does"},
 };

@@ -19,11 +19,14 @@ constexpr nanoseconds max_interval{1'000'000'000};  // between two frames that a
 /// Turns frames into samples, a few a second.
 class Sampler {
   public:
-    Sampler(const AnalysisSettings& settings, bool keeps_pictures)
+    Sampler(const AnalysisSettings& settings, bool keeps_pictures, MediaKind kind)
         : settings_(settings),
           keeps_pictures_(keeps_pictures),
           faces_(face_detector(settings.face_model, settings.face_cascade)),
-          stage_(image_saliency_stage(settings.image, settings.saliency_model)) {}
+          stage_(image_saliency_stage(settings.image)) {
+        if (kind == MediaKind::photo && !settings.saliency_model.empty())
+            network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+    }
 
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
     void push(const FilmFrame& frame, SampleStore& into) {
@@ -46,11 +49,12 @@ class Sampler {
             last_faces_ = find_faces(*faces_, frame.picture, settings_.only_prominent_faces);
             last_faces_time_ = frame.time;
         }
-        Sample sample = sample_of({.frame = frame.picture,
-                                   .before = has_pair ? before_.picture : cv::Mat(),
-                                   .seconds = std::chrono::duration<double>(interval).count(),
-                                   .active = bars_.newest()},
-                                  settings_, last_faces_, stage_.get());
+        const FramePair pair{.frame = frame.picture,
+                             .before = has_pair ? before_.picture : cv::Mat(),
+                             .seconds = std::chrono::duration<double>(interval).count(),
+                             .active = bars_.newest()};
+        Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
+        if (network_ != nullptr) sample.subject = find_subject(*network_, pair);
         ++count_;
         sample.time = frame.time;
         sample.pair_time = before_.time;
@@ -64,6 +68,7 @@ class Sampler {
     bool keeps_pictures_;
     std::unique_ptr<FaceDetector> faces_;
     std::unique_ptr<ImageSaliencyStage> stage_;
+    std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
     ActivePictureFinder bars_;
     FilmFrame before_;
     nanoseconds due_{0};
@@ -156,7 +161,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
                        .duration = info.duration};
     std::optional<FilmFrame> frame = source.next();
     if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
-    Sampler sampler(settings, static_cast<bool>(observer));
+    Sampler sampler(settings, static_cast<bool>(observer), info.kind);
     ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
     if (info.kind == MediaKind::photo) {

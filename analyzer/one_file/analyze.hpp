@@ -22,7 +22,7 @@ using GrowthObserver = std::function<void(const MediaRecord&)>;
 /// @return  kind, size, duration, shots, state ready; the caller adds path, bytes and mtime. Every shot has a
 ///          region.
 /// @throws MediaError if the source breaks or gives no frame at all
-/// @throws std::runtime_error if a face detector's file cannot be read
+/// @throws std::runtime_error if a model's file cannot be read
 MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const ShotObserver& observer = {},
                     const GrowthObserver& grown = {});
 

@@ -76,6 +76,12 @@ MediaRecord record_without_shots(const MediaError& error) {
     return record;
 }
 
+AnalysisSettings settings_for(const AnalysedFile& file, const AnalysisOutputs& outputs) {
+    AnalysisSettings settings = analysis_settings(file.settings().analyzer);
+    if (!outputs.network) settings.saliency_model.clear();
+    return settings;
+}
+
 bool lacks_tapestry(const AnalysedFile& file) {
     const MediaFile& media = file.media();
     return tapestry_state(file.tapestry(), media.bytes(), media.mtime_ns()) == TapestryState::lacking;
@@ -133,7 +139,7 @@ class FileAnalysis {
                 if (thumbnail_) thumbnail_->add_frame(frame);
                 if (frames_) frames_->saw(frame);
             });
-        MediaRecord record = analyze(observed, analysis_settings(file_.settings().analyzer), {},
+        MediaRecord record = analyze(observed, settings_for(file_, outputs_), {},
                                      [this](const MediaRecord& part) { grow(part); });
         if (thumbnail_) thumbnail_->write(record);
         finish_outputs(record);
@@ -223,7 +229,7 @@ MediaRecord analysed_record(const AnalysedFile& file, const AnalysisOutputs& out
 /// The folder in the store comes first, and also where nothing is stored: libraries use it.
 ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     const StorePlace place = file.store_place();
-    const AnalysisSettings settings = analysis_settings(file.settings().analyzer);
+    const AnalysisSettings settings = settings_for(file, outputs);
     ReaderNeeds needs{.models = {settings.face_model, settings.face_cascade, settings.saliency_model}};
     if (outputs.stored || outputs.growth) needs.folders.push_back(place.store / place.id);
     if (outputs.thumbnail) needs.folders.push_back(file.thumbnail().parent_path());

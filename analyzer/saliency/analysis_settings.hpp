@@ -22,7 +22,7 @@ struct AnalysisSettings {
     bool has_bodies = true;            // S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
-    std::string saliency_model;  // an ONNX file, used in place of `image`; "": not used
+    std::string saliency_model;  // an ONNX file, used for photos too (subject_outline.hpp); "": not used
     std::string face_model;      // YuNet's ONNX file; "": not used
     std::string face_cascade =
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used

@@ -14,7 +14,10 @@ namespace {
 constexpr std::size_t max_corners = 12;
 constexpr double min_area = 0.08;  // share of the picture
 constexpr double max_area = 0.80;
-constexpr double middle = 0.6;  // share of each side, where nothing is salient
+// Of the region of a subject that a network has outlined.
+constexpr double subject_min_area = 0.05;
+constexpr double subject_margin = 0.02;  // share of the diagonal
+constexpr double middle = 0.6;           // share of each side, where nothing is salient
 
 Polygon middle_of(const Box& core) {
     const Vec2 half{core.width() * middle / 2, core.height() * middle / 2};
@@ -82,6 +85,13 @@ Polygon smallest_region(const SaliencyMap& volume, const Box& core, std::span<co
     return at_least(with_faces(region, faces, core), min_area * whole, core);
 }
 
+/// The outline with its margin, and with all that stays whole.
+Polygon outlined(const Polygon& subject, std::span<const Box> faces, const SaliencyMap& volume,
+                 const Box& core) {
+    const double margin = subject_margin * std::hypot(volume.cols, volume.rows);
+    return with_faces(clipped(widened(subject, margin), core), faces, core);
+}
+
 }  // namespace
 
 Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
@@ -97,6 +107,23 @@ Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box
     }
     if (area(region) <= 0) region = middle_of(core);
     return simplified_within(region, max_corners, core);
+}
+
+Polygon subject_region(const SubjectOutline& subject, const SaliencyMap& volume, const Box& core,
+                       std::span<const Box> faces, const RegionSettings& settings) {
+    const bool is_sure = subject.certainty >= sure_certainty;
+    const Polygon& outline = is_sure ? subject.sure : subject.possible;
+    Polygon region = area(outline) > 0 ? outlined(outline, faces, volume, core) : Polygon{};
+    if (!is_sure) {
+        RegionSettings wide = settings;
+        if (subject.certainty < blind_certainty) wide.tight_area = 0;  // nearly all is kept
+        const Polygon plain = i_region(volume, core, faces, wide);
+        region.insert(region.end(), plain.begin(), plain.end());
+        region = convex_hull(region);
+    }
+    if (area(region) <= 0) return i_region(volume, core, faces, settings);
+    const double min_region_area = subject_min_area * static_cast<double>(volume.total());
+    return simplified_within(at_least(region, min_region_area, core), max_corners, core);
 }
 
 }  // namespace vitrine::analyzer

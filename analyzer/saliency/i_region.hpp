@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/saliency/saliency_map.hpp"
+#include "analyzer/saliency/subject_outline.hpp"
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
 #include "base/settings/choices.hpp"
@@ -32,5 +33,17 @@ struct RegionSettings {
 /// Source: Dynamic Media Assemblage 3.3, which hull mode follows word by word.
 Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box> faces,
                  const RegionSettings& settings);
+
+/// The region of a photo whose subject a network has outlined. Where the network is sure, the region follows
+/// the outline, whatever its size. Where it doubts, the plain region counts too. Where nothing stands out,
+/// the region is large on purpose and holds the share `safe_mass` of the plain saliency.
+///
+/// @param subject  px of the volume
+/// @param volume, core, faces, settings  as for i_region(), in min_area mode
+/// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core; at least 5 % of
+/// the
+///          picture
+Polygon subject_region(const SubjectOutline& subject, const SaliencyMap& volume, const Box& core,
+                       std::span<const Box> faces, const RegionSettings& settings);
 
 }  // namespace vitrine::analyzer

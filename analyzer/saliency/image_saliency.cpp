@@ -2,7 +2,6 @@
 
 #include "analyzer/saliency/barrier_distance.hpp"
 #include "analyzer/saliency/frequency_tuned.hpp"
-#include "analyzer/saliency/saliency_network.hpp"
 #include "analyzer/saliency/subject_windows.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -80,18 +79,6 @@ class SubjectStage : public ImageSaliencyStage {
     }
 };
 
-class NetworkStage : public ImageSaliencyStage {
-  public:
-    explicit NetworkStage(const std::string& file) : network_(file) {}
-
-    SaliencyMap map(const cv::Mat& bgr, std::span<const Face> /*faces*/) override {
-        return network_.map(bgr);
-    }
-
-  private:
-    SaliencyNetwork network_;
-};
-
 }  // namespace
 
 SaliencyMap centre_prior(cv::Size size) {
@@ -106,8 +93,7 @@ SaliencyMap centre_prior(cv::Size size) {
     return bell(size.height) * bell(size.width).t();
 }
 
-std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network) {
-    if (!network.empty()) return std::make_unique<NetworkStage>(network);
+std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method) {
     switch (method) {
     case ImageSaliency::frequency_tuned:
         return std::make_unique<FrequencyTunedStage>();

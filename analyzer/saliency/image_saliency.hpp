@@ -35,11 +35,10 @@ class ImageSaliencyStage {
 
 /// The stage that the settings ask for.
 ///
-/// @param method   used where no network is named. `frequency_tuned`: Dynamic Media Assemblage 3.2. `barrier`
-///                 follows MB+ of Zhang et al. 2015, worked at 160 px, with the frequency-tuned map as a
-///                 third cue; all 0 where the picture is flat. `subject`: subject_windows.hpp
-/// @param network  an ONNX file (saliency_network.hpp), or ""
-/// @throws std::runtime_error if the network cannot be read
-std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method, const std::string& network);
+/// @param method  `frequency_tuned`: Dynamic Media Assemblage 3.2. `barrier` follows MB+ of Zhang et al.
+/// 2015,
+///                worked at 160 px, with the frequency-tuned map as a third cue; all 0 where the picture is
+///                flat. `subject`: subject_windows.hpp
+std::unique_ptr<ImageSaliencyStage> image_saliency_stage(ImageSaliency method);
 
 }  // namespace vitrine::analyzer

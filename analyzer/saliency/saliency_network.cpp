@@ -46,9 +46,7 @@ SaliencyMap SaliencyNetwork::map(const cv::Mat& bgr) {
     double low = 0;
     double high = 0;
     cv::minMaxLoc(plane, &low, &high);
-    SaliencyMap map = (plane - low) / std::max(min_range, high - low);
-    cv::resize(map, map, bgr.size(), 0, 0, cv::INTER_LINEAR);
-    return map;
+    return (plane - low) / std::max(min_range, high - low);
 }
 
 }  // namespace vitrine::analyzer

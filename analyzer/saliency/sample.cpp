@@ -64,7 +64,7 @@ Sample searched(const FramePair& pair, const AnalysisSettings& settings, std::sp
     Sample sample;
     const std::vector<Face> placed = scaled(faces, static_cast<double>(size.width) / map.width);
     const std::unique_ptr<ImageSaliencyStage> own =
-        stage == nullptr ? image_saliency_stage(settings.image, {}) : nullptr;
+        stage == nullptr ? image_saliency_stage(settings.image) : nullptr;
     sample.image = resized((stage == nullptr ? *own : *stage).map(now, placed), map);
     if (before.size() == frame.size()) {
         const cv::Size seen = settings.motion == MotionMethod::voted_pan ? size : map;
@@ -125,6 +125,13 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
     sample.global_motion = sample.global_motion * (1 / scale);
     sample.subject_motion = sample.subject_motion * (1 / scale);
     return sample;
+}
+
+SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
+    const cv::Size size = pair.frame.size();
+    const cv::Rect whole({0, 0}, size);
+    const cv::Rect active = (pair.active & whole).empty() ? whole : pair.active & whole;
+    return placed_map(network.map(pair.frame(active)), map_part(active, size), map_size(size));
 }
 
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent) {

@@ -3,6 +3,7 @@
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
+#include "analyzer/saliency/saliency_network.hpp"
 #include "base/geometry/vec2.hpp"
 
 #include <chrono>
@@ -19,6 +20,7 @@ struct Sample {
     Vec2 global_motion;                     // per second
     Vec2 subject_motion;                    // per second, motion of the salient part
     SaliencyMap image;                      // S_I
+    SaliencyMap subject;                    // found by the network; empty where it was not asked
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
     std::chrono::nanoseconds faces_time{0};  // time of the frame they were found in
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
@@ -43,6 +45,10 @@ struct FramePair {
 /// @return          maps of at most map_side, 0 in the bars; times, faces and picture are left to the caller
 Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces = {},
                  ImageSaliencyStage* stage = nullptr);
+
+/// The subject of a frame's picture within its bars, in px of the maps, as a network sees it.
+/// @throws std::runtime_error like SaliencyNetwork::map()
+SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair);
 
 /// The faces of a frame, in px of the maps that sample_of() makes of it.
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);

@@ -116,7 +116,7 @@ void move_faces(std::vector<Face>& faces, Vec2 by) {
 void crop(std::vector<Sample>& samples, const cv::Rect& part) {
     const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
     for (Sample& sample : samples) {
-        for (SaliencyMap* map : {&sample.motion, &sample.image})
+        for (SaliencyMap* map : {&sample.motion, &sample.image, &sample.subject})
             if (!map->empty()) *map = SaliencyMap((*map)(part).clone());
         move_faces(sample.faces, corner * -1);
     }
@@ -124,8 +124,8 @@ void crop(std::vector<Sample>& samples, const cv::Rect& part) {
 
 /// Puts the maps and faces of a part back into their places in the whole map.
 void place(ShotEvidence& evidence, const cv::Rect& part, cv::Size size) {
-    for (SaliencyMap* map :
-         {&evidence.motion, &evidence.image, &evidence.face, &evidence.combined, &evidence.volume}) {
+    for (SaliencyMap* map : {&evidence.motion, &evidence.image, &evidence.face, &evidence.combined,
+                             &evidence.volume, &evidence.subject}) {
         if (map->empty()) continue;
         SaliencyMap whole = SaliencyMap::zeros(size, CV_32FC1);
         map->copyTo(whole(part));
@@ -137,6 +137,16 @@ void place(ShotEvidence& evidence, const cv::Rect& part, cv::Size size) {
         move_faces(frame.faces, corner);
 }
 
+void add_centre(SaliencyMap& volume, std::size_t frames) {
+    volume += centre_prior(volume.size()) *
+              (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames)));
+}
+
+/// True for a photo that the network was asked about.
+bool has_subject(const std::vector<Sample>& samples) {
+    return samples.size() == 1 && !samples.front().subject.empty();
+}
+
 void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
                  const std::vector<SalientFrame>& frames, bool has_bodies) {
     const std::size_t middle = samples.size() / 2;
@@ -146,6 +156,7 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
     }
     evidence.motion = sample.motion;
     evidence.image = sample.image;
+    evidence.subject = sample.subject;
     evidence.faces = sample.faces;
     evidence.face = face_saliency(sample.faces, sample.image.size(), 1, has_bodies);
     evidence.combined = frames[middle].map;
@@ -165,14 +176,17 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);
     SaliencyMap volume = evidence.volume.clone();
-    if (settings.region.mode == RegionMode::min_area) {
-        volume += centre_prior(part.size()) *
-                  (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames.size())));
-    }
+    if (settings.region.mode == RegionMode::min_area) add_centre(volume, frames.size());
     std::vector<Box> whole = heads(samples, shot.begin, drift, part.size());
     for (const Box& mover : movers(samples, shot.begin, drift))
         whole.push_back(mover);
-    Polygon region = i_region(volume, common_part(part.size(), drift, duration), whole, settings.region);
+    const Box core = common_part(part.size(), drift, duration);
+    Polygon region = i_region(volume, core, whole, settings.region);
+    if (has_subject(samples)) {
+        const SubjectOutline subject = subject_outline(samples.front().subject);
+        region = subject_region(subject, volume, core, whole, settings.region);
+        shot.certainty = subject.certainty;
+    }
     for (Vec2& corner : region)
         corner = corner + Vec2{static_cast<double>(part.x), static_cast<double>(part.y)};
     shot.region = to_source(region, drift, map, source);

@@ -26,7 +26,8 @@ struct ShotEvidence {
     SaliencyMap combined;
     SaliencyMap volume;  // S_c, in px of the shot's begin
     std::vector<Face> faces;
-    IRegion letter;  // the region in paper_mode(), to compare with; no corners where it is not wanted
+    SaliencyMap subject;  // found by the network; empty where it was not asked
+    IRegion letter;       // the region in paper_mode(), to compare with; no corners where it is not wanted
     std::size_t samples = 0;
 };
 

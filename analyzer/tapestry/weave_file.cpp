@@ -3,7 +3,7 @@
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/film/media_file.hpp"
 #include "analyzer/film/reader_sandbox.hpp"
-#include "analyzer/models/face_model.hpp"
+#include "analyzer/models/model_file.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
@@ -83,7 +83,7 @@ class Weaving {
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
-        faces_ = face_detector(find_face_model(settings.analyzer.face_model), settings.analyzer.face_cascade);
+        faces_ = face_detector(find_model(settings.analyzer.face_model, Settings{}.analyzer.face_model), settings.analyzer.face_cascade);
     }
 
     /// Lets the process read the film and write the result, and nothing else.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyzer/watch/analysis_outcome.hpp"
 #include "analyzer/child/child_process.hpp"
+#include "analyzer/watch/analysis_outcome.hpp"
 #include "base/state/record.hpp"
 #include "base/system/event_loop.hpp"
 

@@ -48,6 +48,14 @@ WeaveOptions weave_options(const WatchOptions& options) {
             .limits = limits};
 }
 
+RefineOptions refine_options(const WatchOptions& options) {
+    constexpr int niceness = 19;
+    ChildLimits limits = options.analysis.limits;
+    limits.niceness = niceness;
+    return {
+        .root = options.root, .command = options.refine, .limits = limits, .children = options.pace.children};
+}
+
 BookPlaces book_places(const WatchOptions& options) {
     return {.catalogue = options.catalogue,
             .store = options.store,
@@ -66,14 +74,16 @@ std::vector<std::string> passed_over(const WatchOptions& options) {
     return folders;
 }
 
-/// Files that are still to be analysed in this run, those that wait for a retry left out.
-std::size_t unfinished_files(const Schedule& schedule) {
+/// "3 of 12": the files that have been analysed, and all but those that wait for a retry.
+std::string progress_in_words(const Schedule& schedule) {
     using Progress = Schedule::Progress;
-    std::size_t count = 0;
+    std::size_t done = 0;
+    std::size_t all = 0;
     schedule.visit_files([&](const std::string&, Progress progress, Schedule::Time) {
-        count += progress != Progress::done && progress != Progress::waiting ? 1 : 0;
+        done += progress == Progress::done ? 1 : 0;
+        all += progress != Progress::waiting ? 1 : 0;
     });
-    return count;
+    return fmt::format("{} of {}", done, all);
 }
 
 /// The record of a file that brought its readers down: quarantined, or a film that is shown as far as it is
@@ -98,7 +108,13 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
       follower_(MediaFolder(options.root, passed_over(options)), schedule_),
       hint_files_(loop, follower_.folder(), options.state / "hints.json", [this] { follow_hints(); }),
       weaver_(loop, weave_options(options)),
-      book_(loop, book_places(options), schedule_, weaver_),
+      refiner_(loop, refine_options(options),
+               [this](const std::vector<MediaRecord>& records) {
+                   for (const MediaRecord& record : records)
+                       book_.refine(record);
+                   attempt([this] { advance(); });
+               }),
+      book_(loop, book_places(options), schedule_, {.weaver = weaver_, .refiner = refiner_}),
       analyses_(loop, options.analysis,
                 {.grown = [this](const MediaRecord& part) { book_.add_growth(part); },
                  .ended = [this](const FileFacts& facts,
@@ -218,13 +234,16 @@ void Daemon::advance() {
          actions = schedule_.next_actions(now()))
         for (const Action& action : actions)
             perform(action);
-    weaver_.advance(is_online() && schedule_.is_idle() && !options_.is_once);
+    const bool is_free = is_online() && schedule_.is_idle();
+    refiner_.advance(is_free);
+    weaver_.advance(is_free && refiner_.backlog() == 0 && !options_.is_once);
     book_.make_room();
     wake_at(schedule_.next_wake(), begin);
     liveness_.send_status_soon();
     status_.touch();
     if (!schedule_.is_idle()) return;
     if (!options_.is_once) return request_thumbnails();
+    if (is_online() && refiner_.backlog() > 0) return;
     book_.sweep(schedule_.paths_below(""));
     status_.write();
     loop_.quit();
@@ -331,9 +350,7 @@ void Daemon::postpone(MediaRecord record) {
 }
 
 void Daemon::log_record(const MediaRecord& record) {
-    ++logged_;
-    if (options_.is_once)
-        log::info("analysed {} of {}: {}", logged_, logged_ + unfinished_files(schedule_), record.path);
+    if (options_.is_once) log::info("analysed {}: {}", progress_in_words(schedule_), record.path);
     if (record.state != MediaState::ready)
         log::write_with(log::Level::warning,
                         fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
@@ -356,6 +373,8 @@ std::string Daemon::status() const {
     if (!is_online()) return remarks.empty() ? "starting" : plain_text(remarks.front());
     std::string text = summary(book_.states().counts(schedule_));
     if (!analyses_.is_idle()) text += "; " + analyses_.in_words();
+    if (const std::size_t photos = refiner_.backlog(); photos > 0)
+        text += fmt::format("; looking closer at {} photo{}", photos, photos == 1 ? "" : "s");
     if (const std::size_t records = book_.backlog().records; records > 0)
         text += fmt::format("; {} record{} cannot be stored: is the disk full?", records,
                             records == 1 ? "" : "s");

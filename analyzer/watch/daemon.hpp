@@ -67,11 +67,11 @@ class Daemon {
     FolderFollower follower_;
     HintFiles hint_files_;
     Weaver weaver_;
+    Refiner refiner_;
     FileBook book_;
     Analyses analyses_;
     StatusWriter status_;
     MissingThumbnails thumbnails_;
-    std::size_t logged_ = 0;  // records that are in the log
     EventLoop::Source events_, wake_, rescan_;
 };
 

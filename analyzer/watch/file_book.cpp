@@ -34,12 +34,12 @@ UniqueFd lock_of(const fs::path& catalogue) {
 
 }  // namespace
 
-FileBook::FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, Weaver& weaver)
+FileBook::FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, RecordFollowers followers)
     : catalogue_(places.catalogue),
       lock_(lock_of(places.catalogue)),
       store_(places.store, places.bounds),
       schedule_(schedule),
-      weaver_(weaver),
+      followers_(followers),
       thumbnails_(places.thumbnails),
       growth_(loop.timer([this] {
           is_growth_resting_ = false;
@@ -59,7 +59,8 @@ void FileBook::load() {
                                !is_waiting && record.is_complete && !store_.lacks(record), is_waiting);
         store_.note_record(record);
         states_.note_record(record);
-        weaver_.note_record(record);
+        followers_.weaver.note_record(record);
+        followers_.refiner.note_record(record);
         if (!record.is_complete)
             files_[record.path].growth = std::make_unique<FilmGrowth>(FilmGrowth::published(record));
     }
@@ -83,7 +84,8 @@ void FileBook::write_record(MediaRecord record) {
     store_.mark_dropped(record);
     store_.note_record(record);
     states_.note_record(record);
-    weaver_.note_record(record);
+    followers_.weaver.note_record(record);
+    followers_.refiner.note_record(record);
     const auto known = files_.find(record.path);
     if (known != files_.end()) known->second.is_unremoved = false;
     try {
@@ -97,11 +99,21 @@ void FileBook::write_record(MediaRecord record) {
     }
 }
 
+void FileBook::refine(const MediaRecord& refined) {
+    std::optional<MediaRecord> known = record(refined.path);
+    if (!known || known->state != MediaState::ready || !is_same_content(*known, refined)) return;
+    if (known->shots.size() != 1 || refined.shots.size() != 1) return;
+    known->shots.front().region = refined.shots.front().region;
+    known->shots.front().picture = refined.shots.front().picture;
+    known->shots.front().certainty = refined.shots.front().certainty;
+    write_record(std::move(*known));
+}
+
 bool FileBook::move(const std::string& from, const std::string& to) {
     std::optional<MediaRecord> moved = record(from);
     if (!moved) return false;
     moved->path = to;
-    weaver_.rename_film(from, to);
+    followers_.weaver.rename_film(from, to);
     store(*moved);
     remove(from);
     std::error_code none;  // only a picture for the status folder
@@ -114,7 +126,8 @@ void FileBook::remove(const std::string& path) {
     files_.erase(path);
     store_.forget_file(path);
     states_.forget_file(path);
-    weaver_.forget_film(path);
+    followers_.weaver.forget_film(path);
+    followers_.refiner.forget_file(path);
     remove_record(path);
 }
 
@@ -163,7 +176,7 @@ void FileBook::begin_analysis(const std::string& path, const FileFacts& facts) {
 
 void FileBook::end_analysis(const std::string& path, const FileFacts& facts) {
     store_.end_writing(store_id(path, facts.bytes, facts.mtime_ns));
-    weaver_.note_analysis(path);
+    followers_.weaver.note_analysis(path);
     publish_growth();
 }
 
@@ -226,7 +239,7 @@ void FileBook::make_room() {
 
 void FileBook::sweep(const std::vector<std::string>& paths) {
     store_.sweep();
-    weaver_.sweep_tapestries(paths);
+    followers_.weaver.sweep_tapestries(paths);
 }
 
 }  // namespace vitrine::analyzer

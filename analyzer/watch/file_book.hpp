@@ -3,6 +3,7 @@
 #include "analyzer/store/store.hpp"
 #include "analyzer/watch/file_states.hpp"
 #include "analyzer/watch/film_growth.hpp"
+#include "analyzer/watch/refiner.hpp"
 #include "analyzer/watch/schedule.hpp"
 #include "analyzer/watch/weaver.hpp"
 #include "base/state/catalogue.hpp"
@@ -28,14 +29,20 @@ struct BookPlaces {
     std::filesystem::path thumbnails;  // only renamed here
 };
 
+/// Hear of each record that is stored or removed.
+struct RecordFollowers {
+    Weaver& weaver;
+    Refiner& refiner;
+};
+
 /// All that the daemon remembers of each file, and the only writer of the catalogue. A record is stored,
 /// renamed or removed here once, and whoever follows records hears of it: the store, the tapestries, the
 /// states of the files. A path is forgotten as a whole. Logs.
 class FileBook {
   public:
-    /// @param weaver  hears of each record
+    /// @param followers  outlive this
     /// @throws std::system_error where the catalogue cannot be written, or another process writes it (EBUSY)
-    FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, Weaver& weaver);
+    FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, RecordFollowers followers);
 
     /// Reads the catalogue and tells the schedule what is in it. Drops records that cannot be read.
     void load();
@@ -45,6 +52,9 @@ class FileBook {
 
     /// Stores a whole record. On a full disk it is kept here until retry_writes().
     void store(const MediaRecord& record);
+
+    /// Takes the region of a photo from a record of the same content.
+    void refine(const MediaRecord& refined);
 
     /// Gives the record of `from` to `to`, and forgets `from`.
     /// @return false where there is no record: it was damaged, and is missing until the next start
@@ -111,7 +121,7 @@ class FileBook {
     Store store_;
     FileStates states_;
     Schedule& schedule_;  // outlives this
-    Weaver& weaver_;      // outlives this
+    RecordFollowers followers_;
     std::filesystem::path thumbnails_;
     std::map<std::string, File> files_;  // files with more to remember than their record
     bool is_lack_told_ = false;          // it is in the log that the disk refuses

@@ -23,8 +23,9 @@ struct WatchOptions {
     std::string status_folder;                 // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;
-    AnalysisOutputs outputs;         // each analysis writes these
-    std::vector<std::string> weave;  // the command that weaves a tapestry; see WeaveOptions
+    AnalysisOutputs outputs;          // each analysis writes these
+    std::vector<std::string> weave;   // the command that weaves a tapestry; see WeaveOptions
+    std::vector<std::string> refine;  // the command that finds a region by the network; see RefineOptions
     StoreBounds tapestries{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     Pace pace;
     std::chrono::milliseconds rescan{60'000};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyzer/tapestry/tapestries.hpp"
 #include "analyzer/child/child_process.hpp"
+#include "analyzer/tapestry/tapestries.hpp"
 #include "analyzer/watch/weave_schedule.hpp"
 #include "base/system/event_loop.hpp"
 

@@ -10,6 +10,12 @@ enum class RegionMode {
     hull,      // the paper's: convex hull of the most salient pixels that together have enough of it
 };
 
+/// The way in which the important part of a photo is found (analyzer.saliency).
+enum class SaliencyMethod {
+    network,  // by a neural network too, once a plain region is known
+    plain,    // by contrast, place and faces only
+};
+
 /// The energy that a layout minimises (layout.energy).
 enum class EnergyMode {
     screen,  // share of the screen not covered by I-Regions, with escape from local minima

@@ -128,11 +128,20 @@ constexpr auto keys = std::to_array<SettingKey>({
      number<&S::analyzer, &S::Analyzer::face_weight>(0, 1),
      SettingEffect::analyzer,
      {}},
+    {"analyzer.saliency",
+     choice<&S::analyzer, &S::Analyzer::saliency>(
+         {{{"network", SaliencyMethod::network}, {"plain", SaliencyMethod::plain}}}),
+     SettingEffect::analyzer,
+     "How the important part of a photo is found. \"network\": a neural network knows things. It takes about "
+     "a "
+     "second of processor time for a photo and runs while nothing else is to be analysed. Until then the "
+     "wall "
+     "shows the photo with the plain region. \"plain\": by contrast, place and faces only, as in films."},
     {"analyzer.saliency_model",
      text<&S::analyzer, &S::Analyzer::saliency_model>("a path, or nothing", is_any), SettingEffect::analyzer,
-     "An ONNX file of a saliency network that finds what matters in a picture, in place of the built-in "
-     "method. The network takes one picture of 320 x 320 and gives one map, as U2-Net does. Empty: the "
-     "built-in method."},
+     "The ONNX file of that network. It takes one picture of 320 x 320 and gives one map, as U2-Net does. "
+     "The "
+     "default comes with the analyzer. Empty, or if the file is missing: the plain method."},
     {"analyzer.face_model", text<&S::analyzer, &S::Analyzer::face_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "An ONNX file of the YuNet face detector. It finds more faces than the cascade, and faster. Empty: the "

@@ -51,8 +51,9 @@ struct Settings {
         double samples_per_second = 5;
         double motion_weight = 0.5;
         double image_weight = 0.5;
-        double face_weight = 0;      // image saliency includes faces already
-        std::string saliency_model;  // an ONNX file; empty: the built-in image saliency
+        double face_weight = 0;  // image saliency includes faces already
+        SaliencyMethod saliency = SaliencyMethod::network;
+        std::string saliency_model = "/usr/share/vitrine/u2netp.onnx";            // empty: no network
         std::string face_model = "/usr/share/vitrine/face_detection_yunet.onnx";  // empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";
         RegionMode region = RegionMode::min_area;

@@ -41,6 +41,7 @@ struct Shot {
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
+    std::optional<double> certainty;   // [0, 1], of the network that knows things; none: it was not asked
     std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
     std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
 

@@ -134,6 +134,7 @@ Json to_object(const Shot& shot) {
               {"end_ns", shot.end.count()},
               {"ends_with", name_of(shot.ends_with)},
               {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    if (shot.certainty) json["certainty"] = rounded(*shot.certainty);
     if (shot.picture)
         json["picture"] = Json::array({to_array(shot.picture->min), to_array(shot.picture->max)});
     if (shot.stored) json["stored"] = to_object(*shot.stored);
@@ -150,6 +151,8 @@ Shot to_shot(const Json& json) {
     for (const Json& corner : polygon)
         shot.region.polygon.push_back(to_vec2(corner));
     shot.region.drift = to_vec2(json.at("region").at("drift"));
+    if (json.contains("certainty"))
+        shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);

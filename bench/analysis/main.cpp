@@ -1,6 +1,6 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
-//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift|bars]
-//   [--verbose]
+//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx]
+//   [--only shots|subjects|motion|drift|bars] [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -16,9 +16,8 @@ using namespace vitrine::analyzer;
 namespace {
 
 int usage() {
-    fmt::print(
-        "analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--only shots|subjects|motion|drift|bars] "
-        "[--verbose]\n");
+    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] "
+               "[--only shots|subjects|motion|drift|bars] [--verbose]\n");
     return 2;
 }
 
@@ -27,7 +26,9 @@ int usage() {
 int main(int argc, char** argv) {
     if (VIPS_INIT(argv[0]) != 0) return 1;
     cv::setNumThreads(1);
-    TableInput input{.media = VITRINE_MEDIA, .face_model = {}};
+    TableInput input{.media = VITRINE_MEDIA,
+                     .face_model = VITRINE_MODELS "/face_detection_yunet.onnx",
+                     .saliency_model = VITRINE_MODELS "/u2netp.onnx"};
     std::string only;
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -41,6 +42,8 @@ int main(int argc, char** argv) {
             input.media = words[i];
         else if (word == "--faces")
             input.face_model = words[i];
+        else if (word == "--network")
+            input.saliency_model = words[i];
         else if (word == "--only")
             only = words[i];
         else

@@ -35,10 +35,13 @@ constexpr double paper_frame_ms = 300;  // 90 s for 300 frames, Dynamic Media As
 constexpr int photo_side = 640;         // px, as photographs are analysed
 
 /// The region of a photograph, px of it, as the analyzer makes it.
-Polygon region_of(const cv::Mat& photo, FaceDetector& detector, const AnalysisSettings& settings) {
+/// @param network  null: not asked
+Polygon region_of(const cv::Mat& photo, FaceDetector& detector, const AnalysisSettings& settings,
+                  SaliencyNetwork* network = nullptr) {
     const std::vector<Face> faces = find_faces(detector, photo, settings.only_prominent_faces);
     Sample sample = sample_of({photo, {}, 1}, settings, faces);
     sample.faces = faces;
+    if (network != nullptr) sample.subject = find_subject(*network, {photo, {}, 1});
     return shot_region({sample}, {}, map_size(photo.size()), photo.size(), settings).shot.region.polygon;
 }
 
@@ -53,6 +56,7 @@ struct Photo {
     cv::Mat picture;
     double share = 0;  // share of the picture's area in our region
     FaceDetector& detector;
+    SaliencyNetwork* network = nullptr;  // null: there is none
 };
 
 struct Way {
@@ -62,7 +66,8 @@ struct Way {
 
 const std::vector<Way>& ways() {
     static const std::vector<Way> all{
-        {"ours", [](const Photo& p) { return region_of(p.picture, p.detector, {}); }},
+        {"ours", [](const Photo& p) { return region_of(p.picture, p.detector, {}, p.network); }},
+        {"ours, plain", [](const Photo& p) { return region_of(p.picture, p.detector, {}); }},
         {"ours, by barriers",
          [](const Photo& p) { return region_of(p.picture, p.detector, by(ImageSaliency::barrier)); }},
         {"the paper's letter", [](const Photo& p) { return region_of(p.picture, p.detector, paper_mode()); }},
@@ -112,7 +117,7 @@ std::vector<Box> joined(std::vector<Box> a, const std::vector<Box>& b) {
     return a;
 }
 
-void photographs(const fs::path& folder, FaceDetector& detector, bool is_verbose) {
+void photographs(const fs::path& folder, FaceDetector& detector, SaliencyNetwork* network, bool is_verbose) {
     std::ifstream file(folder / "boxes.json");
     if (!file) {
         fmt::print("photographs: not here\n");
@@ -121,7 +126,7 @@ void photographs(const fs::path& folder, FaceDetector& detector, bool is_verbose
     const nlohmann::json labels = nlohmann::json::parse(file);
     std::vector<Scores> scores(ways().size());
     for (const auto& [name, entry] : labels["images"].items()) {
-        Photo photo{.picture = picture(folder / name, photo_side), .detector = detector};
+        Photo photo{.picture = picture(folder / name, photo_side), .detector = detector, .network = network};
         if (photo.picture.empty()) continue;
         const cv::Size size = photo.picture.size();
         const std::vector<Box> subjects = boxes(entry, "subject");
@@ -167,7 +172,7 @@ void costs(const fs::path& folder, FaceDetector& faces) {
     cv::cvtColor(a, grey_a, cv::COLOR_BGR2GRAY);
     cv::cvtColor(b, grey_b, cv::COLOR_BGR2GRAY);
     const auto stage = [&a](ImageSaliency method) {
-        const auto made = image_saliency_stage(method, {});
+        const auto made = image_saliency_stage(method);
         return milliseconds([&] { made->map(a, {}); });
     };
     const double motion = milliseconds([&] { motion_contrast(grey_a, grey_b); });
@@ -196,7 +201,9 @@ void costs(const fs::path& folder, FaceDetector& faces) {
 
 void subjects_table(const TableInput& input) {
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
-    photographs(input.media / "photos", *faces, input.is_verbose);
+    std::unique_ptr<SaliencyNetwork> network;
+    if (!input.saliency_model.empty()) network = std::make_unique<SaliencyNetwork>(input.saliency_model);
+    photographs(input.media / "photos", *faces, network.get(), input.is_verbose);
     costs(input.media / "saliency" / "davis_car-shadow", *faces);
 }
 

@@ -9,6 +9,7 @@ namespace vitrine::analyzer {
 struct TableInput {
     std::filesystem::path media;  // a folder with ground truth in the format of ../shared/media
     std::string face_model;       // YuNet's ONNX file; "": Viola-Jones
+    std::string saliency_model;   // of the network that finds subjects of photos; "": none
     bool is_verbose = false;      // a line for each picture
 };
 

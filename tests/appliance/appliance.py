@@ -19,7 +19,7 @@ MAX_BLACK = 0.05  # of the screen; the wall leaves none
 SETTINGS = {
     "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 5, "show.motion_milliseconds": 0,
     "analyzer.children": 2, "analyzer.deadline_seconds": 600, "analyzer.frame_size": 96, "analyzer.samples_per_second": 2,
-    "analyzer.face_model": "", "analyzer.face_cascade": "", "tapestry.max_bytes": 0}
+    "analyzer.face_model": "", "analyzer.saliency": "plain", "analyzer.face_cascade": "", "tapestry.max_bytes": 0}
 EDITABLE = "/etc/vitrine/vitrine.toml"
 
 

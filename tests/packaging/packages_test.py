@@ -22,7 +22,8 @@ HELD = {
                          "usr/share/man/man1/vitrine-analyzer.1.gz", "usr/share/man/man5/vitrine.toml.5.gz",
                          "usr/share/doc/vitrine/operator.md", "usr/share/doc/vitrine/technician.md",
                          "usr/share/doc/vitrine/appliance.md", "usr/share/doc/vitrine/catalogue.md",
-                         "usr/share/doc/vitrine/images/status.jpg", "usr/share/vitrine/face_detection_yunet.onnx"],
+                         "usr/share/doc/vitrine/images/status.jpg", "usr/share/vitrine/face_detection_yunet.onnx",
+                         "usr/share/vitrine/u2netp.onnx"],
     "vitrine-player": ["usr/bin/vitrine-player", "lib/systemd/system/vitrine-player.service",
                        "lib/systemd/system/vitrine.target", "usr/share/man/man1/vitrine-player.1.gz"],
     "vitrine": ["usr/share/doc/vitrine/examples/smb.conf", "usr/share/doc/vitrine/README.Debian"]}

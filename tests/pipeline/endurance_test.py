@@ -39,7 +39,7 @@ class Endurance(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.media, self.state = Path(folder.name) / "media", Path(folder.name) / "state"
         self.media.mkdir()
-        self.settings = ["--media.root", self.media, "--state.directory", self.state, "--analyzer.quiet_milliseconds", "0"]
+        self.settings = ["--media.root", self.media, "--state.directory", self.state, "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0"]
 
     def cost(self, *command):
         """-> (words on the standard output, bytes resident at most)"""

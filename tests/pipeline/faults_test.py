@@ -60,7 +60,7 @@ class Faults(unittest.TestCase):
     def start(self, environment=None):
         with open(self.journal, "ab") as journal:
             watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
-                                        "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1", "--tapestry.max_bytes", "0"],
+                                        "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100", "--analyzer.rescan_seconds", "1", "--tapestry.max_bytes", "0"],
                                        stderr=journal, env=environment)
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)
@@ -130,7 +130,7 @@ class Faults(unittest.TestCase):
         -> (exit status, calls for room)"""
         with open(self.journal, "wb") as journal:
             done = subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.state),
-                                   "--analyzer.quiet_milliseconds", "50"], env=self.full_disk(full_from), stderr=journal, timeout=PATIENCE)
+                                   "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "50"], env=self.full_disk(full_from), stderr=journal, timeout=PATIENCE)
         return done.returncode, int.from_bytes(self.counter.read_bytes()[:8], "little")
 
     def found(self):

@@ -57,7 +57,7 @@ class Kills(unittest.TestCase):
         return process
 
     def start_analyzer(self, *options, **environment):
-        return self.start(ANALYZER, "watch", "--analyzer.quiet_milliseconds", "100", "--analyzer.face_model", "", "--tapestry.max_bytes", "0",
+        return self.start(ANALYZER, "watch", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100", "--analyzer.face_model", "", "--tapestry.max_bytes", "0",
                           *options, **environment)
 
     def start_player(self):

@@ -259,7 +259,7 @@ class LongRun(unittest.TestCase):
         return resident, descriptors
 
     def test_an_hour_on_a_bad_share(self):
-        analyzer = self.start(ANALYZER, "watch", "--analyzer.quiet_milliseconds", "300", "--analyzer.rescan_seconds", "2",
+        analyzer = self.start(ANALYZER, "watch", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "300", "--analyzer.rescan_seconds", "2",
                               "--analyzer.face_model", "", "--tapestry.max_bytes", "0", "--analyzer.children", "2")
         self.programs = [analyzer]
         self.until_all_ready()

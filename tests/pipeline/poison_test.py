@@ -45,13 +45,13 @@ class Poison(unittest.TestCase):
         return process
 
     def start(self, deadline=PATIENCE):
-        return self.run_poisoned(ANALYZER, "watch", "--analyzer.quiet_milliseconds", "100", "--analyzer.deadline_seconds", str(deadline),
+        return self.run_poisoned(ANALYZER, "watch", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100", "--analyzer.deadline_seconds", str(deadline),
                                  "--analyzer.memory_mebibytes", "1024", "--tapestry.max_bytes", "0")
 
     def analyse_in_health(self):
         with open(self.journal, "ab") as journal:
             subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.home / "state"),
-                            "--analyzer.quiet_milliseconds", "0", "--store.max_bytes", "0"], check=True, stderr=journal)
+                            "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", "--store.max_bytes", "0"], check=True, stderr=journal)
 
     def records(self):
         return records_in(self.home / "state" / "catalogue")

@@ -66,7 +66,7 @@ class Show(unittest.TestCase):
         self.root.mkdir()
 
     def settings(self):
-        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "100"]
+        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"]
 
     def analyse(self):
         subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)

@@ -58,7 +58,7 @@ class Store(unittest.TestCase):
         subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
 
     def settings(self, *more):
-        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "0",
+        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0",
                 "--show.dwell_seconds", "2", *more]
 
     def records(self):

@@ -95,7 +95,7 @@ class TakeOver(unittest.TestCase):
     def test_a_child_of_the_daemon(self):
         (self.root / "photo.jpg").unlink()
         with open(self.home / "journal", "w") as journal:
-            daemon = subprocess.Popen(self.command("film.mkv", "watch", "--analyzer.quiet_milliseconds", "100"),
+            daemon = subprocess.Popen(self.command("film.mkv", "watch", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"),
                                       env=self.environment("film.mkv"), stderr=journal)
         self.addCleanup(daemon.wait)
         self.addCleanup(daemon.kill)

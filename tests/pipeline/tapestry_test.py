@@ -41,7 +41,7 @@ class Tapestry(unittest.TestCase):
     def start(self, *more):
         journal = open(self.state.parent / "journal", "ab")
         watcher = subprocess.Popen([ANALYZER, "watch", "--media.root", str(self.root), "--state.directory", str(self.state),
-                                    "--analyzer.quiet_milliseconds", "100", "--store.max_bytes", "0", "--analyzer.rescan_seconds", "1",
+                                    "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100", "--store.max_bytes", "0", "--analyzer.rescan_seconds", "1",
                                     "--log.level", "debug", *more], stderr=journal)
         journal.close()
         self.addCleanup(watcher.wait)

@@ -104,7 +104,7 @@ class Wall(unittest.TestCase):
         self.root.mkdir()
 
     def settings(self):
-        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.quiet_milliseconds", "200",
+        return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "200",
                 "--tapestry.max_bytes", "0"]
 
     def analyse(self):

@@ -50,6 +50,12 @@ def make_film(path, colours, seconds):
                     "-g", "25", str(path)], check=True)
 
 
+def is_inside(polygon, place):
+    """Of a convex polygon, counter-clockwise with y down."""
+    following = polygon[1:] + polygon[:1]
+    return all((b[0] - a[0]) * (place[1] - a[1]) - (b[1] - a[1]) * (place[0] - a[0]) >= 0 for a, b in zip(polygon, following))
+
+
 class Watch(WatchedFolder):
     analyzer = ANALYZER
 
@@ -83,6 +89,18 @@ class Watch(WatchedFolder):
 
         watcher.terminate()
         self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_a_photo_is_ready_with_a_plain_region_and_later_has_that_of_the_network(self):
+        self.start("--analyzer.saliency", "network")
+        (self.root / "square.png").write_bytes(png(320, 240, 250, 60))
+        plain = self.until_ready("square.png", 320)["square.png"]["shots"][0]
+        self.assertNotIn("certainty", plain)
+        refined = self.until("the network's region", lambda records: "certainty" in records["square.png"]["shots"][0])
+        shot = refined["square.png"]["shots"][0]
+        self.assertGreater(shot["certainty"], 0.5)
+        self.assertNotEqual(shot["region"], plain["region"])
+        for corner in ((148, 108), (172, 108), (172, 132), (148, 132)):
+            self.assertTrue(is_inside(shot["region"]["polygon"], corner), (corner, shot))
 
     def test_a_copy_under_way_is_never_ready_before_its_end(self):
         self.start()

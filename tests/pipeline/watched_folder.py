@@ -40,7 +40,7 @@ class WatchedFolder(unittest.TestCase):
 
     def settings(self):
         return ["--media.root", str(self.root), "--state.directory", str(self.state),
-                "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
+                "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
 
     def start(self, *options):
         watcher = subprocess.Popen([self.analyzer, "watch", *self.settings(), *options])

@@ -58,16 +58,42 @@ struct Desk {
     Schedule::Time now{1h};
     Schedule schedule{Pace{.children = 2}};
     Weaver weaver{loop, {.root = home.path / "media", .state = home.path}};
+    Refiner refiner{loop, {}, [](const std::vector<MediaRecord>&) {}};
     FileBook book{loop,
                   {.catalogue = home.path / "catalogue",
                    .store = home.path / "store",
                    .bounds = {.max_bytes = 1000},
                    .thumbnails = home.path / "thumbnails"},
                   schedule,
-                  weaver};
+                  {.weaver = weaver, .refiner = refiner}};
 };
 
 }  // namespace
+
+TEST_CASE("a photo takes its region from the network only while it is the same content") {
+    Desk desk;
+    MediaRecord plain{.path = "a",
+                      .kind = MediaKind::photo,
+                      .bytes = 7,
+                      .mtime_ns = 1,
+                      .inode = 5,
+                      .state = MediaState::ready,
+                      .width = 4,
+                      .height = 3,
+                      .shots = {Shot{}}};
+    desk.book.store(plain);
+    MediaRecord refined = plain;
+    refined.inode = 0;
+    refined.shots.front().certainty = 0.9;
+    refined.shots.front().region.polygon = {{0, 0}, {2, 0}, {0, 2}};
+    MediaRecord other = refined;
+    other.mtime_ns = 2;
+    desk.book.refine(other);
+    CHECK(desk.book.record("a") == plain);
+    desk.book.refine(refined);
+    refined.inode = 5;
+    CHECK(desk.book.record("a") == refined);
+}
 
 TEST_CASE("a renamed film has its record, its clips and its thumbnail under the new name alone") {
     Desk desk;

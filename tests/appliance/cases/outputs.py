@@ -1,7 +1,8 @@
 """The settings of outputs, one after the other in one machine: a second panel, rotation, margins, the legacy calls, modes,
-folders. VITRINE_RIG_STEPS="rotation mode" runs these steps alone.
+folders. VITRINE_RIG_STEPS="rotation mode" runs these steps alone; VITRINE_RIG_ROTATIONS=3 turns the panel by every right angle.
 """
 import os
+import random
 import time
 
 from appliance import MEDIA
@@ -9,6 +10,7 @@ from machine import wait_for
 
 LEFT, TOP, RIGHT, BOTTOM = 48, 27, 16, 9  # px of margin; the rest has the panel's shape
 UP = {0: (0, -1), 90: (-1, 0), 180: (0, 1), 270: (1, 0)}  # the panel's own edge that is up once it is hung turned clockwise
+ROTATIONS = int(os.environ.get("VITRINE_RIG_ROTATIONS", 1))
 FOLDERS = {"hall": ["blue.png", "magenta.mp4"], "lobby": ["red.png", "green.png"]}
 
 
@@ -51,7 +53,7 @@ def check_up(box, picture, degrees):
 def rotation(box):
     """A panel hung on its side: the wall fills the panel's own mode and is upright for who looks at it."""
     check_up(box, box.wait_for_wall("the wall as it is", size=(640, 360)), 0)
-    for degrees in (90, 180, 270):
+    for degrees in sorted(random.sample((90, 180, 270), ROTATIONS)):
         box.restart(output__rotation=degrees)
         check_up(box, box.wait_for_wall(f"the wall turned by {degrees} degrees", size=(640, 360)), degrees)
 

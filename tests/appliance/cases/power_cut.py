@@ -1,4 +1,4 @@
-"""The power goes while files arrive, are written over and go, at 10 moments, or as many as VITRINE_RIG_CUTS says.
+"""The power goes while files arrive, are written over and go, at 4 moments, or as many as VITRINE_RIG_CUTS says.
 
 The machine's data are on a disk whose writes are kept, so that the disk can be had as a cut at any moment would have left it: with
 all that was flushed, and any part of what was not. Of each the file system is in order again after its journal, every record
@@ -19,8 +19,8 @@ from write_log import Replay
 
 STATE = "/var/lib/vitrine"
 SIZE = 192 << 20  # bytes of the disk
-LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 30))
-CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 10))
+LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 15))
+CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 4))
 STARTS = max(2, CUTS // 10)  # cuts after which the analyzer is started, too
 
 
@@ -109,7 +109,7 @@ def check(folder, due, what, starts):
 def start(folder, found, what):
     """The analyzer, here, with what the cut has left."""
     done = subprocess.run([folder.parent / "build/analyzer/vitrine-analyzer", "watch", "--once", "--media.root", found / "media",
-                           "--state.directory", found / "state", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_model", "",
+                           "--state.directory", found / "state", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_model", "",
                             "--analyzer.face_cascade", ""],
                           capture_output=True, text=True, timeout=600)
     said = done.stdout + done.stderr

@@ -1,6 +1,4 @@
-#include "analyzer/models/face_model.hpp"
-
-#include "base/settings/settings.hpp"
+#include "analyzer/models/model_file.hpp"
 
 #include <filesystem>
 
@@ -8,8 +6,8 @@ namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
-std::string find_face_model(const std::string& wanted) {
-    if (wanted != Settings{}.analyzer.face_model) return wanted;
+std::string find_model(const std::string& wanted, const std::string& usual) {
+    if (wanted != usual || usual.empty()) return wanted;
     const fs::path program = fs::read_symlink("/proc/self/exe");
     const fs::path beside =
         program.parent_path().parent_path() / "share/vitrine" / fs::path(wanted).filename();
