@@ -7,6 +7,7 @@
 #include "analyzer/saliency/frequency_tuned.hpp"
 #include "analyzer/saliency/i_region.hpp"
 #include "analyzer/saliency/motion_contrast.hpp"
+#include "analyzer/saliency/saliency_network.hpp"
 #include "analyzer/saliency/salient_volume.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/saliency/shot_region.hpp"
@@ -23,6 +24,7 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <numeric>
 
 namespace vitrine::analyzer {
@@ -83,14 +85,17 @@ const std::vector<Way>& ways() {
 struct Scores {
     std::vector<double> coverage;
     std::vector<double> area;
+    std::vector<double> subject;  // area, share of the picture
     std::vector<double> iou;
     int faces = 0;
     int whole_faces = 0;
 
-    void add(const RegionScore& s, bool has_subject) {
+    /// @param subject_area  share of the picture; 0: there is no subject
+    void add(const RegionScore& s, double subject_area) {
         faces += s.faces;
         whole_faces += s.whole_faces;
-        if (!has_subject) return;
+        if (subject_area <= 0) return;
+        subject.push_back(subject_area);
         coverage.push_back(s.coverage);
         area.push_back(s.area);
         iou.push_back(s.iou);
@@ -102,14 +107,29 @@ double mean(std::span<const double> values) {
            static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const double mean_a = mean(a);
+    const double mean_b = mean(b);
+    double both = 0;
+    double only_a = 0;
+    double only_b = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        both += (a[i] - mean_a) * (b[i] - mean_b);
+        only_a += (a[i] - mean_a) * (a[i] - mean_a);
+        only_b += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return both / std::sqrt(std::max(1e-12, only_a * only_b));
+}
+
 void print(const char* name, Scores& s) {
     if (s.coverage.empty()) return;
+    const double follows = correlation(s.area, s.subject);
     std::sort(s.coverage.begin(), s.coverage.end());
     std::sort(s.area.begin(), s.area.end());
     const std::size_t tenth = (s.coverage.size() + 9) / 10;
-    fmt::print("{:22} {:6.3f} {:6.3f} {:7.3f} {:6.3f} {:6.3f} {:6}/{}\n", name, mean(s.coverage),
+    fmt::print("{:22} {:6.3f} {:6.3f} {:7.3f} {:6.3f} {:6.3f} {:6.2f} {:6}/{}\n", name, mean(s.coverage),
                mean(std::span(s.coverage).first(tenth)), s.area[s.area.size() / 2], mean(s.area), mean(s.iou),
-               s.whole_faces, s.faces);
+               follows, s.whole_faces, s.faces);
 }
 
 std::vector<Box> joined(std::vector<Box> a, const std::vector<Box>& b) {
@@ -137,16 +157,18 @@ void photographs(const fs::path& folder, FaceDetector& detector, SaliencyNetwork
             const Polygon region = ways()[i].region(photo);
             if (i == 0) photo.share = area(region) / static_cast<double>(size.area());
             const RegionScore s = region_score(region, size, subject, ignored, faces);
-            scores[i].add(s, !subjects.empty());
+            scores[i].add(s, cv::countNonZero(subject) / static_cast<double>(size.area()));
             if (!is_verbose || i > 0) continue;
             fmt::print("  {:40} iou {:.2f} coverage {:.2f} area {:.2f} faces {}/{}\n", name, s.iou,
                        s.coverage, s.area, s.whole_faces, s.faces);
         }
     }
-    fmt::print("{} photographs with a subject: share of it inside the region (the worst tenth is the mean of "
-               "the worst 10 %),\nthe region's share of the picture, overlap, marked faces wholly inside\n"
-               "{:22} {:>6} {:>6} {:>7} {:>6} {:>6} {:>8}\n",
-               scores[0].coverage.size(), "", "mean", "worst", "median", "mean", "IoU", "faces");
+    fmt::print(
+        "{} photographs with a subject: share of it inside the region (the worst tenth is the mean of "
+        "the worst 10 %),\nthe region's share of the picture, overlap, correlation of that share with the "
+        "subject's, marked faces wholly inside\n"
+        "{:22} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6} {:>8}\n",
+        scores[0].coverage.size(), "", "mean", "worst", "median", "mean", "IoU", "follows", "faces");
     for (std::size_t i = 0; i < scores.size(); ++i)
         print(ways()[i].name, scores[i]);
 }

@@ -46,6 +46,17 @@ PlanItem plan_item(const WallShot& shot, std::span<const PlacedShot> shown,
     return item;
 }
 
+/// Where most shots are new, keeping to old places would only leave gaps: the wall is planned anew.
+void forget_places_of_few(std::vector<PlanItem>& items) {
+    const auto staying =
+        std::ranges::count_if(items, [](const PlanItem& item) { return item.previous.has_value(); });
+    if (2 * staying >= std::ssize(items)) return;
+    for (PlanItem& item : items) {
+        item.previous.reset();
+        item.seat.reset();
+    }
+}
+
 /// True if the change can begin without a flash; notes its begin. A calm wall waits with all changes.
 bool may_begin(const WallChange& change, std::span<const PlacedShot> shown, ChangePace& pace,
                std::chrono::nanoseconds now) {
@@ -205,6 +216,7 @@ std::optional<WallPlan> Wall::follow_slots() {
         plan.items.back().group = group;
     }
     if (plan.items.empty()) return std::nullopt;
+    forget_places_of_few(plan.items);
     return plan;
 }
 

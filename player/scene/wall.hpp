@@ -43,7 +43,7 @@ int folder_number(const std::string& path, std::map<std::string, int>& folders);
 /// wall nothing moves and changes begin at least calm_spacing apart; its first wall comes as a whole.
 ///
 /// A change moves the shots that stay as little as possible. If that leaves much more of the canvas empty
-/// than a completely new layout, the new layout is used.
+/// than a completely new layout, the new layout is used. So it is where most shots are new.
 class Wall final : public Show {
   public:
     Wall(Vec2 canvas, const WallSettings& settings);

@@ -91,7 +91,8 @@ class Watch(WatchedFolder):
         self.assertEqual(watcher.wait(PATIENCE), 0)
 
     def test_a_photo_is_ready_with_a_plain_region_and_later_has_that_of_the_network(self):
-        self.start("--analyzer.saliency", "network")
+        self.saliency = "network"
+        self.start()
         (self.root / "square.png").write_bytes(png(320, 240, 250, 60))
         plain = self.until_ready("square.png", 320)["square.png"]["shots"][0]
         self.assertNotIn("certainty", plain)

@@ -30,6 +30,7 @@ class WatchedFolder(unittest.TestCase):
 
     analyzer = None  # the program: for subclasses to say
     patience = PATIENCE
+    saliency = "plain"  # the setting; the network takes a second for each photo
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="vitrine-watch-")
@@ -40,7 +41,7 @@ class WatchedFolder(unittest.TestCase):
 
     def settings(self):
         return ["--media.root", str(self.root), "--state.directory", str(self.state),
-                "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
+                "--analyzer.saliency", self.saliency, "--analyzer.quiet_milliseconds", "300", "--tapestry.max_bytes", "0"]
 
     def start(self, *options):
         watcher = subprocess.Popen([self.analyzer, "watch", *self.settings(), *options])

@@ -255,7 +255,7 @@ TEST_CASE("a change of turn keeps the others playing and starts the new one in t
 }
 
 TEST_CASE("the newcomer is given the seat of the shot before it: the middle and the area of its region") {
-    House house = ::house({photo("a"), photo("b")}, 1);
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
     while (house.planned.size() < 2)
         house.step();
     const PlanItem& newcomer = house.planned.back().items[0];
@@ -541,6 +541,28 @@ TEST_CASE("a change that would leave much of the canvas empty is laid out anew")
     house.run(6s);
     CHECK(house.wall.shown()[0].placement.scale == 1.9);
     CHECK(house.wall.shown()[0].shot.key.path == "d");
+}
+
+TEST_CASE("where most shots are others, the wall is planned without the old places") {
+    House house = ::house({photo("a"), photo("b"), photo("c")});
+    house.run(5s);
+    const auto refined = [](const std::string& path) {
+        MediaRecord record = photo(path);
+        record.shots.front().region.polygon = {{0, 0}, {40, 0}, {0, 40}};
+        return record;
+    };
+    house.wall.set_catalogue(std::vector<MediaRecord>{photo("a"), photo("b"), refined("c")});
+    house.run(5s);
+    REQUIRE(house.planned.size() == 2);
+    CHECK(house.planned.back().items[0].previous);
+    CHECK(house.planned.back().items[2].seat);
+    house.wall.set_catalogue(std::vector<MediaRecord>{refined("a"), refined("b"), refined("c")});
+    house.run(5s);
+    REQUIRE(house.planned.size() == 3);
+    for (const PlanItem& item : house.planned.back().items) {
+        CHECK_FALSE(item.previous);
+        CHECK_FALSE(item.seat);
+    }
 }
 
 TEST_CASE("a change laid out anew that is no better gives way to the calm one") {
