@@ -83,7 +83,9 @@ class Weaving {
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
-        faces_ = face_detector(find_model(settings.analyzer.face_model, Settings{}.analyzer.face_model), settings.analyzer.face_cascade);
+        const Settings::Analyzer& models = settings.analyzer;
+        faces_ =
+            face_detector(find_model(models.face_model, Settings{}.analyzer.face_model), models.face_cascade);
     }
 
     /// Lets the process read the film and write the result, and nothing else.

@@ -5,7 +5,6 @@
 #include "analyzer/watch/fault_record.hpp"
 #include "base/state/acquittal.hpp"
 #include "base/state/blame.hpp"
-#include "base/state/former_names.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/journal.hpp"
 #include "base/system/log.hpp"
@@ -110,9 +109,8 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
       weaver_(loop, weave_options(options)),
       refiner_(loop, refine_options(options),
                [this](const std::vector<MediaRecord>& records) {
-                   for (const MediaRecord& record : records)
-                       book_.refine(record);
-                   attempt([this] { advance(); });
+                   book_.refine(records);
+                   wake_.arm(0s);
                }),
       book_(loop, book_places(options), schedule_, {.weaver = weaver_, .refiner = refiner_}),
       analyses_(loop, options.analysis,
@@ -129,13 +127,11 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
         });
     });
     wake_ = loop_.timer([this] { attempt([this] { advance(); }); });
-    rescan_ = loop_.timer([this] {
-        attempt([this] {
-            rescan();
-            advance();
-        });
-    });
-    rename_former(options.state);  // under the book's lock
+    const auto look_again = [this] {
+        rescan();
+        advance();
+    };
+    rescan_ = loop_.timer([this, look_again] { attempt(look_again); });
     book_.load();
     attempt([this] { rescan(); });
     wake_.arm(0s);

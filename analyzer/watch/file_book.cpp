@@ -1,6 +1,8 @@
 #include "analyzer/watch/file_book.hpp"
 
 #include "analyzer/watch/analysis_outcome.hpp"
+#include "analyzer/watch/fault_record.hpp"
+#include "base/state/former_names.hpp"
 #include "base/system/error.hpp"
 #include "base/system/log.hpp"
 
@@ -47,6 +49,7 @@ FileBook::FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule
       })) {}
 
 void FileBook::load() {
+    rename_former(catalogue_.directory().parent_path());
     const auto records = catalogue_.load([](const std::string& file, const std::string& reason) {
         log::warning("record '{}' unreadable, its file is analysed again: {}", file, reason);
         std::error_code ignored;  // it is overwritten at the latest
@@ -99,14 +102,16 @@ void FileBook::write_record(MediaRecord record) {
     }
 }
 
-void FileBook::refine(const MediaRecord& refined) {
-    std::optional<MediaRecord> known = record(refined.path);
-    if (!known || known->state != MediaState::ready || !is_same_content(*known, refined)) return;
-    if (known->shots.size() != 1 || refined.shots.size() != 1) return;
-    known->shots.front().region = refined.shots.front().region;
-    known->shots.front().picture = refined.shots.front().picture;
-    known->shots.front().certainty = refined.shots.front().certainty;
-    write_record(std::move(*known));
+void FileBook::refine(const std::vector<MediaRecord>& found) {
+    for (const MediaRecord& refined : found) {
+        std::optional<MediaRecord> known = record(refined.path);
+        if (!known || known->state != MediaState::ready || !is_same_content(*known, refined)) continue;
+        if (known->shots.size() != 1 || refined.shots.size() != 1) continue;
+        known->shots.front().region = refined.shots.front().region;
+        known->shots.front().picture = refined.shots.front().picture;
+        known->shots.front().certainty = refined.shots.front().certainty;
+        write_record(std::move(*known));
+    }
 }
 
 bool FileBook::move(const std::string& from, const std::string& to) {

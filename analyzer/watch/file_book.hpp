@@ -44,7 +44,8 @@ class FileBook {
     /// @throws std::system_error where the catalogue cannot be written, or another process writes it (EBUSY)
     FileBook(EventLoop& loop, const BookPlaces& places, Schedule& schedule, RecordFollowers followers);
 
-    /// Reads the catalogue and tells the schedule what is in it. Drops records that cannot be read.
+    /// Reads the catalogue and tells the schedule what is in it. Files of version 0.1 get their names of
+    /// today. Drops records that cannot be read.
     void load();
 
     /// The record of this path; nothing where there is none or it cannot be read.
@@ -53,8 +54,8 @@ class FileBook {
     /// Stores a whole record. On a full disk it is kept here until retry_writes().
     void store(const MediaRecord& record);
 
-    /// Takes the region of a photo from a record of the same content.
-    void refine(const MediaRecord& refined);
+    /// Takes the regions of photos from records of the same content.
+    void refine(const std::vector<MediaRecord>& found);
 
     /// Gives the record of `from` to `to`, and forgets `from`.
     /// @return false where there is no record: it was damaged, and is missing until the next start

@@ -151,8 +151,7 @@ Shot to_shot(const Json& json) {
     for (const Json& corner : polygon)
         shot.region.polygon.push_back(to_vec2(corner));
     shot.region.drift = to_vec2(json.at("region").at("drift"));
-    if (json.contains("certainty"))
-        shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
+    if (json.contains("certainty")) shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);

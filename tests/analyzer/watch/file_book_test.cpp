@@ -88,9 +88,9 @@ TEST_CASE("a photo takes its region from the network only while it is the same c
     refined.shots.front().region.polygon = {{0, 0}, {2, 0}, {0, 2}};
     MediaRecord other = refined;
     other.mtime_ns = 2;
-    desk.book.refine(other);
+    desk.book.refine({other});
     CHECK(desk.book.record("a") == plain);
-    desk.book.refine(refined);
+    desk.book.refine({refined});
     refined.inode = 5;
     CHECK(desk.book.record("a") == refined);
 }
