@@ -1,6 +1,6 @@
 // Measures the changes of a wall: how often a shot has no free way, what the frames in between lack, how
 // large newcomers are, and the time.
-//   changes [CHANGES [FRAMES [CATALOGUE]]]
+//   changes [CHANGES [FRAMES [CATALOGUE [COUNT...]]]]
 // On items like those of real media, or on the shots of a catalogue. Each wall changes by turns, insertions,
 // deletions and a drag in a row. Areas are exact, in px^2 of a canvas of 1920x1080: of I-Regions that stay
 // and are covered, of canvas where nothing is opaque, and of filler that neither the old nor the new wall
@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -64,6 +65,53 @@ struct Sizes {
     std::vector<double> covered;   // share of the canvas, of each wall
     std::vector<double> moves;     // mean of the others' ways, shares of the diagonal, of each turn
 };
+
+/// What no picture reaches while a finger drags, shares of the canvas.
+struct DragFigures {
+    std::vector<double> held;     // at each step of the finger
+    std::vector<double> dropped;  // after each drop
+    std::vector<double> edges;    // after each drop: share of the canvas' edge
+    std::vector<double> resized;  // at each step: mean change of ln(scale) of the others
+};
+
+double filler_share(const std::vector<PlacedShot>& wall) {
+    double sum = 0;
+    for (const PlacedShot& placed : wall)
+        for (const Polygon& polygon : placed.cell->filler)
+            sum += signed_area(polygon);
+    return sum / (canvas.x * canvas.y);
+}
+
+/// The share of the canvas' edge that no picture reaches.
+double dark_edge_share(const std::vector<PlacedShot>& wall) {
+    constexpr double inset = 2;  // px
+    constexpr int points = 240;  // a side
+    const Vec2 inner = canvas - Vec2{2 * inset, 2 * inset};
+    int dark = 0;
+    const auto look_at = [&](double x, double y) {
+        const Vec2 point = Vec2{inset, inset} + Vec2{inner.x * x, inner.y * y};
+        const bool is_framed = std::ranges::any_of(wall, [&](const PlacedShot& placed) {
+            const Vec2 p = (point - placed.placement.offset) * (1 / placed.placement.scale);
+            const Box& core = placed.shot.item.core;
+            return p.x >= core.min.x && p.x <= core.max.x && p.y >= core.min.y && p.y <= core.max.y;
+        });
+        if (!is_framed) ++dark;
+    };
+    for (int k = 0; k < points; ++k) {
+        const double at = (k + 0.5) / points;
+        look_at(at, 0), look_at(at, 1), look_at(0, at), look_at(1, at);
+    }
+    return dark / (4.0 * points);
+}
+
+void add_drag_step(DragFigures& figures, const std::vector<PlacedShot>& before,
+                   const std::vector<PlacedShot>& after) {
+    figures.held.push_back(filler_share(after));
+    double resized = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+        resized += std::abs(std::log(after[i].placement.scale / before[i].placement.scale));
+    figures.resized.push_back(resized / static_cast<double>(after.size()));
+}
 
 void add_sizes(Sizes& sizes, const std::vector<PlacedShot>& before, const std::vector<PlacedShot>& after) {
     std::vector<LayoutItem> items;
@@ -126,7 +174,12 @@ class ChangedWalls {
             wall.show(std::move(next));
         }
         const TransitionStyle follows{.duration = 120ms, .is_even = true};  // as wall_touch
-        wall.drag([&](const std::vector<PlacedShot>& next) { add("drag, a step", wall, next, follows); });
+        wall.drag([&](const std::vector<PlacedShot>& next) {
+            add("drag, a step", wall, next, follows);
+            add_drag_step(drags_, wall.shown(), next);
+        });
+        drags_.dropped.push_back(filler_share(wall.shown()));
+        drags_.edges.push_back(dark_edge_share(wall.shown()));
     }
 
     void print() const {
@@ -144,6 +197,14 @@ class ChangedWalls {
         print_shares("smallest I-Region of a wall / its fair share", sizes_.smallest);
         print_shares("share of the canvas that I-Regions cover", sizes_.covered);
         fmt::print("mean way of the others: median {:.3f} of the diagonal\n", quantile(sizes_.moves, 0.5));
+        const auto print_most = [](const char* name, const std::vector<double>& values) {
+            fmt::print("{}: median {:.3f}, 95th percentile {:.3f}, most {:.3f}\n", name,
+                       quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1));
+        };
+        print_most("no picture while a finger drags", drags_.held);
+        print_most("no picture after a drop", drags_.dropped);
+        print_most("no picture at the edge after a drop", drags_.edges);
+        print_most("others resized in a step of a drag, ln(scale)", drags_.resized);
         std::fflush(stdout);
     }
 
@@ -160,6 +221,7 @@ class ChangedWalls {
     int frames_;
     std::map<std::string, ChangeRow> rows_;
     Sizes sizes_;
+    DragFigures drags_;
 };
 
 /// Prints the CPU time of frames during changes and between them. All shots are films of 640 x 360.
@@ -211,14 +273,18 @@ void print_drawing(int changes, const DrawItems& draw) {
 int main(int argc, char** argv) {
     const int changes = argc > 1 ? std::atoi(argv[1]) : 60;
     const int frames = argc > 2 ? std::atoi(argv[2]) : 20;
-    const std::vector<LayoutItem> real = argc > 3 ? items_of_catalogue(argv[3]) : std::vector<LayoutItem>{};
+    const std::vector<LayoutItem> real = argc > 3 && *argv[3] != '\0' ? items_of_catalogue(argv[3]) : std::vector<LayoutItem>{};
     const DrawItems draw = [&](Random& random) {
         return real.empty() ? random_item(random) : real[uniform_index(random, real.size())];
     };
     fmt::print(
         "| n | change | count | no free way % | still straight staged shrunk detour | shortest fade | "
         "search ms | frame ms | covered px^2 | bare | new filler |\n|--|--|--|--|--|--|--|--|--|--|--|\n");
-    for (const std::size_t count : {6, 12, 24}) {
+    std::vector<std::size_t> counts{6, 12, 24};  // shots a wall
+    if (argc > 4) counts.clear();
+    for (int i = 4; i < argc; ++i)
+        counts.push_back(static_cast<std::size_t>(std::atoi(argv[i])));
+    for (const std::size_t count : counts) {
         ChangedWalls walls(count, frames);
         for (int done = 0; done < changes; done += changes_a_wall)
             walls.run(static_cast<std::uint64_t>(done) + 1, draw);

@@ -73,8 +73,8 @@ std::optional<std::vector<Placement>> Drag::next_placements(std::span<const Plac
     return making_way(standing, item, wish).placements;
 }
 
-/// Tries several steps. Takes the one after which most of the shots is seen and the held shot is nearest to
-/// the finger. In a step the other shots make room from their homes or from their present places; or the shot
+/// Tries several steps. Takes the one after which most of the shots is seen, the canvas is filled and the held
+/// shot is nearest to the finger. In a step the other shots make room from their homes or from their present places; or the shot
 /// at the finger changes places with the held shot.
 WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
@@ -93,7 +93,7 @@ WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) c
     const double enough = seen_of(wall) * min_seen;
     const auto worth = [&](const WallState& after) {
         const double way = length(wish - place_of(after.items[held], after.placements[held]));
-        return seen_of(after) - worth_of_way * way / length(after.canvas);
+        return seen_of(after) - empty_share(after) - worth_of_way * way / length(after.canvas);
     };
     WallState best = wall;
     for (const WallState& before : tries) {

@@ -103,7 +103,7 @@ std::optional<WallState> put_down(const WallState& wall, std::size_t item, const
                                   const Box& window, const EditRules& rules) {
     if (is_on_pinned(wall, item, at, rules.clearance)) return std::nullopt;
     PlanRequest request = request_of(wall, rules);
-    request.fills = false;  // resizing at every step of a finger would make items tremble
+    request.is_coarse = true;  // fine steps at every step of a finger would make items tremble
     request.items[item].previous = request.items[item].home = at;
     request.items[item].is_pinned = true;
     auto next = planned_wall(wall, request, window, rules);

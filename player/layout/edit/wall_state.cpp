@@ -1,5 +1,6 @@
 #include "player/layout/edit/wall_state.hpp"
 
+#include "player/layout/pack/filling.hpp"
 #include "player/layout/plan/plan_request.hpp"
 
 #include <cassert>
@@ -24,6 +25,10 @@ Layout layout_of(const WallState& wall) {
             .placements = wall.placements,
             .energy = 1 - covered / (wall.canvas.x * wall.canvas.y),
             .is_final = true};
+}
+
+double empty_share(const WallState& wall) {
+    return unfilled_share(wall.items, wall.placements, wall.canvas);
 }
 
 }  // namespace vitrine::player

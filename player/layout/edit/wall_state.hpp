@@ -34,4 +34,7 @@ WallState wall_state(std::vector<LayoutItem> items, const Layout& layout);
 /// The layout of the wall.
 Layout layout_of(const WallState& wall);
 
+/// The share of the canvas that no picture reaches, sampled.
+double empty_share(const WallState& wall);
+
 }  // namespace vitrine::player

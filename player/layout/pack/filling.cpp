@@ -14,7 +14,7 @@ namespace {
 
 constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
-constexpr double background_weight = 3;
+constexpr double edge_share = 0.002;  // distance of the outermost samples from the field's edge, share of its side
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
 constexpr double fair_size = -0.15;         // ln(scale) relative to the base; a smaller item is tiny
 constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
@@ -30,12 +30,13 @@ constexpr double min_resizing = -0.5;
 constexpr double first_temperature = 0.01;
 constexpr std::size_t max_items = 48;  // more pictures fill the canvas by themselves
 
-/// The range of samples whose middle m has `from` <= m < `to`. There are `samples` samples on [origin, origin
-/// + size).
+/// The range of samples m that have `from` <= m < `to`. There are `samples` samples on [origin, origin + size),
+/// at equal distances; the outermost lie near its ends, where a thin band would be seen.
 std::array<int, 2> sample_range(double from, double to, double origin, double size, int samples) {
+    const double first = origin + edge_share * size;
+    const double distance = (1 - 2 * edge_share) * size / (samples - 1);
     const auto index = [&](double x) {
-        return static_cast<int>(
-            std::clamp(std::ceil((x - origin) / size * samples - 0.5), 0.0, 1.0 * samples));
+        return static_cast<int>(std::clamp(std::ceil((x - first) / distance), 0.0, 1.0 * samples));
     };
     return {index(from), index(to)};
 }
@@ -43,6 +44,33 @@ std::array<int, 2> sample_range(double from, double to, double origin, double si
 std::uint64_t bits_below(int count) {
     return count >= columns ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
+
+/// The samples of a field that lie in frames.
+class FramedSamples {
+  public:
+    explicit FramedSamples(const Box& field) : field_(field) {}
+
+    void add(const Box& frame) {
+        const auto [left, right] =
+            sample_range(frame.min.x, frame.max.x, field_.min.x, field_.width(), columns);
+        const auto [top, bottom] = sample_range(frame.min.y, frame.max.y, field_.min.y, field_.height(), rows);
+        if (left >= right) return;
+        const std::uint64_t bits = bits_below(right) & ~bits_below(left);
+        for (int y = top; y < bottom; ++y)
+            framed_[static_cast<std::size_t>(y)] |= bits;
+    }
+
+    double missing_share() const {
+        int sum = 0;
+        for (const std::uint64_t row : framed_)
+            sum += std::popcount(row);
+        return 1 - static_cast<double>(sum) / (columns * rows);
+    }
+
+  private:
+    Box field_;
+    std::array<std::uint64_t, rows> framed_{};  // a bit for each sample
+};
 
 Vec2 random_move(const PackingProblem& problem, double max_share, Random& random) {
     const double diagonal = length(problem.field.max - problem.field.min);
@@ -52,6 +80,16 @@ Vec2 random_move(const PackingProblem& problem, double max_share, Random& random
     const double y = (2 * uniform(random) - 1) * reach;
     const std::size_t kind = uniform_index(random, 4);  // 0: along x only, 1: along y only
     return {kind == 1 ? 0 : x, kind == 0 ? 0 : y};
+}
+
+/// The area of a box that others cover. The time doubles with each of them that meets all before it.
+double covered_area(std::span<const Box> boxes, const Box& within) {
+    double sum = 0;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const Box part = intersection(within, boxes[k]);
+        if (!part.is_empty()) sum += part.area() - covered_area(boxes.subspan(k + 1), part);
+    }
+    return sum;
 }
 
 /// A state of the annealing.
@@ -138,8 +176,13 @@ class GapFilling {
 
     double cost() const {
         const auto count = static_cast<double>(problem_.size());
-        const double empty = targets_.frames.empty() ? 0 : unfilled_share(problem_, targets_.frames, now_);
-        return background_weight * empty - covered_ + spread_.cost(count) + pull() * moved_;
+        return targets_.emptiness * empty() - covered_ + spread_.cost(count) + pull() * moved_;
+    }
+
+    double empty() const {
+        if (targets_.frames.empty()) return 0;
+        return problem_.size() <= max_exact ? exact_unfilled_share(problem_, targets_.frames, now_)
+                                            : unfilled_share(problem_, targets_.frames, now_);
     }
 
     /// Tries one change of an item. @param wide  from 1 at the start to 0 at the end: steps get smaller with
@@ -253,44 +296,58 @@ class GapFilling {
 
 double unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                       const Arrangement& arrangement) {
-    std::array<std::uint64_t, rows> covered{};
-    const Box& field = problem.field;
+    FramedSamples samples(problem.field);
     for (std::size_t i = 0; i < problem.size(); ++i) {
         const double scale = problem.scale(i, arrangement.growth);
-        const Vec2 low = arrangement.places[i] + frames[i].min * scale;
-        const Vec2 high = arrangement.places[i] + frames[i].max * scale;
-        const auto [left, right] = sample_range(low.x, high.x, field.min.x, field.width(), columns);
-        const auto [top, bottom] = sample_range(low.y, high.y, field.min.y, field.height(), rows);
-        if (left >= right) continue;
-        const std::uint64_t bits = bits_below(right) & ~bits_below(left);
-        for (int y = top; y < bottom; ++y)
-            covered[static_cast<std::size_t>(y)] |= bits;
+        samples.add({arrangement.places[i] + frames[i].min * scale, arrangement.places[i] + frames[i].max * scale});
     }
-    int sum = 0;
-    for (const std::uint64_t row : covered)
-        sum += std::popcount(row);
-    return 1 - static_cast<double>(sum) / (columns * rows);
+    return samples.missing_share();
+}
+
+double unfilled_share(std::span<const LayoutItem> items, std::span<const Placement> placements, Vec2 canvas) {
+    FramedSamples samples({{0, 0}, canvas});
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Placement& at = placements[i];
+        samples.add({items[i].core.min * at.scale + at.offset, items[i].core.max * at.scale + at.offset});
+    }
+    return samples.missing_share();
+}
+
+double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
+                            const Arrangement& arrangement) {
+    std::vector<Box> boxes;
+    boxes.reserve(problem.size());
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        const double scale = problem.scale(i, arrangement.growth);
+        boxes.push_back(
+            {arrangement.places[i] + frames[i].min * scale, arrangement.places[i] + frames[i].max * scale});
+    }
+    return 1 - covered_area(boxes, problem.field) / problem.field.area();
+}
+
+double mean_way(const PackingProblem& problem, const FillingTargets& targets, std::span<const Vec2> places) {
+    if (targets.homes.empty()) return 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        sum += length(places[i] - targets.homes[i]);
+    return sum / (length(problem.field.max - problem.field.min) * static_cast<double>(places.size()));
 }
 
 Arrangement fill_gaps(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
                       Random& random, SearchBudget& budget) {
     if (problem.size() == 0 || problem.size() > max_items) return start;
 
-    struct Annealing {
-        double loosening = 1;
-        int tries = 0;
-    };
-
-    constexpr Annealing free[] = {{0.97, 60'000}, {0.95, 60'000}, {0.9, 60'000}};
-    constexpr Annealing calm[] = {{0.99, 30'000}, {0.97, 30'000}};
-    const auto annealings =
-        targets.homes.empty() ? std::span<const Annealing>(free) : std::span<const Annealing>(calm);
+    constexpr double free[] = {0.97, 0.95, 0.9};
+    constexpr double calm[] = {0.99, 0.97};
+    const bool is_free = targets.homes.empty();
+    const auto loosenings = is_free ? std::span<const double>(free) : std::span<const double>(calm);
+    const int tries = is_free ? targets.tries : targets.tries / 2;
     const Contacts contacts(problem.shapes, problem.clearance);
     const double start_cost = GapFilling(problem, targets, contacts, start, 1).best().cost;
     FillingState best{start, problem.scales, start_cost};
-    for (const Annealing& annealing : annealings) {
-        GapFilling filling(problem, targets, contacts, start, annealing.loosening);
-        filling.run(annealing.tries, random, budget);
+    for (const double loosening : loosenings) {
+        GapFilling filling(problem, targets, contacts, start, loosening);
+        filling.run(tries, random, budget);
         if (filling.best().cost < best.cost) best = filling.best();
         if (budget.is_spent()) break;
     }

@@ -12,15 +12,30 @@ namespace vitrine::player {
 double unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                       const Arrangement& arrangement);
 
+/// The same for items on a canvas.
+double unfilled_share(std::span<const LayoutItem> items, std::span<const Placement> placements, Vec2 canvas);
+
+/// The same for few items, exact.
+double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
+                            const Arrangement& arrangement);
+
 /// The aims of a filling.
 struct FillingTargets {
     std::vector<Box> frames;      // see unfilled_share(); none: pictures need not fill the canvas
     std::vector<double> natural;  // the items' scales by their weights, up to a common factor
     std::vector<Vec2> homes;      // canvas px; items should stay near them; none: they may go anywhere
+    double emptiness = 3;         // costs of an area without pixels, as a multiple of one without I-Regions
+    int tries = 60'000;           // of each annealing
 };
 
+/// The mean distance of the items from home, as a share of the field's diagonal; 0: they have none.
+double mean_way(const PackingProblem& problem, const FillingTargets& targets, std::span<const Vec2> places);
+
+/// Up to so many items the filling knows exactly what no frame reaches.
+constexpr std::size_t max_exact = 5;
+
 /// Moves and resizes single items, so that I-Regions cover more of the canvas and frames fill it: an area
-/// without pixels costs three times as much as one without I-Regions. Differences in size and distances from
+/// without pixels costs `emptiness` times as much as one without I-Regions. Differences in size and distances from
 /// home cost, too. Simulated annealing; every state is free of overlap.
 /// @param problem  in: the problem of `start`; out: with the scales of the result
 /// @param start    free of overlap

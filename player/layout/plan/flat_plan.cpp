@@ -1,7 +1,9 @@
 #include "player/layout/plan/flat_plan.hpp"
 
 #include "player/layout/pack/arrangement.hpp"
+#include "player/layout/pack/coarse_filling.hpp"
 #include "player/layout/pack/descent.hpp"
+#include "player/layout/pack/few_items.hpp"
 #include "player/layout/pack/filling.hpp"
 #include "player/layout/pack/initial_packing.hpp"
 #include "player/layout/pack/line_packing.hpp"
@@ -229,9 +231,13 @@ class FlatPlan {
     Arrangement with_gaps_filled(PackingProblem& problem, const Arrangement& arrangement,
                                  std::vector<Vec2> homes) {
         if (!request_.fills) return arrangement;
+        if (request_.is_coarse) return coarsely_filled(problem, frames_of(request_, problem), arrangement);
         SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
                             watch_.should_stop);
-        return fill_gaps(problem, filling_targets(problem, std::move(homes)), arrangement, random_, budget);
+        const FillingTargets targets = filling_targets(problem, std::move(homes));
+        if (is_for_few(problem))
+            return few_filled(problem, targets, arrangement, random_, budget);
+        return fill_gaps(problem, targets, arrangement, random_, budget);
     }
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {

@@ -41,6 +41,8 @@ struct PlanRequest {
     double margin = 1;              // canvas px between I-Regions and the canvas' edge
     double max_scale = 1.5;         // canvas px per source px; larger pictures look blurred
     bool fills = true;              // at last items are moved and resized so that pictures fill the canvas
+    bool is_coarse = false;         // they are filled in few coarse steps, which are much alike from one plan
+                                    // to the next
     EnergyMode energy = EnergyMode::screen;
     LayoutOrder order = LayoutOrder::free;  // ignored by the paper's energy
 };

@@ -231,3 +231,32 @@ TEST_CASE("another renderer is given the pictures of what plays") {
 
     CHECK(is_near(theatre.picture(0), 160, 90, red));
 }
+
+TEST_CASE("on a screen of another shape a wall is laid out anew once, in one motion") {
+    constexpr auto refresh = 20ms;
+    Settings settings = one_photo_at_a_time();
+    settings.layout.slots = 2;
+    settings.show.motion = 400ms;
+    Theatre theatre({{320, 180}, {100, 160}}, settings);
+    const auto show_on = [&](std::size_t screen, std::chrono::nanoseconds from, std::chrono::nanoseconds to) {
+        std::vector<std::chrono::nanoseconds> moved;  // the times of frames that look different
+        for (auto now = from; now < to; now += refresh) {
+            const Frame before = theatre.stage->frame();
+            theatre.stage->set_screens({theatre.display.screens()[screen]}, now);
+            theatre.stage->show(now, theatre.renderer);
+            if (!looks_alike(theatre.stage->frame(), before)) moved.push_back(now);
+        }
+        return moved;
+    };
+    show_on(0, 0s, 3s);
+    REQUIRE(show_on(0, 3s, 5s).empty());
+
+    const auto moved = show_on(1, 5s, 10s);
+
+    REQUIRE_FALSE(moved.empty());
+    CHECK(moved.front() <= 5s + 2 * refresh);
+    CHECK(moved.back() - moved.front() <= settings.show.motion + 2 * refresh);
+    CHECK(moved.size() == static_cast<std::size_t>((moved.back() - moved.front()) / refresh) + 1);
+    CHECK(theatre.stage->frame().canvas == Vec2{100, 160});
+    CHECK(theatre.stage->frame().items.size() == 2);
+}

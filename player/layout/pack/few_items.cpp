@@ -1,0 +1,74 @@
+#include "player/layout/pack/few_items.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::size_t divisions = 4;  // that are tried
+constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
+constexpr int tries_of_few = 12'000;  // of each annealing
+constexpr double min_size = -0.3;     // ln(scale) relative to the fair one; a smaller item is tiny
+constexpr double tiny_cost = 20;      // factor of the square of ln(scale) missing to that
+constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
+
+/// The cost of an arrangement, the same for all of one set of items. @pre a growth of 1
+double cost_of(const PackingProblem& problem, const FillingTargets& targets, const Arrangement& made) {
+    double covered = 0;
+    double wished = 0;
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        covered += problem.shapes[i].area * problem.scales[i] * problem.scales[i];
+        wished += problem.shapes[i].area * targets.natural[i] * targets.natural[i];
+    }
+    const double growth = std::sqrt(covered / wished);
+    double tiny = 0;
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        if (problem.scales[i] >= problem.limits[i] * limit_share) continue;
+        const double lack = std::max(0.0, min_size - std::log(problem.scales[i] / (targets.natural[i] * growth)));
+        tiny += tiny_cost * lack * lack;
+    }
+    return targets.emptiness * exact_unfilled_share(problem, targets.frames, made) -
+           covered / problem.field.area() + tiny + way_weight * mean_way(problem, targets, made.places);
+}
+
+}  // namespace
+
+bool is_for_few(const PackingProblem& problem) {
+    const bool has_pinned = std::ranges::find(problem.pinned, true) != problem.pinned.end();
+    return problem.size() >= 2 && problem.size() <= max_in_rectangles && !problem.keeps_order && !has_pinned;
+}
+
+Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
+                       Random& random, SearchBudget& budget) {
+    FillingTargets wished = targets;
+    wished.emptiness = emptiness;
+    wished.tries = tries_of_few;
+    std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
+    starts.push_back({start.places, scales_at(problem, start.growth)});
+    Contacts contacts(problem.shapes, problem.clearance);
+    PackingProblem best = problem;
+    std::optional<Arrangement> found;
+    double least = 0;
+    for (SizedArrangement& sized : starts) {
+        PackingProblem trial = problem;
+        trial.scales = std::move(sized.scales);
+        Arrangement made{std::move(sized.places), 1};
+        if (!is_free(trial, made, contacts)) continue;  // rounding
+        made = fill_gaps(trial, wished, made, random, budget);
+        const double cost = cost_of(trial, wished, made);
+        if (found && cost >= least) continue;
+        least = cost;
+        best = std::move(trial);
+        found = std::move(made);
+    }
+    if (!found) return start;
+    problem = std::move(best);
+    return *found;
+}
+
+}  // namespace vitrine::player

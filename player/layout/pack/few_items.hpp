@@ -1,0 +1,20 @@
+#pragma once
+
+#include "player/layout/pack/rectangles.hpp"
+#include "player/layout/pack/search_budget.hpp"
+
+namespace vitrine::player {
+
+/// True if few_filled() is made for the problem: two to five items, none pinned, in any order.
+bool is_for_few(const PackingProblem& problem);
+
+/// Fills the canvas with few items. It begins with `start` and with the best divisions into rectangles, fills
+/// the gaps of each (filling.hpp), and takes the one that leaves least of the canvas without pixels, unless
+/// an item became tiny or all would go far from home.
+/// @param problem  in: the problem of `start`; out: with the scales of the result
+/// @param start    free of overlap
+/// @return         free of overlap
+Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
+                       Random& random, SearchBudget& budget);
+
+}  // namespace vitrine::player
