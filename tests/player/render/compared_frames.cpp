@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vitrine::player {
 
@@ -83,6 +84,18 @@ class Search {
     Deviation found_;
 };
 
+/// The number of translucent pictures that lie over one another. Those of one wall lie beside one another.
+int blends_of(const Frame& frame) {
+    constexpr SourceId sources_a_wall = 100;  // of random frames
+    std::set<SourceId> layers;
+    for (const DrawItem& item : frame.items)
+        if (item.zoom)
+            layers.insert(item.source);
+        else if (item.alpha < 1)
+            layers.insert(sources_a_wall * (1 + item.source / sources_a_wall));
+    return static_cast<int>(layers.size());
+}
+
 }  // namespace
 
 double Deviation::worst() const {
@@ -98,7 +111,7 @@ Deviation deviation(const Picture& drawn, const ReferenceImage& expected, bool i
 
 Deviation ComparedFrames::compare(std::uint64_t seed, int max_side) {
     const RandomFrame made = random_frame(seed, max_side);
-    had_planes_ = made.has_planes;
+    kind_ = {made.has_planes, blends_of(made.frame)};
     OffscreenScreen screen({.width = made.width, .height = made.height}, egl_);
     ReferenceCompositor reference(made.width, made.height, made.view);
     renderer_.aim(made.width, made.height, made.view);

@@ -196,7 +196,7 @@ void ReferenceCompositor::draw_fringes(const DrawItem& item) {
 /// Draws the strip outside an outline whose opacity falls from `coverage` to nothing.
 void ReferenceCompositor::draw_fringe(const DrawItem& item, const FadeEdge& edge, double coverage,
                                       const Shade& shade) {
-    constexpr double same_direction = 1e-3;
+    constexpr double same_place = 1e-5;  // canvas px; of nearer corners the renderer makes one
     const double inner = std::min(1.0, item.alpha) * coverage;
     Vec2 before{};
     for (std::size_t k = 0; k < edge.outline.size(); ++k) {
@@ -211,7 +211,8 @@ void ReferenceCompositor::draw_fringe(const DrawItem& item, const FadeEdge& edge
         draw_triangle({from, to, far_to}, shade);
         draw_triangle({from, far_to, far_from}, shade);
         mark_edge(far_from.at, far_to.at);
-        if (length(outward - before) > same_direction) {  // the opacity jumps where the outline turns
+        const Vec2 turned = (outward - before) * edge.widths[k];
+        if (length(turned) > same_place) {  // where the outline turns, two strips overlap or leave a gap
             mark_edge(from.at, far_from.at);
             mark_edge(from.at, on_screen(edge.outline[k] + before * edge.widths[k]));
         }
