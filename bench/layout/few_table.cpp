@@ -4,8 +4,8 @@
 // On items like those of real media, or on the shots of a catalogue. Every second shot of the catalogue is
 // kept back: with "judged" the walls are made of these, with "all" (the default) of the others. The bound is
 // searched for the first SEARCHED walls of each row (all): every division into rectangles by cuts on a grid,
-// the best of each first cut annealed for a long time, with hardly any price on unequal sizes. Regions are
-// whole, and the limit of enlargement is that of the planner.
+// the best of each first cut annealed for a long time. Regions are whole, no item is below half of its fair
+// area unless the planner's is smaller, and the limit of enlargement is that of the planner.
 
 #include "bench/packing/bench.hpp"
 #include "player/layout/pack/few_items.hpp"
@@ -86,12 +86,14 @@ PackingProblem problem_for(const PlanRequest& request, const Items& items) {
 
 /// The least share of the canvas without a picture that the search finds.
 double searched_share(const PlanRequest& request, const Items& items, const Layout& planned) {
-    constexpr double only_emptiness = 300;
+    constexpr double mostly_emptiness = 40;
+    constexpr double half_area = -0.34;  // ln(scale)
     PackingProblem problem = problem_for(request, items);
     FillingTargets targets{.frames = {},
                            .natural = natural_scales(items, problem.shapes),
                            .homes = {},
-                           .emptiness = only_emptiness};
+                           .emptiness = mostly_emptiness,
+                           .fair_size = half_area};
     SizedArrangement known{{}, {}};
     for (std::size_t i = 0; i < items.size(); ++i) {
         targets.frames.push_back(moved(items[i].core, problem.shapes[i].centroid * -1));
@@ -101,12 +103,19 @@ double searched_share(const PlanRequest& request, const Items& items, const Layo
     }
     std::vector<SizedArrangement> starts = best_rectangles(problem, targets, 12);
     starts.push_back(known);
-    double least = std::numeric_limits<double>::infinity();
+    const double smallest =
+        std::min(0.5, std::ranges::min(fair_shares(items, planned.placements, request.max_scale)));
+    problem.scales = known.scales;
+    double least = exact_unfilled_share(problem, targets.frames, {known.places, 1});
     Random random(1);
     for (const SizedArrangement& start : starts) {
         problem.scales = start.scales;
         SearchBudget unlimited(std::numeric_limits<std::int64_t>::max());
         const Arrangement end = fill_gaps(problem, targets, {start.places, 1}, random, unlimited);
+        std::vector<Placement> placements;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            placements.push_back({problem.scale(i, end.growth), {}});
+        if (std::ranges::min(fair_shares(items, placements, request.max_scale)) < smallest) continue;
         least = std::min(least, exact_unfilled_share(problem, targets.frames, end));
     }
     return least;

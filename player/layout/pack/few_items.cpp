@@ -10,10 +10,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 4;  // that are tried
+constexpr std::size_t divisions = 5;  // that are tried
 constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
 constexpr int tries_of_few = 12'000;  // of each annealing
-constexpr double min_size = -0.3;     // ln(scale) relative to the fair one; a smaller item is tiny
+constexpr double min_size = -0.33;    // ln(scale) relative to the fair one: half of its area
 constexpr double tiny_cost = 20;      // factor of the square of ln(scale) missing to that
 constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
 
@@ -47,6 +47,7 @@ Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, c
                        Random& random, SearchBudget& budget) {
     FillingTargets wished = targets;
     wished.emptiness = emptiness;
+    wished.fair_size = min_size;
     wished.tries = tries_of_few;
     std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
     starts.push_back({start.places, scales_at(problem, start.growth)});

@@ -16,7 +16,6 @@ constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
 constexpr double edge_share = 0.002;  // distance of the outermost samples from the field's edge, share of its side
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
-constexpr double fair_size = -0.15;         // ln(scale) relative to the base; a smaller item is tiny
 constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
 constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
 constexpr double max_move_share = 0.3;
@@ -102,6 +101,9 @@ struct FillingState {
 /// The cost of sizes that differ, updated when single sizes change. A size is ln(scale / base).
 class SizeSpread {
   public:
+    /// @param fair  a smaller size costs more
+    explicit SizeSpread(double fair) : fair_(fair) {}
+
     void add(double size) {
         sum_ += size;
         squares_ += size * size;
@@ -121,11 +123,12 @@ class SizeSpread {
     }
 
   private:
-    static double square_of_lack(double size) {
-        const double lack = std::max(0.0, fair_size - size);
+    double square_of_lack(double size) const {
+        const double lack = std::max(0.0, fair_ - size);
         return lack * lack;
     }
 
+    double fair_;
     double sum_ = 0, squares_ = 0;
     double lacks_ = 0;  // sum of the squares of what is missing to a fair size
 };
@@ -142,7 +145,8 @@ class GapFilling {
           contacts_(contacts),
           now_{start.places, 1},
           resized_(problem.size(), 0),
-          min_resized_(problem.size(), 0) {
+          min_resized_(problem.size(), 0),
+          spread_(targets.fair_size) {
         problem_.scales = scales_at(problem, start.growth);
         contacts_.set_scales(problem_.scales);
         base_ = problem_.scales;

@@ -25,6 +25,7 @@ struct FillingTargets {
     std::vector<double> natural;  // the items' scales by their weights, up to a common factor
     std::vector<Vec2> homes;      // canvas px; items should stay near them; none: they may go anywhere
     double emptiness = 3;         // costs of an area without pixels, as a multiple of one without I-Regions
+    double fair_size = -0.15;     // ln(scale) relative to the natural one; a smaller item is tiny
     int tries = 60'000;           // of each annealing
 };
 

@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t cells_a_side = 48;  // of the grid of cuts
 constexpr double usual_share = 0.7;       // of the field that regions cover, for their fair sizes
 constexpr double uneven_weight = 0.05;    // factor of the mean square of ln(scale) relative to the fair one
-constexpr double tiny_size = -0.2;        // ln(scale) relative to the fair one; a smaller item is tiny
 constexpr double tiny_weight = 20;        // factor of the mean square of ln(scale) missing to that
 
 using Set = std::uint32_t;  // a bit for each item
@@ -173,7 +172,7 @@ class Division {
             std::min(box.width(), frame.width() * scale) * std::min(box.height(), frame.height() * scale);
         const double seen = problem_.shapes[item].area * scale * scale;
         const double resized = std::log(scale / fair_[item]);
-        const double lack = std::max(0.0, tiny_size - resized);
+        const double lack = std::max(0.0, targets_.fair_size - resized);
         const double uneven = uneven_weight * resized * resized + tiny_weight * lack * lack;
         return static_cast<float>((targets_.emptiness * (box.area() - filled) - seen) /
                                       problem_.field.area() +
