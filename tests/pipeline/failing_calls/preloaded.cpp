@@ -4,8 +4,9 @@
 // over. Where its first byte is '1', the lines behind it count: CALL ERRNO PATTERN, with a pattern of
 // fnmatch() for absolute paths. CALL is one of open, read, stat, list, watch.
 
+#include "tests/pipeline/next_call.hpp"
+
 #include <dirent.h>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fnmatch.h>
 #include <sys/inotify.h>
@@ -14,20 +15,17 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <climits>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 
+using namespace vitrine;
+
 namespace {
 
 constexpr std::size_t table_bytes = 64UL << 10U;
-
-template <typename Call> Call next(const char* name, Call) {
-    return reinterpret_cast<Call>(::dlsym(RTLD_NEXT, name));
-}
 
 const volatile char* map_table() {
     const char* file = std::getenv("FAILING_CALLS");
@@ -38,23 +36,6 @@ const volatile char* map_table() {
 }
 
 const volatile char* const table = map_table();
-
-std::string link_target(const std::string& link) {
-    std::string target(PATH_MAX, '\0');
-    const ssize_t length = ::readlink(link.c_str(), target.data(), target.size());
-    target.resize(length < 0 ? 0 : static_cast<std::size_t>(length));
-    return target;
-}
-
-std::string path_of(int fd) {
-    return link_target("/proc/self/fd/" + std::to_string(fd));
-}
-
-std::string path_at(int folder, const char* name) {
-    if (name == nullptr || *name == '\0') return path_of(folder);
-    if (*name == '/') return name;
-    return (folder == AT_FDCWD ? link_target("/proc/self/cwd") : path_of(folder)) + "/" + name;
-}
 
 /// True: the call fails, and errno is set. @param path  gives the path; called only while there are faults
 template <typename Path> bool fails(const char* call, const Path& path) {
@@ -73,10 +54,6 @@ template <typename Path> bool fails(const char* call, const Path& path) {
     }
     errno = before;
     return false;
-}
-
-int mode_of(int flags, va_list arguments) {
-    return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, int) : 0;
 }
 
 bool open_fails(int folder, const char* name) {

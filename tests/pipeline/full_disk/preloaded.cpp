@@ -5,7 +5,8 @@
 //   the
 //                      first one that fails, counted from 1, or 0, for calls that are only counted
 
-#include <dlfcn.h>
+#include "tests/pipeline/next_call.hpp"
+
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -14,19 +15,15 @@
 
 #include <atomic>
 #include <cerrno>
-#include <climits>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
-namespace {
+using namespace vitrine;
 
-template <typename Call> Call next(const char* name, Call) {
-    return reinterpret_cast<Call>(::dlsym(RTLD_NEXT, name));
-}
+namespace {
 
 struct Calls {
     std::atomic<std::uint64_t> so_far;
@@ -49,22 +46,6 @@ bool is_below(const std::string& path) {
     return folder != nullptr && path.starts_with(std::string(folder) + "/");
 }
 
-std::string link_target(const std::string& link) {
-    std::string target(PATH_MAX, '\0');
-    const ssize_t length = ::readlink(link.c_str(), target.data(), target.size());
-    target.resize(length < 0 ? 0 : static_cast<std::size_t>(length));
-    return target;
-}
-
-std::string path_of(int fd) {
-    return link_target("/proc/self/fd/" + std::to_string(fd));
-}
-
-std::string path_at(int folder, const char* name) {
-    if (name[0] == '/') return name;
-    return (folder == AT_FDCWD ? link_target("/proc/self/cwd") : path_of(folder)) + "/" + name;
-}
-
 /// True: a call that needs room here finds none any more.
 bool is_full(const std::string& path) {
     if (!is_below(path) || calls() == nullptr) return false;
@@ -77,10 +58,6 @@ bool is_full(const std::string& path) {
 
 bool makes_file(const std::string& path, int flags) {
     return (flags & O_CREAT) != 0 && ::access(path.c_str(), F_OK) != 0;
-}
-
-int mode_of(int flags, va_list arguments) {
-    return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, int) : 0;
 }
 
 }  // namespace
