@@ -219,6 +219,18 @@ CURES = [
          "scene_test.photo_drift_test"),
     Cure("an animation without end", "base/media/animation.cpp",
          "    if (pictures > most)\n", "    if (false)\n", "media_test.animation_test"),
+    Cure("a photo that waits for the network", "analyzer/watch/refiner.cpp",
+         "while (is_free_ && running_.size()", "while (running_.size()", "watch_test.refiner_test"),
+    Cure("a network that does not work", "analyzer/watch/refiner.cpp",
+         "    options_.command.clear();\n", "", "watch_test.refiner_test"),
+    Cure("a photo without a single subject", "analyzer/saliency/i_region.cpp",
+         "const bool is_sure = subject.certainty >= sure_certainty;", "const bool is_sure = true;",
+         "saliency_test.subject_outline_test"),
+    Cure("a small subject is a blur to the network", "analyzer/saliency/subject_outline.cpp",
+         "std::min(undecided_share(map), growth_doubt * growth)", "(void(growth), undecided_share(map))",
+         "saliency_test.subject_outline_test"),
+    Cure("gaps where most regions are new", "player/scene/wall.cpp",
+         "    forget_places_of_few(plan.items);\n", "    (void)&forget_places_of_few;\n", "scene_test.wall_test"),
 ]
 
 

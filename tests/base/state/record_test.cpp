@@ -107,6 +107,15 @@ TEST_CASE("a record has grown where it says the same of the same content, and mo
     CHECK_FALSE(is_grown_from(other, before));
 }
 
+TEST_CASE("the certainty of a photo's region survives the way to JSON, and is a share") {
+    MediaRecord record = film();
+    CHECK_FALSE(record_from_json(to_json(record)).shots[0].certainty);
+    record.shots[0].certainty = 0.875;
+    CHECK(record_from_json(to_json(record)) == record);
+    record.shots[0].certainty = 7;  // from a damaged record
+    CHECK(record_from_json(to_json(record)).shots[0].certainty == 1);
+}
+
 TEST_CASE("a shot's picture within its bars survives the way to JSON, and its core lies in it") {
     MediaRecord record = film();
     record.shots[0].picture = Box{{0, 40}, {640, 320}};
