@@ -9,10 +9,12 @@
 #include "base/system/log.hpp"
 #include "base/system/sandbox.hpp"
 #include "base/system/service.hpp"
+#include "base/system/stop_request.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
@@ -28,6 +30,8 @@ constexpr bool can_limit_memory = false;  // sanitizers reserve terabytes
 #else
 constexpr bool can_limit_memory = true;
 #endif
+
+constexpr auto stop_patience = std::chrono::seconds(5);  // half of TimeoutStopSec= of the unit
 
 /// Half of the cores, rounded up.
 std::size_t usual_parallelism() {
@@ -122,12 +126,11 @@ int watch_media(const Settings& settings, const ReadSettings& read_settings, boo
     EventLoop loop;
     const EventLoop::Source hangup = loop.signal(SIGHUP, [&] { read_again(read_settings, snapshot); });
     bool is_interrupted = false;
-    const auto quit = [&] {
-        is_interrupted = true;
-        loop.quit();
-    };
-    const EventLoop::Source terminate = loop.signal(SIGTERM, quit);
-    const EventLoop::Source interrupt = loop.signal(SIGINT, quit);
+    const StopRequest stop(
+        loop, {.patience = stop_patience, .exit_code = is_once ? EXIT_FAILURE : EXIT_SUCCESS}, [&] {
+            is_interrupted = true;
+            loop.quit();
+        });
     const Daemon daemon(loop, watch_options(settings, snapshot.path(), is_once));
     service::ready(daemon.status());
     log::info("watching '{}': {}", settings.media.root, daemon.status());
