@@ -16,6 +16,7 @@
 #include <cmath>
 #include <csignal>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -23,6 +24,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr rlim_t max_processor_seconds = 172'800;  // even of a file that gets on and on
+constexpr std::string_view killed_first = "1000";  // where memory ends, a child goes and not this process
 
 struct Pipe {
     Pipe() {
@@ -49,6 +51,13 @@ void limit(__rlimit_resource resource, rlim_t value) {
     ::setrlimit(resource, &both);  // a stricter limit of ours stays
 }
 
+/// Runs in the new process. A kernel that refuses it leaves the score of this process.
+void be_killed_first() {
+    const int score = ::open("/proc/self/oom_score_adj", O_WRONLY);
+    if (::write(score, killed_first.data(), killed_first.size()) < 0) errno = 0;
+    ::close(score);
+}
+
 /// Runs in the new process.
 [[noreturn]] void become(const Launch& launch, pid_t parent) {
     ::setpgid(0, 0);
@@ -62,6 +71,7 @@ void limit(__rlimit_resource resource, rlim_t value) {
     if (launch.memory != RLIM_INFINITY) limit(RLIMIT_DATA, launch.memory);
     limit(RLIMIT_CPU, max_processor_seconds);
     if (::nice(launch.niceness) < 0) errno = 0;  // it only runs faster then
+    be_killed_first();
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
     ::dup2(launch.output, STDOUT_FILENO);

@@ -86,6 +86,10 @@ TEST_CASE("of endless complaints the end is kept") {
     CHECK(result.complaint.ends_with("the reason\n"));
 }
 
+TEST_CASE("where memory ends, a child is killed and not the daemon") {
+    CHECK(run("cat /proc/self/oom_score_adj").output == "1000\n");
+}
+
 TEST_CASE("a crash is told by its signal") {
     const ChildResult result = run("kill -SEGV $$");
     CHECK(result.end == End::killed);
