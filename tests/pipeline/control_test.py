@@ -20,6 +20,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER, CTL = (BUILD / name for name in ("analyzer/vitrine-analyzer", "player/vitrine-player", "player/control/vitrinectl"))
 PATIENCE = 300  # seconds until something that must come is given up
 UNKNOWN_FILE, NOT_RUNNING = 2, 4
+BUS_NAME, BUS_PATH = "org.vitrine.Player1", "/org/vitrine/Player1"
 COLOURS = {"red": (230, 30, 30), "green": (30, 200, 30), "blue": (40, 60, 240), "yellow": (240, 220, 30)}
 
 
@@ -84,6 +85,11 @@ frame_rate = 5
         return subprocess.run([CTL, *map(str, words)], env=self.environment, cwd=cwd or self.folder, capture_output=True, text=True,
                               timeout=PATIENCE)
 
+    def call(self, method, *arguments):
+        """A method of the player on the bus, past vitrinectl."""
+        return subprocess.run(["gdbus", "call", "--address", self.environment["DBUS_SYSTEM_BUS_ADDRESS"], "--dest", BUS_NAME, "--object-path",
+                               BUS_PATH, "--method", f"{BUS_NAME}.{method}", *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE)
+
     def status(self):
         said = self.ctl("status", "--json")
         return json.loads(said.stdout) if said.returncode == 0 else {"cells": [], "files": 0, "removed": []}
@@ -145,6 +151,15 @@ frame_rate = 5
             self.assertIn("vitrinectl", self.ctl("why", hidden).stdout)
             self.assertTrue((self.media / hidden).exists())
             self.assertNotEqual(self.ctl("pin", "nothing.png").returncode, 0)
+        with self.subTest("pin a slot"):
+            self.assertEqual(self.ctl("pin", 1).returncode, 0)
+            wait_for("the pinned slot", lambda: [cell["slot"] for cell in self.status()["cells"] if cell["pinned"]] == [1])
+            self.assertEqual(self.ctl("pin", 1, "off").returncode, 0)
+            refused = self.ctl("pin", 2)
+            self.assertEqual((refused.returncode, "there is no slot 2" in refused.stderr), (1, True), refused.stderr)
+            for slot in (2, 2**31, 2**32 - 1):  # vitrinectl takes three digits
+                self.assertIn("there is no slot", self.call("PinSlot", slot, "true").stderr)
+            self.assertFalse(any(cell["pinned"] for cell in self.status()["cells"]))
         with self.subTest("metrics"):
             text = (self.folder / "vitrine.prom").read_text()
             self.assertIn('vitrine_files{state="ready"} 4\n', text)
