@@ -21,11 +21,12 @@ constexpr int text_dpi = 72;         // so that a point is a pixel
 constexpr double cap_height = 0.73;  // share of the size, DejaVu Sans
 constexpr const char* typeface = "DejaVu Sans";
 
-struct ImageUnref {
-    void operator()(VipsImage* image) const { g_object_unref(image); }
+struct Unref {
+    void operator()(void* object) const { g_object_unref(object); }
 };
 
-using ImagePtr = std::unique_ptr<VipsImage, ImageUnref>;
+using ImagePtr = std::unique_ptr<VipsImage, Unref>;
+using TargetPtr = std::unique_ptr<VipsTarget, Unref>;
 
 struct GFree {
     void operator()(void* memory) const { g_free(memory); }
@@ -137,16 +138,16 @@ int Canvas::text(std::string_view line, Vec2 at, const TextStyle& style, int max
     return mask.cols;
 }
 
-void Canvas::write_png(const std::string& path) const {
+void Canvas::write_png(int file) const {
     cv::Mat rgb;
     cv::cvtColor(picture_, rgb, cv::COLOR_BGR2RGB);
     const ImagePtr image(
         vips_image_new_from_memory(rgb.data, rgb.total() * 3, rgb.cols, rgb.rows, 3, VIPS_FORMAT_UCHAR));
-    if (image == nullptr) throw std::runtime_error(fmt::format("write '{}': {}", path, vips_error_buffer()));
-    image->Type = VIPS_INTERPRETATION_sRGB;
-    if (vips_pngsave(image.get(), path.c_str(), "compression", 6, nullptr) != 0) {
-        throw std::runtime_error(fmt::format("write '{}': {}", path, vips_error_buffer()));
-    }
+    const TargetPtr target(vips_target_new_to_descriptor(file));
+    if (image != nullptr) image->Type = VIPS_INTERPRETATION_sRGB;
+    if (image == nullptr || target == nullptr ||
+        vips_pngsave_target(image.get(), target.get(), "compression", 6, nullptr) != 0)
+        throw std::runtime_error(fmt::format("write the picture: {}", vips_error_buffer()));
 }
 
 }  // namespace vitrine::analyzer

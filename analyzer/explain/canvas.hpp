@@ -44,8 +44,8 @@ class Canvas {
 
     int text_width(std::string_view line, double size) const;
 
-    /// @throws std::runtime_error if the file cannot be written
-    void write_png(const std::string& path) const;
+    /// Writes into an open file. @throws std::runtime_error if it cannot be written
+    void write_png(int file) const;
 
     const cv::Mat& picture() const { return picture_; }
 

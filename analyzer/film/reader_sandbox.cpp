@@ -78,7 +78,7 @@ class Descriptors {
 void enter_reader_sandbox(const MediaFile& file, const ReaderNeeds& needs) {
     const std::optional<MediaFormat> format = format_of(file);
     if (format) load_readers(*format);
-    Descriptors folders, models;
+    Descriptors folders, models;  // models and libraries
     for (const fs::path& folder : folders_for(format, needs)) {
         std::error_code ignored;
         fs::create_directories(folder, ignored);
@@ -86,6 +86,8 @@ void enter_reader_sandbox(const MediaFile& file, const ReaderNeeds& needs) {
     }
     for (const std::string& model : needs.models)
         if (!model.empty()) models.add(model.c_str(), 0);
+    for (const fs::path& library : needs.libraries)
+        models.add(library.c_str(), O_DIRECTORY);
     // Libraries put files without a name there, such as the code that Orc makes at run time.
     if (!needs.folders.empty()) ::setenv("TMPDIR", needs.folders.front().c_str(), 1);
     SandboxRules rules{.readable = models.numbers(), .writable = folders.numbers()};

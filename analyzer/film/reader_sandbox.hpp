@@ -10,9 +10,10 @@ namespace vitrine::analyzer {
 
 /// The files that a process needs beside the one that it looks at.
 struct ReaderNeeds {
-    std::vector<std::filesystem::path> folders;  // written below; made where they are not there
-    std::filesystem::path film_folder;           // one more if the file is a film; empty: none
-    std::vector<std::string> models;             // files to read; empty names are passed over
+    std::vector<std::filesystem::path> folders;    // written below; made where they are not there
+    std::filesystem::path film_folder;             // one more if the file is a film; empty: none
+    std::vector<std::string> models;               // files to read; empty names are passed over
+    std::vector<std::filesystem::path> libraries;  // folders to read below, where they are there
 };
 
 /// Lets this process do nothing any more but look at one file: loads what the file's format needs, then

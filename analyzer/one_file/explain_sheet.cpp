@@ -2,6 +2,8 @@
 
 #include "analyzer/one_file/analyze.hpp"
 
+#include <utility>
+
 namespace vitrine::analyzer {
 namespace {
 
@@ -17,8 +19,7 @@ IRegion region_from(const MediaRecord& record, std::chrono::nanoseconds begin) {
 
 }  // namespace
 
-MediaRecord write_explain_sheet(const SourceOpener& open, const SheetTitle& title, const std::string& output,
-                                const AnalysisSettings& settings) {
+Explanation explain(const SourceOpener& open, const SheetTitle& title, const AnalysisSettings& settings) {
     LongestShots longest(max_rows);
     MediaRecord record =
         analyze(*open(), settings, [&longest](const ShotEvidence& evidence) { longest.add(evidence); });
@@ -29,8 +30,8 @@ MediaRecord write_explain_sheet(const SourceOpener& open, const SheetTitle& titl
     std::vector<ShotEvidence> rows = longest.shots();
     for (ShotEvidence& row : rows)
         row.letter = region_from(compared, row.shot.begin);
-    drawn_sheet(title, record, rows).write_png(output);
-    return record;
+    Canvas sheet = drawn_sheet(title, record, rows);
+    return {.record = std::move(record), .sheet = std::move(sheet)};
 }
 
 }  // namespace vitrine::analyzer

@@ -22,6 +22,7 @@
 #include <opencv2/core.hpp>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <new>
@@ -237,6 +238,10 @@ ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     return needs;
 }
 
+/// The fonts of a sheet, and what tells where they are.
+constexpr std::array font_places{"/etc/fonts", "/usr/share/fontconfig", "/usr/share/fonts",
+                                 "/usr/local/share/fonts", "/var/cache/fontconfig"};
+
 }  // namespace
 
 MediaRecord analyse_file(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs,
@@ -278,8 +283,16 @@ bool write_thumbnail(const fs::path& file, const Settings& settings) {
 MediaRecord explain_file(const fs::path& file, const std::string& sheet, const Settings& settings) {
     const AnalysedFile analysed(file, settings);
     const SheetTitle title{.name = file.filename().string(), .bytes = analysed.media().bytes()};
-    return write_explain_sheet([&] { return analysed.open(); }, title, sheet,
-                               analysis_settings(settings.analyzer));
+    const UniqueFd output(::open(sheet.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+    if (!output.is_open()) throw_errno("write '{}'", sheet);
+    ReaderNeeds needs = needs_of(analysed, {});
+    needs.libraries.assign(font_places.begin(), font_places.end());
+    enter_reader_sandbox(analysed.media(), needs);
+    Explanation explanation =
+        explain([&] { return analysed.open(); }, title, analysis_settings(settings.analyzer));
+    if (::ftruncate(output.get(), 0) != 0) throw_errno("write '{}'", sheet);
+    explanation.sheet.write_png(output.get());
+    return std::move(explanation.record);
 }
 
 }  // namespace vitrine::analyzer

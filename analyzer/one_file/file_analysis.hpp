@@ -42,9 +42,10 @@ void print_analysis(const std::filesystem::path& file, const Settings& settings,
 /// @throws MediaError where the file cannot be read
 bool write_thumbnail(const std::filesystem::path& file, const Settings& settings);
 
-/// Writes the sheet that shows how the file's regions came about, as PNG.
+/// Writes the sheet that shows how the file's regions came about, as PNG. This process enters the sandbox of
+/// a reader for good, and holds the sheet open before.
 /// @return the record
-/// @throws MediaError where there is nothing to show
+/// @throws MediaError where there is nothing to show; std::system_error
 MediaRecord explain_file(const std::filesystem::path& file, const std::string& sheet,
                          const Settings& settings);
 

@@ -16,6 +16,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -96,6 +97,12 @@ void allow_below(const UniqueFd& ruleset, int file, std::uint64_t rights) {
     throw_errno("add a file to the sandbox");
 }
 
+bool is_folder(int file) {
+    struct stat status {};
+
+    return ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
 void limit_files(const SandboxRules& rules, int abi) {
     const Ruleset rights = all_rights(abi);
     const std::size_t bytes = abi >= scope_abi     ? sizeof rights
@@ -105,7 +112,7 @@ void limit_files(const SandboxRules& rules, int abi) {
         static_cast<int>(::syscall(SYS_landlock_create_ruleset, &rights, bytes, std::uint32_t{0})));
     if (!ruleset.is_open()) throw_errno("make a sandbox for files");
     for (const int file : rules.readable)
-        allow_below(ruleset, file, read_right);
+        allow_below(ruleset, file, is_folder(file) ? read_right | LANDLOCK_ACCESS_FS_READ_DIR : read_right);
     for (const int folder : rules.writable)
         allow_below(ruleset, folder, folder_rights & rights.files);
     if (::syscall(SYS_landlock_restrict_self, ruleset.get(), 0) != 0)

@@ -8,7 +8,8 @@ namespace vitrine {
 /// The files that a process may still reach in its sandbox, besides the descriptors that it holds. The
 /// descriptors are needed for the call only.
 struct SandboxRules {
-    std::vector<int> readable;  // files that may be opened again to read, by name or as /proc/self/fd/N
+    std::vector<int> readable;  // files that may be opened again to read, by name or as /proc/self/fd/N; of a
+                                // folder all that is below it, and lists of it
     std::vector<int> writable;  // folders: below them files and folders may be read, made, renamed, removed
 };
 

@@ -87,6 +87,16 @@ class TakeOver(unittest.TestCase):
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assert_nothing_is_reached(done.stderr)
 
+    def test_an_explanation(self):
+        for name in ("film.mkv", "photo.jpg"):
+            with self.subTest(name):
+                sheet = self.home / f"{name}.png"
+                done = subprocess.run(self.command(name, "explain", f"--output={sheet}", str(self.root / name)), env=self.environment(name),
+                                      text=True, capture_output=True, timeout=PATIENCE)
+                self.assert_nothing_is_reached(done.stderr)
+                if name == "photo.jpg":  # the film's decoder gives no picture
+                    self.assertEqual(sheet.read_bytes()[:4], b"\x89PNG", done.stderr)
+
     def test_a_weaver(self):
         done = subprocess.run(self.command("film.mkv", "weave", f"--output={self.state / 'tapestry' / 'x'}", str(self.root / "film.mkv")),
                               env=self.environment("film.mkv"), text=True, capture_output=True, timeout=PATIENCE)

@@ -1,5 +1,7 @@
 #include "analyzer/explain/sheet.hpp"
 
+#include "base/system/unique_fd.hpp"
+
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 #include <vips/vips.h>
@@ -8,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 using namespace vitrine;
@@ -69,7 +72,7 @@ TEST_CASE("a sheet is read back as it was drawn, with the region on it") {
     record.shots.push_back(evidence.shot);
     const Scratch file;
     const Canvas sheet = drawn_sheet({.name = "drawn.png", .bytes = 1234}, record, {evidence});
-    sheet.write_png(file.path);
+    sheet.write_png(UniqueFd(::open(file.path.c_str(), O_WRONLY | O_CREAT, 0600)).get());
 
     const cv::Mat pixels = read_back(file.path);
 

@@ -6,6 +6,7 @@
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "base/state/tapestry.hpp"
+#include "base/system/unique_fd.hpp"
 #include "tests/analyzer/film/drawn_film.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -17,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 using namespace vitrine;
@@ -37,7 +39,7 @@ struct Photo {
         cv::circle(picture, {940, 60}, 12, cv::Scalar(40, 60, 240), cv::FILLED, cv::LINE_AA);
         Canvas canvas(picture.cols, picture.rows, 0);
         canvas.place(picture, {});
-        canvas.write_png(path);
+        canvas.write_png(UniqueFd(::open(path.c_str(), O_WRONLY | O_CREAT, 0600)).get());
     }
 
     Photo(const Photo&) = delete;
