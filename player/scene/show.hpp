@@ -18,6 +18,8 @@
 
 namespace vitrine::player {
 
+class ChangePace;
+
 /// A request for a layout.
 struct WallPlan {
     std::uint64_t generation = 0;  // the layout must have the same
@@ -79,6 +81,10 @@ class Show {
 
     /// @param now  since the player's start; never goes back
     virtual WallStep step(std::chrono::nanoseconds now) = 0;
+
+    /// The pace of the show's changes, for what changes the picture besides. nullptr: the show only moves
+    /// slowly.
+    virtual ChangePace* pace() { return nullptr; }
 
     /// The shots on the screen.
     virtual std::vector<SlotShot> standing() const = 0;

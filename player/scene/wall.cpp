@@ -68,6 +68,12 @@ bool may_begin(const WallChange& change, std::span<const PlacedShot> shown, Chan
     return true;
 }
 
+/// Starts the time of the shots that have appeared or are about to appear.
+void tell_appeared(const WallChange& change, WallSlots& slots) {
+    for (const PlacedShot& placed : change.wall)
+        if (placed.began != never) slots.shot_appeared(placed.shot.source, placed.began);
+}
+
 }  // namespace
 
 int folder_number(const std::string& path, std::map<std::string, int>& folders) {
@@ -239,25 +245,19 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     else
         begin_transition(*change_, shown_, style, now);
     if (change_->phase == Phase::arriving) return advance_arrival(now);
-    tell_appeared();
+    tell_appeared(*change_, slots_);
 }
 
 /// Shows the shots of the first wall whose sources are ready, and gives up on those that are too late.
 void Wall::advance_arrival(std::chrono::nanoseconds now) {
     let_arrive(*change_, sources_, now);
-    tell_appeared();
+    tell_appeared(*change_, slots_);
     if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
 }
 
 void Wall::give_up_pending(std::chrono::nanoseconds now) {
     for (const SourceId source : sources_.pending(change_->wall))
         source_failed(source, now);
-}
-
-/// Starts the time of the shots that have appeared or are about to appear.
-void Wall::tell_appeared() {
-    for (const PlacedShot& placed : change_->wall)
-        if (placed.began != never) slots_.shot_appeared(placed.shot.source, placed.began);
 }
 
 }  // namespace vitrine::player

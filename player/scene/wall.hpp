@@ -76,6 +76,8 @@ class Wall final : public Show {
     /// @param now  since the player's start; never goes back
     WallStep step(std::chrono::nanoseconds now) override;
 
+    ChangePace* pace() override { return &pace_; }
+
     std::vector<SlotShot> standing() const override;
 
     std::set<std::string> avoided_files() const override { return slots_.avoided_files(); }
@@ -90,7 +92,6 @@ class Wall final : public Show {
     void wait_for_sources(std::chrono::nanoseconds now);
     void advance_arrival(std::chrono::nanoseconds now);
     void give_up_pending(std::chrono::nanoseconds now);
-    void tell_appeared();
 
     WallSettings settings_;
     Vec2 canvas_;

@@ -2,6 +2,7 @@
 
 #include "base/state/tapestry.hpp"
 #include "base/system/log.hpp"
+#include "player/scene/change_pace.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stage_settings.hpp"
@@ -65,6 +66,8 @@ void ShowSwitch::fade(Frame& frame) {
 
 /// True if wall and tapestry can replace one another without flashing.
 bool ShowSwitch::may_switch() const {
+    const ChangePace* const pace = wall_->pace();
+    if (!tapestry_ && pace != nullptr && !pace->is_free(time_)) return false;
     return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
 }
 
@@ -105,6 +108,7 @@ std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
     away_ += time_ - switched_;
     time_ = switched_;
     has_switched_ = true;
+    if (ChangePace* const pace = wall_->pace()) pace->note_change(time_);
     return retired;
 }
 

@@ -10,9 +10,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 5;  // that are tried
+constexpr std::size_t divisions = 8;  // that are tried
 constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
-constexpr int tries_of_few = 12'000;  // of each annealing
+constexpr int tries_of_few = 8'000;   // of each annealing
 constexpr double min_size = -0.33;    // ln(scale) relative to the fair one: half of its area
 constexpr double tiny_cost = 20;      // factor of the square of ln(scale) missing to that
 constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
