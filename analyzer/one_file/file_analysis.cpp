@@ -285,7 +285,7 @@ MediaRecord explain_file(const fs::path& file, const std::string& sheet, const S
     const SheetTitle title{.name = file.filename().string(), .bytes = analysed.media().bytes()};
     const UniqueFd output(::open(sheet.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
     if (!output.is_open()) throw_errno("write '{}'", sheet);
-    ReaderNeeds needs = needs_of(analysed, {});
+    ReaderNeeds needs = needs_of(analysed, {.network = true});
     needs.libraries.assign(font_places.begin(), font_places.end());
     enter_reader_sandbox(analysed.media(), needs);
     Explanation explanation =
