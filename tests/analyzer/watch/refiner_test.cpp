@@ -73,6 +73,8 @@ TEST_CASE("photos are looked at once nothing is analysed, the newest first, and 
     desk.refiner.note_record(photo("old", 1));
     desk.refiner.note_record(photo("new", 2));
     desk.refiner.advance(false);
+    for (int i = 0; i < 10; ++i)
+        desk.loop.run_once(20ms);
     CHECK(desk.looked_at().empty());
     desk.refiner.advance(true);
     REQUIRE(desk.comes_true([&] { return desk.refiner.backlog() == 0; }));
