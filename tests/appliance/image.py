@@ -14,7 +14,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SUITE = "bookworm"
-PACKAGES = """systemd systemd-sysv udev dbus polkitd kmod procps zstd linux-image-amd64 initramfs-tools qemu-guest-agent
+PACKAGES = """systemd systemd-sysv udev dbus polkitd kmod procps zstd linux-image-amd64 initramfs-tools qemu-guest-agent bindfs
 libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri libgbm1 opencv-data
 gstreamer1.0-plugins-base gstreamer1.0-plugins-good gstreamer1.0-plugins-bad gstreamer1.0-plugins-ugly gstreamer1.0-libav""".split()
 DRIVERS_LEFT_OUT = "net media infiniband scsi staging iio hwmon isdn mtd nvme md ata firewire platform bluetooth crypto".split()
