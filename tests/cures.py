@@ -220,6 +220,8 @@ CURES = [
          "scene_test.photo_drift_test"),
     Cure("a program that hangs in a call", "base/system/stop_request.cpp",
          "    ::_exit(limit_.exit_code);\n", "", "system_test.stop_request_test"),
+    Cure("a stop while the server is silent", "base/system/stop_request.cpp",
+         "    ::_exit(limit_.exit_code);\n", "", "pipeline.hostile_share", targets=("vitrine-analyzer",), only="release"),
     Cure("memory that ends", "analyzer/watch/child_process.cpp", "    be_killed_first();\n", "    (void)be_killed_first;\n",
          "watch_test.child_process_test"),
     Cure("a slot that is not there", "player/player_service.cpp",

@@ -7,6 +7,7 @@ Without --all a seeded sample of the errors is tried. Needs FUSE and python3-fus
 """
 import errno
 import random
+import signal
 import subprocess
 import sys
 import time
@@ -21,6 +22,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ALL = "--all" in sys.argv
 SKIPPED = 77
 PLACES = [("file", "open"), ("file", "read"), ("file", "stat"), ("folder", "stat"), ("folder", "list")]
+STOP_PATIENCE = 10  # seconds; TimeoutStopSec= of the unit
 OUTAGE = 6  # seconds; the analyzer looks at a new file of a share for the second time after two or three
 
 
@@ -58,6 +60,17 @@ class HostileShare(FaultyFolder):
         self.assertTrue(files <= set(self.records()), "a file was lost")
         self.share.fail_with()
         self.until_all_ready(watcher, files | {f"{number}/meanwhile.png" for number, _ in enumerate(cases)})
+
+    def test_a_stop_while_the_server_is_silent_takes_seconds_and_is_no_failure(self):
+        self.drop("a.png")
+        watcher = self.start()
+        self.until_all_ready(watcher, {"a.png"})
+        self.share.process.send_signal(signal.SIGSTOP)
+        time.sleep(OUTAGE)  # until the analyzer waits for an answer
+        begin = time.monotonic()
+        watcher.terminate()
+        self.assertEqual(watcher.wait(STOP_PATIENCE), 0)
+        print(f"ended after {time.monotonic() - begin:.1f} s", file=sys.stderr)
 
     def test_a_root_that_fails_ends_nothing(self):
         errors = ERRORS if ALL else random.Random(15).sample(ERRORS, 3)
