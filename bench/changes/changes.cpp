@@ -273,7 +273,8 @@ void print_drawing(int changes, const DrawItems& draw) {
 int main(int argc, char** argv) {
     const int changes = argc > 1 ? std::atoi(argv[1]) : 60;
     const int frames = argc > 2 ? std::atoi(argv[2]) : 20;
-    const std::vector<LayoutItem> real = argc > 3 && *argv[3] != '\0' ? items_of_catalogue(argv[3]) : std::vector<LayoutItem>{};
+    const std::vector<LayoutItem> real =
+        argc > 3 && *argv[3] != '\0' ? items_of_catalogue(argv[3]) : std::vector<LayoutItem>{};
     const DrawItems draw = [&](Random& random) {
         return real.empty() ? random_item(random) : real[uniform_index(random, real.size())];
     };

@@ -1,5 +1,5 @@
-// Measures walls of few items: the share of the screen that no picture reaches, beside the least that a search
-// finds for the same items.
+// Measures walls of few items: the share of the screen that no picture reaches, beside the least that a
+// search finds for the same items.
 //   few_table [INSTANCES [CATALOGUE [all|judged [SEARCHED]]]]
 // On items like those of real media, or on the shots of a catalogue. Every second shot of the catalogue is
 // kept back: with "judged" the walls are made of these, with "all" (the default) of the others. The bound is
@@ -133,7 +133,9 @@ struct Figure {
         ++count;
     }
 
-    std::string text() const { return fmt::format("{:.1f}, {:.1f}", 100 * sum / std::max(1, count), 100 * largest); }
+    std::string text() const {
+        return fmt::format("{:.1f}, {:.1f}", 100 * sum / std::max(1, count), 100 * largest);
+    }
 };
 
 struct FewRow {

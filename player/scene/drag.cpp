@@ -73,9 +73,9 @@ std::optional<std::vector<Placement>> Drag::next_placements(std::span<const Plac
     return making_way(standing, item, wish).placements;
 }
 
-/// Tries several steps. Takes the one after which most of the shots is seen, the canvas is filled and the held
-/// shot is nearest to the finger. In a step the other shots make room from their homes or from their present places; or the shot
-/// at the finger changes places with the held shot.
+/// Tries several steps. Takes the one after which most of the shots is seen, the canvas is filled and the
+/// held shot is nearest to the finger. In a step the other shots make room from their homes or from their
+/// present places; or the shot at the finger changes places with the held shot.
 WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) const {
     WallState here = wall;
     for (std::size_t i = 0; i < wall.items.size(); ++i)

@@ -7,9 +7,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double growths[] = {1, 1.1, 1.2, 1.3};   // factors of an item's scale
-constexpr double ways[] = {0, 0.02, 0.05};         // shares of the field's diagonal
-constexpr Vec2 directions[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}};
+constexpr double growths[] = {1, 1.1, 1.2, 1.3};  // factors of an item's scale
+constexpr double ways[] = {0, 0.02, 0.05};        // shares of the field's diagonal
+constexpr Vec2 directions[] = {{1, 0},     {0, 1},      {-1, 0},      {0, -1},
+                               {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}};
 constexpr double cost_of_growth = 0.02;  // share of the canvas that a growth to twice the size must fill
 constexpr double cost_of_way = 0.1;      // the same for a step as long as the diagonal
 constexpr double min_gain = 0.002;       // share of the canvas that a step must fill
@@ -86,7 +87,7 @@ class CoarseFilling {
         contacts_.set_scale(item, step.scale);
     }
 
-    PackingProblem& problem_;      // outlives this
+    PackingProblem& problem_;  // outlives this
     std::span<const Box> frames_;
     Contacts contacts_;
     Arrangement now_;

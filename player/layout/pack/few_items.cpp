@@ -10,11 +10,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 8;  // that are tried
-constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
-constexpr int tries_of_few = 8'000;   // of each annealing
-constexpr double min_size = -0.33;    // ln(scale) relative to the fair one: half of its area
-constexpr double tiny_cost = 20;      // factor of the square of ln(scale) missing to that
+constexpr std::size_t divisions = 8;   // that are tried
+constexpr double emptiness = 10;       // costs of an area without pixels; see FillingTargets
+constexpr int tries_of_few = 8'000;    // of each annealing
+constexpr double min_size = -0.33;     // ln(scale) relative to the fair one: half of its area
+constexpr double tiny_cost = 20;       // factor of the square of ln(scale) missing to that
 constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
 
 /// The cost of an arrangement, the same for all of one set of items. @pre a growth of 1
@@ -29,7 +29,8 @@ double cost_of(const PackingProblem& problem, const FillingTargets& targets, con
     double tiny = 0;
     for (std::size_t i = 0; i < problem.size(); ++i) {
         if (problem.scales[i] >= problem.limits[i] * limit_share) continue;
-        const double lack = std::max(0.0, min_size - std::log(problem.scales[i] / (targets.natural[i] * growth)));
+        const double lack =
+            std::max(0.0, min_size - std::log(problem.scales[i] / (targets.natural[i] * growth)));
         tiny += tiny_cost * lack * lack;
     }
     return targets.emptiness * exact_unfilled_share(problem, targets.frames, made) -

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
-constexpr double edge_share = 0.002;  // distance of the outermost samples from the field's edge, share of its side
+constexpr double edge_share =
+    0.002;  // distance of the outermost samples from the field's edge, share of its side
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
 constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
 constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
@@ -29,8 +30,8 @@ constexpr double min_resizing = -0.5;
 constexpr double first_temperature = 0.01;
 constexpr std::size_t max_items = 48;  // more pictures fill the canvas by themselves
 
-/// The range of samples m that have `from` <= m < `to`. There are `samples` samples on [origin, origin + size),
-/// at equal distances; the outermost lie near its ends, where a thin band would be seen.
+/// The range of samples m that have `from` <= m < `to`. There are `samples` samples on [origin, origin +
+/// size), at equal distances; the outermost lie near its ends, where a thin band would be seen.
 std::array<int, 2> sample_range(double from, double to, double origin, double size, int samples) {
     const double first = origin + edge_share * size;
     const double distance = (1 - 2 * edge_share) * size / (samples - 1);
@@ -52,7 +53,8 @@ class FramedSamples {
     void add(const Box& frame) {
         const auto [left, right] =
             sample_range(frame.min.x, frame.max.x, field_.min.x, field_.width(), columns);
-        const auto [top, bottom] = sample_range(frame.min.y, frame.max.y, field_.min.y, field_.height(), rows);
+        const auto [top, bottom] =
+            sample_range(frame.min.y, frame.max.y, field_.min.y, field_.height(), rows);
         if (left >= right) return;
         const std::uint64_t bits = bits_below(right) & ~bits_below(left);
         for (int y = top; y < bottom; ++y)
@@ -303,7 +305,8 @@ double unfilled_share(const PackingProblem& problem, std::span<const Box> frames
     FramedSamples samples(problem.field);
     for (std::size_t i = 0; i < problem.size(); ++i) {
         const double scale = problem.scale(i, arrangement.growth);
-        samples.add({arrangement.places[i] + frames[i].min * scale, arrangement.places[i] + frames[i].max * scale});
+        samples.add(
+            {arrangement.places[i] + frames[i].min * scale, arrangement.places[i] + frames[i].max * scale});
     }
     return samples.missing_share();
 }

@@ -36,8 +36,8 @@ double mean_way(const PackingProblem& problem, const FillingTargets& targets, st
 constexpr std::size_t max_exact = 5;
 
 /// Moves and resizes single items, so that I-Regions cover more of the canvas and frames fill it: an area
-/// without pixels costs `emptiness` times as much as one without I-Regions. Differences in size and distances from
-/// home cost, too. Simulated annealing; every state is free of overlap.
+/// without pixels costs `emptiness` times as much as one without I-Regions. Differences in size and distances
+/// from home cost, too. Simulated annealing; every state is free of overlap.
 /// @param problem  in: the problem of `start`; out: with the scales of the result
 /// @param start    free of overlap
 /// @return         free of overlap, at no higher cost

@@ -118,8 +118,8 @@ class Division {
         for (std::size_t height = 1; height <= cells_a_side; ++height)
             for (std::size_t width = 1; width <= cells_a_side; ++width) {
                 const Cells size{width, height};
-                costs[index(size)] = (set & (set - 1)) == 0 ? cost_alone(item_of(set), size)
-                                                            : best_cut(set, size).cost;
+                costs[index(size)] =
+                    (set & (set - 1)) == 0 ? cost_alone(item_of(set), size) : best_cut(set, size).cost;
             }
     }
 
@@ -195,11 +195,11 @@ class Division {
                                          {extent.min.y * scale, extent.max.y * scale})};
     }
 
-    const PackingProblem& problem_;   // outlives this
-    const FillingTargets& targets_;   // outlives this
-    Vec2 cell_;                       // canvas px
+    const PackingProblem& problem_;  // outlives this
+    const FillingTargets& targets_;  // outlives this
+    Vec2 cell_;                      // canvas px
     Set all_;
-    std::vector<double> fair_;        // scales
+    std::vector<double> fair_;               // scales
     std::vector<std::vector<float>> costs_;  // of each set, by the size of its rectangle
 };
 

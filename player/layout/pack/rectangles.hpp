@@ -13,8 +13,8 @@ struct SizedArrangement {
     std::vector<double> scales;
 };
 
-/// Costs of a way from home as long as the field's diagonal, for all items on average. A layout that moves all
-/// by a tenth of it must leave this much less of the canvas without pixels: a tenth of it / `emptiness`.
+/// Costs of a way from home as long as the field's diagonal, for all items on average. A layout that moves
+/// all by a tenth of it must leave this much less of the canvas without pixels: a tenth of it / `emptiness`.
 constexpr double way_weight = 1;
 
 /// The most items for which best_rectangles() is fast: the work triples with each further one.

@@ -235,8 +235,7 @@ class FlatPlan {
         SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
                             watch_.should_stop);
         const FillingTargets targets = filling_targets(problem, std::move(homes));
-        if (is_for_few(problem))
-            return few_filled(problem, targets, arrangement, random_, budget);
+        if (is_for_few(problem)) return few_filled(problem, targets, arrangement, random_, budget);
         return fill_gaps(problem, targets, arrangement, random_, budget);
     }
 
