@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes edited films whose transitions are known exactly, to try shot detection on what it was not tuned to.
 
-    make_edited_films.py MEDIA OUT [--photos FOLDER]... [--seeds 4 5 6] [--films 8]
+    make_edited_films.py MEDIA OUT [--photos FOLDER]... [--seeds 4 5 6] [--films 8] [--hard]
 
 Takes are real clips of one take (MEDIA/single), single shots of MEDIA/edited, and moves of a camera over photos
 (MEDIA/photos and every FOLDER). They are disturbed (shake, noise, exposure, camera flashes, things passing close by, bars
@@ -9,6 +9,10 @@ sliding in) and joined by cuts, jump cuts, dissolves, fades over black and white
 frames a second or at a variable rate. Seeds 4 to 9 use every second source, other seeds the others: what is tuned on the
 first is tried on material it never saw. Writes OUT/seedN/*.mp4 and OUT/seedN/gt/*.json (as MEDIA/composites/gt; a film of
 variable rate lists its frames' "times" in s). Needs ffmpeg and python3-opencv.
+
+With --hard the takes pan fast, are blurred or have a title, films have bars above and below, and they are joined as
+detectors miss it: by circles, wipes of 8 frames, dissolves of 2, cuts under one title, and cuts shortly before a
+logo. They are written to OUT/hardN. The figures of docs/measurements.md were tuned on --seeds 1 2 3 alone.
 """
 import argparse
 import json
@@ -100,6 +104,7 @@ class Take:
         self.is_mirrored = like.is_mirrored if like else rng.random() < .5
         self.move_over_photo(rng, like)
         self.disturb(rng, rate)
+        self.blur, self.title, self.whip = 0, None, None
 
     def move_over_photo(self, rng, like):
         span = lambda: rng.uniform(.35, 1)
@@ -140,6 +145,10 @@ class Take:
             (a, p), (b, q) = self.windows
             span = a + (b - a) * share
             centre = [p[i] + (q[i] - p[i]) * share for i in (0, 1)]
+        if self.whip:
+            begin, length, p, q = self.whip
+            share = eased(min(1, max(0, (t - begin) / length)))
+            centre, span = [p[i] + (q[i] - p[i]) * share for i in (0, 1)], .4
         scale = min(frame.shape[1] / width, frame.shape[0] / height) * span
         x = (frame.shape[1] - width * scale) * centre[0]
         y = (frame.shape[0] - height * scale) * centre[1]
@@ -150,8 +159,16 @@ class Take:
         out = cv2.warpAffine(frame, whole, self.size, flags=cv2.INTER_AREA, borderMode=cv2.BORDER_REFLECT)
         return out[:, ::-1] if self.is_mirrored else out
 
+    def exposed(self, t):
+        """The picture as a shutter sees it that is open for half a frame: a fast pan is blurred."""
+        if not self.whip or not self.whip[0] <= t <= self.whip[0] + self.whip[1]:
+            return self.picture(t).astype(np.float32)
+        return np.mean([self.picture(t + i / 5 * .02) for i in range(5)], axis=0, dtype=np.float32)
+
     def frame(self, t):
-        out = self.picture(t).astype(np.float32) * self.gain
+        out = self.exposed(t) * self.gain
+        if self.blur:
+            out = cv2.GaussianBlur(out, None, self.blur)
         width, height = self.size
         if self.passer:
             begin, length, size, way, thing = self.passer
@@ -173,6 +190,8 @@ class Take:
         for begin, length, light in self.flashes:
             if begin <= t < begin + length:
                 out += light
+        if self.title is not None:
+            out = out * (1 - self.title) + 245 * self.title
         if self.bars:
             share, begin, slides = self.bars
             bar = int(height * share * (1 if not slides else min(1, max(0, (t - begin) / .5))))
@@ -191,6 +210,43 @@ def wiped(a, b, share, way, softness):
     return a * (1 - alpha) + b * alpha
 
 
+def circle(a, b, share, opens, softness):
+    """b over a within a growing circle, or outside of a shrinking one."""
+    height, width = a.shape[:2]
+    x, y = np.meshgrid(np.arange(width) - width / 2, np.arange(height) - height / 2)
+    place = np.hypot(x, y) / np.hypot(width / 2, height / 2)
+    place = place if opens else 1 - place
+    alpha = np.clip((share * (1 + softness) - place) / max(softness, 1e-2), 0, 1)[..., None]
+    return a * (1 - alpha) + b * alpha
+
+
+def words(rng, size, scale):
+    """A title as a mask of the film's size, in [0, 1]."""
+    width, height = size
+    mask = np.zeros((height, width), np.uint8)
+    text = rng.choice(["THE LONG WAY HOME", "Autumn sale", "Welcome", "Part two: the river", "a film by nobody"])
+    font = rng.choice([cv2.FONT_HERSHEY_DUPLEX, cv2.FONT_HERSHEY_TRIPLEX, cv2.FONT_HERSHEY_COMPLEX])
+    (wide, high), _ = cv2.getTextSize(text, font, 1, 2)
+    factor = scale * width / wide
+    at = (int((width - factor * wide) / 2), int(height * rng.uniform(.35, .8)))
+    cv2.putText(mask, text, at, font, factor, 255, max(1, round(2 * factor)), cv2.LINE_AA)
+    return mask[..., None].astype(np.float32) / 255
+
+
+class Logo:
+    """A title on one colour."""
+
+    def __init__(self, rng, size):
+        ground = rng.choice([(0, 0, 0), (255, 255, 255), (90, 40, 20), (30, 30, 160)])
+        self.clip = self.photo = None
+        self.picture = np.full((size[1], size[0], 3), ground, np.float32)
+        mask = words(rng, size, rng.uniform(.3, .7))
+        self.picture = self.picture * (1 - mask) + mask * (255 - self.picture)
+
+    def frame(self, t):
+        return self.picture
+
+
 class Film:
     """Frames and truth of one edited film; the writer gets frames one after another."""
 
@@ -199,11 +255,16 @@ class Film:
         self.write, self.rate, self.size = write, rate, size
         self.count, self.truth, self.shots = 0, [], []
         self.plain = np.zeros((size[1], size[0], 3), np.float32)
+        self.bar = 0  # px above and below
 
     def take(self, like=None, unlike=None):
         return Take(self.rng, self.clips, self.photos, self.size, self.rate, like, unlike)
 
     def put(self, picture):
+        if self.bar:
+            picture = picture.copy()
+            picture[:self.bar] = 0
+            picture[self.size[1] - self.bar:] = 0
         self.write(picture)
         self.count += 1
 
@@ -278,6 +339,63 @@ class Film:
             short = max(0, short - 1)
 
 
+class HardFilm(Film):
+    """Joins that detectors miss, and takes that they cut."""
+
+    def __init__(self, *given):
+        super().__init__(*given)
+        if self.rng.random() < .35:
+            self.bar = int(self.size[1] * self.rng.uniform(.07, .15))
+
+    def take(self, like=None, unlike=None):
+        take, rng = super().take(like, unlike), self.rng
+        take.bars = take.passer = None
+        if take.photo is not None and rng.random() < .3:
+            points = [(rng.choice([0, .1]), rng.random()), (rng.choice([.9, 1]), rng.random())]
+            take.whip = (rng.uniform(.4, 1.2), rng.uniform(.3, 1.2), *points[::rng.choice([1, -1])])
+        return take
+
+    def join(self, a, gone, kind):
+        rng = self.rng
+        cut = lambda note: self.truth.append({"type": "cut", "frame": self.count, "note": note})
+        frames = 2 if kind == "short" else 8 if kind == "wipe8" else max(8, round(self.rate * rng.choice([.4, .6, 1, 1.5])))
+        b = self.take(unlike=a)
+        if kind == "circle":
+            opens, soft = rng.random() < .6, rng.choice([0, .05, .3])
+            return b, self.mix(a, gone, b, frames, lambda p, q, s: circle(p, q, s, opens, soft), "wipe", note="circle")
+        if kind == "wipe8":
+            way = rng.choice(["right", "left", "down", "up", "diagonal"])
+            return b, self.mix(a, gone, b, frames, lambda p, q, s: wiped(p, q, s, way, 0), "wipe", note=way)
+        if kind == "short":
+            return b, self.mix(a, gone, b, frames, lambda p, q, s: p * (1 - s) + q * s, "dissolve", note="2 frames")
+        if kind == "title":
+            title = words(rng, self.size, rng.uniform(.5, .9))
+            a.title = b.title = title
+            gone = self.run(a, gone, round(rng.uniform(.8, 2) * self.rate))
+        if kind == "logo":
+            cut("before a logo")
+            self.run(b, 0, round(rng.uniform(.5, .95) * self.rate))
+            b = Logo(rng, self.size)
+        if kind == "blurred":
+            b.blur = rng.uniform(.015, .03) * self.size[0]
+            cut("to a blurred picture")
+            self.run(b, 0, round(rng.uniform(.6, 2) * self.rate))
+            b = self.take(unlike=b)
+        cut(kind)
+        return b, 0
+
+    def edit(self, shots):
+        kinds = ["cut"] * 3 + ["circle", "wipe8", "short"] * 2 + ["title", "logo", "blurred"]
+        self.rng.shuffle(kinds)
+        take, gone = self.take(), 0
+        for i in range(shots):
+            first = self.count
+            gone = self.run(take, gone, round(self.rng.choice([1.2, 2, 3, 4]) * self.rate))
+            self.shots.append([first, self.count - 1])
+            if i + 1 < shots:
+                take, gone = self.join(take, gone, kinds[i % len(kinds)])
+
+
 def frame_times(rng, frames, rate):
     """(expression for ffmpeg, seconds of every frame): a rate that swings by half around `rate`."""
     swing, period = .5, rng.choice([5, 13, 40])
@@ -286,7 +404,7 @@ def frame_times(rng, frames, rate):
     return f"(N/{rate}+{wave}*(1-cos(N/{period})))/TB", times
 
 
-def make(rng, clips, photos, path, single):
+def make(rng, clips, photos, path, single, kind=Film):
     rate = rng.choice(RATES)
     variable, rate = rate == "variable", 30 if rate == "variable" else rate
     size = rng.choice(SIZES)
@@ -297,7 +415,7 @@ def make(rng, clips, photos, path, single):
          f"{rate:.6f}", "-i", "-", *(timing if variable else []), "-c:v", "libx264", "-preset", "veryfast", "-crf",
          str(rng.choice([18, 23, 28, 33])), "-pix_fmt", "yuv420p", "-threads", "1", path], stdin=subprocess.PIPE)
     write = lambda picture: encoder.stdin.write(np.clip(picture, 0, 255).astype(np.uint8).tobytes())
-    film = Film(rng, clips, photos, write, rate, size)
+    film = kind(rng, clips, photos, write, rate, size)
     if single:
         film.run(film.take(), 0, round(6 * rate))
     else:
@@ -319,6 +437,7 @@ def main():
     options.add_argument("--photos", type=Path, action="append", default=[])
     options.add_argument("--seeds", type=int, nargs="+", default=[4, 5, 6])
     options.add_argument("--films", type=int, default=8, help="edited films a seed, and half as many of one take")
+    options.add_argument("--hard", action="store_true", help="takes and joins that detectors get wrong")
     given = options.parse_args()
     cv2.setNumThreads(1)
     halves = {}
@@ -326,12 +445,13 @@ def main():
         held_out = 4 <= seed <= 9
         if held_out not in halves:
             halves[held_out] = sources(given.media, given.photos, held_out)
-        folder = given.out / f"seed{seed}"
+        folder = given.out / f"{'hard' if given.hard else 'seed'}{seed}"
         (folder / "gt").mkdir(parents=True, exist_ok=True)
         for i in range(given.films * 3 // 2):
             single = i >= given.films
             name = f"take{i - given.films}" if single else f"film{i}"
-            make(random.Random(f"{seed}/{i}"), *halves[held_out], folder / f"{name}.mp4", single)
+            rng = random.Random(f"{'hard/' if given.hard else ''}{seed}/{i}")
+            make(rng, *halves[held_out], folder / f"{name}.mp4", single, HardFilm if given.hard else Film)
 
 
 if __name__ == "__main__":
