@@ -119,13 +119,58 @@ int smallest_difference(const Detail& before, const Detail& after, int left, int
     return smallest;
 }
 
+// The part of the pictures that is compared, in px of the detail.
+cv::Rect compared_part(const FrameFeatures& before, const FrameFeatures& after) {
+    const cv::Rect part = common_part(before, after);
+    return {2 * part.x, 2 * part.y, 2 * part.width, 2 * part.height};
+}
+
+struct Tone {
+    double mean = 0;
+    double variance = 0;
+};
+
+Tone tone(const FrameFeatures& features, const cv::Rect& part) {
+    if (part.area() == width * height)
+        return {.mean = features.mean, .variance = features.deviation * features.deviation};
+    std::uint32_t sum = 0;
+    std::uint32_t squares = 0;
+    for (int y = part.y; y < part.br().y; ++y) {
+        const std::uint8_t* row = features.detail.data() + static_cast<std::ptrdiff_t>(y) * width;
+        for (int x = part.x; x < part.br().x; ++x) {
+            sum += row[x];
+            squares += std::uint32_t{row[x]} * row[x];
+        }
+    }
+    const double mean = static_cast<double>(sum) / part.area();
+    return {.mean = mean,
+            .variance = std::max(0.0, static_cast<double>(squares) / part.area() - mean * mean)};
+}
+
+// The mean square of the difference of two unrelated pictures of such tones.
+double unrelated(const FrameFeatures& before, const FrameFeatures& after, const cv::Rect& part) {
+    const Tone a = tone(before, part);
+    const Tone b = tone(after, part);
+    return std::max(a.variance + b.variance + (b.mean - a.mean) * (b.mean - a.mean), min_block_contrast);
+}
+
+// Says if a block tells something: it is not black, and in a picture without bars not in the outermost rows,
+// as bars may move in there.
+bool is_inner(int x, int y, const cv::Rect& part) {
+    const cv::Rect block(x, y, block_width, block_height);
+    if (2 * (block & part).area() < block.area()) return false;
+    return part.height < height || (y > 0 && y < height - block_height);
+}
+
 }  // namespace
 
 Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after) {
     const Matches matches = coarse_matches(before.detail, after.detail);
+    const cv::Rect part = compared_part(before, after);
     double left = 0;
     double still = 0;
     int changed = 0;
+    int inner = 0;
     auto match = matches.begin();
     for (int y = 0; y < height; y += block_height) {
         for (int x = 0; x < width; x += block_width, ++match) {
@@ -133,16 +178,14 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
             left += difference;
             const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(y) * width + x;
             still += vitrine::analyzer::difference(before.detail.data() + place, after.detail.data() + place);
-            const bool is_inner = y > 0 && y < height - block_height;  // the outer rows may be bars
-            if (is_inner && difference > noise * block_width * block_height) ++changed;
+            if (!is_inner(x, y, part)) continue;
+            ++inner;
+            if (difference > noise * block_width * block_height) ++changed;
         }
     }
-    const double brighter = after.mean - before.mean;
-    const double unrelated =
-        before.deviation * before.deviation + after.deviation * after.deviation + brighter * brighter;
-    const double whole = width * height * std::max(unrelated, min_block_contrast);
+    const double whole = part.area() * unrelated(before, after, part);
     return {.share = left / whole,
-            .area = static_cast<double>(changed) / (columns * (rows - 2)),
+            .area = static_cast<double>(changed) / std::max(1, inner),
             .still = still / whole};
 }
 

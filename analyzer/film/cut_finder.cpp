@@ -32,7 +32,7 @@ constexpr milliseconds max_blink{140};
 constexpr milliseconds max_flash{250};
 constexpr double flash_light = 20;        // grey levels by which a flash is brighter
 constexpr double min_abrupt_share = .05;  // unexplained share
-constexpr double min_abrupt_area = .4;
+constexpr double min_abrupt_area = .5;
 constexpr double abrupt = 6;    // times the unexplained share close by
 constexpr double lasting = .5;  // share of the change at once that must stay
 

@@ -24,6 +24,12 @@ constexpr double max_residue_if_even = .17;
 constexpr milliseconds min_length_if_even{320};
 constexpr double unlike = .2;  // NCC of ends that no motion explains: both shots may move then
 constexpr double max_residue_if_unlike = .10;
+// Dissolves of so few steps that they look like cuts: outside of them hardly anything may change.
+constexpr std::array short_steps{std::size_t{3}, std::size_t{4}};
+constexpr milliseconds max_short{300};
+constexpr double max_step_outside = .6;  // share of a step inside
+constexpr double uneven_if_short = .12;
+constexpr double max_residue_if_short = .03;
 constexpr milliseconds quiet{320};  // a dissolve is over after so long without a window
 
 // Bars that move in from above and below are no dissolve: their rows do not count.
@@ -87,7 +93,7 @@ class Ends {
     double energy_;
 };
 
-bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t last) {
+bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t last, bool is_short) {
     const FrameFeatures& start = window.at(first);
     const FrameFeatures& end = window.at(last);
     const double likeness = correlation(start, end);
@@ -103,17 +109,49 @@ bool is_dissolve(const FeatureWindow& window, std::size_t first, std::size_t las
         const Line line = ends.line(window.at(i));
         const double due = std::chrono::duration<double>(window.time(i) - start.time).count() / length;
         unevenness = std::max(unevenness, std::abs(line.share - due));
-        if (unevenness >= uneven) return false;
+        if (unevenness >= (is_short ? uneven_if_short : uneven)) return false;
         residue += line.residue;
     }
-    const double limit = unevenness < even && end.time - start.time >= min_length_if_even
+    const double limit = is_short ? max_residue_if_short
+                         : unevenness < even && end.time - start.time >= min_length_if_even
                              ? max_residue_if_even
                          : likeness < unlike ? max_residue_if_unlike
                                              : max_residue;
     return looked_at > 0 && residue / looked_at < limit;
 }
 
+// Says if hardly anything changes directly before and after a few frames that differ much.
+bool stands_alone(const FeatureWindow& window, std::size_t first, std::size_t last) {
+    double inside = 255;
+    for (std::size_t i = first + 1; i <= last; ++i)
+        inside = std::min(inside, window.step_at(i));
+    const double before = first > window.first() ? window.step_at(first) : 0;
+    const double after = last + 1 < window.end() ? window.step_at(last + 1) : 0;
+    return std::max(before, after) <= max_step_outside * inside;
+}
+
+// The first frame of a short dissolve that ends with a frame.
+std::optional<std::size_t> short_dissolve_to(const FeatureWindow& window, std::size_t frame,
+                                             std::size_t since) {
+    for (const std::size_t steps : short_steps) {
+        if (frame < std::max(since, window.first()) + steps) break;
+        const std::size_t first = frame - steps;
+        if (window.time(frame) - window.time(first) <= max_short && stands_alone(window, first, frame) &&
+            is_dissolve(window, first, frame, true))
+            return first;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+bool is_in_short_dissolve(const FeatureWindow& window, std::size_t frame) {
+    for (std::size_t last = frame; last < std::min(frame + short_steps.back(), window.end()); ++last) {
+        const auto first = short_dissolve_to(window, last, 0);
+        if (first && *first < frame) return true;
+    }
+    return false;
+}
 
 std::optional<Transition> DissolveFinder::push(const FeatureWindow& window, std::size_t frame,
                                                std::size_t since) {
@@ -123,8 +161,9 @@ std::optional<Transition> DissolveFinder::push(const FeatureWindow& window, std:
         while (first > window.first() && first > since && window.time(frame) - window.time(first) < length)
             --first;
         if (window.time(frame) - window.time(first) < length || frame - first < min_window_frames) continue;
-        if (is_dissolve(window, first, frame)) longest = first;
+        if (is_dissolve(window, first, frame, false)) longest = first;
     }
+    if (!longest) longest = short_dissolve_to(window, frame, since);
     if (!longest) return open_ && window.time(frame) - open_->end > quiet ? finish() : std::nullopt;
     const Transition found{window.time(*longest), window.time(frame), ShotEnd::dissolve};
     if (!open_) open_ = found;

@@ -7,6 +7,10 @@
 
 namespace vitrine::analyzer {
 
+/// Says if a frame is in a dissolve of two or three frames, which looks like a cut. Frames up to four later
+/// must be known.
+bool is_in_short_dissolve(const FeatureWindow& window, std::size_t frame);
+
 /// Finds dissolves: stretches in which the picture goes in a straight line from one picture to an unlike one.
 ///
 /// For frames s..e with signatures f, D = f_e - f_s and a_t = <f_t - f_s, D> / |D|^2 must grow evenly from 0

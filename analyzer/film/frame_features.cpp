@@ -147,6 +147,7 @@ void sign(const cv::Mat& picture, FrameFeatures& features) {
     const auto count = static_cast<double>(features.detail.size());
     features.mean = sum / count;
     features.deviation = std::sqrt(std::max(0.0, squares / count - features.mean * features.mean));
+    features.margins = black_margins(features.detail, {detail_width, detail_height});
 }
 
 }  // namespace
@@ -154,23 +155,32 @@ void sign(const cv::Mat& picture, FrameFeatures& features) {
 FrameFeatures features_of(const FilmFrame& frame) {
     FrameFeatures features;
     features.time = frame.time;
+    features.aspect = static_cast<double>(frame.picture.cols) / frame.picture.rows;
     count_colours(frame.picture, features);
     sign(frame.picture, features);
     return features;
+}
+
+cv::Rect common_part(const FrameFeatures& a, const FrameFeatures& b) {
+    return common_part(a.margins, b.margins, {detail_width / 2, detail_height / 2});
 }
 
 double colour_difference(const FrameFeatures& a, const FrameFeatures& b) {
     int sum = 0;
     for (std::size_t i = 0; i < a.histogram.size(); ++i)
         sum += std::abs(int{a.histogram[i]} - int{b.histogram[i]});
-    return sum / (2 * 65535.0);
+    const double part = static_cast<double>(common_part(a, b).area()) / (detail_width * detail_height / 4.0);
+    return std::min(1.0, sum / (2 * 65535.0 * part));
 }
 
 double picture_difference(const FrameFeatures& a, const FrameFeatures& b) {
+    const cv::Rect part = common_part(a, b);
+    const auto first = static_cast<std::size_t>(part.y) * cells / 2;  // black columns differ by nothing
+    const auto end = static_cast<std::size_t>(part.br().y) * cells / 2;
     int sum = 0;
-    for (std::size_t i = 0; i < a.signature.size(); ++i)
+    for (std::size_t i = first; i < end; ++i)
         sum += std::abs(int{a.signature[i]} - int{b.signature[i]});
-    return static_cast<double>(sum) / static_cast<double>(a.signature.size());
+    return static_cast<double>(sum) / (static_cast<double>(channels) * part.area());
 }
 
 }  // namespace vitrine::analyzer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyzer/film/black_margins.hpp"
 #include "analyzer/film/film_frame.hpp"
 
 #include <array>
@@ -24,16 +25,21 @@ struct FrameFeatures {
         signature{};                                                  // the picture in BGR, very small
     std::array<std::uint8_t, detail_width * detail_height> detail{};  // the picture in grey, small
     double mean = 0;                                                  // mean of the detail, grey levels
-    double deviation = 0;  // standard deviation of the detail, grey levels
+    double deviation = 0;     // standard deviation of the detail, grey levels
+    double aspect = 16 / 9.;  // the picture's width over its height
+    BlackMargins margins;     // places of the signature
 };
 
 FrameFeatures features_of(const FilmFrame& frame);
 
-/// Colour histogram difference: half the sum of absolute differences, in [0, 1].
+/// The places of the signature within the black margins that both frames have.
+cv::Rect common_part(const FrameFeatures& a, const FrameFeatures& b);
+
+/// Colour histogram difference within the common part: half the sum of absolute differences, in [0, 1].
 /// Source: Lienhart's CHD, Dynamic Media Assemblage 3.1.
 double colour_difference(const FrameFeatures& a, const FrameFeatures& b);
 
-/// Mean absolute difference of the signatures, grey levels in [0, 255].
+/// Mean absolute difference of the signatures within the common part, grey levels in [0, 255].
 double picture_difference(const FrameFeatures& a, const FrameFeatures& b);
 
 }  // namespace vitrine::analyzer

@@ -1,6 +1,7 @@
 #include "analyzer/film/transition_detector.hpp"
 
 #include "analyzer/film/cut_finder.hpp"
+#include "analyzer/film/sudden_change.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -15,9 +16,11 @@ constexpr std::chrono::milliseconds touching{60};  // a cut so near a fade's end
 constexpr std::chrono::milliseconds max_plain_flash{400};  // to white or black and back
 
 // Bounds of the share that a dissolve leaves unexplained, see GradualChange.
-constexpr double min_dissolve_share = .12;
-constexpr double min_dissolve_area = .55;  // a thing that passes, or bars that move in, fill less
-constexpr double min_dissolve_unmoved = .25;
+constexpr double min_dissolve_share = .19;
+constexpr double min_dissolve_area = .55;      // a thing that passes, or bars that move in, fill less
+constexpr double min_weak_dissolve_area = .8;  // else it is a pan beyond the reach of the search
+constexpr double weak_dissolve = .25;          // share
+constexpr double min_dissolve_unmoved = .3;
 constexpr double min_dissolve_on_way = .43;
 
 bool is_gradual(const Transition& transition) {
@@ -63,7 +66,8 @@ std::vector<Transition> TransitionDetector::finish(std::chrono::nanoseconds end)
 void TransitionDetector::judge(std::size_t frame) {
     since_ = std::max(since_, window_.first());
     faded_ = std::max(faded_, window_.first());
-    if (is_cut(window_, frame)) {
+    if ((is_cut(window_, frame) || is_sudden_change(window_, frame)) &&
+        !is_in_short_dissolve(window_, frame)) {
         add({window_.time(frame), window_.time(frame), ShotEnd::cut});
         since_ = frame;
     }
@@ -86,7 +90,8 @@ bool TransitionDetector::is_dissolve(const Transition& found) const {
     const std::size_t begin = window_.frame_at(found.begin);
     const std::size_t end = window_.frame_at(found.end);
     const GradualChange change = gradual_change(window_, begin, end);
-    return change.share > min_dissolve_share && change.area > min_dissolve_area &&
+    const double min_area = change.share < weak_dissolve ? min_weak_dissolve_area : min_dissolve_area;
+    return change.share > min_dissolve_share && change.area > min_area &&
            change.unmoved > min_dissolve_unmoved && change.on_way > min_dissolve_on_way &&
            is_new_take(window_, begin, end);
 }

@@ -4,7 +4,6 @@
 #include "analyzer/film/transition.hpp"
 
 #include <array>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -13,8 +12,9 @@ namespace vitrine::analyzer {
 /// Finds wipes: an edge that runs evenly over the whole picture and leaves another picture behind.
 ///
 /// Each place of the picture changes most when the edge passes it. In a wipe these times lie in one plane
-/// over the picture, t = a x + b y + c, whatever moves in either shot. A thing that passes close by runs over
-/// the picture as well, but leaves the same picture behind; a pan is explained by motion.
+/// over the picture, t = a x + b y + c, or for a circle in a cone, whatever moves in either shot. A thing
+/// that passes close by runs over the picture as well, but leaves the same picture behind; a pan is explained
+/// by motion.
 class WipeFinder {
   public:
     /// Looks at the windows that are due with `frame`.
@@ -23,19 +23,15 @@ class WipeFinder {
 
   private:
     static constexpr std::size_t windows = 4;
-    static constexpr std::size_t places = FrameFeatures::signature_width * FrameFeatures::signature_height;
-    using Changes = std::array<std::uint16_t, places>;
     struct Passing;
 
-    static Changes changes(const FrameFeatures& before, const FrameFeatures& after);
-    void remember(const FeatureWindow& window, std::size_t frame);
-    std::vector<Passing> passings(const FeatureWindow& window, std::size_t first, std::size_t last) const;
-    std::optional<Transition> wipe_in(const FeatureWindow& window, std::size_t first, std::size_t last) const;
+    static std::vector<Passing> passings(const FeatureWindow& window, std::size_t first, std::size_t last);
+    static std::optional<Transition> passed(const FeatureWindow& window, std::size_t first, std::size_t last,
+                                            double since, double duration);
+    static std::optional<Transition> wipe_in(const FeatureWindow& window, std::size_t first,
+                                             std::size_t last);
 
     std::array<std::chrono::nanoseconds, windows> due_{};  // time of the next look at each window
-    std::deque<Changes> changes_;  // changes of the last frames that lasted for at least a frame
-    std::size_t end_ = 0;          // one past the frame of the last change
-    Changes over_two_{};           // change from the frame before the last to the one after it
 };
 
 }  // namespace vitrine::analyzer

@@ -178,3 +178,123 @@ TEST_CASE("a dissolve of 600 ms is found at every frame rate, also at a varying 
         return nanoseconds(static_cast<std::int64_t>(1e9 * (i / 30.0 + .1 * (1 - std::cos(i / 7.0)))));
     });
 }
+
+namespace {
+
+// b over a within a circle about the middle that has grown by so much.
+cv::Mat circled(const cv::Mat& a, const cv::Mat& b, double share) {
+    cv::Mat mask = cv::Mat::zeros(a.size(), CV_8UC1);
+    const cv::Point middle(a.cols / 2, a.rows / 2);
+    cv::circle(mask, middle, static_cast<int>(std::lround(share * std::hypot(middle.x, middle.y))), 255,
+               cv::FILLED);
+    cv::Mat out = a.clone();
+    b.copyTo(out, mask);
+    return out;
+}
+
+// Bars of a ninth of the height above and below.
+cv::Mat letterboxed(cv::Mat picture) {
+    const int bar = scene_size.height / 9;
+    picture.rowRange(0, bar).setTo(cv::Scalar::all(0));
+    picture.rowRange(scene_size.height - bar, scene_size.height).setTo(cv::Scalar::all(0));
+    return picture;
+}
+
+cv::Mat titled(cv::Mat picture) {
+    cv::putText(picture, "THE TITLE", {14, 55}, cv::FONT_HERSHEY_DUPLEX, .8, cv::Scalar::all(250), 2);
+    return picture;
+}
+
+const std::vector two_shots{shot(0, 45, ShotEnd::cut), shot(45, 90, ShotEnd::end)};
+
+}  // namespace
+
+TEST_CASE("a wipe by a circle belongs to neither of its shots, whether it opens or closes") {
+    for (const bool opens : {true, false}) {
+        for (const int frames : {10, 24}) {
+            CAPTURE(opens);
+            CAPTURE(frames);
+            const auto shots = shots_of(100, [&](int i) {
+                const double share = progress(i, 40, 40 + frames);
+                return opens ? circled(warm(), cold(), share) : circled(cold(), warm(), 1 - share);
+            });
+            REQUIRE(shots.size() == 2);
+            CHECK(shots[0].ends_with == ShotEnd::dissolve);
+            CHECK(is_near(shots[0].end, 40, 6));  // a small circle is hardly seen
+            CHECK(is_near(shots[1].begin, 40 + frames, 6));
+        }
+    }
+}
+
+TEST_CASE("a wipe of eight frames is found") {
+    const auto shots = shots_of(100, [](int i) { return wiped(warm(), cold(), progress(i, 40, 48)); });
+    REQUIRE(shots.size() == 2);
+    CHECK(shots[0].ends_with == ShotEnd::dissolve);
+    CHECK(is_near(shots[0].end, 40, 3));
+    CHECK(is_near(shots[1].begin, 48, 3));
+}
+
+TEST_CASE("a dissolve of two frames is found at every frame rate") {
+    for (const int rate : {12, 25, 60}) {
+        CAPTURE(rate);
+        const auto time = [&](int i) { return nanoseconds(1'000'000'000LL * i / rate); };
+        const auto shots = shots_of(
+            4 * rate, [&](int i) { return mixed(warm(), cold(), progress(i, 2 * rate, 2 * rate + 2)); },
+            time);
+        REQUIRE(shots.size() == 2);
+        CHECK(shots[0].ends_with == ShotEnd::dissolve);
+        CHECK(std::chrono::abs(shots[0].end - time(2 * rate)) <= 2 * time(1));
+        CHECK(std::chrono::abs(shots[1].begin - time(2 * rate + 2)) <= 2 * time(1));
+    }
+}
+
+TEST_CASE("bars above and below hide no cut") {
+    const cv::Mat dull = scene(21, {40, 40, 40}) * .7 + cv::Scalar::all(18);
+    const cv::Mat other = scene(22, {40, 40, 40}) * .7 + cv::Scalar::all(18);
+    const auto shots = shots_of(90, [&](int i) { return letterboxed((i < 45 ? dull : other).clone()); });
+    CHECK(shots == two_shots);
+}
+
+TEST_CASE("one title over two shots hides no cut") {
+    const cv::Mat one = scene(23, {90, 60, 30}) * .6;
+    const cv::Mat other = scene(24, {30, 60, 90}) * .6;
+    const auto shots = shots_of(90, [&](int i) { return titled((i < 45 ? one : other).clone()); });
+    CHECK(shots == two_shots);
+}
+
+TEST_CASE("a blurred picture and a sharp one are two shots") {
+    cv::Mat blurred;
+    cv::GaussianBlur(scene(25, {20, 40, 60}), blurred, {}, 24);
+    const cv::Mat sharp = scene(26, {60, 40, 20});
+    for (const bool is_sharp_first : {true, false}) {
+        const auto shots =
+            shots_of(90, [&](int i) { return (i < 45) == is_sharp_first ? sharp.clone() : blurred.clone(); });
+        CHECK(shots == two_shots);
+    }
+}
+
+TEST_CASE("a cut is found though a logo follows within a second") {
+    cv::Mat logo(scene_size, CV_8UC3, cv::Scalar(90, 40, 20));
+    cv::putText(logo, "LOGO", {40, 55}, cv::FONT_HERSHEY_DUPLEX, 1, cv::Scalar::all(250), 2);
+    const auto shots = shots_of(100, [&](int i) { return i < 45 ? warm() : i < 62 ? cold() : logo.clone(); });
+    CHECK(shots ==
+          std::vector{shot(0, 45, ShotEnd::cut), shot(45, 62, ShotEnd::cut), shot(62, 100, ShotEnd::end)});
+}
+
+TEST_CASE("a fast pan is one shot") {
+    const cv::Mat view = scene(27, {60, 60, 60}, {640, 90});
+    for (const int frames : {10, 15, 25}) {
+        CAPTURE(frames);
+        const auto shots = shots_of(90, [&](int i) {
+            cv::Mat out = cv::Mat::zeros(scene_size, CV_8UC3);
+            for (int j = 0; j < 5; ++j) {  // the shutter is open for half a frame
+                const double share = std::clamp((i + j / 10.0 - 40) / frames, 0.0, 1.0);
+                const double eased = share * share * (3 - 2 * share);
+                const cv::Rect part({static_cast<int>(480 * eased), 0}, scene_size);
+                out += view(part) / 5;
+            }
+            return out;
+        });
+        CHECK(shots == one_shot);
+    }
+}
