@@ -12,7 +12,7 @@ variable rate lists its frames' "times" in s). Needs ffmpeg and python3-opencv.
 
 With --hard the takes pan fast, are blurred or have a title, films have bars above and below, and they are joined as
 detectors miss it: by circles, wipes of 8 frames, dissolves of 2, cuts under one title, and cuts shortly before a
-logo. They are written to OUT/hardN. The figures of docs/measurements.md were tuned on --seeds 1 2 3 alone.
+logo. They are written to OUT/hardN. docs/algorithms.md says which seeds the detector was tuned on.
 """
 import argparse
 import json
