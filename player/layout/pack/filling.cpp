@@ -28,7 +28,8 @@ constexpr double at_limit = 0.999;     // share of its largest scale from which 
 constexpr double max_resizing = 0.35;  // ln(scale) relative to the base
 constexpr double min_resizing = -0.5;
 constexpr double first_temperature = 0.01;
-constexpr std::size_t max_items = 48;  // more pictures fill the canvas by themselves
+constexpr double rounding_gain = 1e-9;  // a smaller one is rounding, and no reason to leave a place
+constexpr std::size_t max_items = 48;   // more pictures fill the canvas by themselves
 
 /// The range of samples m that have `from` <= m < `to`. There are `samples` samples on [origin, origin +
 /// size), at equal distances; the outermost lie near its ends, where a thin band would be seen.
@@ -206,7 +207,7 @@ class GapFilling {
             const double there = cost();
             if (there <= cost_ || uniform(random) < std::exp((cost_ - there) / temperature)) {
                 cost_ = there;
-                if (cost_ < best_.cost) keep();
+                if (cost_ < best_.cost - rounding_gain) keep();
                 return;
             }
         }

@@ -96,6 +96,13 @@ TEST_CASE("a single region fills the canvas as far as it may be enlarged") {
     CHECK(plan(request).placements[0].scale == doctest::Approx(3));
 }
 
+TEST_CASE("a single picture that is smaller than the canvas hangs in its middle") {
+    const LayoutItem item{.region = {{8, 6}, {88, 6}, {88, 66}, {8, 66}}, .core = {{0, 0}, {96, 72}}};
+    const Layout layout = plan({.items = {{.item = item}}, .canvas = {320, 180}, .max_scale = 1});
+    const Placement& at = layout.placements.front();
+    CHECK(length(Vec2{48, 36} * at.scale + at.offset - Vec2{160, 90}) < 2);
+}
+
 TEST_CASE("kept items move little when one is replaced, and pinned ones not at all") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         PlanRequest request = random_request(8, seed);
