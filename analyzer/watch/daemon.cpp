@@ -35,11 +35,16 @@ Schedule::Time now() {
     return EventLoop::Clock::now();
 }
 
-WeaveOptions weave_options(const WatchOptions& options) {
-    constexpr int niceness = 19;
+/// The limits of a child that lets all others go first.
+ChildLimits background_limits(const WatchOptions& options) {
     ChildLimits limits = options.analysis.limits;
+    limits.niceness = 19;
+    return limits;
+}
+
+WeaveOptions weave_options(const WatchOptions& options) {
+    ChildLimits limits = background_limits(options);
     limits.patience = {.computing = weave_patience, .idling = weave_patience};
-    limits.niceness = niceness;
     return {.root = options.root,
             .state = options.state,
             .bounds = options.tapestries,
@@ -48,11 +53,10 @@ WeaveOptions weave_options(const WatchOptions& options) {
 }
 
 RefineOptions refine_options(const WatchOptions& options) {
-    constexpr int niceness = 19;
-    ChildLimits limits = options.analysis.limits;
-    limits.niceness = niceness;
-    return {
-        .root = options.root, .command = options.refine, .limits = limits, .children = options.pace.children};
+    return {.root = options.root,
+            .command = options.refine,
+            .limits = background_limits(options),
+            .children = options.pace.children};
 }
 
 BookPlaces book_places(const WatchOptions& options) {

@@ -1,6 +1,6 @@
 #include "analyzer/watch/watch_command.hpp"
 
-#include "analyzer/models/model_file.hpp"
+#include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/store/store_place.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"
 #include "analyzer/watch/daemon.hpp"
@@ -89,8 +89,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
                      "--resume",
                      fmt::format("--threads={}", usual_parallelism()),
                      fmt::format("--most-bytes={}", tapestry_share(options.tapestries.max_bytes))};
-    if (settings.analyzer.saliency == SaliencyMethod::network &&
-        !find_model(settings.analyzer.saliency_model, Settings{}.analyzer.saliency_model).empty())
+    if (!analysis_settings(settings.analyzer).saliency_model.empty())
         options.refine = {"/proc/self/exe", config, "analyze", "--network"};
     options.pace = pace(settings.analyzer, is_once);
     options.rescan = settings.analyzer.rescan;

@@ -103,6 +103,14 @@ class Watch(WatchedFolder):
         for corner in ((148, 108), (172, 108), (172, 132), (148, 132)):
             self.assertTrue(is_inside(shot["region"]["polygon"], corner), (corner, shot))
 
+    def test_the_network_is_not_asked_for_the_papers_regions(self):
+        (self.root / "square.png").write_bytes(png(320, 240, 250, 60))
+        self.saliency = "network"
+        done = subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--analyzer.region", "hull"], check=True,
+                              timeout=PATIENCE, capture_output=True, text=True)
+        self.assertEqual(self.records()["square.png"]["state"], "ready")
+        self.assertNotIn("plain region", done.stdout + done.stderr)
+
     def test_a_copy_under_way_is_never_ready_before_its_end(self):
         self.start()
         whole = png(200, 150)
