@@ -57,7 +57,7 @@ class BlackAndWhite {
             paint(request);
             wall_->source_ready(request.source);
         }
-        if (step.plan) wall_->set_layout(layout_of(*step.plan));
+        if (step.plan) wall_->set_layout(side_by_side(*step.plan));
         ReferenceCompositor screen(width, height, letterboxed(width, height, {}, step.frame.canvas));
         for (const auto& [source, is_white] : is_white_)
             screen.add(source, is_white ? white_.sample : black_.sample, false);
@@ -69,18 +69,6 @@ class BlackAndWhite {
 
     void paint(const ShotRequest& request) {
         is_white_[request.source] = (request.path.back() - '0') % 2 == 1;
-    }
-
-    /// The shots side by side.
-    static Layout layout_of(const WallPlan& plan) {
-        Layout layout{.canvas = plan.canvas, .generation = plan.generation, .is_final = true};
-        const double step = plan.canvas.x / static_cast<double>(plan.items.size());
-        const double scale = std::min(step / 170, plan.canvas.y / 130);
-        for (std::size_t i = 0; i < plan.items.size(); ++i) {
-            const Vec2 middle{(static_cast<double>(i) + 0.5) * step, plan.canvas.y / 2};
-            layout.placements.push_back({.scale = scale, .offset = middle - Vec2{320, 180} * scale});
-        }
-        return layout;
     }
 
     WallSettings settings_;

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "base/state/record.hpp"
+#include "player/scene/show.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +46,18 @@ inline MediaRecord film(std::string path, int shots,
         record.shots.push_back({.begin = i * length, .end = (i + 1) * length, .region = middle()});
     }
     return record;
+}
+
+/// A layout of such shots in a row, as large as the canvas allows.
+inline Layout side_by_side(const WallPlan& plan) {
+    Layout layout{.canvas = plan.canvas, .generation = plan.generation, .is_final = true};
+    const double step = plan.canvas.x / static_cast<double>(plan.items.size());
+    const double scale = std::min(step / 170, plan.canvas.y / 130);
+    for (std::size_t i = 0; i < plan.items.size(); ++i) {
+        const Vec2 place{(static_cast<double>(i) + 0.5) * step, plan.canvas.y / 2};
+        layout.placements.push_back({.scale = scale, .offset = place - Vec2{320, 180} * scale});
+    }
+    return layout;
 }
 
 }  // namespace vitrine::player

@@ -110,7 +110,7 @@ class BlackAndWhiteFilms {
             renderer_.upload(request.source, is_white(request.path) ? white_ : black_);
             shows_->handle_source_event({.source = request.source, .failure = {}, .unstored = {}});
         }
-        if (step.plan) shows_->wall().set_layout(layout_of(*step.plan));
+        if (step.plan) shows_->wall().set_layout(side_by_side(*step.plan));
         forget(step.retired);
         shows_->fade(step.frame);
         screen_.begin_frame();
@@ -134,18 +134,6 @@ class BlackAndWhiteFilms {
             image.pixels.push_back(colour);
         }
         return image;
-    }
-
-    /// The shots side by side.
-    static Layout layout_of(const WallPlan& plan) {
-        Layout layout{.canvas = plan.canvas, .generation = plan.generation, .is_final = true};
-        const double step = plan.canvas.x / static_cast<double>(plan.items.size());
-        const double scale = std::min(step / 170, plan.canvas.y / 130);
-        for (std::size_t i = 0; i < plan.items.size(); ++i) {
-            const Vec2 middle{(static_cast<double>(i) + 0.5) * step, plan.canvas.y / 2};
-            layout.placements.push_back({.scale = scale, .offset = middle - Vec2{320, 180} * scale});
-        }
-        return layout;
     }
 
     TemporaryDirectory directory_;
