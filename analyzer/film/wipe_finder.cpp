@@ -157,7 +157,7 @@ template <typename Passing> std::optional<Edge> fitted(const std::vector<Passing
     return Edge{{s[0], s[1], 0, s[2]}, duration, s[2] - duration / 2};
 }
 
-// What is known beside the places that change.
+// The measures of the picture that decide how far a place may lie from an edge.
 struct Seen {
     double changing = 0;  // share of the picture
     double frame = 0;     // s from one frame to the next

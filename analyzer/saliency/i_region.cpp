@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t max_corners = 12;
 constexpr double min_area = 0.08;  // share of the picture
 constexpr double max_area = 0.80;
-// Of the region of a subject that a network has outlined.
+// These two concern the region of a subject that a network has outlined.
 constexpr double subject_min_area = 0.05;
 constexpr double subject_margin = 0.02;  // share of the diagonal
 constexpr double middle = 0.6;           // share of each side, where nothing is salient

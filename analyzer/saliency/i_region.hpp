@@ -40,9 +40,8 @@ Polygon i_region(const SaliencyMap& volume, const Box& core, std::span<const Box
 ///
 /// @param subject  px of the volume
 /// @param volume, core, faces, settings  as for i_region(), in min_area mode
-/// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core; at least 5 % of
-/// the
-///          picture
+/// @return  convex, counter-clockwise, 3 to 12 corners, px of the volume, inside the core, and at least 5 %
+///          of the picture
 Polygon subject_region(const SubjectOutline& subject, const SaliencyMap& volume, const Box& core,
                        std::span<const Box> faces, const RegionSettings& settings);
 

@@ -66,7 +66,7 @@ struct Sizes {
     std::vector<double> moves;     // mean of the others' ways, shares of the diagonal, of each turn
 };
 
-/// What no picture reaches while a finger drags, shares of the canvas.
+/// The shares of the canvas that no picture reaches while a finger drags.
 struct DragFigures {
     std::vector<double> held;     // at each step of the finger
     std::vector<double> dropped;  // after each drop

@@ -96,7 +96,7 @@ class Division {
         Cells size;
     };
 
-    /// Of the two halves of a set one is chosen, as the other cut of the same line is looked at anyway.
+    /// True for the half that holds the lowest item of a set: each division into halves is tried once.
     static bool is_chosen(Set set, Set first) { return (first & set & (~set + 1)) != 0; }
 
     static std::size_t index(Cells size) { return (size[1] - 1) * cells_a_side + size[0] - 1; }
