@@ -1,5 +1,7 @@
 #include "analyzer/watch/folder_follower.hpp"
 
+#include "base/system/unique_fd.hpp"
+
 #include "tests/temporary_directory.hpp"
 
 #include <fcntl.h>
@@ -64,4 +66,25 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     CHECK(due == 50'000);
     MESSAGE("events and rescan: ", end - begin, " s of the processor; ",
             max_resident_mebibytes() - resident_before, " MiB more resident");
+}
+
+TEST_CASE("a folder whose path is too long to be watched is read now and then, and ends nothing") {
+    const TemporaryDirectory home;
+    const std::string name(200, 'n');
+    UniqueFd below(::open(home.path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    std::string path;
+    for (int depth = 0; depth < 30; ++depth) {  // 6000 bytes; the system takes 4096
+        REQUIRE(::mkdirat(below.get(), name.c_str(), 0755) == 0);
+        below.reset(::openat(below.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        path += name + '/';
+    }
+    UniqueFd(::openat(below.get(), "photo.jpg", O_WRONLY | O_CREAT | O_CLOEXEC, 0644)).reset();
+    Schedule schedule(Pace{});
+    FolderFollower follower(MediaFolder(home.path), schedule);
+
+    follower.rescan(Schedule::Time{1h});
+
+    CHECK(schedule.paths_below("") == std::vector{path + "photo.jpg"});
+    REQUIRE(follower.remarks().size() == 1);
+    CHECK(follower.remarks().front().find("are not watched") != std::string::npos);
 }
