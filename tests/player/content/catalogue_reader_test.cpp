@@ -53,6 +53,11 @@ TEST_CASE("only the files that are named are read") {
     CHECK(one.change.replaced == std::vector<std::string>{"a"});
     CHECK(one.records.find("b") == all.records.find("b"));  // the same object: it was neither read nor copied
 
+    house.catalogue.store(record("a", 2));  // written again, and nothing in it changed
+    const CatalogueNews other = house.read({name_of_record("a"), name_of_record("b")});
+    CHECK(other.change.replaced == std::vector<std::string>{"b"});
+    CHECK(other.records.find("a") == one.records.find("a"));  // the same object
+
     house.catalogue.remove("a");
     CHECK(house.read({name_of_record("a")}).change.gone == std::vector<std::string>{"a"});
     CHECK(house.read({name_of_record("a")}).change.is_empty());
