@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from image import key, run
-from machine import HEIGHT, WIDTH, Machine, wait_for
+from machine import HEIGHT, JOURNAL_PORT, WIDTH, Machine, wait_for
 
 MEDIA = "/srv/vitrine/media"
 STILLS = {"red": (220, 30, 30), "green": (30, 170, 50), "blue": (40, 60, 220)}
@@ -17,7 +17,7 @@ MIN_SHARE = 0.01  # of the screen that each file's colour covers; a fair part wo
 MAX_BLACK = 0.05  # of the screen; the wall leaves none
 # An emulated machine is twenty times slower: little is analysed, and few pictures a second are drawn.
 SETTINGS = {
-    "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 5, "show.motion_milliseconds": 0,
+    "log.level": "debug", "layout.slots": len(COLOURS), "output.frame_rate": 1, "show.motion_milliseconds": 0,
     "analyzer.children": 2, "analyzer.deadline_seconds": 600, "analyzer.frame_size": 96, "analyzer.samples_per_second": 2,
     "analyzer.face_model": "", "analyzer.saliency": "plain", "analyzer.face_cascade": "", "tapestry.max_bytes": 0}
 EDITABLE = "/etc/vitrine/vitrine.toml"
@@ -97,6 +97,9 @@ class Appliance:
             folder = f"/run/systemd/system/{unit}.service.d"
             self.sh(f"mkdir -p {folder}; printf '[Service]\\nTimeoutStartSec=infinity\\nTimeoutStopSec=600\\nWatchdogSec=600\\n' >{folder}/rig.conf")
         self.sh("systemctl daemon-reload")
+        # What the player says comes to this host as it is said: asking for it costs seconds of the emulated machine.
+        self.sh(f"systemd-run -q --unit=rig-journal sh -c 'exec journalctl -f -q -n 0 -t vitrine-player -o short-monotonic --no-hostname "
+                f">/dev/virtio-ports/{JOURNAL_PORT}'")
         self.set()
         self.sh("systemctl start vitrine-analyzer")
         self.wait_until_analysed()
@@ -130,8 +133,8 @@ class Appliance:
     def restart(self, **changes):
         """With a panel; until the new process has a picture, for until then there is the old one's."""
         self.set(**changes)
-        self.sh("systemctl restart vitrine-player")
-        self.wait_for_word("first picture on", pid=self.pid())
+        pid = int(self.sh("systemctl restart vitrine-player; systemctl show -p MainPID --value vitrine-player"))
+        self.wait_for_word("first picture on", pid=pid)
 
     def pid(self):
         pid = int(self.sh("systemctl show -p MainPID --value vitrine-player"))
@@ -149,10 +152,19 @@ class Appliance:
         """The guest's monotonic clock, in seconds."""
         return float(self.sh("cut -d' ' -f1 /proc/uptime"))
 
+    def words(self, since, pid):
+        """What the player has said, as journal() gives it; without a question to the guest, where its lines come by themselves."""
+        told = self.machine.journal.read_text(errors="replace") if self.machine.journal.exists() else ""
+        if not told:
+            return self.journal(since=since, pid=pid)
+        found = re.finditer(r"^\[\s*([\d.]+)\] [^\[]+\[(\d+)\]: (.*)\n", told, re.MULTILINE)
+        return [(float(at), line) for at, teller, line in (one.groups() for one in found)
+                if float(at) >= since and pid in (None, int(teller))]
+
     def wait_for_word(self, pattern, since=0.0, pid=None):
         """Until the player's journal, from a moment on or of one process, has a line with a pattern; the match."""
         def said():
-            return next((found for _, line in self.journal(since=since, pid=pid) if (found := re.search(pattern, line))), None)
+            return next((found for _, line in self.words(since, pid) if (found := re.search(pattern, line))), None)
 
         return wait_for(f"the player to say '{pattern}'", said)
 

@@ -18,6 +18,7 @@ from picture import Picture
 PATIENCE = int(os.environ.get("VITRINE_RIG_PATIENCE", 480))
 MAX_PATIENCE = max(2400, PATIENCE)  # s with it
 WIDTH, HEIGHT = 640, 360  # px of the first panel
+JOURNAL_PORT = "vitrine.journal"  # what the guest writes there comes to the file Machine.journal
 CONSOLE = "org.qemu.Display1.Console"
 
 
@@ -94,6 +95,7 @@ class Machine:
         self.folder = Path(tempfile.mkdtemp(prefix="vitrine-rig-"))  # a socket's path must be short
         self.share = self.folder / "share"  # the guest's /host, where mounted
         self.share.mkdir()
+        self.journal = self.folder / "journal.log"
         self.bus = f"unix:path={self.folder / 'bus'}"
         self.agent = None
         self.children = []
@@ -124,6 +126,7 @@ class Machine:
             "-device", "pcie-root-port,id=port0,chassis=1", "-device", "virtio-rng-pci", "-device", "virtio-serial-pci",
             "-chardev", f"socket,id=agent,path={self.folder / 'agent'},server=on,wait=off",
             "-device", "virtserialport,chardev=agent,name=org.qemu.guest_agent.0",
+            "-chardev", f"file,id=journal,path={self.journal}", "-device", f"virtserialport,chardev=journal,name={JOURNAL_PORT}",
             "-virtfs", f"local,path={self.share},mount_tag=host,security_model=none,id=fs0",
             "-serial", f"file:{self.folder / 'serial.log'}", "-qmp", f"unix:{self.folder / 'qmp'},server=on,wait=off"]
 

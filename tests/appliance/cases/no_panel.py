@@ -16,6 +16,7 @@ def share(box, pid):
 
 
 def run(box):
+    box.restart(output__frame_rate=5)  # more than the rig's own, so that a player that goes on drawing is found out
     pid = box.pid()
     playing = share(box, pid)
 

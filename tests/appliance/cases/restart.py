@@ -40,7 +40,7 @@ def never_black(box, what, act):
         same += picture.size == before.size
         whole += not box.lacking(picture)
         if looks % 4 == 0:
-            first = next((line for _, line in box.journal(since=begin) if "first picture on Virtual-1" in line), None)
+            first = next((line for _, line in box.words(begin, None) if "first picture on Virtual-1" in line), None)
     assert first, f"{what}: no first picture"
     assert whole, f"{what}: the wall was never seen, so its last picture was not kept"
     assert same == looks, f"{what}: another mode in between"

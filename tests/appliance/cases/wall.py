@@ -1,6 +1,6 @@
 """The wall is on the panel that was there at the start, it moves, and the player is a service without privileges."""
 
-RATE = 5  # pictures a second, of the rig's settings
+RATE = 1  # pictures a second, of the rig's settings
 
 
 def pictures_shown(box):
