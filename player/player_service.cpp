@@ -15,7 +15,6 @@
 #include "player/stage/stages.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -43,6 +42,11 @@ const char* tier_of(const SourceState& source) {
         break;
     }
     return "still";
+}
+
+std::runtime_error unknown_file(const std::string& name) {
+    return std::runtime_error(
+        fmt::format("nothing is known of '{}': it is not in the media folder, or not analysed yet", name));
 }
 
 template <typename T> void put(std::set<T>& set, const T& value, bool is_in) {
@@ -146,15 +150,16 @@ FileReport PlayerService::describe(const MediaRecord& record) const {
     return report;
 }
 
+/// Never looks into the media folder: a share that hangs would keep the wall waiting.
 FileReport PlayerService::report_file(const std::string& given, const std::string& folder) const {
     const std::string root = std::filesystem::absolute(view_.settings.media.root).string();
     const std::vector<std::string> names = media_names(given, folder, root);
     for (const std::string& name : names)
         if (const auto record = view_.files.find(name)) return describe(*record);
+    FileReport unknown{.path = given, .state = "unknown"};
     for (const std::string& name : names)
-        if (::access(fmt::format("{}/{}", root, name).c_str(), F_OK) == 0)
-            return {.path = name, .state = "new"};
-    return {.path = given, .state = "unknown"};
+        unknown.places.push_back(fmt::format("{}/{}", root, name));
+    return unknown;
 }
 
 /// The record of a file that is shown. Lent until the event loop runs again.
@@ -162,8 +167,7 @@ const MediaRecord& PlayerService::require_shown(const std::string& given, const 
     const FileReport file = report_file(given, folder);
     const RecordList::Record record = view_.files.find(file.path);
     if (record && is_ready(*record)) return *record;
-    if (file.state == "unknown")
-        throw std::runtime_error(fmt::format("there is no '{}' in the media folder", given));
+    if (file.state == "unknown") throw unknown_file(given);
     throw std::runtime_error(
         fmt::format("'{}' is not shown: {}", file.path, file.reason.empty() ? file.state : file.reason));
 }
@@ -234,8 +238,7 @@ CommandAnswer PlayerService::acquit(const CommandCall& call) {
         return {.text = "all files", .pictures = {}};
     }
     const FileReport file = report_file(call.file, call.folder);
-    if (file.state == "unknown")
-        throw std::runtime_error(fmt::format("there is no '{}' in the media folder", call.file));
+    if (file.state == "unknown") throw unknown_file(call.file);
     actions_.acquit(file.path);
     log::info("acquitted: '{}'", file.path);
     return {.text = file.path, .pictures = {}};

@@ -6,7 +6,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -176,6 +178,26 @@ CommandCall call_of(const Command& command, const Words& words) {
     return call;
 }
 
+/// Tells whether a file without a record is in the media folder. This process looks, and not the player: a
+/// share that hangs keeps nobody else waiting.
+/// @param report  the player's answer to `why`
+CommandAnswer look_for_unknown(CommandAnswer report) {
+    Json json = Json::parse(report.text);
+    if (json.value("state", "") != "unknown") return report;
+    bool is_there = false, may_look = true;
+    for (const std::string& place : json.value("places", std::vector<std::string>{})) {
+        is_there |= ::access(place.c_str(), F_OK) == 0;
+        may_look &= is_there || errno != EACCES;
+    }
+    if (is_there) json["state"] = "new";
+    if (is_there)
+        json["says"] = "It is in the media folder and has not been looked at yet.";
+    else if (may_look)
+        json["says"] = "There is no such file in the media folder.";
+    report.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return report;
+}
+
 /// Prints the answer: as JSON, by the command's own printer, or as a line.
 int print_answer(const Command& command, const Words& words, const CommandAnswer& answer) {
     const std::string_view name = command.name;
@@ -284,7 +306,9 @@ int run(int argc, char** argv) {
     const Command& command = command_of(words);
     if (command.operand == Operand::file_or_all && words.operand.empty() && !words.is_all)
         return app.exit(CLI::RequiredError("FILE or --all"));
-    return print_answer(command, words, ControlClient().call(command, call_of(command, words)));
+    CommandAnswer answer = ControlClient().call(command, call_of(command, words));
+    if (words.command == "why") answer = look_for_unknown(std::move(answer));
+    return print_answer(command, words, answer);
 }
 
 }  // namespace

@@ -38,8 +38,7 @@ void add_word(Json& json, const std::string& object) {
 }
 
 std::string answer(const FileReport& report) {
-    if (report.state == "unknown") return "There is no such file in the media folder.";
-    if (report.state == "new") return "It is in the media folder and has not been looked at yet.";
+    if (report.state == "unknown") return "It is not in the media folder, or has not been looked at yet.";
     FileVisibility file = report.visibility;
     if (!report.slots.empty()) file.visibility = Visibility::on_wall;  // the report is newer than the list
     if (file.visibility == Visibility::on_wall && report.is_pinned)
@@ -138,8 +137,8 @@ std::string to_json(const FileReport& report, const std::string& analyzer) {
               {"reason", report.reason},    {"kind", report.kind},           {"width", report.width},
               {"height", report.height},    {"shots", report.shots},         {"slots", report.slots},
               {"pinned", report.is_pinned}, {"removed", report.is_dismissed}};
-    if (report.state != "new" && report.state != "unknown")
-        json["wall"] = name_of(report.visibility.visibility);
+    if (report.state != "unknown") json["wall"] = name_of(report.visibility.visibility);
+    if (!report.places.empty()) json["places"] = report.places;
     add_word(json, analyzer);
     return dumped(json);
 }

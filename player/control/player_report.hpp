@@ -55,8 +55,9 @@ struct PlayerReport {
 
 /// The facts about one file of the media folder.
 struct FileReport {
-    std::string path;   // relative to the media folder; if there is no such file, the name as given
-    std::string state;  // its record's state; "new": not looked at yet, "unknown": not in the media folder
+    std::string path;                 // relative to the media folder; without a record, the name as given
+    std::string state;                // its record's state; "unknown": there is no record
+    std::vector<std::string> places;  // without a record: where the file would be, absolute
     std::string reason;
     std::string kind;
     int width = 0;  // px
