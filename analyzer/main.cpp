@@ -20,6 +20,7 @@ struct CommandLine {
     std::string file;
     std::string sheet = "sheet.png";
     bool is_once = false;
+    bool leaves_tapestries = false;
     AnalysisOutputs outputs;
     WeaveRequest weave;
 };
@@ -51,8 +52,9 @@ int run_weave(const CommandLine& line, const Settings& settings) {
 }
 
 int run_watch(const CommandLine& line, const Settings& settings) {
+    const WatchEnd once = line.leaves_tapestries ? WatchEnd::analysed : WatchEnd::woven;
     return watch_media(
-        settings, [&line] { return line.options.settings(); }, line.is_once);
+        settings, [&line] { return line.options.settings(); }, line.is_once ? once : WatchEnd::never);
 }
 
 void add_analyze(CLI::App& command, CommandLine& line) {
@@ -93,7 +95,10 @@ void add_weave(CLI::App& command, CommandLine& line) {
 }
 
 void add_watch(CLI::App& command, CommandLine& line) {
-    command.add_flag("--once", line.is_once, "Ends as soon as the catalogue is up to date");
+    CLI::Option* once = command.add_flag(
+        "--once", line.is_once, "Ends as soon as the catalogue is up to date and all tapestries are woven");
+    command.add_flag("--without-tapestries", line.leaves_tapestries, "Leaves tapestries to a later run")
+        ->needs(once);
 }
 
 struct Command {

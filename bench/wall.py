@@ -65,7 +65,7 @@ def main():
               f"{PAPER * frames / analysis:.0f} times as fast as the paper")
 
         settings = ["--media.root", root, "--state.directory", state]
-        cost([ANALYZER, "watch", "--once", *settings])
+        cost([ANALYZER, "watch", "--once", "--without-tapestries", *settings])
         cpu, wall, memory, log = cost([PLAYER, *settings, "--screen", "offscreen:1280x720", "--pace", "realtime", "--slots", 4,
                                        "--output.frame_rate", 15, "--duration", "20s"])
         print(f"four 720p films at 15 pictures a second: {cpu / wall:.2f} cores, {memory:.0f} MiB; {log.strip().splitlines()[-1]}")

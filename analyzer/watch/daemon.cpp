@@ -110,7 +110,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
                 }),
       follower_(MediaFolder(options.root, passed_over(options)), schedule_),
       hint_files_(loop, follower_.folder(), options.state / "hints.json", [this] { follow_hints(); }),
-      weaver_(loop, weave_options(options)),
+      weaver_(loop, weave_options(options), [this] { wake_.arm(0s); }),
       refiner_(loop, refine_options(options),
                [this](const std::vector<MediaRecord>& records) {
                    book_.refine(records);
@@ -236,14 +236,14 @@ void Daemon::advance() {
             perform(action);
     const bool is_free = is_online() && schedule_.is_idle();
     refiner_.advance(is_free);
-    weaver_.advance(is_free && refiner_.backlog() == 0 && !options_.is_once);
+    weaver_.advance(is_free && refiner_.backlog() == 0 && options_.weaves);
     book_.make_room();
     wake_at(schedule_.next_wake(), begin);
     liveness_.send_status_soon();
     status_.touch();
     if (!schedule_.is_idle()) return;
     if (!options_.is_once) return request_thumbnails();
-    if (is_online() && refiner_.backlog() > 0) return;
+    if (is_online() && (refiner_.backlog() > 0 || (options_.weaves && !weaver_.is_idle()))) return;
     book_.sweep(schedule_.paths_below(""));
     status_.write();
     loop_.quit();

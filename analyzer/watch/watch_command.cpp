@@ -50,10 +50,10 @@ AnalysisCommand analysis_command(const Settings::Analyzer& settings, const std::
 }
 
 /// The by-products of each analysis; sound and cut streams are up to the single file.
-AnalysisOutputs analysis_outputs(const Settings& settings, bool is_once) {
+AnalysisOutputs analysis_outputs(const Settings& settings) {
     return {.growth = true,
             .stored = settings.store.max_bytes > 0,
-            .frames = settings.tapestry.max_bytes > 0 && !is_once,
+            .frames = settings.tapestry.max_bytes > 0,
             .thumbnail = !settings.status.folder.empty()};
 }
 
@@ -68,7 +68,8 @@ Pace pace(const Settings::Analyzer& settings, bool is_once) {
 }
 
 /// @param snapshot  the file of settings that children read
-WatchOptions watch_options(const Settings& settings, const std::string& snapshot, bool is_once) {
+WatchOptions watch_options(const Settings& settings, const std::string& snapshot, WatchEnd end) {
+    const bool is_once = end != WatchEnd::never;
     const std::string config = "--config=" + snapshot;
     const fs::path state = settings.state.directory;
     WatchOptions options;
@@ -79,7 +80,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     options.bounds.max_bytes = static_cast<std::uint64_t>(settings.store.max_bytes);
     options.bounds.clip_side = clip_side(settings);
     options.analysis = analysis_command(settings.analyzer, config);
-    options.outputs = analysis_outputs(settings, is_once);
+    options.outputs = analysis_outputs(settings);
     options.status_folder = settings.status.folder;
     if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
     options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
@@ -94,6 +95,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     options.pace = pace(settings.analyzer, is_once);
     options.rescan = settings.analyzer.rescan;
     options.is_once = is_once;
+    options.weaves = end != WatchEnd::analysed;
     return options;
 }
 
@@ -120,7 +122,8 @@ void tell_sandbox() {
 
 }  // namespace
 
-int watch_media(const Settings& settings, const ReadSettings& read_settings, bool is_once) {
+int watch_media(const Settings& settings, const ReadSettings& read_settings, WatchEnd end) {
+    const bool is_once = end != WatchEnd::never;
     SettingsSnapshot snapshot(settings);
     EventLoop loop;
     const EventLoop::Source hangup = loop.signal(SIGHUP, [&] { read_again(read_settings, snapshot); });
@@ -130,7 +133,7 @@ int watch_media(const Settings& settings, const ReadSettings& read_settings, boo
             is_interrupted = true;
             loop.quit();
         });
-    const Daemon daemon(loop, watch_options(settings, snapshot.path(), is_once));
+    const Daemon daemon(loop, watch_options(settings, snapshot.path(), end));
     service::ready(daemon.status());
     log::info("watching '{}': {}", settings.media.root, daemon.status());
     tell_sandbox();

@@ -29,7 +29,8 @@ struct WatchOptions {
     StoreBounds tapestries{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     Pace pace;
     std::chrono::milliseconds rescan{60'000};
-    bool is_once = false;  // ends the loop as soon as the catalogue is up to date
+    bool is_once = false;  // ends the loop as soon as the catalogue is up to date and all films are woven
+    bool weaves = true;    // false: tapestries are left to a later run
 };
 
 }  // namespace vitrine::analyzer

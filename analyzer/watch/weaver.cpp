@@ -7,8 +7,11 @@
 
 namespace vitrine::analyzer {
 
-Weaver::Weaver(EventLoop& loop, WeaveOptions options)
-    : loop_(loop), options_(std::move(options)), tapestries_(options_.state, options_.bounds) {}
+Weaver::Weaver(EventLoop& loop, WeaveOptions options, std::function<void()> ended)
+    : loop_(loop),
+      options_(std::move(options)),
+      ended_(std::move(ended)),
+      tapestries_(options_.state, options_.bounds) {}
 
 void Weaver::note_record(const MediaRecord& record) {
     if (tapestries_.hold(record))
@@ -82,6 +85,7 @@ void Weaver::finish_weaving(const std::string& path, const ChildResult& result) 
         log::warning("not woven: '{}': {}", path, reason_of(result, options_.limits));
     make_room();
     advance(was_free_);
+    ended_();
 }
 
 }  // namespace vitrine::analyzer

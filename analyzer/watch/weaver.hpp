@@ -6,6 +6,7 @@
 #include "base/system/event_loop.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ struct WeaveOptions {
 /// nothing is analysed. Logs.
 class Weaver {
   public:
-    Weaver(EventLoop& loop, WeaveOptions options);
+    /// @param ended  called from the loop when a child has ended
+    Weaver(EventLoop& loop, WeaveOptions options, std::function<void()> ended);
     Weaver(const Weaver&) = delete;
     Weaver& operator=(const Weaver&) = delete;
     ~Weaver() = default;
@@ -50,6 +52,9 @@ class Weaver {
     /// @param is_free  nothing is to be analysed, and the films are there
     void advance(bool is_free);
 
+    /// True where nothing is woven, and nothing will be.
+    bool is_idle() const { return schedule_.is_idle(); }
+
   private:
     void perform(const WeaveAction& action);
     void start_child(const std::string& path);
@@ -58,6 +63,7 @@ class Weaver {
 
     EventLoop& loop_;  // outlives this
     WeaveOptions options_;
+    std::function<void()> ended_;
     Tapestries tapestries_;
     WeaveSchedule schedule_;
     std::unique_ptr<ChildProcess> child_;

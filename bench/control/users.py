@@ -45,7 +45,7 @@ def main():
         for i in range(12):
             png(media / f"{i}.png", 160, 90, lambda x, y, i=i: (20 * i, x, 2 * y))
         settings = ["--media.root", str(media), "--state.directory", str(folder / "state")]
-        subprocess.run([BUILD / "analyzer/vitrine-analyzer", "watch", "--once", *settings, "--analyzer.quiet_milliseconds", "100",
+        subprocess.run([BUILD / "analyzer/vitrine-analyzer", "watch", "--once", "--without-tapestries", *settings, "--analyzer.quiet_milliseconds", "100",
                         "--analyzer.face_model", "", "--tapestry.max_bytes", "0"], check=True, capture_output=True)
         bus = subprocess.Popen(["dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address=unix:path={folder / 'bus'}"])
         try:

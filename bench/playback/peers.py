@@ -55,7 +55,7 @@ def make_clip(folder, film, slots):
     state.mkdir()
     (state / "screen").write_text(f"{WIDTH}\n")  # as the player notes it
     shutil.copy(film, media)
-    cost([BUILD / "analyzer" / "vitrine-analyzer", "watch", "--once", "--media.root", media, "--state.directory", state, "--layout.slots", slots])
+    cost([BUILD / "analyzer" / "vitrine-analyzer", "watch", "--once", "--without-tapestries", "--media.root", media, "--state.directory", state, "--layout.slots", slots])
     clips = sorted(state.glob("store/*/*.mp4"), key=lambda clip: clip.stat().st_size)
     if not clips:
         sys.exit("the store has no clip of the film")

@@ -102,7 +102,7 @@ frame_rate = 5
             png(self.media / "trips" / f"{name}.png", 64, 48, lambda x, y: colour)
         (self.media / "broken.png").write_bytes((self.media / "trips" / "red.png").read_bytes()[:60] + b"nothing" * 50)
         self.set(slots=2)
-        subprocess.run([ANALYZER, "watch", "--once", "--config", self.settings, "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"],
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--config", self.settings, "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"],
                        timeout=PATIENCE, capture_output=True)
         self.start_bus()
         self.assertEqual(self.ctl("status").returncode, NOT_RUNNING)
@@ -184,7 +184,7 @@ frame_rate = 5
         for name in ("trips/red.png", late):
             png(self.media / name, 64, 48, lambda x, y: COLOURS["red"])
         self.set(slots=2)
-        subprocess.run([ANALYZER, "watch", "--once", "--config", self.settings, "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"],
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--config", self.settings, "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"],
                        timeout=PATIENCE, capture_output=True)
         self.start_bus()
         player = self.start_player()

@@ -53,7 +53,7 @@ class Endurance(unittest.TestCase):
             return out.read(), usage.ru_maxrss * 1024
 
     def analyse(self):
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings], check=True, timeout=PATIENCE, stderr=subprocess.DEVNULL)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings], check=True, timeout=PATIENCE, stderr=subprocess.DEVNULL)
         return {record["path"]: record for record in
                 (json.loads(file.read_text()) for file in (self.state / "catalogue").glob("*.json"))}
 

@@ -129,7 +129,7 @@ class Faults(unittest.TestCase):
         """Until the catalogue is up to date. @param full_from  the call for room that is the first to fail; 0: none
         -> (exit status, calls for room)"""
         with open(self.journal, "wb") as journal:
-            done = subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.state),
+            done = subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--media.root", str(self.root), "--state.directory", str(self.state),
                                    "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "50"], env=self.full_disk(full_from), stderr=journal, timeout=PATIENCE)
         return done.returncode, int.from_bytes(self.counter.read_bytes()[:8], "little")
 

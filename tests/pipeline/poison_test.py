@@ -50,7 +50,7 @@ class Poison(unittest.TestCase):
 
     def analyse_in_health(self):
         with open(self.journal, "ab") as journal:
-            subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.home / "state"),
+            subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--media.root", str(self.root), "--state.directory", str(self.home / "state"),
                             "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", "--store.max_bytes", "0"], check=True, stderr=journal)
 
     def records(self):

@@ -91,7 +91,7 @@ class Playing(unittest.TestCase):
                self.media / "photo.png")
 
     def analyse(self):
-        subprocess.run([ANALYZER, "watch", "--once", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", *self.settings()], check=True,
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", *self.settings()], check=True,
                        timeout=PATIENCE, stderr=subprocess.DEVNULL)
 
     def play(self, *options):

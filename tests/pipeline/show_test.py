@@ -69,7 +69,7 @@ class Show(unittest.TestCase):
         return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"]
 
     def analyse(self):
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
 
     def play(self, *options):
         film = Path(self.folder.name) / "wall.mp4"

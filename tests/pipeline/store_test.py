@@ -55,7 +55,7 @@ class Store(unittest.TestCase):
         self.state = Path(self.folder.name) / "state"
         self.root.mkdir()
         make_media(self.root)
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE)
 
     def settings(self, *more):
         return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0",
@@ -99,9 +99,9 @@ class Store(unittest.TestCase):
 
     def test_a_store_that_is_deleted_is_made_again_and_one_that_is_off_is_emptied(self):
         shutil.rmtree(self.state / "store")
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE)
         self.test_every_shot_is_stored_and_its_file_is_there()
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings("--store.max_bytes", "0")], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings("--store.max_bytes", "0")], check=True, timeout=PATIENCE)
         self.assertEqual([file for file in (self.state / "store").rglob("*") if file.is_file()], [])
 
 

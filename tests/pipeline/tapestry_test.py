@@ -20,11 +20,11 @@ ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
 PATIENCE = 900  # seconds until something that must come is given up: what is waited for lets all others go first
 
 
-def make_film(path):
-    """Thirty seconds, a new colour every second and a bar that moves."""
-    colours = ["red", "navy", "gray", "olive", "teal", "maroon"] * 5
+def make_film(path, seconds=30):
+    """A new colour every second and a bar that moves."""
+    colours = ["red", "navy", "gray", "olive", "teal", "maroon"] * 7
     takes = [f"color={colour}:size=40x100:rate=10:duration=1,drawbox=x='mod(t*20\\,30)':y={10 + 2 * i}:w=10:h=20:c=white:t=fill[v{i}]"
-             for i, colour in enumerate(colours)]
+             for i, colour in enumerate(colours[:seconds])]
     joined = "".join(f"[v{i}]" for i in range(len(takes))) + f"concat=n={len(takes)}"
     subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", "-filter_complex", ";".join([*takes, joined]), "-c:v", "mpeg4", "-g", "10",
                     str(path)], check=True)
@@ -47,6 +47,11 @@ class Tapestry(unittest.TestCase):
         self.addCleanup(watcher.wait)
         self.addCleanup(watcher.kill)
         return watcher
+
+    def once(self, *more):
+        subprocess.run([ANALYZER, "watch", "--once", "--media.root", str(self.root), "--state.directory", str(self.state),
+                        "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100", "--store.max_bytes", "0", *more],
+                       check=True, timeout=PATIENCE)
 
     def folder_of(self, path):
         for file in (self.state / "catalogue").glob("*.json"):
@@ -121,6 +126,14 @@ class Tapestry(unittest.TestCase):
         folder = self.folder_of("film.mp4")
         (self.root / "film.mp4").unlink()
         self.wait_for(lambda: not folder.exists())
+
+    def test_once_weaves_before_it_ends_unless_it_is_told_not_to(self):
+        make_film(self.root / "film.mp4", 3)
+        self.once("--without-tapestries")
+        self.assertIsNotNone(self.folder_of("film.mp4"))
+        self.assertFalse(self.woven("film.mp4"))
+        self.once()
+        self.assertTrue(self.woven("film.mp4"))
 
 
 if __name__ == "__main__":

@@ -108,7 +108,7 @@ class Wall(unittest.TestCase):
                 "--tapestry.max_bytes", "0"]
 
     def analyse(self):
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE)
 
     def play(self, *options, screen=f"{WIDTH}x{HEIGHT}"):
         film, snapshot = self.state / "wall.mp4", self.state / "wall.png"
@@ -251,7 +251,7 @@ class Wall(unittest.TestCase):
     def test_a_wrong_setting_stops_both_programs_with_file_line_and_what_is_allowed(self):
         config = Path(self.folder.name) / "wall.toml"
         config.write_text("[layout]\nslots = 0\n")
-        for program in ([ANALYZER, "watch", "--once"], [PLAYER]):
+        for program in ([ANALYZER, "watch", "--once", "--without-tapestries"], [PLAYER]):
             done = subprocess.run([*program, "--config", config], capture_output=True, text=True, timeout=PATIENCE)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(f"{config}:2: the value of 'layout.slots' is not allowed", done.stderr)

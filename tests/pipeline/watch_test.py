@@ -106,7 +106,7 @@ class Watch(WatchedFolder):
     def test_the_network_is_not_asked_for_the_papers_regions(self):
         (self.root / "square.png").write_bytes(png(320, 240, 250, 60))
         self.saliency = "network"
-        done = subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--analyzer.region", "hull"], check=True,
+        done = subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings(), "--analyzer.region", "hull"], check=True,
                               timeout=PATIENCE, capture_output=True, text=True)
         self.assertEqual(self.records()["square.png"]["state"], "ready")
         self.assertNotIn("plain region", done.stdout + done.stderr)
@@ -140,7 +140,7 @@ class Watch(WatchedFolder):
         (self.root / "good.png").write_bytes(png(64))
         os.mkfifo(self.root / "pipe.jpg")
         (self.root / ".DS_Store").write_bytes(b"x")
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE)
         records = self.records()
         self.assertEqual(set(records), {"noise.jpg", "empty.jpg", "letter.txt", "good.png"})
         self.assertEqual(records["good.png"]["state"], "ready")
@@ -166,7 +166,7 @@ class Watch(WatchedFolder):
 
     def test_once_fails_where_a_record_cannot_be_written_and_where_it_is_stopped(self):
         (self.root / "a.png").write_bytes(png(64))
-        once = [ANALYZER, "watch", "--once", *self.settings()]
+        once = [ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()]
         self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 0)
         (record,) = (self.state / "catalogue").glob("*.json")
         record.unlink()
@@ -245,7 +245,7 @@ class Watch(WatchedFolder):
 
     def test_thumbnails_of_files_that_were_looked_at_before_there_was_a_status_folder_are_made(self):
         (self.root / "a.png").write_bytes(png(64))
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--status.folder", ""], check=True, timeout=PATIENCE)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings(), "--status.folder", ""], check=True, timeout=PATIENCE)
         self.assertFalse((self.state / "thumbnails").exists())
         watcher = self.start("--analyzer.rescan_seconds", "1")
         self.until("its thumbnail", lambda _: len(list((self.root / "_STATUS" / "thumbnails").glob("*.jpg"))) == 1)
@@ -255,14 +255,14 @@ class Watch(WatchedFolder):
     def test_a_share_that_cannot_be_written_has_no_status_and_everything_else(self):
         (self.root / "a.png").write_bytes(png(64))
         (self.root / "_STATUS").write_text("in the way")  # as good as a read-only share, for root too
-        once = subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
+        once = subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
         self.assertEqual(once.stderr.count(b"the status folder in the media folder is missing"), 1)
         self.assertEqual(self.records()["a.png"]["state"], "ready")
         self.assertEqual(json.loads((self.state / "status.json").read_text())["files"][0]["state"], "ready")
 
     def test_an_empty_folder_is_no_reason_to_forget_what_was_in_it(self):
         (self.root / "a.png").write_bytes(png(64))
-        once = [ANALYZER, "watch", "--once", *self.settings()]
+        once = [ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()]
         self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 0)
         os.rename(self.root / "a.png", Path(self.folder.name) / "a.png")  # the share is not mounted
         self.assertEqual(subprocess.run(once, timeout=PATIENCE).returncode, 1)
@@ -272,7 +272,7 @@ class Watch(WatchedFolder):
         for i in range(3):
             (self.root / f"{i}.png").write_bytes(png(64 + i))
         for _ in range(2):
-            subprocess.run([ANALYZER, "watch", "--once", *self.settings()], check=True, timeout=PATIENCE)
+            subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE)
             times = {file.name: file.stat().st_mtime_ns for file in (self.state / "catalogue").glob("*.json")}
             self.assertEqual(len(times), 3)
             before = getattr(self, "times", times)
@@ -321,7 +321,7 @@ class Watch(WatchedFolder):
     def test_hostile_files_end_in_a_record_each(self):
         shutil.copytree(HOSTILE, self.root / "hostile", symlinks=True)
         (self.root / "good.png").write_bytes(png(64))
-        subprocess.run([ANALYZER, "watch", "--once", *self.settings(), "--analyzer.deadline_seconds", "60"], check=True,
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings(), "--analyzer.deadline_seconds", "60"], check=True,
                        timeout=HOSTILE_PATIENCE)
         records = self.records()
         self.assertEqual(records["good.png"]["state"], "ready")

@@ -62,7 +62,8 @@ struct House {
                                         .first_retry = 1ms,
                                         .retries = 2},
                                .rescan = 1h,
-                               .is_once = is_once});
+                               .is_once = is_once,
+                               .weaves = weaves});
     }
 
     fs::path drop(const std::string& name, const std::string& content = "film\n") const {
@@ -89,6 +90,7 @@ struct House {
 
     std::uint64_t max_bytes = 1 << 20;
     bool is_once = false;
+    bool weaves = true;
     TemporaryDirectory home;
     fs::path root = home.path / "media";
     fs::path read;
@@ -173,6 +175,7 @@ TEST_CASE("where tapestries are turned off, or only the catalogue is wanted, non
         House house;
         house.max_bytes = max_bytes;
         house.is_once = max_bytes > 0;
+        house.weaves = max_bytes == 0;
         house.drop("film.mp4");
         house.start();
         CHECK(house.comes_true([&] { return house.records() == 1; }));
@@ -180,4 +183,17 @@ TEST_CASE("where tapestries are turned off, or only the catalogue is wanted, non
             house.loop.run_once(10ms);
         CHECK(house.weavings() == 0);
     }
+}
+
+TEST_CASE("once means until every film that can be woven is woven") {
+    House house;
+    house.is_once = true;
+    house.drop("film.mp4");
+    house.drop("other.mp4");
+    house.drop("bad.mp4", "bad\n");
+    house.start();
+    house.loop.run();
+    CHECK(house.has_woven("film.mp4"));
+    CHECK(house.has_woven("other.mp4"));
+    CHECK(house.daemon->is_up_to_date());
 }

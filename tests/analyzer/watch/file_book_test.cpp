@@ -57,7 +57,7 @@ struct Desk {
     EventLoop loop;
     Schedule::Time now{1h};
     Schedule schedule{Pace{.children = 2}};
-    Weaver weaver{loop, {.root = home.path / "media", .state = home.path}};
+    Weaver weaver{loop, {.root = home.path / "media", .state = home.path}, [] {}};
     Refiner refiner{loop, {}, [](const std::vector<MediaRecord>&) {}};
     FileBook book{loop,
                   {.catalogue = home.path / "catalogue",

@@ -108,7 +108,7 @@ def check(folder, due, what, starts):
 
 def start(folder, found, what):
     """The analyzer, here, with what the cut has left."""
-    done = subprocess.run([folder.parent / "build/analyzer/vitrine-analyzer", "watch", "--once", "--media.root", found / "media",
+    done = subprocess.run([folder.parent / "build/analyzer/vitrine-analyzer", "watch", "--once", "--without-tapestries", "--media.root", found / "media",
                            "--state.directory", found / "state", "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "0", "--analyzer.face_model", "",
                             "--analyzer.face_cascade", ""],
                           capture_output=True, text=True, timeout=600)
