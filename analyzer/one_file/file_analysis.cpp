@@ -162,7 +162,7 @@ class FileAnalysis {
     /// Enters the places in the store.
     void finish_outputs(MediaRecord& record) {
         const MediaFile& file = file_.media();
-        if (frames_) frames_->finish(record.duration, {.bytes = file.bytes(), .mtime_ns = file.mtime_ns()});
+        if (frames_) frames_->finish(record, {.bytes = file.bytes(), .mtime_ns = file.mtime_ns()});
         if (store_) store_->finish(record);
     }
 

@@ -158,9 +158,8 @@ class Weaving {
         if (auto film = film_of_kept()) return std::move(*film);
         const auto source = opened(file_, settings_);
         KeptFrames frames(request_.directory, request_.max_bytes > 0 ? request_.max_bytes : no_limit);
-        while (const std::optional<FilmFrame> frame = source->next())
-            frames.saw(*frame);
-        frames.finish(source->info().duration, content_);
+        const MediaRecord film = watched_film(*source, [&](const FilmFrame& frame) { frames.saw(frame); });
+        frames.finish(film, content_);
         if (auto film = film_of_kept()) return std::move(*film);
         throw std::runtime_error(fmt::format("'{}': no room for its frames in '{}'", request_.file.string(),
                                              request_.directory.string()));

@@ -70,6 +70,8 @@ void measure(const std::string& path, FaceDetector* detector, const std::filesys
     if (long_film > 0) time_keyframes(signatures, long_film);
     const LoadedLevel level =
         loaded(film, chosen_keyframes(*film.candidates, {.max_levels = 1}, run_in_order)[0]);
+    fmt::print("  {} keyframes, {} of {} neighbouring pairs nearly alike\n", level.keyframes.size(),
+               pairs_alike(level), level.keyframes.size() - 1);
     cv::Mat sheet;
     cv::vconcat(filmstrip(level), bricks_picture(level), sheet);
     for (const TileQuality quality : {TileQuality::on_demand, TileQuality::high}) {

@@ -107,6 +107,17 @@ cv::Mat filmstrip(const LoadedLevel& level) {
     return strip;
 }
 
+int pairs_alike(const LoadedLevel& level) {
+    constexpr double alike = 20;
+    int pairs = 0;
+    for (std::size_t k = 1; k < level.keyframes.size(); ++k) {
+        const cv::Mat& picture = level.keyframes[k].picture;
+        const double norm = cv::norm(level.keyframes[k - 1].picture, picture, cv::NORM_L2);
+        pairs += norm / std::sqrt(3.0 * static_cast<double>(picture.total())) < alike ? 1 : 0;
+    }
+    return pairs;
+}
+
 cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
     cv::Mat strip;
     weave_level({.brickwork = level.brickwork,

@@ -42,6 +42,10 @@ cv::Mat squeezed(const LoadedLevel& level);
 /// Keyframes side by side, as many as fit, as tall as the tapestry.
 cv::Mat filmstrip(const LoadedLevel& level);
 
+/// Pairs of neighbouring keyframes that differ by less than 20 grey levels (root of the mean square), at the
+/// size of a brick.
+int pairs_alike(const LoadedLevel& level);
+
 cv::Mat woven(const LoadedLevel& level, TileQuality quality);
 
 /// The bidirectional distance of a part of a strip to its bricks, a channel value, all patches weighing 1.

@@ -26,10 +26,21 @@ void draw(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto) {
     small(seen - place.tl()).copyTo(onto(seen));
 }
 
-void draw_mirrored(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto) {
-    cv::Mat mirrored;
-    cv::flip(picture, mirrored, 1);
-    draw(mirrored, place, onto);
+constexpr int margin_share = 8;    // of a brick's width, from which the half brick beside it is drawn
+constexpr double margin_blur = 8;  // a brick's heights for one sigma
+
+/// Fills the half brick beside the first or last one of a row: with its margin, mirrored, drawn out and
+/// blurred. A mirrored picture alone would show half of each figure again.
+/// @param place  of a brick that lies half outside of the strip
+void draw_beside(const cv::Mat& picture, bool is_left, const cv::Rect& place, cv::Mat& onto) {
+    const int columns = std::max(1, picture.cols / margin_share);
+    cv::Mat margin;
+    cv::flip(is_left ? picture.colRange(0, columns) : picture.colRange(picture.cols - columns, picture.cols),
+             margin, 1);
+    cv::resize(margin, margin, {std::max(1, place.width / 2), place.height}, 0, 0, cv::INTER_LINEAR);
+    cv::GaussianBlur(margin, margin, {}, place.height / margin_blur);
+    const cv::Point half(is_left ? place.width - margin.cols : 0, 0);
+    draw(margin, {place.tl() + half, margin.size()}, onto);
 }
 
 /// The places of the patches that lie wholly inside a rectangle.
@@ -103,8 +114,8 @@ BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, doub
         const int number = section.first + static_cast<int>(i);
         const Keyframe& keyframe = section.bricks[i];
         const cv::Rect at = place(number);
-        if (number == 1) draw_mirrored(keyframe.picture, place(-1), canvas);
-        if (number == brickwork.bricks() - 2) draw_mirrored(keyframe.picture, place(number + 2), canvas);
+        if (number == 1) draw_beside(keyframe.picture, true, place(-1), canvas);
+        if (number == brickwork.bricks() - 2) draw_beside(keyframe.picture, false, place(number + 2), canvas);
         draw(keyframe.picture, at, canvas);
         rules.centres.push_back(at.x + at.width / 2);
         const cv::Rect inside = patches_in(at, whole.size());

@@ -12,7 +12,7 @@ namespace vitrine::analyzer {
 /// middles of consecutive keyframes are half a brick apart.
 /// Source: Video Tapestries 4.2, figure 4.
 struct Brickwork {
-    int keyframes = 0;  // at least 1; a single one stands in both rows
+    int keyframes = 0;  // at least 1; a single one stands alone, as tall as the tapestry
     cv::Size brick;     // px, its width even
 
     int bricks() const { return keyframes == 1 ? 2 : keyframes; }
@@ -51,7 +51,7 @@ struct TileSpan {
 
 /// A scaled part of the brickwork, from which a tile is made.
 struct BrickWindow {
-    PatchImage picture;  // mirrored neighbours fill the half bricks at the strip's ends
+    PatchImage picture;  // the margins of their neighbours fill the half bricks at the strip's ends
     PatchRules rules;
 };
 

@@ -1,5 +1,7 @@
 #include "analyzer/tapestry/synthesis/weave.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,10 +18,19 @@ BrickSection section_of(const LevelBricks& level, const TileSpan& tile) {
     return section;
 }
 
+/// A single keyframe stands alone, as tall as the tapestry: two of it would tell nothing more.
+void show_whole(const LevelBricks& level, const ColumnSink& sink) {
+    cv::Mat strip;
+    cv::resize(level.keyframe(0).picture, strip, {level.brickwork.width(), tapestry_height(level.brickwork)},
+               0, 0, cv::INTER_CUBIC);
+    sink(strip, {.tiles = tile_spans(strip.cols).size(), .border = {}});
+}
+
 }  // namespace
 
 void weave_level(const LevelBricks& bricks, const ColumnSink& sink, const RetargetSettings& settings,
                  const RunTasks& run, WovenSoFar done) {
+    if (bricks.brickwork.keyframes == 1) return show_whole(bricks, sink);
     const std::vector<TileSpan> spans = tile_spans(bricks.brickwork.width());
     TileNeighbours neighbours{.left = std::move(done.border), .right = {}};
     for (std::size_t i = done.tiles; i < spans.size(); ++i) {

@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <type_traits>
 
-// The file in which the frames of a film wait to be woven: their JPEGs one after another, then an entry for
-// each of them, then the end, where reading begins. Only this build on this machine can read it.
+// The file in which the frames of a film wait to be woven: their JPEGs one after another, then the film's
+// record as JSON, then an entry for each frame, then the end, where reading begins. Only this build on this
+// machine can read it.
 
 namespace vitrine::analyzer {
 
@@ -27,13 +28,14 @@ struct CandidateEntry {
 };
 
 struct CandidateFileEnd {
-    static constexpr std::uint64_t usual_mark = 0x3274656d61726676;  // "vframet2"
+    static constexpr std::uint64_t usual_mark = 0x3374656d61726676;  // "vframet3"
 
     FilmContent content;
     std::int64_t duration_ns = 0;
     std::int64_t entries_offset = 0;
     std::int64_t entries = 0;
-    std::int32_t brick_width = 0;  // px
+    std::int64_t record_bytes = 0;  // right before the entries
+    std::int32_t brick_width = 0;   // px
     std::int32_t brick_height = 0;
     std::int32_t frame_width = 0;  // px of the frames, which kept pictures with bars have
     std::int32_t frame_height = 0;

@@ -1,6 +1,7 @@
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
 
 #include "analyzer/tapestry/weave/picture_file.hpp"
+#include "base/state/record_json.hpp"
 #include "base/system/error.hpp"
 
 #include <fcntl.h>
@@ -97,14 +98,17 @@ void CandidateWriter::thin() {
     due_ = std::chrono::nanoseconds(entries_.back().time_ns) + interval_;
 }
 
-UniqueFd CandidateWriter::finish(std::chrono::nanoseconds duration, const FilmContent& content) {
+UniqueFd CandidateWriter::finish(const MediaRecord& film, const FilmContent& content) {
+    const std::string record = to_json(film);
+    append(record.data(), record.size());
     const cv::Rect active = bars_.close_shot(std::chrono::nanoseconds(0), std::chrono::nanoseconds::max());
     const cv::Size brick = brick_for(active.size());
     const CandidateFileEnd end{
         .content = content,
-        .duration_ns = std::max(duration, last_ + std::chrono::nanoseconds(1)).count(),
+        .duration_ns = std::max(film.duration, last_ + std::chrono::nanoseconds(1)).count(),
         .entries_offset = written_,
         .entries = static_cast<std::int64_t>(entries_.size()),
+        .record_bytes = static_cast<std::int64_t>(record.size()),
         .brick_width = brick.width,
         .brick_height = brick.height,
         .frame_width = frame_.width,

@@ -3,6 +3,7 @@
 #include "analyzer/film/active_picture.hpp"
 #include "analyzer/film/film_frame.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"
+#include "base/state/record.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <cstdint>
@@ -34,9 +35,10 @@ class CandidateWriter {
     /// The size of the file so far.
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(written_); }
 
-    /// @param duration  duration of the film; at least up to the last frame
-    /// @return          the complete file
-    UniqueFd finish(std::chrono::nanoseconds duration, const FilmContent& content);
+    /// @param film  duration, which is at least up to the last frame; size and shots with their regions where
+    ///              they are known
+    /// @return      the complete file
+    UniqueFd finish(const MediaRecord& film, const FilmContent& content);
 
   private:
     void thin();

@@ -3,6 +3,7 @@
 #include "analyzer/tapestry/synthesis/as_index.hpp"
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
+#include "base/state/record_json.hpp"
 #include "base/system/error.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::int64_t max_entries = 20'000;
 constexpr std::int64_t max_jpeg_bytes = 1 << 20;
+constexpr std::int64_t max_record_bytes = 64 << 20;
 constexpr int max_side = 4096;     // px of bricks and frames
 constexpr double enlargement = 2;  // bricks are small for detectors
 
@@ -37,6 +39,7 @@ Candidates::Candidates(UniqueFd file, FaceDetector* faces) : file_(std::move(fil
     require(end.entries_offset >= 0 && end.entries_offset <= end_offset);
     require(end_offset - end.entries_offset == end.entries * std::int64_t{sizeof(CandidateEntry)});
     read_sizes(end);
+    read_record(end);
     duration_ = std::chrono::nanoseconds(end.duration_ns);
     content_ = end.content;
     for (std::int64_t i = 0; i < end.entries; ++i) {
@@ -60,6 +63,14 @@ void Candidates::read_sizes(const CandidateFileEnd& end) {
     frame_ = {end.frame_width, end.frame_height};
     active_ = {left, top, width, height};
     require(left >= 0 && top >= 0 && (active_ & cv::Rect({0, 0}, frame_)) == active_);
+}
+
+void Candidates::read_record(const CandidateFileEnd& end) {
+    require(end.record_bytes > 0 && end.record_bytes <= max_record_bytes &&
+            end.record_bytes <= end.entries_offset);
+    std::string text(static_cast<std::size_t>(end.record_bytes), '\0');
+    read(text.data(), text.size(), end.entries_offset - end.record_bytes);
+    film_ = record_from_json(text);
 }
 
 void Candidates::read(void* into, std::size_t bytes, std::int64_t offset) const {

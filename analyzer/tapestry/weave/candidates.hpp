@@ -4,6 +4,7 @@
 #include "analyzer/tapestry/synthesis/brickwork.hpp"
 #include "analyzer/tapestry/synthesis/frame_signature.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"
+#include "base/state/record.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include <chrono>
@@ -28,6 +29,10 @@ class Candidates {
     /// The film's duration.
     std::chrono::nanoseconds duration() const { return duration_; }
 
+    /// What was known of the film when its frames were kept: its size and its shots. No shots: none are
+    /// known.
+    const MediaRecord& film() const { return film_; }
+
     const FilmContent& content() const { return content_; }
 
     /// A frame as a keyframe. Its faces are searched at its first call: most frames of a long film are never
@@ -43,6 +48,7 @@ class Candidates {
 
     void read(void* into, std::size_t bytes, std::int64_t offset) const;
     void read_sizes(const CandidateFileEnd& end);
+    void read_record(const CandidateFileEnd& end);
     cv::Mat as_brick(const cv::Mat& kept) const;
     std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
 
@@ -53,6 +59,7 @@ class Candidates {
     cv::Rect active_;  // px of the frame: the picture within its bars
     std::chrono::nanoseconds duration_{0};
     FilmContent content_;
+    MediaRecord film_;
     std::vector<FrameSignature> signatures_;
     std::vector<Kept> kept_;
     mutable std::vector<std::optional<std::vector<cv::Rect>>> faces_;  // one a frame; none: not searched yet

@@ -1,6 +1,8 @@
 #include "analyzer/tapestry/weave/film_weave.hpp"
 
+#include "analyzer/film/shot_detector.hpp"
 #include "analyzer/tapestry/synthesis/as_index.hpp"
+#include "analyzer/tapestry/synthesis/frame_fitness.hpp"
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
 #include "analyzer/tapestry/weave/level_files.hpp"
 #include "analyzer/tapestry/weave/zoom_files.hpp"
@@ -9,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace vitrine::analyzer {
 
@@ -56,6 +60,14 @@ bool has_room(const Tapestry& tapestry, std::uint64_t bytes, int width, std::uin
     return static_cast<double>(bytes) * (1 + width / columns) <= static_cast<double>(max_bytes);
 }
 
+KeyframeRules rules_of(const Candidates& candidates) {
+    std::vector<FilmPart> shots;
+    for (const Shot& shot : candidates.film().shots)
+        shots.push_back({shot.begin, shot.end});
+    const std::vector<FrameSignature>& frames = candidates.signatures();
+    return {.frames = frames, .fit = fit_frames(frames, shots), .takes = takes_of(frames, shots)};
+}
+
 }  // namespace
 
 Brickwork brickwork_of(const Keyframes& keyframes, cv::Size brick) {
@@ -87,23 +99,50 @@ Film film_of(UniqueFd frames, FaceDetector* faces) {
     return film;
 }
 
+MediaRecord watched_film(FrameSource& source, const std::function<void(const FilmFrame&)>& seen) {
+    ShotDetector detector;
+    MediaRecord film{.kind = MediaKind::film};
+    const auto add = [&](const std::vector<DetectedShot>& shots) {
+        for (const DetectedShot& shot : shots)
+            film.shots.push_back(
+                {.begin = shot.begin, .end = shot.end, .ends_with = shot.ends_with, .region = {}});
+    };
+    FilmFrame last;
+    while (const std::optional<FilmFrame> frame = source.next()) {
+        seen(*frame);
+        const bool is_next =
+            last.picture.empty() || (frame->time > last.time && frame->picture.size() == last.picture.size());
+        if (!is_next) continue;  // its stream is broken
+        add(detector.push(*frame));
+        last = *frame;
+    }
+    film.width = source.info().width;
+    film.height = source.info().height;
+    film.duration = source.info().duration;
+    if (!last.picture.empty()) add(detector.finish(std::max(film.duration, last.time + nanoseconds(1))));
+    return film;
+}
+
 Film gathered(FrameSource& source, const fs::path& directory, FaceDetector* faces) {
     CandidateWriter writer(nameless_file(directory));
-    while (const std::optional<FilmFrame> frame = source.next())
-        writer.push(*frame);
+    const MediaRecord record = watched_film(source, [&](const FilmFrame& frame) { writer.push(frame); });
     if (writer.is_empty()) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
-    return film_of(writer.finish(source.info().duration, {}), faces);
+    return film_of(writer.finish(record, {}), faces);
 }
 
 std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const WeaveChoice& choice,
                                         const RunTasks& run) {
     const auto& frames = candidates.signatures();
-    const KeyframeSettings settings{.max_levels = choice.max_levels};
-    const Affinity costs = choice.is_uniform ? time_affinity(frames) : affinity(frames, {}, run);
-    if (!choice.times.empty()) return refined_levels(costs, keyframes_at(frames, choice.times), settings);
-    if (choice.is_uniform)
+    KeyframeSettings settings{.max_levels = choice.max_levels, .rules = std::nullopt};
+    if (choice.is_uniform) {
+        const Affinity costs = time_affinity(frames);
         return refined_levels(costs, uniform_keyframes(costs.frames(), settings.first), settings);
-    return keyframe_levels(costs, settings);
+    }
+    settings.rules = rules_of(candidates);
+    Affinity costs = affinity(frames, {}, run);
+    if (!choice.times.empty())
+        return refined_levels(std::move(costs), keyframes_at(frames, choice.times), settings);
+    return keyframe_levels(std::move(costs), settings);
 }
 
 std::string new_tile_folder(const fs::path& directory) {

@@ -8,6 +8,7 @@
 #include "base/state/tapestry.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct Film {
 
 /// Opens the frames that were kept of a film. @throws as Candidates
 Film film_of(UniqueFd frames, FaceDetector* faces);
+
+/// Reads a film to its end and finds its shots.
+/// @param seen  gets each frame
+/// @return      duration, size and shots without regions
+/// @throws MediaError where it is broken
+MediaRecord watched_film(FrameSource& source, const std::function<void(const FilmFrame&)>& seen);
 
 /// Reads a film to its end.
 /// @param directory  gets a nameless file of the frames while they are needed

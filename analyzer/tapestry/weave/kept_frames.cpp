@@ -58,11 +58,11 @@ void KeptFrames::saw(const FilmFrame& frame) {
     }
 }
 
-void KeptFrames::finish(std::chrono::nanoseconds duration, const FilmContent& content) {
+void KeptFrames::finish(const MediaRecord& film, const FilmContent& content) {
     if (!writer_) return;
     if (writer_->is_empty()) return give_up();
     try {
-        (void)writer_->finish(duration, content);
+        (void)writer_->finish(film, content);
         writer_.reset();
         publish_file(unfinished(file_in(directory_)), file_in(directory_));
     } catch (const std::system_error& error) {

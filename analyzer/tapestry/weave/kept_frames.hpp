@@ -24,8 +24,8 @@ class KeptFrames {
 
     void saw(const FilmFrame& frame);
 
-    /// Completes the file and gives it its name.
-    void finish(std::chrono::nanoseconds duration, const FilmContent& content);
+    /// Completes the file and gives it its name. @param film  see CandidateWriter
+    void finish(const MediaRecord& film, const FilmContent& content);
 
   private:
     void give_up();

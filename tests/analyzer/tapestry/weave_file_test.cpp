@@ -88,10 +88,12 @@ TEST_CASE(
                                           status.st_mtim.tv_nsec};
     const auto keep = [&](const FilmContent& of) {
         KeptFrames frames(out, 1 << 20);
-        for (int i = 0; i < 3; ++i)
-            frames.saw({.picture = cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(80 * i)),
-                        .time = std::chrono::seconds(i)});
-        frames.finish(std::chrono::seconds(3), of);
+        for (int i = 0; i < 3; ++i) {
+            cv::Mat picture(48, 64, CV_8UC3, cv::Scalar::all(80 * i));
+            picture.colRange(20 * i, 20 * i + 20).setTo(cv::Scalar(200, 10, 90));
+            frames.saw({.picture = picture, .time = std::chrono::seconds(i)});
+        }
+        frames.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(3)}, of);
     };
     Settings settings = without_faces();
     settings.media.root = folder.path / "films";

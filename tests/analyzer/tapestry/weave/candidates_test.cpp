@@ -29,7 +29,8 @@ TEST_CASE("a film beyond the most frames keeps fewer a second, and no more memor
         writer.push(
             {.picture = cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(grey)), .time = milliseconds(500) * i});
     }
-    const Film film = film_of(writer.finish(seconds(1), {}), nullptr);
+    const Film film =
+        film_of(writer.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(1)}, {}), nullptr);
     const auto& frames = film.candidates->signatures();
 
     CHECK(film.duration == milliseconds(139'500) + std::chrono::nanoseconds(1));
@@ -51,7 +52,7 @@ TEST_CASE("frames kept are those of a film gathered, and of no other file") {
         for (DrawnSource source({64, 48}, 46, false); const auto frame = source.next();)
             frames.saw(*frame);
         CHECK_FALSE(kept_frames(folder.path / "a"));
-        frames.finish(seconds(9), content);
+        frames.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(9)}, content);
     }
     DrawnSource source({64, 48}, 46, false);
     const Film gathered_film = gathered(source, folder.path, nullptr);
@@ -77,9 +78,9 @@ TEST_CASE("frames of a film that breaks off or needs too much room are not kept"
             broken.saw(*frame);
             large.saw(*frame);
         }
-        large.finish(seconds(9), {});
+        large.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(9)}, {});
         KeptFrames nowhere("/proc/nowhere", 100);
-        nowhere.finish(seconds(9), {});
+        nowhere.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(9)}, {});
     }
     CHECK_FALSE(kept_frames(folder.path));
     CHECK_FALSE(kept_frames(folder.path / "large"));
@@ -94,7 +95,8 @@ TEST_CASE("the bricks of a letterboxed film have no bars") {
         if (i != 3) picture.rowRange(20, 160) = cv::Scalar(40, 120 + 4 * i, 200);  // one is black
         writer.push({.picture = picture, .time = milliseconds(500) * i});
     }
-    const Film film = film_of(writer.finish(seconds(10), {}), nullptr);
+    const Film film =
+        film_of(writer.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(10)}, {}), nullptr);
     CHECK(film.candidates->brick() == brick_for({320, 138}));
     const cv::Mat brick = film.candidates->keyframe(0).picture;
     CHECK(brick.size() == film.candidates->brick());
@@ -108,7 +110,7 @@ TEST_CASE("a file that is none of frames, or is cut short, is refused") {
     const TemporaryDirectory folder;
     CandidateWriter writer(nameless_file(folder.path));
     writer.push({.picture = cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(9))});
-    const UniqueFd whole = writer.finish(seconds(1), {});
+    const UniqueFd whole = writer.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(1)}, {});
     const std::string bytes = read_file("/proc/self/fd/" + std::to_string(whole.get()));
     const auto film = [&](const std::string& content) {
         return film_of(UniqueFd(::open(folder.write("frames", content).c_str(), O_RDONLY)), nullptr);

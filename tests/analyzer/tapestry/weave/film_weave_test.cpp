@@ -14,6 +14,7 @@
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <stdexcept>
@@ -29,7 +30,8 @@ const RetargetSettings quick{.quality = TileQuality::on_demand};
 
 Tapestry woven(const TemporaryDirectory& folder, FrameSource& source, int max_levels) {
     const Film film = gathered(source, folder.path, nullptr);
-    const auto levels = chosen_keyframes(*film.candidates, {.max_levels = max_levels}, run_in_order);
+    const auto levels =
+        chosen_keyframes(*film.candidates, {.max_levels = max_levels, .is_uniform = true}, run_in_order);
     return PyramidWriter(folder.path, film, {.retarget = quick}, run_in_order)
         .write({.path = "drawn"}, {.folder = new_tile_folder(folder.path), .levels = levels});
 }
@@ -99,6 +101,18 @@ TEST_CASE("films of one frame, of two seconds, black, very wide or very tall are
         check_tiles(folder.path, tapestry);
         CHECK(tapestry.levels.back().keyframes.size() == static_cast<std::size_t>((shape.frames + 4) / 5));
     }
+}
+
+TEST_CASE("a film of three scenes has a keyframe of each, and no more than they tell") {
+    const TemporaryDirectory folder;
+    DrawnSource source({64, 64}, 120, false);
+    const Film film = gathered(source, folder.path, nullptr);
+    REQUIRE(film.candidates->film().shots.size() == 3);
+    const Keyframes first = chosen_keyframes(*film.candidates, {.max_levels = 1}, run_in_order)[0];
+    CHECK(first.size() >= 3);
+    CHECK(first.size() < film.candidates->signatures().size());
+    for (int scene = 0; scene < 3; ++scene)
+        CHECK(std::ranges::any_of(first, [&](int frame) { return frame / 8 == scene; }));
 }
 
 TEST_CASE("a film without a picture is an error") {
