@@ -1,5 +1,7 @@
 #include "analyzer/film/fade_finder.hpp"
 
+#include "analyzer/film/standing_picture.hpp"
+
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -50,7 +52,8 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
         if (!open_) {
             const std::size_t start = ramp_start(window, frame, since);
             const bool fades = window.time(frame) - window.time(start) > min_fade;
-            open_ = {window.time(start), window.time(frame), fades ? ShotEnd::fade : ShotEnd::cut};
+            const std::size_t begin = stands_until(window, start, frame, StandingShare::fade);
+            open_ = {window.time(begin), window.time(frame), fades ? ShotEnd::fade : ShotEnd::cut};
         }
         in_plain_ = true;
         plain_end_ = frame + 1;
@@ -69,7 +72,16 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
             open_->kind = ShotEnd::fade;
         return std::nullopt;
     }
-    return std::exchange(open_, std::nullopt);
+    return closed(window);
+}
+
+/// The open fade, which ends where the picture stands.
+Transition FadeFinder::closed(const FeatureWindow& window) {
+    Transition found = *std::exchange(open_, std::nullopt);
+    const std::size_t plain = std::max(window.first(), plain_end_ > 0 ? plain_end_ - 1 : 0);
+    const std::size_t end = window.frame_at(found.end);
+    if (end > plain) found.end = window.time(stands_from(window, plain, end, StandingShare::fade));
+    return found;
 }
 
 std::optional<Transition> FadeFinder::finish(std::chrono::nanoseconds end) {

@@ -7,7 +7,8 @@
 
 namespace vitrine::analyzer {
 
-/// Finds frames of one colour, black or white, and the fades that lead there and away from there.
+/// Finds frames of one colour, black or white, and the fades that lead there and away from there. A fade begins
+/// and ends where the picture is lit to three quarters.
 class FadeFinder {
   public:
     /// @param since  the transition reaches back no further than this frame
@@ -20,6 +21,7 @@ class FadeFinder {
     std::optional<std::chrono::nanoseconds> open_since() const;
 
   private:
+    Transition closed(const FeatureWindow& window);
     bool is_growing(const FeatureWindow& window, std::size_t frame) const;
 
     std::optional<Transition> open_;

@@ -1,6 +1,7 @@
 #include "analyzer/film/transition_detector.hpp"
 
 #include "analyzer/film/cut_finder.hpp"
+#include "analyzer/film/standing_picture.hpp"
 #include "analyzer/film/sudden_change.hpp"
 
 #include <algorithm>
@@ -58,7 +59,8 @@ std::vector<Transition> TransitionDetector::push(const FrameFeatures& frame) {
 std::vector<Transition> TransitionDetector::finish(std::chrono::nanoseconds end) {
     while (judged_ < window_.end())
         judge(judged_++);
-    if (const auto found = dissolves_.finish(); found && is_dissolve(*found)) add(*found);
+    if (const auto found = dissolves_.finish(); found && is_dissolve(*found))
+        add(without_standing(window_, *found));
     if (const auto found = fades_.finish(end)) add(*found);
     return std::exchange(pending_, {});
 }
@@ -71,7 +73,8 @@ void TransitionDetector::judge(std::size_t frame) {
         add({window_.time(frame), window_.time(frame), ShotEnd::cut});
         since_ = frame;
     }
-    if (const auto found = dissolves_.push(window_, frame, since_); found && is_dissolve(*found)) add(*found);
+    if (const auto found = dissolves_.push(window_, frame, since_); found && is_dissolve(*found))
+        add(without_standing(window_, *found));
     if (const auto found = wipes_.push(window_, frame, faded_)) add(*found);
     if (const auto found = fades_.push(window_, frame, since_); found && !is_flash(*found)) {
         add(*found);

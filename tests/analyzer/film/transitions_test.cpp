@@ -114,6 +114,26 @@ TEST_CASE("a fade over white ends one shot and begins the next where it is over"
     CHECK(is_near(shots[1].begin, 70, 5));
 }
 
+TEST_CASE("a scene lit for a moment between two fades is a shot") {
+    const auto shots = shots_of(160, [](int i) {
+        if (i < 40) return warm();
+        if (i < 80) return mixed(black(), scene(5, {20, 130, 60}), progress(i, 50, 72));
+        if (i < 110) return mixed(scene(5, {20, 130, 60}), black(), progress(i, 80, 102));
+        return cold();
+    });
+    REQUIRE(shots.size() == 3);
+    CHECK(is_near(shots[1].begin, 67, 2));  // lit to three quarters
+    CHECK(is_near(shots[1].end, 86, 2));
+    CHECK(shots[1].ends_with == ShotEnd::fade);
+}
+
+TEST_CASE("a dissolve ends where hardly anything is left of the picture before") {
+    const auto shots = shots_of(140, [](int i) { return mixed(warm(), cold(), progress(i, 50, 76)); });
+    REQUIRE(shots.size() == 2);
+    CHECK(is_near(shots[0].end, 54, 2));
+    CHECK(is_near(shots[1].begin, 73, 2));
+}
+
 TEST_CASE("black between two cuts belongs to neither shot") {
     const auto shots = shots_of(120, [](int i) { return i < 40 ? warm() : i < 65 ? black() : cold(); });
     REQUIRE(shots.size() == 2);
