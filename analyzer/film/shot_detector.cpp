@@ -10,9 +10,12 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-// A shorter stretch cannot be taken in. Between two shots it counts to their transition; several in a row,
-// cut to each other, are a montage and shown as one shot.
+// Shorter stretches in a row, cut to each other, are a montage and shown as one shot.
+constexpr std::chrono::milliseconds min_alone{1000};
+constexpr std::chrono::seconds max_montage{5};
+// A montage so short cannot be taken in: the next shot begins with it, if only a cut is between them.
 constexpr std::chrono::milliseconds min_shot{500};
+constexpr std::chrono::milliseconds min_shown{250};  // a shorter stretch between transitions belongs to them
 
 }  // namespace
 
@@ -20,7 +23,7 @@ struct ShotDetector::State {
     TransitionDetector transitions;
     std::optional<nanoseconds> first;     // the film's first frame
     std::optional<nanoseconds> begin;     // the begin of the open shot
-    std::optional<DetectedShot> montage;  // short stretches so far, cut to each other
+    std::optional<DetectedShot> montage;  // short stretches that are not given out yet, cut to each other
     bool any = false;                     // a shot was given out
 
     void close(const Transition& transition, std::vector<DetectedShot>& out);
@@ -34,23 +37,21 @@ void ShotDetector::State::give(const DetectedShot& shot, std::vector<DetectedSho
 }
 
 void ShotDetector::State::give_montage(std::vector<DetectedShot>& out) {
-    if (montage && montage->end - montage->begin >= min_shot) give(*montage, out);
+    if (montage && montage->end - montage->begin >= min_shown) give(*montage, out);
     montage.reset();
 }
 
 void ShotDetector::State::close(const Transition& transition, std::vector<DetectedShot>& out) {
     const DetectedShot shot{*begin, transition.begin, transition.kind};
     begin = transition.end;
-    if (shot.end - shot.begin >= min_shot) {
-        give_montage(out);
-        give(shot, out);
-        return;
-    }
     if (montage && montage->end != shot.begin) give_montage(out);
     if (shot.end <= shot.begin) return;
+    const bool is_short = shot.end - shot.begin < min_alone;
+    if (montage && montage->end - montage->begin >= (is_short ? max_montage : min_shot)) give_montage(out);
     if (!montage) montage = shot;
     montage->end = shot.end;
     montage->ends_with = shot.ends_with;
+    if (!is_short) give_montage(out);
 }
 
 ShotDetector::ShotDetector() : state_(std::make_unique<State>()) {}

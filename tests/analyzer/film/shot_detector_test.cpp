@@ -73,11 +73,29 @@ TEST_CASE("a film that begins black begins its first shot where the picture stan
     CHECK(shots[0].end == 90 * frame_time);
 }
 
-TEST_CASE("a stretch too short to be seen belongs to no shot") {
+TEST_CASE("the shot that follows a stretch too short to be seen begins with it") {
     const auto shots = shots_of(100, [](int i) {
         return i < 40 ? warm() : i < 49 ? scene(5, {20, 130, 60}) : cold();
     });
-    CHECK(shots == std::vector{shot(0, 40, ShotEnd::cut), shot(49, 100, ShotEnd::end)});
+    CHECK(shots == std::vector{shot(0, 40, ShotEnd::cut), shot(40, 100, ShotEnd::end)});
+}
+
+TEST_CASE("two stretches shorter than a second are one shot") {
+    const auto shots = shots_of(130, [](int i) {
+        if (i < 40) return warm();
+        return i < 60 ? scene(5, {20, 130, 60}) : i < 80 ? scene(10, {130, 130, 20}) : cold();
+    });
+    CHECK(shots ==
+          std::vector{shot(0, 40, ShotEnd::cut), shot(40, 80, ShotEnd::cut), shot(80, 130, ShotEnd::end)});
+}
+
+TEST_CASE("a short stretch with transitions on both sides is a shot of its own") {
+    const auto shots = shots_of(130, [](int i) {
+        if (i < 40) return warm();
+        return i < 55 || (i >= 63 && i < 80) ? black() : i < 63 ? scene(5, {20, 130, 60}) : cold();
+    });
+    CHECK(shots ==
+          std::vector{shot(0, 40, ShotEnd::cut), shot(55, 63, ShotEnd::cut), shot(80, 130, ShotEnd::end)});
 }
 
 TEST_CASE("short stretches in a row are shown as one montage") {
