@@ -2,9 +2,11 @@
 
 #include "analyzer/film/active_picture.hpp"
 #include "analyzer/film/shot_detector.hpp"
+#include "analyzer/one_file/between_shots.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "base/state/media_error.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -22,6 +24,7 @@ class Sampler {
     Sampler(const AnalysisSettings& settings, bool keeps_pictures, MediaKind kind)
         : settings_(settings),
           keeps_pictures_(keeps_pictures),
+          is_film_(kind == MediaKind::film),
           faces_(face_detector(settings.face_model, settings.face_cascade)),
           stage_(image_saliency_stage(settings.image)) {
         if (kind == MediaKind::photo && !settings.saliency_model.empty())
@@ -37,6 +40,8 @@ class Sampler {
         }
         before_ = frame;
     }
+
+    const UnshownTimes& unshown() const { return unshown_; }
 
     /// The bars of the samples so far.
     ActivePictureFinder& bars() { return bars_; }
@@ -54,6 +59,8 @@ class Sampler {
                              .seconds = std::chrono::duration<double>(interval).count(),
                              .active = bars_.newest()};
         Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
+        if (is_film_) sample.look = look_within(frame.picture, pair.active);
+        unshown_.add_sample(frame.time, sample.look.kind == PictureKind::plain);
         if (network_ != nullptr) sample.subject = find_subject(*network_, pair);
         ++count_;
         sample.time = frame.time;
@@ -66,10 +73,12 @@ class Sampler {
 
     const AnalysisSettings& settings_;  // outlives the sampler
     bool keeps_pictures_;
+    bool is_film_;
     std::unique_ptr<FaceDetector> faces_;
     std::unique_ptr<ImageSaliencyStage> stage_;
     std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
     ActivePictureFinder bars_;
+    UnshownTimes unshown_;
     FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
@@ -83,6 +92,17 @@ std::optional<Box> to_source(const cv::Rect& part, cv::Size frame, const MediaRe
     const double x = static_cast<double>(record.width) / frame.width;
     const double y = static_cast<double>(record.height) / frame.height;
     return Box{{part.x * x, part.y * y}, {part.br().x * x, part.br().y * y}};
+}
+
+/// The kind of a shot: plain where all its samples are, a title where no more than one in five is a picture.
+PictureKind kind_of(const std::vector<Sample>& samples) {
+    const auto count = [&](PictureKind kind) {
+        return std::ranges::count(samples, kind, [](const Sample& sample) { return sample.look.kind; });
+    };
+    const auto all = std::ssize(samples);
+    if (all > 0 && count(PictureKind::plain) == all) return PictureKind::plain;
+    const bool is_title = count(PictureKind::title) > 0 && count(PictureKind::picture) * 5 <= all;
+    return is_title ? PictureKind::title : PictureKind::picture;
 }
 
 /// Adds shots to the record: takes the samples of each, cuts off its bars and finds its region.
@@ -100,6 +120,8 @@ class ShotWriter {
     void close(const DetectedShot& found, ActivePictureFinder& bars) {
         const nanoseconds end = std::max(found.end, found.begin + nanoseconds(1));
         std::vector<Sample> samples = samples_.pop_samples(found.begin, end);
+        const PictureKind kind = kind_of(samples);
+        if (kind == PictureKind::plain) return;
         const cv::Rect active = bars.close_shot(found.begin, end);
         if (record_.shots.size() >= max_shots) return;
         const cv::Size frame = bars.whole().size();
@@ -107,6 +129,7 @@ class ShotWriter {
                         .end = found.end,
                         .ends_with = found.ends_with,
                         .region = {},
+                        .is_title = kind == PictureKind::title,
                         .picture = to_source(active, frame, record_)};
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
                                                   {record_.width, record_.height}, settings_);
@@ -186,6 +209,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
         writer.close(shot, sampler.bars());
     if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, sampler.bars());
     writer.finish(sampler.bars());
+    record.between = sampler.unshown().between(record);
     return record;
 }
 

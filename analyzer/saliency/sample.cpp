@@ -127,6 +127,15 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
     return sample;
 }
 
+PictureLook look_within(const cv::Mat& frame, const cv::Rect& active) {
+    const cv::Rect whole({0, 0}, frame.size());
+    const cv::Rect seen = (active & whole).empty() ? whole : active & whole;
+    const cv::Rect part = map_part(seen, frame.size());
+    PictureLook look = look_at(frame(seen), part.size());
+    look.stands_out += part.tl();
+    return look;
+}
+
 SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
     const cv::Size size = pair.frame.size();
     const cv::Rect whole({0, 0}, size);

@@ -2,6 +2,7 @@
 
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/faces.hpp"
+#include "analyzer/saliency/picture_kind.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 #include "analyzer/saliency/saliency_network.hpp"
 #include "base/geometry/vec2.hpp"
@@ -23,6 +24,7 @@ struct Sample {
     SaliencyMap subject;                    // found by the network; empty where it was not asked
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
     std::chrono::nanoseconds faces_time{0};  // time of the frame they were found in
+    PictureLook look;                        // of a film's frame
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
 };
 
@@ -49,6 +51,9 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
 /// The subject of a frame's picture within its bars, in px of the maps, as a network sees it.
 /// @throws std::runtime_error like SaliencyNetwork::map()
 SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair);
+
+/// The look of a frame's picture within its bars, in px of the maps.
+PictureLook look_within(const cv::Mat& frame, const cv::Rect& active);
 
 /// The faces of a frame, in px of the maps that sample_of() makes of it.
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);

@@ -85,6 +85,21 @@ std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std
     return frames;
 }
 
+/// All that must stay whole: heads, movers, and the words of a title.
+std::vector<Box> whole_parts(const std::vector<Sample>& samples, const Shot& shot, Vec2 drift, cv::Size map) {
+    std::vector<Box> result = heads(samples, shot.begin, drift, map);
+    for (const Box& mover : movers(samples, shot.begin, drift))
+        result.push_back(mover);
+    for (const Sample& sample : samples) {
+        if (!shot.is_title || sample.look.kind != PictureKind::title) continue;
+        const cv::Rect words = sample.look.stands_out & cv::Rect({0, 0}, map);
+        if (words.empty()) continue;
+        result.push_back({{static_cast<double>(words.x), static_cast<double>(words.y)},
+                          {static_cast<double>(words.br().x), static_cast<double>(words.br().y)}});
+    }
+    return result;
+}
+
 /// A region in px of the map becomes one in px of the source.
 IRegion to_source(const Polygon& polygon, Vec2 drift, cv::Size map, cv::Size source) {
     const Vec2 scale{static_cast<double>(source.width) / map.width,
@@ -119,6 +134,7 @@ void crop(std::vector<Sample>& samples, const cv::Rect& part) {
         for (SaliencyMap* map : {&sample.motion, &sample.image, &sample.subject})
             if (!map->empty()) *map = SaliencyMap((*map)(part).clone());
         move_faces(sample.faces, corner * -1);
+        sample.look.stands_out -= part.tl();
     }
 }
 
@@ -171,15 +187,13 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     if (part.size() != map) crop(samples, part);
     const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
-    const Vec2 drift = found_drift(frames, duration, settings.drift);
+    const Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);
     SaliencyMap volume = evidence.volume.clone();
     if (settings.region.mode == RegionMode::min_area) add_centre(volume, frames.size());
-    std::vector<Box> whole = heads(samples, shot.begin, drift, part.size());
-    for (const Box& mover : movers(samples, shot.begin, drift))
-        whole.push_back(mover);
+    const std::vector<Box> whole = whole_parts(samples, shot, drift, part.size());
     const Box core = common_part(part.size(), drift, duration);
     Polygon region = i_region(volume, core, whole, settings.region);
     if (has_subject(samples)) {

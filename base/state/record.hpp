@@ -36,11 +36,28 @@ struct IRegion {
     bool operator==(const IRegion&) const = default;
 };
 
+/// The content of a stretch of a film outside its shots.
+enum class StretchKind {
+    transition,  // of two shots
+    plain,       // black, white or grey
+    empty,       // of a long take, in which nothing stands out
+};
+
+/// A stretch of a film that never takes a place on the wall, half-open [begin, end) in stream time.
+struct Stretch {
+    std::chrono::nanoseconds begin{0};
+    std::chrono::nanoseconds end{0};
+    StretchKind kind = StretchKind::transition;
+
+    bool operator==(const Stretch&) const = default;
+};
+
 struct Shot {
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
+    bool is_title = false;             // words on a plain ground; its region holds all of them
     std::optional<double> certainty;   // [0, 1], of the network that knows things; none: it was not asked
     std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
     std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
@@ -67,6 +84,7 @@ struct MediaRecord {
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
+    std::vector<Stretch> between;  // all of a film that is no shot, in time order; none: not told
     std::optional<StoredSound> sound;      // for a film whose sound may be played; none: it is not stored
 
     bool operator==(const MediaRecord&) const = default;

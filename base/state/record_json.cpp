@@ -36,6 +36,10 @@ constexpr Names<FaultOwner, 4> owners{{{FaultOwner::file, name_of(FaultOwner::fi
 constexpr Names<ShotEnd, 4> ends{
     {{ShotEnd::cut, "cut"}, {ShotEnd::dissolve, "dissolve"}, {ShotEnd::fade, "fade"}, {ShotEnd::end, "end"}}};
 
+constexpr Names<StretchKind, 3> stretches{{{StretchKind::transition, "transition"},
+                                           {StretchKind::plain, "plain"},
+                                           {StretchKind::empty, "empty"}}};
+
 template <typename Table> std::string_view name_in(const Table& table, auto value) {
     for (const auto& [key, name] : table)
         if (key == value) return name;
@@ -134,6 +138,7 @@ Json to_object(const Shot& shot) {
               {"end_ns", shot.end.count()},
               {"ends_with", name_of(shot.ends_with)},
               {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    if (shot.is_title) json["title"] = true;
     if (shot.certainty) json["certainty"] = rounded(*shot.certainty);
     if (shot.picture)
         json["picture"] = Json::array({to_array(shot.picture->min), to_array(shot.picture->max)});
@@ -151,11 +156,32 @@ Shot to_shot(const Json& json) {
     for (const Json& corner : polygon)
         shot.region.polygon.push_back(to_vec2(corner));
     shot.region.drift = to_vec2(json.at("region").at("drift"));
+    if (json.contains("title")) shot.is_title = json["title"].get<bool>();
     if (json.contains("certainty")) shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);
     return shot;
+}
+
+Json to_object(const Stretch& stretch) {
+    return {{"begin_ns", stretch.begin.count()},
+            {"end_ns", stretch.end.count()},
+            {"shows", name_in(stretches, stretch.kind)}};
+}
+
+Stretch to_stretch(const Json& json) {
+    return {.begin = std::chrono::nanoseconds(whole<std::int64_t>(json, "begin_ns")),
+            .end = std::chrono::nanoseconds(whole<std::int64_t>(json, "end_ns")),
+            .kind = value_in(stretches, json, "shows")};
+}
+
+std::vector<Stretch> to_stretches(const Json& json) {
+    if (json.size() > max_shots) throw std::runtime_error("record: too many stretches between shots");
+    std::vector<Stretch> result;
+    for (const Json& stretch : json)
+        result.push_back(to_stretch(stretch));
+    return result;
 }
 
 MediaRecord to_record(const Json& json) {
@@ -179,6 +205,7 @@ MediaRecord to_record(const Json& json) {
     if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
     for (const Json& shot : json.at("shots"))
         record.shots.push_back(to_shot(shot));
+    if (json.contains("between")) record.between = to_stretches(json["between"]);
     if (json.contains("sound")) record.sound = to_sound(json["sound"]);
     return record;
 }
@@ -213,6 +240,8 @@ std::string to_json(const MediaRecord& record) {
               {"height", record.height},
               {"duration_ns", record.duration.count()},
               {"shots", shots}};
+    for (const Stretch& stretch : record.between)
+        json["between"].push_back(to_object(stretch));
     if (record.inode != 0) json["inode"] = record.inode;
     if (record.fault != Fault{}) json["fault"] = to_object(record.fault);
     if (record.sound) json["sound"] = to_object(*record.sound);

@@ -116,6 +116,27 @@ TEST_CASE("a film of one frame, of two and of nothing but black has a shot with 
     }
 }
 
+TEST_CASE("black and grey stretches are no shots, and the record tells of them; a title is one, with all words") {
+    DrawnFilm film(MediaKind::film, 200, [](int i) {
+        if (i < 40 || i >= 160) return with_disc({200, 120, 60}, {80 + i, 90});
+        if (i < 80) return plain({0, 0, 0});
+        if (i < 120) return plain({128, 128, 128});
+        cv::Mat title = plain({20, 20, 20});
+        cv::putText(title, "the credits of it", {20, 90}, cv::FONT_HERSHEY_SIMPLEX, 1, {230, 230, 230}, 2);
+        return title;
+    });
+    const MediaRecord record = analyze(film, without_faces());
+    REQUIRE(record.shots.size() == 3);
+    CHECK(record.shots[0].end == milliseconds(1600));
+    CHECK_FALSE(record.shots[0].is_title);
+    CHECK(record.shots[1].begin == milliseconds(4800));
+    CHECK(record.shots[1].is_title);
+    for (const Vec2 end_of_words : {Vec2{44, 170}, Vec2{580, 170}})
+        CHECK(is_inside_convex(record.shots[1].region.polygon, end_of_words, 6));
+    CHECK(record.between ==
+          std::vector{Stretch{milliseconds(1600), milliseconds(4800), StretchKind::plain}});
+}
+
 TEST_CASE("a source without any frame is an error in the operator's words") {
     DrawnFilm film(MediaKind::film, 0, [](int) { return cv::Mat(); });
     CHECK_THROWS_AS(analyze(film, without_faces()), MediaError);

@@ -34,6 +34,16 @@ TEST_CASE("a record survives the way to JSON and back") {
     CHECK(record_from_json(to_json(film())) == film());
 }
 
+TEST_CASE("titles and what lies between shots survive the way to JSON and back; a record without them is read") {
+    MediaRecord record = film();
+    record.shots[0].is_title = true;
+    record.between = {{2s, 2500ms, StretchKind::transition},
+                      {2500ms, 2800ms, StretchKind::plain},
+                      {2800ms, 3s, StretchKind::empty}};
+    CHECK(record_from_json(to_json(record)) == record);
+    CHECK(record_from_json(to_json(film())).between.empty());
+}
+
 TEST_CASE("a path that is not UTF-8 survives the way to JSON and back") {
     MediaRecord record = film();
     record.path = "caf\xe9/\xff.jpg";
