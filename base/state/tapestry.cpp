@@ -19,9 +19,10 @@ namespace {
 constexpr int version = 1;
 constexpr const char* index_name = "index.json";
 constexpr std::size_t max_levels = 32;
-constexpr std::size_t max_keyframes = 200'000;  // in one level
-constexpr int max_side = 4096;                  // px, of a tile or a brick
-constexpr int max_width = 100'000'000;          // px, of a level
+constexpr std::size_t max_keyframes = 200'000;                   // in one level
+constexpr int max_side = 4096;                                   // px, of a tile or a brick
+constexpr int max_width = 100'000'000;                           // px, of a level
+constexpr nanoseconds end_piece = std::chrono::milliseconds(1);  // least time of the strip's first half brick
 
 void require(bool is_so, std::string_view what) {
     if (!is_so) throw std::runtime_error(fmt::format("tapestry: {}", what));
@@ -69,14 +70,21 @@ double Tapestry::middle(std::size_t level, std::size_t keyframe) const {
     return (static_cast<double>(keyframe) + 1) * brick_width / 2.0;
 }
 
+nanoseconds Tapestry::keyframe_time(std::size_t level, std::size_t keyframe) const {
+    const nanoseconds piece = std::min(end_piece, duration / 4);
+    return std::clamp(levels[level].keyframes[keyframe], piece, duration - piece);
+}
+
 double Tapestry::x_at(std::size_t level, nanoseconds time) const {
     const auto& keyframes = levels[level].keyframes;
+    const nanoseconds piece = std::min(end_piece, duration / 4);
+    const auto drawn = [&](nanoseconds keyframe) { return std::clamp(keyframe, piece, duration - piece); };
     const auto after =
-        static_cast<std::size_t>(std::ranges::upper_bound(keyframes, time) - keyframes.begin());
+        static_cast<std::size_t>(std::ranges::upper_bound(keyframes, time, {}, drawn) - keyframes.begin());
     const bool is_first = after == 0;
     const bool is_last = after == keyframes.size();
-    const nanoseconds from = is_first ? nanoseconds(0) : keyframes[after - 1];
-    const nanoseconds to = is_last ? duration : keyframes[after];
+    const nanoseconds from = is_first ? nanoseconds(0) : keyframe_time(level, after - 1);
+    const nanoseconds to = is_last ? duration : keyframe_time(level, after);
     return between(static_cast<double>(std::clamp(time, nanoseconds(0), duration).count()),
                    static_cast<double>(from.count()), static_cast<double>(to.count()),
                    is_first ? 0 : middle(level, after - 1),
@@ -95,8 +103,8 @@ nanoseconds Tapestry::time_at(std::size_t level, double x) const {
     const bool is_last = after == keyframes.size();
     return nanoseconds(static_cast<std::int64_t>(between(
         x, is_first ? 0 : middle(level, after - 1), is_last ? levels[level].width : middle(level, after),
-        is_first ? 0 : static_cast<double>(keyframes[after - 1].count()),
-        static_cast<double>((is_last ? duration : keyframes[after]).count()))));
+        is_first ? 0 : static_cast<double>(keyframe_time(level, after - 1).count()),
+        static_cast<double>((is_last ? duration : keyframe_time(level, after)).count()))));
 }
 
 std::string to_json(const Tapestry& tapestry) {

@@ -41,6 +41,10 @@ struct Tapestry {
     /// The middle of a keyframe, px of the level.
     double middle(std::size_t level, std::size_t keyframe) const;
 
+    /// The time of a keyframe, a moment away from the film's ends: half a brick is drawn before the first
+    /// keyframe and behind the last one, and it has times of its own.
+    std::chrono::nanoseconds keyframe_time(std::size_t level, std::size_t keyframe) const;
+
     // Conversions between place and time on a level. Both are interpolated between keyframes; the ends of the
     // level are the ends of the film.
     double x_at(std::size_t level, std::chrono::nanoseconds time) const;

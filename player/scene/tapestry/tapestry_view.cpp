@@ -114,7 +114,8 @@ std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size
     std::vector<TilePiece> pieces;
     const Between at = between(view.level, tapestry_.levels.size());
     const bool is_still = at.share == 0 && level == at.coarse;
-    const auto& bends = tapestry_.levels[std::max(level, at.fine)].keyframes;
+    const std::size_t bent = std::max(level, at.fine);
+    const auto& bends = tapestry_.levels[bent].keyframes;
     for (const auto& [id, middle] : tiles(view, level, left, right)) {
         const TileId tile = id;
         const double first = static_cast<double>(tile.tile) * tapestry_.tile_width;
@@ -130,7 +131,8 @@ std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size
         if (!is_still) {
             const auto begin = std::ranges::upper_bound(bends, tapestry_.time_at(level, first));
             for (auto bend = begin; bend != bends.end(); ++bend) {
-                const double x = tapestry_.x_at(level, *bend);
+                const auto number = static_cast<std::size_t>(bend - bends.begin());
+                const double x = tapestry_.x_at(level, tapestry_.keyframe_time(bent, number));
                 if (x >= last) break;
                 add(from, x);
                 from = x;

@@ -54,8 +54,20 @@ TEST_CASE("a strip of a single keyframe has it in its middle") {
     tapestry.levels = {{.width = 150, .keyframes = {seconds(0)}}};
 
     CHECK(tapestry.middle(0, 0) == 75);
-    CHECK(tapestry.time_at(0, 10) == seconds(0));
+    CHECK(tapestry.time_at(0, 10) < std::chrono::milliseconds(1));
     CHECK(tapestry.time_at(0, 150) == seconds(100));
+}
+
+TEST_CASE("half a brick before a keyframe at the film's begin, and behind one at its end, can be looked at") {
+    Tapestry tapestry = drawn();
+    tapestry.levels[1].keyframes = {seconds(0), seconds(20), seconds(30), seconds(100)};
+
+    CHECK(tapestry.x_at(1, seconds(0)) == 0);
+    CHECK(tapestry.x_at(1, seconds(100)) == 250);
+    CHECK(tapestry.x_at(1, tapestry.keyframe_time(1, 0)) == doctest::Approx(50));
+    CHECK(tapestry.x_at(1, tapestry.keyframe_time(1, 3)) == doctest::Approx(200));
+    for (const double x : {0.0, 10.0, 49.0, 50.0, 51.0, 120.0, 201.0, 240.0, 250.0})
+        CHECK(tapestry.x_at(1, tapestry.time_at(1, x)) == doctest::Approx(x).epsilon(1e-3));
 }
 
 TEST_CASE("an index is read as it was written") {

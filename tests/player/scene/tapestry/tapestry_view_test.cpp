@@ -114,6 +114,22 @@ TEST_CASE("at a level itself each tile is one piece") {
         CHECK(piece.last - piece.first == 1);
 }
 
+TEST_CASE("the first picture is drawn whole where its keyframe is the film's first moment") {
+    Tapestry tapestry = drawn_tapestry();
+    for (TapestryLevel& level : tapestry.levels)
+        level.keyframes.front() = 0s;
+    const TapestryPlace place(tapestry, box);
+    for (const double level : {1.0, 1.5, 3.0}) {
+        const TapestryView view = place.bounded({.centre = 0s, .level = level});
+        CHECK(place.canvas_x(view, 0s) == doctest::Approx(0));
+        const auto pieces = place.pieces(view, static_cast<std::size_t>(level), 0, 320);
+        REQUIRE_FALSE(pieces.empty());
+        CHECK(pieces.front().tile.tile == 0);
+        CHECK(pieces.front().first == 0);
+        CHECK(pieces.front().left == doctest::Approx(0));
+    }
+}
+
 TEST_CASE("a film of one keyframe has a strip too") {
     Tapestry tapestry = drawn_tapestry(1);
     tapestry.levels[0] = {.width = 100, .keyframes = {1s}};
