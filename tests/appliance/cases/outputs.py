@@ -18,8 +18,8 @@ def second_panel(box):
     """A second panel comes: it shows the wall too, in its own mode, and the first goes on; then each goes without the other."""
     pid = box.pid()
 
-    box.panel(800, 450, head=1)
-    box.wait_for_wall("the wall on the second panel", head=1, size=(800, 450))
+    box.panel(512, 288, head=1)
+    box.wait_for_wall("the wall on the second panel", head=1, size=(512, 288))
     box.wait_for_wall("the wall on the first still", size=(640, 360))
     box.wait_for_motion("the film to move on the second", head=1)
     box.wait_for_motion("the film to move on the first")
@@ -80,22 +80,22 @@ def legacy(box):
     box.wait_for_wall("the wall by older calls", size=(640, 360))
     box.wait_for_motion("the film to move")
     box.pull()
-    box.panel(800, 480)
-    box.wait_for_wall("the wall on another panel", size=(800, 480))
+    box.panel(560, 336)
+    box.wait_for_wall("the wall on another panel", size=(560, 336))
     assert box.pid() == pid, "it is the same process"
 
 
 def mode(box):
     """The operator asks for modes that panels do not prefer, for one of them and for all, and for one that a panel lacks."""
-    box.panel(640, 480)  # all of one shape, as panels that show the same wall each show all of it
-    box.panel(800, 600, head=1)
-    box.restart(output__mode="Virtual-1=1024x768")
-    box.wait_for_wall("the wall in the mode asked for", size=(1024, 768))
-    box.wait_for_wall("the wall in the mode that the other panel prefers", head=1, size=(800, 600))
+    box.panel(512, 384)  # all of one shape, as panels that show the same wall each show all of it
+    box.panel(560, 420, head=1)
+    box.restart(output__mode="Virtual-1=640x480")
+    box.wait_for_wall("the wall in the mode asked for", size=(640, 480))
+    box.wait_for_wall("the wall in the mode that the other panel prefers", head=1, size=(560, 420))
 
-    box.restart(output__mode="1600x901, Virtual-2=1024x768")
-    box.wait_for_wall("the wall in the preferred mode for want of the one asked for", size=(640, 480))
-    box.wait_for_wall("the wall in the mode asked of the other panel", head=1, size=(1024, 768))
+    box.restart(output__mode="1600x901, Virtual-2=640x480")
+    box.wait_for_wall("the wall in the preferred mode for want of the one asked for", size=(512, 384))
+    box.wait_for_wall("the wall in the mode asked of the other panel", head=1, size=(640, 480))
 
 
 def folders(box):
@@ -103,7 +103,7 @@ def folders(box):
     for folder, files in FOLDERS.items():
         box.sh(f"cd {MEDIA}; install -d -o vitrine -g vitrine {folder}; mv {' '.join(files)} {folder}")
     box.panel()
-    box.panel(800, 450, head=1)
+    box.panel(512, 288, head=1)
     box.restart(output__folders="Virtual-1=hall, Virtual-2=lobby")
 
     for head, (folder, files) in enumerate(FOLDERS.items()):
