@@ -8,15 +8,18 @@
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
+#include "analyzer/tapestry/weave/sharp_frames.hpp"
 #include "analyzer/tapestry/weave/threads.hpp"
 #include "analyzer/tapestry/weave/woven_sheet.hpp"
 #include "analyzer/tapestry/weave/zoom_sheet.hpp"
 #include "base/state/media_error.hpp"
+#include "base/state/screen_note.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -55,11 +58,28 @@ std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
     return times;
 }
 
-std::unique_ptr<FrameSource> opened(const MediaFile& file, const Settings& settings) {
-    std::unique_ptr<FrameSource> source = open_media(file.name(), settings.analyzer.frame_size);
+/// @param size  px, longest side of the frames
+std::unique_ptr<FrameSource> opened(const MediaFile& file, int size) {
+    std::unique_ptr<FrameSource> source = open_media(file.name(), size);
     if (source->info().kind == MediaKind::photo)
         throw MediaError(MediaState::unsupported, "a photo has no tapestry");
     return source;
+}
+
+/// The height of bricks with which a tapestry is as tall as the settings want it, or as the strip on the
+/// largest screen needs.
+int wanted_brick_height(const Settings& settings) {
+    constexpr int usual_side = 1920;         // px, of a screen that is not known
+    constexpr double shape = 9.0 / 16;       // of a screen
+    constexpr double strip_share = 0.31;     // of its height
+    constexpr double max_enlargement = 1.2;  // of the tapestry on it
+    constexpr int max_height = 600;          // px
+    double height = settings.tapestry.height;
+    if (height == 0) {
+        const int noted = noted_screen_side(settings.state.directory);
+        height = (noted > 0 ? noted : usual_side) * shape * strip_share / max_enlargement;
+    }
+    return static_cast<int>(std::lround(std::min<double>(height, max_height) / 2 / kept_height));
 }
 
 /// @param name  as the person gave it
@@ -80,6 +100,7 @@ class Weaving {
           content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
           choice_{.max_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
           pyramid_{.retarget = {}, .max_bytes = request.max_bytes},
+          brick_height_(wanted_brick_height(settings)),
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
@@ -101,13 +122,11 @@ class Weaving {
         const fs::path directory =
             request_.directory.empty() ? fs::absolute(request_.result()).parent_path() : request_.directory;
         fs::create_directories(directory);
-        const Film film = gathered(*opened(file_, settings_), directory, faces_.get());
+        const Film film = gathered(*opened(file_, settings_.analyzer.frame_size), directory, faces_.get());
         const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);
         if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
         if (!request_.zoom.empty()) draw_zoom(film, levels);
-        if (!request_.directory.empty())
-            PyramidWriter(request_.directory, film, pyramid_, run_)
-                .write(head_, {.folder = new_tile_folder(request_.directory), .levels = levels});
+        if (!request_.directory.empty()) write_once(film, levels);
         return in_words(levels);
     }
 
@@ -123,7 +142,12 @@ class Weaving {
                     .levels = chosen_keyframes(*film.candidates, choice_, run_)};
             write_plan(directory, content_, *plan);
         }
-        PyramidWriter(directory, film, pyramid_, run_).write(head_, *plan);
+        const std::optional<SharpFrames> size = sharp_frames(*film.candidates, brick_height_);
+        PyramidSettings first = pyramid_;
+        first.is_last = !size;
+        if (size) first.retarget.quality = TileQuality::on_demand;
+        PyramidWriter(directory, film, first, run_).write(head_, *plan);
+        if (size) sharpen(film, *plan, *size);
         remove_plan(directory);
         remove_kept_frames(directory);
         return in_words(plan->levels);
@@ -135,6 +159,68 @@ class Weaving {
                            levels.back().size());
     }
 
+    void write_once(const Film& film, const std::vector<Keyframes>& levels) const {
+        const fs::path& directory = request_.directory;
+        const WeavePlan plan{.folder = new_tile_folder(directory), .levels = levels};
+        const std::optional<SharpFrames> size = sharp_frames(*film.candidates, brick_height_);
+        if (!size) {
+            (void)PyramidWriter(directory, film, pyramid_, run_).write(head_, plan);
+            return;
+        }
+        CandidateWriter writer(nameless_file(directory), CandidateWriter::two_hours, size->brick_height);
+        read_sharp_frames(*opened(file_, size->frame_size), *film.candidates, levels.back(),
+                          [&](const FilmFrame& frame) { writer.push(frame); });
+        const cv::Rect active = active_in(*film.candidates, writer.frame());
+        const Film sharp = film_of(writer.finish(record_of(film), {}, active), faces_.get());
+        (void)PyramidWriter(directory, sharp, pyramid_, run_)
+            .write(head_, {.folder = plan.folder, .levels = sharp_levels(levels)});
+    }
+
+    /// Weaves the film again beside its first tapestry, in high quality, and puts the result in its place. An
+    /// interrupted weaving goes on. Where there is no room for larger frames the kept ones serve.
+    void sharpen(const Film& film, const WeavePlan& plan, const SharpFrames& size) const {
+        const fs::path& directory = request_.directory;
+        const fs::path beside = directory / "sharp";  // its frames and index
+        const std::string folder = plan.folder + sharp_suffix;
+        std::optional<Film> sharp = sharp_film(film, plan);
+        if (!sharp) {
+            fs::remove_all(beside);
+            fs::remove_all(directory / folder);
+            keep_sharp_frames(film, plan, size);
+            sharp = sharp_film(film, plan);
+        }
+        fs::create_directories(beside);
+        PyramidSettings settings = pyramid_;
+        settings.index = beside;
+        (void)PyramidWriter(directory, sharp ? *sharp : film, settings, run_)
+            .write(head_, {.folder = folder, .levels = sharp ? sharp_levels(plan.levels) : plan.levels});
+        replace_tapestry(directory, beside);
+    }
+
+    void keep_sharp_frames(const Film& film, const WeavePlan& plan, const SharpFrames& size) const {
+        KeptFrames frames(request_.directory / "sharp",
+                          request_.max_bytes > 0 ? request_.max_bytes : no_limit, size.brick_height);
+        read_sharp_frames(*opened(file_, size.frame_size), *film.candidates, plan.levels.back(),
+                          [&](const FilmFrame& frame) { frames.saw(frame); });
+        if (!frames.frame().empty())
+            frames.finish(record_of(film), content_, active_in(*film.candidates, frames.frame()));
+    }
+
+    /// The larger frames that were kept, where they are those of the plan.
+    std::optional<Film> sharp_film(const Film& film, const WeavePlan& plan) const {
+        std::optional<Film> sharp = film_in(request_.directory / "sharp");
+        if (!sharp || !are_frames_of(*sharp->candidates, *film.candidates, plan.levels.back()))
+            return std::nullopt;
+        return sharp;
+    }
+
+    /// The film's record, with its duration as the frames tell it.
+    static MediaRecord record_of(const Film& film) {
+        MediaRecord record = film.candidates->film();
+        record.duration = film.duration;
+        return record;
+    }
+
     void draw_zoom(const Film& film, const std::vector<Keyframes>& levels) const {
         if (levels.size() < 2)
             throw std::runtime_error(
@@ -142,8 +228,11 @@ class Weaving {
         write_png(request_.zoom, drawn_zoom(woven_pair(film, levels, {}, run_), run_));
     }
 
-    std::optional<Film> film_of_kept() {
-        std::optional<UniqueFd> frames = kept_frames(request_.directory);
+    std::optional<Film> film_of_kept() const { return film_in(request_.directory); }
+
+    /// The frames kept in a folder, where they are those of the film.
+    std::optional<Film> film_in(const fs::path& folder) const {
+        std::optional<UniqueFd> frames = kept_frames(folder);
         if (!frames) return std::nullopt;
         try {
             Film film = film_of(std::move(*frames), faces_.get());
@@ -156,7 +245,7 @@ class Weaving {
 
     Film kept_film() {
         if (auto film = film_of_kept()) return std::move(*film);
-        const auto source = opened(file_, settings_);
+        const auto source = opened(file_, settings_.analyzer.frame_size);
         KeptFrames frames(request_.directory, request_.max_bytes > 0 ? request_.max_bytes : no_limit);
         const MediaRecord film = watched_film(*source, [&](const FilmFrame& frame) { frames.saw(frame); });
         frames.finish(film, content_);
@@ -172,6 +261,7 @@ class Weaving {
     FilmContent content_;
     WeaveChoice choice_;
     PyramidSettings pyramid_;
+    int brick_height_;  // px, wanted
     RunTasks run_;
     std::unique_ptr<FaceDetector> faces_;
 };

@@ -66,6 +66,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "with the processor time that is left. When the space is used up, the tapestry that nobody has looked at"
      " for the longest time is deleted. No film gets more than a quarter of the space. 0: there are no "
      "tapestries."},
+    {"tapestry.height", whole<&S::tapestry, &S::Tapestry::height>(0, 600), SettingEffect::analyzer,
+     "Height of a tapestry in pixels. It is never taller than one and a half times its film. A taller one is "
+     "sharper on large screens, and takes more processor time and space. Each film is first woven 150 pixels "
+     "tall, "
+     "which takes little time. 0: as tall as the screens need that the player has found, or a screen 1920 "
+     "pixels "
+     "wide before it has found one."},
     {"status.folder",
      text<&S::status, &S::Status::folder>("the name of a folder, or nothing", is_folder_name),
      SettingEffect::restart,

@@ -26,6 +26,7 @@ struct Settings {
 
     struct Tapestry {
         std::int64_t max_bytes = std::int64_t{2} << 30;  // limit for all films' tapestries; 0: none are made
+        int height = 0;                                  // px; 0: as tall as the screens need
     } tapestry;
 
     struct Status {

@@ -1,8 +1,9 @@
 // Measures the cost of a film's tapestry and its quality, in processor time; ratios are within one run.
-//   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS]
+//   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS] [--brick-height PX]
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/saliency/faces.hpp"
+#include "analyzer/tapestry/weave/candidate_writer.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "bench/tapestry/measures.hpp"
 
@@ -61,13 +62,20 @@ void print_borders(const LoadedLevel& level, const cv::Mat& strip, std::string_v
                found.row_border);
 }
 
-void measure(const std::string& path, FaceDetector* detector, const std::filesystem::path& pictures,
-             int long_film) {
-    const auto source = open_media(path);
-    const Film film = gathered(*source, std::filesystem::temp_directory_path(), detector);
+/// The options of one measurement.
+struct Measuring {
+    std::filesystem::path pictures;
+    int long_film = 0;  // seconds
+    int brick_height = usual_brick_height;
+    int region_weight = WindowSettings{}.region_weight;
+};
+
+void measure(const std::string& path, FaceDetector* detector, const Measuring& how) {
+    const auto source = open_media(path, 320 * how.brick_height / usual_brick_height);
+    const Film film = analysed(*source, detector, how.brick_height);
     const auto& signatures = film.candidates->signatures();
     fmt::print("{}: {} candidates\n", path, signatures.size());
-    if (long_film > 0) time_keyframes(signatures, long_film);
+    if (how.long_film > 0) time_keyframes(signatures, how.long_film);
     const LoadedLevel level =
         loaded(film, chosen_keyframes(*film.candidates, {.max_levels = 1}, run_in_order)[0]);
     fmt::print("  {} keyframes, {} of {} neighbouring pairs nearly alike\n", level.keyframes.size(),
@@ -76,7 +84,7 @@ void measure(const std::string& path, FaceDetector* detector, const std::filesys
     cv::vconcat(filmstrip(level), bricks_picture(level), sheet);
     for (const TileQuality quality : {TileQuality::on_demand, TileQuality::high}) {
         const CpuTime time;
-        const cv::Mat strip = woven(level, quality);
+        const cv::Mat strip = woven(level, quality, how.region_weight);
         measure_tiles(level, quality, strip, time.seconds());
         print_borders(level, strip, "borders");
         if (detector != nullptr) {
@@ -85,27 +93,31 @@ void measure(const std::string& path, FaceDetector* detector, const std::filesys
             fmt::print("  faces whole in keyframes {}, in the tapestry {}, squeezed {}\n", faces.whole,
                        faces.found, plain.found);
         }
+        const FaceCount subjects = count_subjects(level, strip);
+        fmt::print("  regions whole in keyframes {}, in the tapestry {}, squeezed {}\n", subjects.whole,
+                   subjects.found, count_subjects(level, squeezed(level)).found);
         cv::vconcat(sheet, strip, sheet);
     }
     print_borders(level, squeezed(level), "squeezed bricks");
-    if (pictures.empty()) return;
-    write_png(pictures / (std::filesystem::path(path).stem().string() + "-compared.png"), sheet);
+    if (how.pictures.empty()) return;
+    write_png(how.pictures / (std::filesystem::path(path).stem().string() + "-compared.png"), sheet);
 }
 
 int run(int argc, char** argv) {
     std::vector<std::string> films;
     std::string model;
-    std::filesystem::path pictures;
-    int long_film = 0;
+    Measuring how;
     CLI::App app("Cost and quality of tapestries.");
     app.add_option("FILM", films)->required();
     app.add_option("--face-model", model);
-    app.add_option("--pictures", pictures, "Where filmstrip, bricks and tapestries go, below each other");
-    app.add_option("--long", long_film, "Compare and cluster the frames repeated to so many seconds");
+    app.add_option("--pictures", how.pictures, "Where filmstrip, bricks and tapestries go, below each other");
+    app.add_option("--long", how.long_film, "Compare and cluster the frames repeated to so many seconds");
+    app.add_option("--brick-height", how.brick_height, "Pixels of the analysed frames; 100 without it");
+    app.add_option("--region-weight", how.region_weight, "1: regions weigh as all else");
     CLI11_PARSE(app, argc, argv);
     const auto detector = face_detector(model, "");
     for (const std::string& film : films)
-        measure(film, detector.get(), pictures, long_film);
+        measure(film, detector.get(), how);
     return 0;
 }
 

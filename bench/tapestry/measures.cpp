@@ -1,6 +1,9 @@
 #include "bench/tapestry/measures.hpp"
 
+#include "analyzer/one_file/analysed_file.hpp"
+#include "analyzer/one_file/analyze.hpp"
 #include "analyzer/tapestry/synthesis/synthesis.hpp"
+#include "analyzer/tapestry/weave/candidate_writer.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -69,6 +72,36 @@ std::vector<Keyframe> LoadedLevel::bricks(const TileSpan& span) const {
     return seen;
 }
 
+namespace {
+
+/// Hands each frame on to a writer while it is analysed.
+class KeepingSource : public FrameSource {
+  public:
+    KeepingSource(FrameSource& source, CandidateWriter& writer) : source_(source), writer_(writer) {}
+
+    const MediaInfo& info() const override { return source_.info(); }
+
+    std::optional<FilmFrame> next() override {
+        std::optional<FilmFrame> frame = source_.next();
+        if (frame) writer_.push(*frame);
+        return frame;
+    }
+
+  private:
+    FrameSource& source_;  // both outlive this
+    CandidateWriter& writer_;
+};
+
+}  // namespace
+
+Film analysed(FrameSource& source, FaceDetector* detector, int brick_height) {
+    CandidateWriter writer(nameless_file(std::filesystem::temp_directory_path()), CandidateWriter::two_hours,
+                           brick_height);
+    KeepingSource keeping(source, writer);
+    const MediaRecord record = analyze(keeping, analysis_settings(Settings{}.analyzer));
+    return film_of(writer.finish(record, {}), detector);
+}
+
 LoadedLevel loaded(const Film& film, const Keyframes& keyframes) {
     LoadedLevel level{
         .brickwork = {.keyframes = static_cast<int>(keyframes.size()), .brick = film.candidates->brick()},
@@ -118,7 +151,7 @@ int pairs_alike(const LoadedLevel& level) {
     return pairs;
 }
 
-cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
+cv::Mat woven(const LoadedLevel& level, TileQuality quality, int region_weight) {
     cv::Mat strip;
     weave_level({.brickwork = level.brickwork,
                  .keyframe = [&](int k) { return level.keyframes[static_cast<std::size_t>(k)]; }},
@@ -128,7 +161,7 @@ cv::Mat woven(const LoadedLevel& level, TileQuality quality) {
                     else
                         cv::hconcat(strip, columns, strip);
                 },
-                {.quality = quality});
+                {.quality = quality, .window = {.region_weight = region_weight}});
     return strip;
 }
 
@@ -170,6 +203,50 @@ Gradients gradients(const LoadedLevel& level, const cv::Mat& strip) {
             .brick_borders = mean(bricks),
             .row_inside = mean(rows),
             .row_border = row_step(strip, strip.rows / 2)};
+}
+
+namespace {
+
+/// The share of a region's patches that the strip shows again near its place.
+double shown_share(const LoadedLevel& level, int k, const cv::Mat& strip) {
+    constexpr int stride = 4;            // px
+    constexpr double near_enough = 300;  // squared grey levels a channel value
+    const Keyframe& keyframe = level.keyframes[static_cast<std::size_t>(k)];
+    const cv::Size brick = level.brickwork.brick;
+    const cv::Rect place =
+        cv::Rect(level.brickwork.place(k).x - brick.width / 4, 0, brick.width * 3 / 2, strip.rows) &
+        cv::Rect({}, strip.size());
+    const cv::Rect box = cv::boundingRect(keyframe.region) & cv::Rect({}, brick);
+    int all = 0;
+    int shown = 0;
+    for (int y = box.y; y + patch_side <= box.br().y; y += stride) {
+        for (int x = box.x; x + patch_side <= box.br().x; x += stride) {
+            const cv::Point2f middle(static_cast<float>(x + patch_side / 2),
+                                     static_cast<float>(y + patch_side / 2));
+            if (cv::pointPolygonTest(keyframe.region, middle, false) < 0) continue;
+            cv::Mat distances;
+            cv::matchTemplate(strip(place), keyframe.picture(cv::Rect(x, y, patch_side, patch_side)),
+                              distances, cv::TM_SQDIFF);
+            double least = 0;
+            cv::minMaxLoc(distances, &least);
+            ++all;
+            shown += least <= near_enough * patch_values ? 1 : 0;
+        }
+    }
+    return all > 0 ? static_cast<double>(shown) / all : 1;
+}
+
+}  // namespace
+
+FaceCount count_subjects(const LoadedLevel& level, const cv::Mat& strip) {
+    constexpr double whole = 0.95;
+    FaceCount count;
+    for (int k = 0; k < level.brickwork.keyframes; ++k) {
+        if (level.keyframes[static_cast<std::size_t>(k)].region.size() < 3) continue;
+        ++count.whole;
+        count.found += shown_share(level, k, strip) >= whole ? 1 : 0;
+    }
+    return count;
 }
 
 FaceCount count_faces(const LoadedLevel& level, const cv::Mat& strip, FaceDetector& detector) {

@@ -33,6 +33,10 @@ struct LoadedLevel {
     std::vector<Keyframe> bricks(const TileSpan& span) const;
 };
 
+/// Reads a film to its end, with its shots and their regions.
+/// @param brick_height  px
+Film analysed(FrameSource& source, FaceDetector* detector, int brick_height);
+
 LoadedLevel loaded(const Film& film, const Keyframes& keyframes);
 
 /// The brickwork as it is, and scaled to the height of the tapestry.
@@ -46,7 +50,7 @@ cv::Mat filmstrip(const LoadedLevel& level);
 /// size of a brick.
 int pairs_alike(const LoadedLevel& level);
 
-cv::Mat woven(const LoadedLevel& level, TileQuality quality);
+cv::Mat woven(const LoadedLevel& level, TileQuality quality, int region_weight);
 
 /// The bidirectional distance of a part of a strip to its bricks, a channel value, all patches weighing 1.
 double distance(const LoadedLevel& level, const TileSpan& span, const cv::Mat& strip);
@@ -68,6 +72,10 @@ struct FaceCount {
     int whole = 0;
     int found = 0;
 };
+
+/// The same for the regions of shots that leave room beside them. Here found means: of the region's patches
+/// at least .95 are seen again near its place.
+FaceCount count_subjects(const LoadedLevel& level, const cv::Mat& strip);
 
 FaceCount count_faces(const LoadedLevel& level, const cv::Mat& strip, FaceDetector& detector);
 

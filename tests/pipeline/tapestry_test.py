@@ -20,7 +20,7 @@ ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
 PATIENCE = 900  # seconds until something that must come is given up: what is waited for lets all others go first
 
 
-def make_film(path, seconds=30):
+def make_film(path, seconds=42):
     """A new colour every second and a bar that moves."""
     colours = ["red", "navy", "gray", "olive", "teal", "maroon"] * 7
     takes = [f"color={colour}:size=40x100:rate=10:duration=1,drawbox=x='mod(t*20\\,30)':y={10 + 2 * i}:w=10:h=20:c=white:t=fill[v{i}]"

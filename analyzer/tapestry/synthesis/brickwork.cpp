@@ -57,15 +57,41 @@ void own(PatchRules& rules, const cv::Rect& patches, int columns, int number) {
     }
 }
 
+/// The patches to demand.
+struct PatchSpan {
+    int columns = 0;  // columns of patches in the window
+    cv::Range tile;   // columns of the window
+    int weight = 1;
+};
+
 /// Demands the patches whose middle lies in the tile.
-/// @param tile  columns of the window
-void demand(PatchRules& rules, const cv::Rect& patches, int columns, cv::Range tile, int weight) {
+void demand(PatchRules& rules, const cv::Rect& patches, const PatchSpan& span) {
+    const cv::Range tile = span.tile;
     for (int y = patches.y; y < patches.y + patches.height; ++y) {
         for (int x = patches.x; x < patches.x + patches.width; ++x) {
             const bool is_demanded = x + patch_side / 2 >= tile.start && x + patch_side / 2 < tile.end;
-            const std::size_t place =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
-            if (is_demanded) rules.weights[place] = static_cast<std::uint8_t>(weight);
+            const std::size_t place = static_cast<std::size_t>(y) * static_cast<std::size_t>(span.columns) +
+                                      static_cast<std::size_t>(x);
+            if (is_demanded) rules.weights[place] = static_cast<std::uint8_t>(span.weight);
+        }
+    }
+}
+
+/// Demands the patches of a brick whose middle lies in the region.
+/// @param region  px of the window
+void demand_region(PatchRules& rules, const std::vector<cv::Point>& region, const cv::Rect& patches,
+                   const PatchSpan& span) {
+    if (region.size() < 3 || patches.empty()) return;
+    cv::Mat inside(patches.size(), CV_8UC1, cv::Scalar(0));
+    const cv::Point corner = patches.tl() + cv::Point(patch_side / 2, patch_side / 2);
+    std::vector<cv::Point> corners;
+    for (const cv::Point& point : region)
+        corners.push_back(point - corner);
+    cv::fillConvexPoly(inside, corners, cv::Scalar(1));
+    for (int y = 0; y < patches.height; ++y) {
+        for (int x = 0; x < patches.width; ++x) {
+            if (inside.at<std::uint8_t>(y, x) == 0) continue;
+            demand(rules, {patches.x + x, patches.y + y, 1, 1}, span);
         }
     }
 }
@@ -120,10 +146,14 @@ BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, doub
         rules.centres.push_back(at.x + at.width / 2);
         const cv::Rect inside = patches_in(at, whole.size());
         own(rules, inside, columns, static_cast<int>(i));
-        demand(rules, inside, columns, demanded, 1);
+        demand(rules, inside, {columns, demanded, 1});
+        std::vector<cv::Point> region;
+        for (const cv::Point& corner : keyframe.region)
+            region.push_back(at.tl() + scaled({corner, cv::Size(0, 0)}, 0, scale).tl());
+        demand_region(rules, region, inside, {columns, demanded, settings.region_weight});
         for (const cv::Rect& face : keyframe.faces) {
             const cv::Rect small = scaled(face, 0, scale);
-            demand(rules, patches_at(small + at.tl(), inside), columns, demanded, settings.face_weight);
+            demand(rules, patches_at(small + at.tl(), inside), {columns, demanded, settings.face_weight});
         }
     }
     return {.picture = PatchImage(canvas), .rules = std::move(rules)};

@@ -34,6 +34,8 @@ struct Brickwork {
 struct Keyframe {
     cv::Mat picture;              // CV_8UC3, of the brick's size
     std::vector<cv::Rect> faces;  // px of the picture
+    std::vector<cv::Point>
+        region;  // convex, px of the picture: what matters in it; empty: not known, or nearly all
 };
 
 /// Consecutive bricks, and the brickwork that they belong to.
@@ -57,6 +59,7 @@ struct BrickWindow {
 
 struct WindowSettings {
     int face_weight = 4;     // weight of patches at a face; others have 1. Ours: 4.2 only says "increase"
+    int region_weight = 4;   // weight of patches in the region; see section 7 of the paper
     double time_cost = 400;  // squared grey levels a channel value, half a brick beyond `reach`
 };
 

@@ -11,8 +11,8 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr float step_loss = 3;     // times the mean squared step down around a lost pixel, in a patch
-constexpr float face_loss = 2000;  // squared grey levels for each pixel of a face
+constexpr float step_loss = 3;        // times the mean squared step down around a lost pixel, in a patch
+constexpr float subject_loss = 2000;  // squared grey levels for each pixel of a face or region
 constexpr float break_cost = 150;  // squared grey levels for each place where rows are gone in a known column
 constexpr int columns_beside = 2;  // known columns to either side that help to find the rows of one
 
@@ -29,7 +29,7 @@ std::int16_t brick_at(const BrickWindow& window, int x, int y) {
     return PatchRules::no_brick;
 }
 
-bool is_face(const BrickWindow& window, int x, int y) {
+bool is_subject(const BrickWindow& window, int x, int y) {
     const int left = std::clamp(x - patch_side / 2, 0, window.picture.patch_columns() - 1);
     const int top = std::clamp(y - patch_side / 2, 0, window.picture.patch_rows() - 1);
     return window.rules.weights[as_index(top * window.picture.patch_columns() + left)] > 1;
@@ -107,7 +107,7 @@ CarveInput carve_input(const BrickWindow& window, int width) {
     input.loss *= step_loss;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            if (is_face(window, from + x, y)) input.loss.at<float>(y, x) += face_loss;
+            if (is_subject(window, from + x, y)) input.loss.at<float>(y, x) += subject_loss;
     return input;
 }
 

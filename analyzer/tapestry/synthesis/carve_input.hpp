@@ -7,7 +7,7 @@ namespace vitrine::analyzer {
 
 /// Cuts a tile as wide as its target out of its window, and sets what the loss of each pixel costs. When a
 /// row is lost, the rows around it are seen a row off: the loss counts the mean of the squared steps down
-/// there. Pixels of faces cost more, so that faces stay whole.
+/// there. Pixels of faces and regions cost more, so that they stay whole.
 ///
 /// @param width  px; where the window ends earlier, its last column fills the rest
 CarveInput carve_input(const BrickWindow& window, int width);

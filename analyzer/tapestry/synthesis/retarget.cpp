@@ -19,14 +19,16 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int tile_width = 500;     // px; source: Video Tapestries 4.2, "about 500"
-constexpr int min_brick_side = 40;  // px at the smallest size; below it too much is merged
-constexpr double settled = 0.0002;  // share of the energy: a round that lowers it by less is the last
+constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
+constexpr int min_brick_side = 40;    // px at the smallest size; below it too much is merged
+constexpr int main_brick_side = 130;  // px: at larger sizes the matches are carried on and hardly change
+constexpr int sharp_rounds = 2;       // at such sizes
+constexpr double settled = 0.0002;    // share of the energy: a round that lowers it by less is the last
 
 /// The rounds and search radii at the smallest and at full size.
 struct Plan {
     int first_rounds;  // at the smallest size
-    int last_rounds;   // at full size
+    int last_rounds;   // at larger ones
     int first_radius;  // px of the search
     int last_radius;
 };
@@ -126,8 +128,9 @@ class Tile {
         synthesis_ = std::move(finer);
         window_ = std::move(finer_window);
         synthesis_->take_votes();
-        const bool is_last = size + 1 == scales_.size();
-        improve(is_last ? plan_.last_rounds : plan_.first_rounds, plan_.last_radius);
+        const cv::Size brick = section_.brickwork.brick;
+        const bool is_main = std::min(brick.width, brick.height) * scales_[size] <= main_brick_side;
+        improve(is_main ? plan_.last_rounds : sharp_rounds, plan_.last_radius);
     }
 
     void improve(int rounds, int radius) {

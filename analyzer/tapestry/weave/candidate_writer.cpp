@@ -20,7 +20,6 @@ namespace {
 
 // 2 frames a second; source: Video Tapestries 4.1
 constexpr std::chrono::milliseconds min_interval{500};
-constexpr int brick_height = 100;  // px: a tapestry is 150 px tall
 constexpr double min_shape = 0.4;  // width to height
 constexpr double max_shape = 3;
 constexpr int jpeg_quality = 96;  // the tiles made of them have 90
@@ -35,9 +34,9 @@ CandidateEntry entry_of(const FilmFrame& frame) {
 
 }  // namespace
 
-cv::Size brick_for(cv::Size frame) {
+cv::Size brick_for(cv::Size frame, int height) {
     const double shape = std::clamp(static_cast<double>(frame.width) / frame.height, min_shape, max_shape);
-    return {2 * static_cast<int>(std::lround(brick_height * shape / 2)), brick_height};
+    return {2 * static_cast<int>(std::lround(height * shape / 2)), height};
 }
 
 cv::Rect cut_to(cv::Size picture, cv::Size brick) {
@@ -77,7 +76,7 @@ void CandidateWriter::push(const FilmFrame& frame) {
     bars_.add_picture(frame.picture, frame.time);
     cv::Mat picture = frame.picture;
     if (bars_.newest() == bars_.whole()) {
-        const cv::Size brick = brick_for(frame_);
+        const cv::Size brick = brick_for(frame_, brick_height_);
         cv::resize(frame.picture(cut_to(frame_, brick)), picture, brick, 0, 0, cv::INTER_AREA);
     }
     const std::string jpeg = to_jpeg(picture, jpeg_quality);
@@ -98,11 +97,13 @@ void CandidateWriter::thin() {
     due_ = std::chrono::nanoseconds(entries_.back().time_ns) + interval_;
 }
 
-UniqueFd CandidateWriter::finish(const MediaRecord& film, const FilmContent& content) {
+UniqueFd CandidateWriter::finish(const MediaRecord& film, const FilmContent& content,
+                                 const std::optional<cv::Rect>& known) {
     const std::string record = to_json(film);
     append(record.data(), record.size());
-    const cv::Rect active = bars_.close_shot(std::chrono::nanoseconds(0), std::chrono::nanoseconds::max());
-    const cv::Size brick = brick_for(active.size());
+    const cv::Rect found = bars_.close_shot(std::chrono::nanoseconds(0), std::chrono::nanoseconds::max());
+    const cv::Rect active = known.value_or(found);
+    const cv::Size brick = brick_for(active.size(), brick_height_);
     const CandidateFileEnd end{
         .content = content,
         .duration_ns = std::max(film.duration, last_ + std::chrono::nanoseconds(1)).count(),

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -19,8 +20,10 @@ namespace {
 constexpr std::int64_t max_entries = 20'000;
 constexpr std::int64_t max_jpeg_bytes = 1 << 20;
 constexpr std::int64_t max_record_bytes = 64 << 20;
-constexpr int max_side = 4096;     // px of bricks and frames
-constexpr double enlargement = 2;  // bricks are small for detectors
+constexpr int max_side = 4096;           // px of bricks and frames
+constexpr double detected_height = 200;  // px to which small bricks are enlarged for detectors
+constexpr double min_part = 0.55;  // of either side within a shot's own bars; less is a title on plain ground
+constexpr double max_region = 0.6;  // of a brick: a larger region says nothing
 
 void require(bool is_so) {
     if (!is_so) throw std::runtime_error("it is not a file of a film's frames");
@@ -84,35 +87,79 @@ Keyframe Candidates::keyframe(int number) const {
     const Kept& kept = kept_[as_index(number)];
     std::string jpeg(static_cast<std::size_t>(kept.bytes), '\0');
     read(jpeg.data(), jpeg.size(), kept.offset);
-    Keyframe keyframe{.picture = from_jpeg(jpeg), .faces = {}};
-    keyframe.picture = as_brick(keyframe.picture);
+    const cv::Mat whole = from_jpeg(jpeg);
+    const Shot* shot = shot_at(number);
+    const cv::Rect active = active_part(shot, whole.size());
+    const KeptPart part{.whole = whole.size(), .part = cut_to(active.size(), brick_) + active.tl()};
+    Keyframe keyframe{.picture = whole, .faces = {}, .region = {}};
+    if (part.part.size() != brick_ || whole.size() != brick_)
+        cv::resize(whole(part.part), keyframe.picture, brick_, 0, 0,
+                   part.part.height < brick_.height ? cv::INTER_CUBIC : cv::INTER_AREA);
     auto& faces = faces_[as_index(number)];
     if (!faces) faces = faces_in(keyframe.picture);
     keyframe.faces = *faces;
+    if (shot != nullptr) keyframe.region = region_in(*shot, number, part);
     return keyframe;
 }
 
-/// Cuts off the bars. A picture of the size of a brick was kept when its bars were not known.
-cv::Mat Candidates::as_brick(const cv::Mat& kept) const {
-    const cv::Size known = kept.size();
-    if (known != frame_ && known != brick_for(frame_))
+/// The shot that a frame lies in, null where it lies between shots.
+const Shot* Candidates::shot_at(int number) const {
+    const auto time = signatures_[as_index(number)].time;
+    const auto after = std::ranges::upper_bound(film_.shots, time, {}, &Shot::begin);
+    if (after == film_.shots.begin() || time >= (after - 1)->end) return nullptr;
+    return &*(after - 1);
+}
+
+/// The part of a kept picture within the bars of the film and of the shot. A picture of the size of a brick
+/// was kept when its bars were not known.
+cv::Rect Candidates::active_part(const Shot* shot, cv::Size kept) const {
+    if (kept != frame_ && kept != brick_for(frame_, brick_.height))
         throw std::runtime_error("a kept frame has another size");
-    if (known == brick_ && active_.size() == frame_) return kept;
-    const double x = static_cast<double>(known.width) / frame_.width;
-    const double y = static_cast<double>(known.height) / frame_.height;
-    const cv::Rect active(cv::Point(cvCeil(active_.x * x), cvCeil(active_.y * y)),
-                          cv::Point(cvFloor(active_.br().x * x), cvFloor(active_.br().y * y)));
-    if (active.empty()) throw std::runtime_error("a kept frame has no picture within its bars");
-    const cv::Mat picture = kept(active);
-    cv::Mat brick;
-    cv::resize(picture(cut_to(active.size(), brick_)), brick, brick_, 0, 0,
-               active.height < brick_.height ? cv::INTER_CUBIC : cv::INTER_AREA);
-    return brick;
+    const auto part_within = [&](double left, double top, double right, double bottom) {
+        const double x = static_cast<double>(kept.width) / frame_.width;
+        const double y = static_cast<double>(kept.height) / frame_.height;
+        return cv::Rect(cv::Point(cvCeil(left * x), cvCeil(top * y)),
+                        cv::Point(cvFloor(right * x), cvFloor(bottom * y)));
+    };
+    cv::Rect part = part_within(active_.x, active_.y, active_.br().x, active_.br().y);
+    if (shot != nullptr && shot->picture && film_.width > 0 && film_.height > 0) {
+        const double x = static_cast<double>(frame_.width) / film_.width;
+        const double y = static_cast<double>(frame_.height) / film_.height;
+        const Box& picture = *shot->picture;
+        const cv::Rect own =
+            part & part_within(picture.min.x * x, picture.min.y * y, picture.max.x * x, picture.max.y * y);
+        if (own.width >= min_part * part.width && own.height >= min_part * part.height) part = own;
+    }
+    if (part.empty()) throw std::runtime_error("a kept frame has no picture within its bars");
+    return part;
+}
+
+/// The shot's region at the time of a frame, px of the brick.
+std::vector<cv::Point> Candidates::region_in(const Shot& shot, int number, const KeptPart& part) const {
+    if (shot.region.polygon.size() < 3 || film_.width <= 0 || film_.height <= 0) return {};
+    const double seconds =
+        std::chrono::duration<double>(signatures_[as_index(number)].time - shot.begin).count();
+    const double x = static_cast<double>(part.whole.width) / film_.width;
+    const double y = static_cast<double>(part.whole.height) / film_.height;
+    const auto limits = Box{{0, 0}, {static_cast<double>(brick_.width), static_cast<double>(brick_.height)}};
+    Polygon corners;
+    for (const Vec2& corner : shot.region.polygon) {
+        const Vec2 at = corner + shot.region.drift * seconds;
+        corners.push_back({(at.x * x - part.part.x) * brick_.width / part.part.width,
+                           (at.y * y - part.part.y) * brick_.height / part.part.height});
+    }
+    corners = clipped(corners, limits);
+    if (area(corners) > max_region * limits.area()) return {};
+    std::vector<cv::Point> region;
+    for (const Vec2& corner : corners)
+        region.emplace_back(cvRound(corner.x), cvRound(corner.y));
+    return region;
 }
 
 std::vector<cv::Rect> Candidates::faces_in(const cv::Mat& picture) const {
     std::vector<cv::Rect> faces;
     if (detector_ == nullptr) return faces;
+    const double enlargement = std::max(1.0, detected_height / brick_.height);
     cv::Mat large;
     cv::resize(picture, large, {}, enlargement, enlargement, cv::INTER_CUBIC);
     for (const Face& face : detector_->detect(large)) {

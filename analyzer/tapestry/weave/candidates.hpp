@@ -26,6 +26,12 @@ class Candidates {
 
     cv::Size brick() const { return brick_; }
 
+    /// px of the frames that were kept.
+    cv::Size frame() const { return frame_; }
+
+    /// The picture within the film's bars, px of the frames.
+    cv::Rect active() const { return active_; }
+
     /// The film's duration.
     std::chrono::nanoseconds duration() const { return duration_; }
 
@@ -41,6 +47,12 @@ class Candidates {
     Keyframe keyframe(int number) const;
 
   private:
+    /// The part of a kept picture that becomes the brick.
+    struct KeptPart {
+        cv::Size whole;  // px of the kept picture
+        cv::Rect part;
+    };
+
     struct Kept {
         std::int64_t offset = 0;
         std::int64_t bytes = 0;
@@ -49,7 +61,9 @@ class Candidates {
     void read(void* into, std::size_t bytes, std::int64_t offset) const;
     void read_sizes(const CandidateFileEnd& end);
     void read_record(const CandidateFileEnd& end);
-    cv::Mat as_brick(const cv::Mat& kept) const;
+    const Shot* shot_at(int number) const;
+    cv::Rect active_part(const Shot* shot, cv::Size kept) const;
+    std::vector<cv::Point> region_in(const Shot& shot, int number, const KeptPart& part) const;
     std::vector<cv::Rect> faces_in(const cv::Mat& picture) const;
 
     UniqueFd file_;

@@ -148,8 +148,16 @@ std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const Weav
 std::string new_tile_folder(const fs::path& directory) {
     for (int number = 1;; ++number) {
         std::string name = fmt::format("tiles-{}", number);
-        if (fs::create_directories(directory / name)) return name;
+        if (!fs::exists(directory / (name + sharp_suffix)) && fs::create_directories(directory / name))
+            return name;
     }
+}
+
+void replace_tapestry(const fs::path& directory, const fs::path& index) {
+    const Tapestry tapestry = read_tapestry(index);
+    write_tapestry(directory, tapestry);
+    remove_other_tiles(directory, tapestry.folder);
+    fs::remove_all(index);
 }
 
 /// Writes the newest level of the tapestry: its tiles, its zoom fields, then the index that names them.
@@ -165,7 +173,7 @@ void PyramidWriter::write_newest_level(const Tapestry& tapestry, const Keyframes
         run_, files.done());
     files.finish();
     if (number > 0) write_zoom(directory_, tapestry, number, run_);
-    write_tapestry(directory_, tapestry);
+    write_tapestry(index_folder(), tapestry);
     files.remove_note();
 }
 
@@ -176,7 +184,7 @@ Tapestry PyramidWriter::write(Tapestry tapestry, const WeavePlan& plan) const {
     tapestry.height = tapestry_height(brickwork_of(plan.levels[0], candidates.brick()));
     tapestry.tile_width = tile_file_width;
     tapestry.brick_width = candidates.brick().width;
-    const std::size_t woven = levels_woven(directory_, tapestry);
+    const std::size_t woven = levels_woven(index_folder(), tapestry);
     for (std::size_t i = 0; i < plan.levels.size(); ++i) {
         const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
         if (i > 0 && !has_room(tapestry, tile_bytes(directory_ / tapestry.folder), brickwork.width(),
@@ -186,9 +194,9 @@ Tapestry PyramidWriter::write(Tapestry tapestry, const WeavePlan& plan) const {
         tapestry.levels.back().has_zoom = i > 0;
         if (i >= woven) write_newest_level(tapestry, plan.levels[i]);
     }
-    tapestry.is_complete = true;
-    write_tapestry(directory_, tapestry);
-    remove_other_tiles(directory_, tapestry.folder);
+    tapestry.is_complete = settings_.is_last;
+    write_tapestry(index_folder(), tapestry);
+    if (tapestry.is_complete && settings_.index.empty()) remove_other_tiles(directory_, tapestry.folder);
     return tapestry;
 }
 

@@ -59,11 +59,20 @@ cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const Retarget
 struct PyramidSettings {
     RetargetSettings retarget;
     std::uint64_t max_bytes = 0;  // for tiles, about: a level that would exceed it is not begun; 0: any
+    bool is_last = true;          // false: a sharper tapestry of the same film follows
+    std::filesystem::path index;  // folder of the index; empty: that of the tiles
 };
+
+constexpr const char* sharp_suffix = "-sharp";  // of the folder of tiles of a sharper tapestry
 
 /// Makes a folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
 /// @return its name
 std::string new_tile_folder(const std::filesystem::path& directory);
+
+/// Puts a finished tapestry of the same film in the place of another.
+/// @param directory  folder of both tapestries' tiles and of the index to replace
+/// @param index      folder of the finished tapestry's index; it is removed
+void replace_tapestry(const std::filesystem::path& directory, const std::filesystem::path& index);
 
 /// Weaves all levels of a film into a folder.
 class PyramidWriter {
@@ -82,6 +91,10 @@ class PyramidWriter {
     Tapestry write(Tapestry tapestry, const WeavePlan& plan) const;
 
   private:
+    const std::filesystem::path& index_folder() const {
+        return settings_.index.empty() ? directory_ : settings_.index;
+    }
+
     void write_newest_level(const Tapestry& tapestry, const Keyframes& keyframes) const;
 
     const std::filesystem::path& directory_;

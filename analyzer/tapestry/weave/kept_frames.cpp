@@ -28,10 +28,11 @@ UniqueFd new_file(const fs::path& directory) {
 
 }  // namespace
 
-KeptFrames::KeptFrames(fs::path directory, std::uint64_t max_bytes)
+KeptFrames::KeptFrames(fs::path directory, std::uint64_t max_bytes, int brick_height)
     : directory_(std::move(directory)), max_bytes_(max_bytes) {
     try {
-        writer_ = std::make_unique<CandidateWriter>(new_file(directory_));
+        writer_ =
+            std::make_unique<CandidateWriter>(new_file(directory_), CandidateWriter::two_hours, brick_height);
     } catch (const std::system_error& error) {
         log::debug("no frames kept: {}", error.what());
     }
@@ -58,11 +59,12 @@ void KeptFrames::saw(const FilmFrame& frame) {
     }
 }
 
-void KeptFrames::finish(const MediaRecord& film, const FilmContent& content) {
+void KeptFrames::finish(const MediaRecord& film, const FilmContent& content,
+                        const std::optional<cv::Rect>& active) {
     if (!writer_) return;
     if (writer_->is_empty()) return give_up();
     try {
-        (void)writer_->finish(film, content);
+        (void)writer_->finish(film, content, active);
         writer_.reset();
         publish_file(unfinished(file_in(directory_)), file_in(directory_));
     } catch (const std::system_error& error) {

@@ -15,7 +15,8 @@ class KeptFrames {
   public:
     /// @param directory   folder of the tapestry; made where there is none
     /// @param max_bytes  for the frames; a film that needs more has none kept
-    KeptFrames(std::filesystem::path directory, std::uint64_t max_bytes);
+    KeptFrames(std::filesystem::path directory, std::uint64_t max_bytes,
+               int brick_height = usual_brick_height);
     KeptFrames(const KeptFrames&) = delete;
     KeptFrames& operator=(const KeptFrames&) = delete;
 
@@ -25,7 +26,11 @@ class KeptFrames {
     void saw(const FilmFrame& frame);
 
     /// Completes the file and gives it its name. @param film  see CandidateWriter
-    void finish(const MediaRecord& film, const FilmContent& content);
+    void finish(const MediaRecord& film, const FilmContent& content,
+                const std::optional<cv::Rect>& active = {});
+
+    /// px of the frames; empty where none are kept.
+    cv::Size frame() const { return writer_ ? writer_->frame() : cv::Size(); }
 
   private:
     void give_up();

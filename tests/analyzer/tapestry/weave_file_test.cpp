@@ -8,7 +8,10 @@
 #include <opencv2/core.hpp>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace vitrine::analyzer {
 namespace {
@@ -72,6 +75,34 @@ TEST_CASE("a film of one level has no zoom, and says so" * doctest::test_suite("
                    without_faces()),
         doctest::Contains("one level only"));
     CHECK_FALSE(fs::exists(folder.path / "zoom.png"));
+}
+
+TEST_CASE("a film is woven as tall as the settings want it, where it is not smaller" *
+          doctest::test_suite("real")) {
+    if (!fs::exists(nasa)) {
+        MESSAGE("not here: ", nasa.string());
+        return;
+    }
+    const TemporaryDirectory folder;
+    const fs::path times = folder.write("times", "1\n7\n");
+    const fs::path out = folder.path / "out";
+    for (const int height : {240, 600}) {
+        CAPTURE(height);
+        Settings settings = without_faces();
+        settings.tapestry.height = height;
+        fs::remove_all(out);
+        (void)weave_file({.file = nasa, .directory = out, .levels = 1, .times = times, .resumes = true},
+                         settings);
+        const Tapestry tapestry = read_tapestry(out);
+        CHECK(tapestry.height == std::min(height, 270));  // the film is 180 px tall
+        CHECK(tapestry.is_complete);
+        CHECK(tapestry.levels[0].keyframes.size() == 2);
+        std::vector<std::string> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(out))
+            names.push_back(entry.path().filename().string());
+        std::ranges::sort(names);
+        CHECK(names == std::vector<std::string>{"index.json", tapestry.folder});
+    }
 }
 
 TEST_CASE(

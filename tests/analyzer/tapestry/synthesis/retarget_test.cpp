@@ -57,6 +57,37 @@ TEST_CASE("what a neighbour knows of a tile stays as it is at the border") {
     CHECK_FALSE(are_equal(tile.colRange(15, 20), neighbours.left.colRange(15, 20)));
 }
 
+TEST_CASE("what matters in a keyframe weighs more than the rest, as a face does") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {40, 30}};
+    std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    bricks[0].region = {{10, 5}, {30, 5}, {30, 25}, {10, 25}};
+    const WindowSettings settings{.face_weight = 9, .region_weight = 3};
+    const BrickWindow window = brick_window({brickwork, bricks}, {0, brickwork.width()}, 1, settings);
+    const int columns = window.picture.patch_columns();
+    const auto weight = [&](int x, int y) {
+        return window.rules
+            .weights[static_cast<std::size_t>((y - patch_side / 2) * columns + x - patch_side / 2)];
+    };
+    CHECK(weight(20, 15) == 3);
+    CHECK(weight(12, 7) == 3);
+    CHECK(weight(6, 15) == 1);
+    CHECK(weight(60, 15) == 1);
+}
+
+TEST_CASE("a single keyframe stands alone, as tall as the tapestry") {
+    const Brickwork brickwork{.keyframes = 1, .brick = {160, 90}};
+    cv::Mat picture(90, 160, CV_8UC3, cv::Scalar(200, 30, 30));
+    picture.colRange(80, 160).setTo(cv::Scalar(30, 30, 200));
+    cv::Mat strip;
+    weave_level({brickwork, [&](int) { return Keyframe{.picture = picture, .faces = {}}; }},
+                [&](const cv::Mat& columns, const WovenSoFar&) { strip = columns.clone(); });
+    REQUIRE(strip.size() == cv::Size(240, 135));
+    CHECK(cv::norm(strip.colRange(0, 110), cv::Mat(135, 110, CV_8UC3, cv::Scalar(200, 30, 30)),
+                   cv::NORM_INF) == 0);
+    CHECK(cv::norm(strip.colRange(130, 240), cv::Mat(135, 110, CV_8UC3, cv::Scalar(30, 30, 200)),
+                   cv::NORM_INF) == 0);
+}
+
 TEST_CASE("tiles cover a strip, each begins in the one before") {
     for (const int width : {89, 500, 700, 2225, 10'000, 1'000'000}) {
         CAPTURE(width);

@@ -9,7 +9,9 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <opencv2/imgproc.hpp>
 
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -104,6 +106,54 @@ TEST_CASE("the bricks of a letterboxed film have no bars") {
     cv::minMaxLoc(brick.reshape(1).colRange(2, 3), &darkest, nullptr);
     CHECK(darkest > 150);
     CHECK(film.candidates->keyframe(3).picture.size() == film.candidates->brick());
+}
+
+TEST_CASE("a frame comes with its shot's region at its time, unless that is nearly all of the picture") {
+    const TemporaryDirectory folder;
+    CandidateWriter writer(nameless_file(folder.path));
+    for (int i = 0; i < 6; ++i)
+        writer.push(
+            {.picture = cv::Mat(180, 320, CV_8UC3, cv::Scalar(40, 120, 200)), .time = milliseconds(500) * i});
+    MediaRecord record{
+        .kind = MediaKind::film, .width = 640, .height = 360, .duration = std::chrono::seconds(3)};
+    record.shots.push_back({.begin = seconds(0),
+                            .end = seconds(2),
+                            .region = {.polygon = to_polygon({{100, 90}, {200, 270}}), .drift = {64, 0}}});
+    record.shots.push_back({.begin = seconds(2),
+                            .end = milliseconds(2500),
+                            .region = {.polygon = to_polygon({{0, 0}, {640, 300}}), .drift = {}}});
+    const Film film = film_of(writer.finish(record, {}), nullptr);
+
+    REQUIRE(film.candidates->brick() == cv::Size(178, 100));
+    const cv::Rect box = cv::boundingRect(film.candidates->keyframe(2).region);
+    CHECK(std::abs(box.x - 164 * 178 / 640) <= 1);
+    CHECK(std::abs(box.br().x - 264 * 178 / 640) <= 2);
+    CHECK(std::abs(box.y - 25) <= 1);
+    CHECK(film.candidates->keyframe(4).region.empty());
+    CHECK(film.candidates->keyframe(5).region.empty());
+}
+
+TEST_CASE("the bricks of a shot that has bars of its own have none") {
+    const TemporaryDirectory folder;
+    CandidateWriter writer(nameless_file(folder.path));
+    for (int i = 0; i < 8; ++i) {
+        cv::Mat picture(180, 320, CV_8UC3, cv::Scalar(40, 120 + 4 * i, 200));
+        if (i >= 4) picture.colRange(0, 40).setTo(cv::Scalar::all(0));
+        if (i >= 4) picture.colRange(280, 320).setTo(cv::Scalar::all(0));
+        writer.push({.picture = picture, .time = milliseconds(500) * i});
+    }
+    MediaRecord record{
+        .kind = MediaKind::film, .width = 320, .height = 180, .duration = std::chrono::seconds(4)};
+    record.shots.push_back({.begin = seconds(0), .end = seconds(2), .region = {}});
+    record.shots.push_back(
+        {.begin = seconds(2), .end = seconds(4), .region = {}, .picture = Box{{40, 0}, {280, 180}}});
+    const Film film = film_of(writer.finish(record, {}), nullptr);
+    for (const int number : {0, 6}) {
+        CAPTURE(number);
+        double darkest = 0;
+        cv::minMaxLoc(film.candidates->keyframe(number).picture.reshape(1).colRange(2, 3), &darkest, nullptr);
+        CHECK(darkest > 150);
+    }
 }
 
 TEST_CASE("a file that is none of frames, or is cut short, is refused") {
