@@ -276,6 +276,18 @@ CURES = [
     Cure("half a picture that is never drawn", "base/state/tapestry.cpp",
          "    return std::clamp(levels[level].keyframes[keyframe], piece, duration - piece);", "    return (void)piece, levels[level].keyframes[keyframe];",
          "state_test.tapestry_test"),
+    Cure("a touched picture of the other row", "player/scene/tapestry/tapestry_view.cpp",
+         "const int nearest = 2 * static_cast<int>(std::floor(x / width)) + row;", "const int nearest = static_cast<int>(std::lround(2 * (x + row * width / 2) / width)) - 1;",
+         "scene_test.touched_places_test"),
+    Cure("moments between shots that cannot be played", "player/scene/tapestry/film_spans.cpp",
+         "found == shots.end() || found->begin > time ? nullptr : &*found;", "found == shots.end() ? nullptr : &*found;",
+         "scene_test.tapestry_preview_test"),
+    Cure("what plays leaves the strip", "player/scene/tapestry/tapestry_motion.cpp",
+         "    keep_in_view(passed, place);\n", "    (void)&TapestryMotion::keep_in_view;\n", "scene_test.tapestry_show_test"),
+    Cure("a film's end that leads nowhere", "player/scene/tapestry/tapestry_preview.cpp",
+         "    return now >= end ? std::optional(end) : std::nullopt;", "    return (void)end, std::nullopt;", "scene_test.tapestry_show_test"),
+    Cure("a preview that does not follow the finger", "player/scene/tapestry/strip_finger.cpp",
+         "        strip.preview.look_at(strip.place.time_at(", "        if (false) strip.preview.look_at(strip.place.time_at(", "scene_test.tapestry_show_test"),
 ]
 
 

@@ -104,7 +104,10 @@ struct Noise {
 struct Bench {
     OffscreenScreen screen{{.width = 1280, .height = 720, .film = {}}};
     Renderer renderer{1280, 720};
-    TapestryShow strip{two_hours(), {1280, 720}, canvas, {.first_source = 1, .patience = {}}};
+    TapestryShow strip{two_hours(),
+                       {.path = "film.mp4", .duration = 2h, .picture = {1280, 720}, .shots = {}},
+                       canvas,
+                       {.first_source = 1, .patience = {}}};
     Noise tile{512, 150};
     std::chrono::nanoseconds now = 0s;
     double scene = 0;  // CPU ms in all steps, without drawing

@@ -22,27 +22,35 @@ TileId tile_of(std::uint64_t number) {
     return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
 }
 
-/// The film is played from the path in its record, because it may have moved since the tapestry was woven.
+/// The film of a tapestry as its record has it. Without a record, its picture has the shape of a brick.
+/// The path is that of the record, because the film may have moved since the tapestry was woven.
+PreviewedFilm film_of(const Tapestry& tapestry, const RecordList::Record& record) {
+    PreviewedFilm film{
+        .path = tapestry.path,
+        .duration = tapestry.duration,
+        .picture = {static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks},
+        .shots = {}};
+    if (!record) return film;
+    const Box active = active_picture(*record);
+    film.path = record->path;
+    film.picture = active.max - active.min;
+    film.active = {{active.min.x / record->width, active.min.y / record->height},
+                   {active.max.x / record->width, active.max.y / record->height}};
+    film.shots = record->shots;
+    return film;
+}
+
 TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                      const TapestryPlaybackOptions& options) {
     Tapestry tapestry = read_tapestry(directory);
     if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
-    Vec2 picture{static_cast<double>(tapestry.brick_width), tapestry.height / rows_of_bricks};
     TapestrySettings settings{.first_source = options.first_source,
                               .patience = options.patience,
-                              .shots = {},
-                              .plays_at_once = options.film != nullptr,
+                              .plays_at_once = true,
                               .first_seen = options.first_seen};
     if (options.rests) settings.pace.patience = std::chrono::nanoseconds::max();
-    if (options.film) {
-        tapestry.path = options.film->path;
-        const Box active = active_picture(*options.film);
-        picture = active.max - active.min;
-        settings.active = {{active.min.x / options.film->width, active.min.y / options.film->height},
-                           {active.max.x / options.film->width, active.max.y / options.film->height}};
-        settings.shots = options.film->shots;
-    }
-    return {std::move(tapestry), picture, canvas, settings};
+    PreviewedFilm film = film_of(tapestry, options.film);
+    return {std::move(tapestry), std::move(film), canvas, settings};
 }
 
 std::shared_ptr<const ZoomMesh> mesh_of(const std::optional<ZoomField>& field, double left,
@@ -64,10 +72,12 @@ TapestryPlayback::TapestryPlayback(std::filesystem::path directory, Vec2 canvas,
       show_(show_of(directory_, canvas, options_)) {}
 
 void TapestryPlayback::set_catalogue(const RecordList& records) {
-    if (!options_.film) return;
-    const RecordList::Record film = records.find(options_.film->path);
-    if (!film || !is_woven_from(show_.tapestry(), *film)) return show_.end();
-    show_.set_shots(film->shots);
+    const RecordList::Record film = records.find(show_.film().path);
+    const bool is_known = film && is_woven_from(show_.tapestry(), *film);
+    if (!is_known && !options_.film) return;
+    if (!is_known) return show_.end();
+    options_.film = film;
+    show_.set_film(film_of(show_.tapestry(), film));
 }
 
 WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer) {

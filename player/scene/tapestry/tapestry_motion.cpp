@@ -13,15 +13,27 @@ using std::chrono::nanoseconds;
 
 constexpr double min_speed = 8;  // canvas px per second; a slower strip stops
 constexpr double key_way = 0.3;  // share of the box' width
+// Shares of the box' width between which what plays goes through a strip that rests: more is seen of what
+// comes.
+constexpr double first_stand = 0.1;
+constexpr double last_stand = 0.7;
 
 double seconds(nanoseconds time) {
     return std::chrono::duration<double>(time).count();
+}
+
+/// True: a finger is on the strip after this gesture.
+bool is_held_after(Gesture::Kind kind, bool was_held) {
+    using Kind = Gesture::Kind;
+    if (kind == Kind::hold || kind == Kind::drag || kind == Kind::pinch) return true;
+    return was_held && (kind == Kind::wheel || kind == Kind::key);
 }
 
 }  // namespace
 
 void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace& place) {
     touch();
+    is_held_ = is_held_after(gesture.kind, is_held_);
     const double middle = (place.box().min.x + place.box().max.x) / 2;
     switch (gesture.kind) {
     case Gesture::Kind::drag:
@@ -83,7 +95,22 @@ const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace
     go_on_zooming(now, place);
     glide(passed, place);
     view_ = place.bounded(view_);
+    keep_in_view(passed, place);
     return view_;
+}
+
+void TapestryMotion::keep_in_view(nanoseconds passed, const TapestryPlace& place) {
+    if (!followed_) return;
+    const Box& box = place.box();
+    const double x = place.canvas_x(view_, *followed_);
+    const bool is_seen = x >= box.min.x && x <= box.max.x;
+    const bool is_moved = is_held_ || speed_ != 0 || (zoom_ && !is_by_itself());
+    if (is_moved || is_seen) is_away_ = !is_seen;
+    if (is_moved || is_away_) return;
+    const double beyond =
+        x - std::clamp(x, box.min.x + first_stand * box.width(), box.min.x + last_stand * box.width());
+    if (beyond != 0)
+        view_ = place.moved(view_, -beyond * (1 - std::exp(-seconds(passed) / seconds(pace_.glide))));
 }
 
 void TapestryMotion::go_on_zooming(nanoseconds now, const TapestryPlace& place) {
@@ -119,7 +146,10 @@ void TapestryMotion::go_by_itself(nanoseconds now, nanoseconds passed, const Tap
     reached_level_ = now;
     const double level = std::round(view_.level) + level_step_;
     if (level < 0 || level > place.max_level()) level_step_ = -level_step_;
-    zoom_to(std::round(view_.level) + level_step_, (place.box().min.x + place.box().max.x) / 2);
+    const Box& box = place.box();
+    const double at =
+        followed_ ? place.canvas_x(view_, *followed_) : (box.min.x + box.max.x) / 2;  // stays in view
+    zoom_to(std::round(view_.level) + level_step_, std::clamp(at, box.min.x, box.max.x));
 }
 
 double TapestryMotion::direction() const {

@@ -28,6 +28,10 @@ class TapestryMotion {
     /// Notes a touch: the view does not move by itself for `patience`.
     void touch() { touched_.reset(); }
 
+    /// Sets the moment of the film that plays beside the strip; none: nothing plays. The strip goes along, so
+    /// that the moment stays in view, unless a visitor has moved the strip away from it.
+    void follow(std::optional<std::chrono::nanoseconds> playing) { followed_ = playing; }
+
     /// @param now  never goes back
     const TapestryView& advance(std::chrono::nanoseconds now, const TapestryPlace& place);
 
@@ -50,6 +54,7 @@ class TapestryMotion {
     void settle(double at);
     void go_on_zooming(std::chrono::nanoseconds now, const TapestryPlace& place);
     void glide(std::chrono::nanoseconds passed, const TapestryPlace& place);
+    void keep_in_view(std::chrono::nanoseconds passed, const TapestryPlace& place);
     void go_by_itself(std::chrono::nanoseconds now, std::chrono::nanoseconds passed,
                       const TapestryPlace& place);
 
@@ -60,7 +65,10 @@ class TapestryMotion {
     double way_ = 1;         // by itself: 1: forwards through the film, -1: backwards
     double level_step_ = 1;  // by itself: 1: to finer levels, -1: to coarser ones
     double pinched_at_ = 0;  // canvas px; the middle of the pinch
-    std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last advance()
+    std::optional<std::chrono::nanoseconds> followed_;  // the film's moment that plays
+    bool is_held_ = false;                              // a finger is on the strip
+    bool is_away_ = false;                              // a visitor has moved the strip away from what plays
+    std::optional<std::chrono::nanoseconds> touched_;   // the last touch; none: since the last advance()
     std::optional<std::chrono::nanoseconds>
         reached_level_;  // by itself: time of reaching the level; none: it does not move by itself
     std::optional<std::chrono::nanoseconds> last_;  // the last advance()

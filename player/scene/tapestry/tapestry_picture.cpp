@@ -81,19 +81,18 @@ class Drawing {
     const Box& box() const { return drawn_.boxes.strip; }
 
     void draw_level(std::size_t level, double alpha);
+    void draw_above(const PlayingSpan& playing, nanoseconds local);
     void draw_zoom(std::size_t level, bool is_to_finer);
     bool has_tiles(std::size_t level) const;
     bool has_zooms(std::size_t level) const;
     void cover_strip();
 
     /// The size of the film's whole picture, if the picture within its bars fills a box, canvas px.
-    Vec2 picture_at(const Box& at) const {
-        return whole_picture(drawn_.preview.film(), {at.width(), at.height()});
-    }
+    Vec2 picture_at(const Box& at) const { return whole_picture(drawn_.film, {at.width(), at.height()}); }
 
     /// The corner of that whole picture.
     Vec2 corner_at(const Box& at) const {
-        const Vec2 bars = drawn_.preview.film().active.min;
+        const Vec2 bars = drawn_.film.active.min;
         const Vec2 picture = picture_at(at);
         return at.min - Vec2{bars.x * picture.x, bars.y * picture.y};
     }
@@ -186,7 +185,7 @@ void Drawing::draw_in_place() {
     const std::optional<PlayingSpan>& playing = drawn_.preview.in_place();
     if (!playing || !playing->began) return;
     const nanoseconds local = frame_.time - *playing->began;
-    const Box at = place_.brick(drawn_.view, playing->span.begin, drawn_.preview.film().picture);
+    const Box at = place_.brick(drawn_.view, drawn_.touched, drawn_.film.picture);
     const double alpha =
         eased(std::chrono::duration<double>(local) / std::chrono::duration<double>(appearing));
     frame_.items.push_back({.source = playing->source,
@@ -197,27 +196,30 @@ void Drawing::draw_in_place() {
                             .alpha = std::min(alpha, nearly_opaque)});
 }
 
+/// The sharp picture of a moment that a finger looks for stands over the film that has played before.
 void Drawing::draw_preview() {
     const std::optional<PlayingSpan>& playing = drawn_.preview.above();
-    if (!playing || !playing->began) return;
+    if (playing && playing->began) draw_above(*playing, drawn_.preview.time_above(frame_.time));
+    const ScrubbedPicture& scrubbed = drawn_.preview.scrubbed();
+    if (scrubbed.moment() && scrubbed.sharp()) draw_above(*scrubbed.sharp(), 0ns);
+}
+
+void Drawing::draw_above(const PlayingSpan& playing, nanoseconds local) {
     const Box& at = drawn_.boxes.preview;
     frame_.covered.push_back(at);
-    frame_.items.push_back({.source = playing->source,
+    frame_.items.push_back({.source = playing.source,
                             .cell = box_cell(at),
                             .placement = {.scale = 1, .offset = corner_at(at)},
                             .picture = picture_at(at),
-                            .local = drawn_.preview.time_above(frame_.time),
+                            .local = local,
                             .alpha = 1});
 }
 
 /// Draws a line through the strip at the time that the preview shows.
 void Drawing::draw_playhead() {
-    const std::optional<PlayingSpan>& playing = drawn_.preview.above();
-    if (!playing || !playing->began) return;
-    const nanoseconds length = playing->span.length();
-    const nanoseconds local = frame_.time - *playing->began;
-    const double x = std::round(
-        place_.canvas_x(drawn_.view, playing->span.begin + (length.count() > 0 ? local % length : local)));
+    const std::optional<nanoseconds> time = drawn_.preview.playhead(frame_.time);
+    if (!time) return;
+    const double x = std::round(place_.canvas_x(drawn_.view, *time));
     const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
     if (x < box().min.x || x > box().max.x) return;
     frame_.items.push_back({.source = drawn_.sources.mark(),

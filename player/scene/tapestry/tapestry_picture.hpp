@@ -36,7 +36,9 @@ struct TapestrySources {
 struct DrawnTapestry {
     const Tapestry& tapestry;
     const TileCache& tiles;
+    const PreviewedFilm& film;
     const TapestryPreview& preview;
+    StripPicture touched;  // it plays in place
     TapestryView view;
     TapestryBoxes boxes;
     TapestrySources sources;

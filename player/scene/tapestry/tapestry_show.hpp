@@ -2,6 +2,7 @@
 
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
+#include "player/scene/tapestry/strip_finger.hpp"
 #include "player/scene/tapestry/tapestry_motion.hpp"
 #include "player/scene/tapestry/tapestry_picture.hpp"
 #include "player/scene/tapestry/tapestry_preview.hpp"
@@ -18,8 +19,6 @@ struct TapestrySettings {
     std::optional<std::chrono::nanoseconds> patience;       // time without a touch until it ends; none: never
     std::int64_t max_tile_bytes = std::int64_t{128} << 20;  // limit of the tiles' memory as RGBA textures
     TapestryPace pace;
-    std::vector<Shot> shots;                 // the shots of the film's record; none: they are not known
-    Box active{{0, 0}, {1, 1}};              // the film's picture within its bars, in shares of its sides
     bool plays_at_once = false;              // the preview plays from first_seen on at once
     std::chrono::nanoseconds first_seen{0};  // the first time in the middle, as far as the film's ends allow
 };
@@ -33,21 +32,23 @@ struct TapestryStep {
 };
 
 /// A film's tapestry. Its strip in the lower part of the canvas is dragged, flung and zoomed. A tap plays the
-/// film from there in the preview above, and the touched part plays in place for a while. Without a touch the
-/// strip moves through the film by itself. Knows no clock, files or textures: tiles and parts of the film are
-/// sources, and the caller reports when they are ready. Source: Video Tapestries 5 and 6 (preview above, zoom
-/// in 0.6 s); animated tapestries: 7, future work. Zooms follow the film's zoom fields (4.3) if it has any;
-/// else one level fades into the other.
+/// touched picture in place, and the film from there in the preview above; a finger that drags sees the
+/// moment under it there (strip_finger.hpp). The strip goes along with the film. At the film's end the
+/// tapestry is over. Without a touch the strip moves through the film by itself. Knows no clock, files or
+/// textures: tiles and parts of the film are sources, and the caller reports when they are ready. Source:
+/// Video Tapestries 5 and 6 (preview above, zoom in 0.6 s); animated tapestries: 7, future work. Zooms follow
+/// the film's zoom fields (4.3) if it has any; else one level fades into the other.
 class TapestryShow {
   public:
-    /// @param picture  size of the film's upright picture within its bars, px; only its shape counts
-    /// @param canvas   px
-    TapestryShow(Tapestry tapestry, Vec2 picture, Vec2 canvas, const TapestrySettings& settings);
+    /// @param canvas  px
+    TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas, const TapestrySettings& settings);
 
     void set_canvas(Vec2 canvas);
 
-    /// Call when the film's record has changed: the store may have more of its shots.
-    void set_shots(std::vector<Shot> shots) { preview_.set_shots(std::move(shots)); }
+    /// Call when the film's record has come or has changed: the store may have more of its shots.
+    void set_film(PreviewedFilm film);
+
+    const PreviewedFilm& film() const { return spans_.film(); }
 
     void handle_gesture(const Gesture& gesture);
 
@@ -70,8 +71,8 @@ class TapestryShow {
     /// @param now  never goes back
     TapestryStep step(std::chrono::nanoseconds now);
 
-    /// True once a visitor has closed the tapestry, nobody has touched it for `patience`, or end() was
-    /// called.
+    /// True once a visitor has closed the tapestry, nobody has touched it for `patience`, the film is over,
+    /// or end() was called. Without `patience` the film begins anew at its end.
     bool is_over() const { return is_over_; }
 
     const TapestrySources& sources() const { return sources_; }
@@ -87,9 +88,10 @@ class TapestryShow {
     std::size_t tile_count() const { return tiles_.size(); }
 
   private:
-    void handle_tap(const Gesture& tap);
-    void play_in_place(double canvas_x);
+    TouchedStrip touched_strip() { return {place(), boxes_, spans_, motion_, preview_}; }
+
     void play_by_itself(std::chrono::nanoseconds now);
+    void leave_in_time(std::chrono::nanoseconds now);
 
     Tapestry tapestry_;
     TapestrySources sources_;
@@ -97,9 +99,10 @@ class TapestryShow {
     TapestryBoxes boxes_;
     TapestryMotion motion_;
     TileCache tiles_;
-    TapestryPreview preview_;
+    FilmSpans spans_;
+    TapestryPreview preview_;  // refers to spans_
+    StripFinger finger_;
     std::vector<SourceId> retired_tiles_;
-    double pinched_ = 1;                               // total factor of the pinch, at the coarsest level
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last step
     std::chrono::nanoseconds played_{0};               // time at which the preview last started by itself
     bool is_over_ = false;

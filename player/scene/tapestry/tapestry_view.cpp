@@ -143,17 +143,28 @@ std::vector<TilePiece> TapestryPlace::pieces(const TapestryView& view, std::size
     return pieces;
 }
 
-Box TapestryPlace::brick(const TapestryView& view, nanoseconds time, Vec2 picture) const {
-    const auto& keyframes = tapestry_.levels[static_cast<std::size_t>(std::lround(view.level))].keyframes;
-    const double x = canvas_x(view, time);
-    std::size_t nearest = 0;
-    for (std::size_t k = 0; k < keyframes.size(); ++k)
-        if (std::abs(canvas_x(view, keyframes[k]) - x) < std::abs(canvas_x(view, keyframes[nearest]) - x))
-            nearest = k;
-    const double width = std::min(brick_width(), box_.height() * picture.x / picture.y);
-    const double height = width * picture.y / picture.x;
-    const double top = nearest % 2 == 0 ? box_.min.y : box_.max.y - height;
-    const double middle = canvas_x(view, keyframes[nearest]);
+/// Bricks stand half a brick apart, even numbers in the upper row and odd ones in the lower. A half brick at
+/// an end shows its neighbour in the row. A single keyframe stands in both rows.
+StripPicture TapestryPlace::picture_at(const TapestryView& view, Vec2 point) const {
+    const auto level = static_cast<std::size_t>(std::lround(view.level));
+    const int count = static_cast<int>(tapestry_.levels[level].keyframes.size());
+    const int row = point.y < (box_.min.y + box_.max.y) / 2 ? 0 : 1;
+    const double width = tapestry_.brick_width;
+    const double x = tapestry_.x_at(level, time_at(view, point.x)) - row * width / 2;
+    const int last = count - 1 - (count - 1 - row) % 2;  // the last one of the row
+    const int nearest = 2 * static_cast<int>(std::floor(x / width)) + row;
+    const int keyframe = count == 1 ? 0 : std::clamp(nearest, row, last);
+    return {.time = tapestry_.keyframe_time(level, static_cast<std::size_t>(keyframe)), .is_lower = row == 1};
+}
+
+Box TapestryPlace::brick(const TapestryView& view, const StripPicture& picture, Vec2 shape) const {
+    const double width = std::min(brick_width(), box_.height() * shape.x / shape.y);
+    const double height = width * shape.y / shape.x;
+    const double top = picture.is_lower ? box_.max.y - height : box_.min.y;
+    double middle = canvas_x(view, picture.time);
+    const auto level = static_cast<std::size_t>(std::lround(view.level));
+    if (tapestry_.levels[level].keyframes.size() == 1)  // it stands twice, on both sides of the middle
+        middle += (picture.is_lower ? 1 : -1) * brick_width() / 4;
     return {{middle - width / 2, top}, {middle + width / 2, top + height}};
 }
 

@@ -39,6 +39,12 @@ struct TilePiece {
     double left = 0, right = 0;  // canvas px
 };
 
+/// The picture of one keyframe in the strip.
+struct StripPicture {
+    std::chrono::nanoseconds time{0};  // of the keyframe
+    bool is_lower = false;             // it stands in the lower row
+};
+
 /// A tapestry's place in a box of the canvas: its strip is as high as the box. Borrows the tapestry, which
 /// must outlive this.
 class TapestryPlace {
@@ -77,10 +83,12 @@ class TapestryPlace {
     /// Scale and origin for drawing a tile's mesh between the two levels around the view's level.
     Placement zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const;
 
-    /// The approximate place of the picture of the keyframe nearest to a time: in the upper or in the lower
-    /// row.
-    /// @param picture  size of the film's upright picture within its bars; only its shape counts
-    Box brick(const TapestryView& view, std::chrono::nanoseconds time, Vec2 picture) const;
+    /// The picture that is drawn at a canvas point, in the row that the point lies in.
+    StripPicture picture_at(const TapestryView& view, Vec2 point) const;
+
+    /// The place of a picture, canvas px, about: rows are squeezed into one another.
+    /// @param shape  size of the film's upright picture within its bars; only its shape counts
+    Box brick(const TapestryView& view, const StripPicture& picture, Vec2 shape) const;
 
     /// Width of a brick at a whole level, canvas px.
     double brick_width() const { return scale() * tapestry_.brick_width; }

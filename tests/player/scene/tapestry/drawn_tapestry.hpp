@@ -1,6 +1,10 @@
 #pragma once
 
 #include "base/state/tapestry.hpp"
+#include "player/scene/tapestry/film_spans.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -27,6 +31,14 @@ inline Tapestry drawn_tapestry(int levels = 4) {
         tapestry.levels.push_back(std::move(one));
     }
     return tapestry;
+}
+
+/// The film of that tapestry.
+inline PreviewedFilm drawn_film(std::vector<Shot> shots = {}) {
+    return {.path = "film.mp4",
+            .duration = std::chrono::seconds(60),
+            .picture = {160, 90},
+            .shots = std::move(shots)};
 }
 
 }  // namespace vitrine::player

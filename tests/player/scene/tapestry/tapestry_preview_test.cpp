@@ -20,20 +20,26 @@ std::vector<Shot> shots_of(const std::vector<std::pair<nanoseconds, nanoseconds>
     return shots;
 }
 
-TapestryPreview preview_of(nanoseconds duration, std::vector<Shot> shots = {}) {
-    return {{.path = "film.mp4", .duration = duration, .picture = {640, 360}, .shots = std::move(shots)},
-            100};
+PreviewedFilm film_of(nanoseconds duration, std::vector<Shot> shots = {}) {
+    return {.path = "film.mp4", .duration = duration, .picture = {640, 360}, .shots = std::move(shots)};
 }
 
+/// A preview with the spans that it asks for.
+struct Previewed : FilmSpans, TapestryPreview {
+    explicit Previewed(nanoseconds duration, std::vector<Shot> shots = {})
+        : FilmSpans(film_of(duration, std::move(shots)), 100),
+          TapestryPreview(*static_cast<FilmSpans*>(this)) {}
+};
+
 /// The source of the last request since the last call.
-ShotRequest last_request(TapestryPreview& preview) {
-    const TapestryPreview::Changes changes = preview.take_changes();
+ShotRequest last_request(Previewed& preview) {
+    const FilmSpans::Changes changes = preview.take_changes();
     REQUIRE_FALSE(changes.requests.empty());
     return changes.requests.back();
 }
 
 /// Plays from this time above the strip, begun at 0 s. @return the source
-SourceId play_above(TapestryPreview& preview, nanoseconds from) {
+SourceId play_above(Previewed& preview, nanoseconds from) {
     preview.play(from, width);
     const SourceId source = last_request(preview).source;
     preview.source_ready(source);
@@ -44,7 +50,7 @@ SourceId play_above(TapestryPreview& preview, nanoseconds from) {
 }  // namespace
 
 TEST_CASE("a preview asks for a minute of the film, in the shape of its picture") {
-    TapestryPreview preview = preview_of(300s);
+    Previewed preview(300s);
     preview.play(20s, width);
     const ShotRequest request = last_request(preview);
     CHECK(request.source == 101);
@@ -57,26 +63,41 @@ TEST_CASE("a preview asks for a minute of the film, in the shape of its picture"
     CHECK_FALSE(preview.above());  // not ready yet
 }
 
-TEST_CASE("a preview begins within the film and within a shot, a second before its end at the latest") {
+TEST_CASE("a preview begins at the moment asked for, in a shot or between two, while there is film left") {
     const auto begin_of = [](std::vector<Shot> shots, nanoseconds from) {
-        TapestryPreview preview = preview_of(30s, std::move(shots));
+        Previewed preview(30s, std::move(shots));
         preview.play(from, width);
         return last_request(preview).shot.begin;
     };
     CHECK(begin_of({}, -5s) == 0s);
-    CHECK(begin_of({}, 29500ms) == 29s);
+    CHECK(begin_of({}, 29900ms) == 29600ms);
     const std::vector<Shot> shots = shots_of({{2s, 10s}, {12s, 12500ms}, {13s, 20s}});
-    CHECK(begin_of(shots, 0s) == 2s);
-    CHECK(begin_of(shots, 9500ms) == 9s);
-    CHECK(begin_of(shots, 11s) == 12s);      // between two shots: the next one
-    CHECK(begin_of(shots, 12400ms) == 12s);  // a shot that is shorter than a second
-    CHECK(begin_of(shots, 28s) == 19s);      // behind the last shot
+    for (const nanoseconds from : {0ms, 9500ms, 11000ms, 12400ms, 28000ms})
+        CHECK(begin_of(shots, from) == from);
+}
+
+TEST_CASE("between stored shots the film itself plays, up to one that is worth a source of its own") {
+    std::vector<Shot> shots = shots_of({{0s, 10s}, {10500ms, 14s}, {16s, 30s}});
+    for (Shot& shot : shots)
+        shot.stored = StoredShot{.file = "id/clip"};
+    Previewed preview(30s, shots);
+    const auto part_from = [&](nanoseconds from) {
+        preview.play(from, width);
+        return last_request(preview).shot;
+    };
+    CHECK_FALSE(part_from(10100ms).stored);
+    CHECK(part_from(10100ms).end == 16s);  // the shot half a second later would cost a gap
+    CHECK_FALSE(part_from(14s).stored);
+    CHECK(part_from(14s).end == 16s);
+    CHECK_FALSE(part_from(9500ms).stored);
+    CHECK(part_from(9500ms).end == 10500ms);
+    CHECK(part_from(8s).stored);
 }
 
 TEST_CASE("a stored shot plays from the store, from the same moment to its end") {
     std::vector<Shot> shots = shots_of({{10s, 20s}, {20s, 40s}});
     shots[0].stored = StoredShot{.file = "id/clip", .begin = 3s, .width = 640, .height = 360};
-    TapestryPreview preview = preview_of(40s, shots);
+    Previewed preview(40s, shots);
     preview.play(12s, width);
     const ShotRequest request = last_request(preview);
     REQUIRE(request.shot.stored);
@@ -86,23 +107,23 @@ TEST_CASE("a stored shot plays from the store, from the same moment to its end")
 }
 
 TEST_CASE("shots that came to the store later are played from there") {
-    TapestryPreview preview = preview_of(40s, shots_of({{0s, 40s}}));
+    Previewed preview(40s, shots_of({{0s, 40s}}));
     preview.play(5s, width);
     CHECK_FALSE(last_request(preview).shot.stored);
     std::vector<Shot> shots = shots_of({{0s, 40s}});
     shots[0].stored = StoredShot{.file = "id/clip"};
-    preview.set_shots(shots);
+    preview.set_film(film_of(40s, shots));
     preview.play(5s, width);
     CHECK(last_request(preview).shot.stored->begin == 5s);
 }
 
 TEST_CASE("the picture above the strip stays until the next one is ready") {
-    TapestryPreview preview = preview_of(300s);
+    Previewed preview(300s);
     const SourceId first = play_above(preview, 10s);
     preview.play(100s, width);
     const SourceId given_up = last_request(preview).source;
     preview.play(200s, width);
-    const TapestryPreview::Changes changes = preview.take_changes();
+    const FilmSpans::Changes changes = preview.take_changes();
     CHECK(changes.retired == std::vector<SourceId>{given_up});
     CHECK(preview.above()->source == first);
 
@@ -114,7 +135,7 @@ TEST_CASE("the picture above the strip stays until the next one is ready") {
 }
 
 TEST_CASE("the next span is asked for shortly before the end of one, and follows without a gap") {
-    TapestryPreview preview = preview_of(100s);
+    Previewed preview(100s);
     const SourceId first = play_above(preview, 0s);
     preview.play_on(58400ms, width);
     CHECK(preview.take_changes().requests.empty());
@@ -141,7 +162,7 @@ TEST_CASE("the next span is asked for shortly before the end of one, and follows
 }
 
 TEST_CASE("a span that is ready early waits for the end of the one before") {
-    TapestryPreview preview = preview_of(100s);
+    Previewed preview(100s);
     const SourceId first = play_above(preview, 0s);
     preview.play_on(59s, width);
     preview.source_ready(last_request(preview).source);
@@ -152,17 +173,19 @@ TEST_CASE("a span that is ready early waits for the end of the one before") {
     CHECK(preview.above()->span.begin == 60s);
 }
 
-TEST_CASE("behind the film's end nothing is asked for: the last span repeats") {
-    TapestryPreview preview = preview_of(100s);
+TEST_CASE("behind the film's end nothing is asked for: its last picture stands, and the end is told") {
+    Previewed preview(100s);
     play_above(preview, 60s);
     preview.play_on(39900ms, width);
+    CHECK_FALSE(preview.ended(39900ms));
     preview.play_on(45s, width);
     CHECK(preview.take_changes().requests.empty());
-    CHECK(preview.time_above(45s) == 45s);
+    CHECK(preview.time_above(45s) == 40s - 1ns);
+    CHECK(preview.ended(45s) == 40s);
 }
 
 TEST_CASE("a closed preview drops what would have followed, and keeps what a visitor has asked for since") {
-    TapestryPreview following = preview_of(100s);
+    Previewed following(100s);
     const SourceId first = play_above(following, 0s);
     following.play_on(59s, width);
     const SourceId next = last_request(following).source;
@@ -170,7 +193,7 @@ TEST_CASE("a closed preview drops what would have followed, and keeps what a vis
     CHECK_FALSE(following.above());
     CHECK(following.take_changes().retired == std::vector<SourceId>{first, next});
 
-    TapestryPreview asked = preview_of(100s);
+    Previewed asked(100s);
     const SourceId old = play_above(asked, 0s);
     asked.play(50s, width);
     const SourceId wanted = last_request(asked).source;
@@ -181,23 +204,24 @@ TEST_CASE("a closed preview drops what would have followed, and keeps what a vis
     CHECK(asked.above()->source == wanted);
 }
 
-TEST_CASE("a span in place is short and lies within one shot") {
-    TapestryPreview preview = preview_of(60s, shots_of({{0s, 2s}, {3s, 20s}, {20s, 60s}}));
+TEST_CASE("a span in place begins at its moment and ends with its shot, but is no shorter than a second") {
+    FilmSpans spans(film_of(60s, shots_of({{0s, 2s}, {3s, 20s}, {20s, 60s}})), 100);
     const auto span = [&](nanoseconds from) {
-        const FilmSpan found = preview.span_in_place(from);
+        const FilmSpan found = spans.span_in_place(from);
         return std::pair(found.begin, found.end);
     };
-    CHECK(span(1s) == std::pair<nanoseconds, nanoseconds>(0s, 2s));
+    CHECK(span(1s) == std::pair<nanoseconds, nanoseconds>(1s, 2s));
     CHECK(span(5s) == std::pair<nanoseconds, nanoseconds>(5s, 9s));
-    CHECK(span(19s) == std::pair<nanoseconds, nanoseconds>(16s, 20s));
-    CHECK(span(2500ms) == std::pair<nanoseconds, nanoseconds>(3s, 7s));
-    CHECK(span(80s) == std::pair<nanoseconds, nanoseconds>(56s, 60s));
-    preview.set_shots({});
+    CHECK(span(18s) == std::pair<nanoseconds, nanoseconds>(18s, 20s));
+    CHECK(span(19500ms) == std::pair<nanoseconds, nanoseconds>(19500ms, 20500ms));
+    CHECK(span(2500ms) == std::pair<nanoseconds, nanoseconds>(2500ms, 6500ms));
+    CHECK(span(80s) == std::pair<nanoseconds, nanoseconds>(59600ms, 60s));
+    spans.set_film(film_of(60s));
     CHECK(span(19s) == std::pair<nanoseconds, nanoseconds>(19s, 23s));
 }
 
 TEST_CASE("a span in place starts with the frame after its source is ready, and another one replaces it") {
-    TapestryPreview preview = preview_of(60s);
+    Previewed preview(60s);
     preview.play_in_place({10s, 14s}, width);
     const SourceId first = last_request(preview).source;
     REQUIRE(preview.in_place());
@@ -215,7 +239,7 @@ TEST_CASE("a span in place starts with the frame after its source is ready, and 
 }
 
 TEST_CASE("a source that fails closes its part alone") {
-    TapestryPreview preview = preview_of(100s);
+    Previewed preview(100s);
     const SourceId above = play_above(preview, 0s);
     preview.play_in_place({10s, 14s}, width);
     const SourceId in_place = last_request(preview).source;
@@ -228,7 +252,7 @@ TEST_CASE("a source that fails closes its part alone") {
 }
 
 TEST_CASE("on another canvas the part above plays on, and what was asked for another size is dropped") {
-    TapestryPreview preview = preview_of(100s);
+    Previewed preview(100s);
     const SourceId above = play_above(preview, 0s);
     preview.play_on(59s, width);
     const SourceId next = last_request(preview).source;
