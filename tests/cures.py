@@ -240,8 +240,8 @@ CURES = [
          "    if (call.slot < 0 || call.slot >= view_.settings.layout.slots)\n", "    if (call.slot < 0)\n",
          "pipeline.control", targets=("vitrine-player",)),
     Cure("an explanation of a hostile file", "analyzer/one_file/file_analysis.cpp",
-         "    needs.libraries.assign(font_places.begin(), font_places.end());\n    enter_reader_sandbox(analysed.media(), needs);\n",
-         "    needs.libraries.assign(font_places.begin(), font_places.end());\n", "pipeline.take_over",
+         "    needs.libraries = font_places();\n    enter_reader_sandbox(analysed.media(), needs);\n",
+         "    needs.libraries = font_places();\n", "pipeline.take_over",
          targets=("vitrine-analyzer", "gstvitrinetakeover")),
     # In the rig (tests/appliance/cases/services.py)
     Cure("starts that fail", "systemd/vitrine-player.service", "StartLimitIntervalSec=0\n", "", "slow.services",
@@ -288,6 +288,11 @@ CURES = [
          "    return now >= end ? std::optional(end) : std::nullopt;", "    return (void)end, std::nullopt;", "scene_test.tapestry_show_test"),
     Cure("a preview that does not follow the finger", "player/scene/tapestry/strip_finger.cpp",
          "        strip.preview.look_at(strip.place.time_at(", "        if (false) strip.preview.look_at(strip.place.time_at(", "scene_test.tapestry_show_test"),
+    Cure("a preview that waits for a decoder", "player/scene/tapestry/tapestry_picture.cpp",
+         "    if (scrubbed.moment() && has_kept(*scrubbed.moment())) {", "    if (false && scrubbed.moment() && has_kept(*scrubbed.moment())) {",
+         "scene_test.tapestry_show_test"),
+    Cure("a preview that stays empty until a tap", "player/stage/tapestry_playback.cpp",
+         "                              .plays_at_once = true,\n", "", "stage_test.tapestry_playback_test"),
 ]
 
 

@@ -1,5 +1,6 @@
 #include "analyzer/one_file/file_analysis.hpp"
 
+#include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/reader_sandbox.hpp"
 #include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
@@ -22,7 +23,6 @@
 #include <opencv2/core.hpp>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <memory>
 #include <new>
@@ -238,10 +238,6 @@ ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     return needs;
 }
 
-/// The fonts of a sheet, and what tells where they are.
-constexpr std::array font_places{"/etc/fonts", "/usr/share/fontconfig", "/usr/share/fonts",
-                                 "/usr/local/share/fonts", "/var/cache/fontconfig"};
-
 }  // namespace
 
 MediaRecord analyse_file(const fs::path& file, const Settings& settings, const AnalysisOutputs& outputs,
@@ -286,7 +282,7 @@ MediaRecord explain_file(const fs::path& file, const std::string& sheet, const S
     const UniqueFd output(::open(sheet.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
     if (!output.is_open()) throw_errno("write '{}'", sheet);
     ReaderNeeds needs = needs_of(analysed, {.network = true});
-    needs.libraries.assign(font_places.begin(), font_places.end());
+    needs.libraries = font_places();
     enter_reader_sandbox(analysed.media(), needs);
     Explanation explanation =
         explain([&] { return analysed.open(); }, title, analysis_settings(settings.analyzer));

@@ -1,5 +1,6 @@
 #include "analyzer/tapestry/weave_file.hpp"
 
+#include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/film/media_file.hpp"
 #include "analyzer/film/reader_sandbox.hpp"
@@ -111,7 +112,7 @@ class Weaving {
 
     /// Lets the process read the film and write the result, and nothing else.
     void enter_sandbox() const {
-        ReaderNeeds needs;
+        ReaderNeeds needs{.libraries = font_places()};
         if (!request_.directory.empty()) needs.folders.push_back(request_.directory);
         for (const fs::path& sheet : {request_.sheet, request_.zoom})
             if (!sheet.empty()) needs.folders.push_back(fs::absolute(sheet).parent_path());

@@ -21,6 +21,7 @@ constexpr const char* index_name = "index.json";
 constexpr std::size_t max_levels = 32;
 constexpr std::size_t max_keyframes = 200'000;                   // in one level
 constexpr int max_side = 4096;                                   // px, of a tile or a brick
+constexpr int max_digit = 256;                                   // px, of a digit
 constexpr int max_width = 100'000'000;                           // px, of a level
 constexpr nanoseconds end_piece = std::chrono::milliseconds(1);  // least time of the strip's first half brick
 
@@ -39,6 +40,42 @@ TapestryLevel to_level(const Json& json) {
     require(std::ranges::is_sorted(level.keyframes) && level.keyframes.front().count() >= 0,
             "keyframes are not in time order");
     return level;
+}
+
+KeptSheets to_sheets(const Json& json) {
+    KeptSheets kept{.width = json.at("width").get<int>(),
+                    .height = json.at("height").get<int>(),
+                    .columns = json.at("columns").get<int>(),
+                    .rows = json.at("rows").get<int>(),
+                    .times = {}};
+    for (const int number : {kept.width, kept.height, kept.columns, kept.rows})
+        require(number > 0 && number <= max_side, "a size of kept frames is out of range");
+    require(kept.width * kept.columns <= max_side && kept.height * kept.rows <= max_side,
+            "a sheet of kept frames is too large");
+    const Json& times = json.at("times_ns");
+    require(times.size() <= max_keyframes, "too many frames are kept");
+    for (const Json& time : times)
+        kept.times.emplace_back(time.get<std::int64_t>());
+    require(std::ranges::is_sorted(kept.times), "kept frames are not in time order");
+    return kept;
+}
+
+DigitCells to_digits(const Json& json) {
+    const DigitCells digits{.width = json.at("width").get<int>(), .height = json.at("height").get<int>()};
+    require(digits.width > 0 && digits.height > 0 && digits.height <= max_digit && digits.width <= max_digit,
+            "the size of digits is out of range");
+    return digits;
+}
+
+Json to_json(const KeptSheets& kept) {
+    Json times = Json::array();
+    for (const nanoseconds time : kept.times)
+        times.push_back(time.count());
+    return {{"width", kept.width},
+            {"height", kept.height},
+            {"columns", kept.columns},
+            {"rows", kept.rows},
+            {"times_ns", std::move(times)}};
 }
 
 bool is_folder_name(const std::string& name) {
@@ -63,6 +100,27 @@ std::string Tapestry::tile_name(std::size_t level, int tile) const {
 
 std::string Tapestry::zoom_name(std::size_t level, int tile, bool is_to_finer) const {
     return fmt::format("{}/{}/{:06}-{}.zoom", folder, level, tile, is_to_finer ? "finer" : "coarser");
+}
+
+std::string Tapestry::sheet_name(int sheet) const {
+    return fmt::format("{}/frames/{:06}.jpg", folder, sheet);
+}
+
+std::string Tapestry::digits_name() const {
+    return fmt::format("{}/digits.png", folder);
+}
+
+int KeptSheets::sheets() const {
+    const std::size_t one = std::max<std::size_t>(1, frames_of_a_sheet());
+    return static_cast<int>((times.size() + one - 1) / one);
+}
+
+std::size_t KeptSheets::nearest(nanoseconds time) const {
+    const auto after = std::ranges::lower_bound(times, time);
+    if (after == times.begin()) return 0;
+    const auto number = static_cast<std::size_t>(after - times.begin());
+    if (after == times.end()) return number - 1;
+    return *after - time < time - times[number - 1] ? number : number - 1;
 }
 
 double Tapestry::middle(std::size_t level, std::size_t keyframe) const {
@@ -116,17 +174,20 @@ std::string to_json(const Tapestry& tapestry) {
         levels.push_back(
             {{"width", level.width}, {"zoom", level.has_zoom}, {"keyframes_ns", std::move(times)}});
     }
-    const Json json{{"version", version},
-                    {"path", tapestry.path},
-                    {"bytes", tapestry.bytes},
-                    {"mtime_ns", tapestry.mtime_ns},
-                    {"duration_ns", tapestry.duration.count()},
-                    {"complete", tapestry.is_complete},
-                    {"folder", tapestry.folder},
-                    {"height", tapestry.height},
-                    {"tile_width", tapestry.tile_width},
-                    {"brick_width", tapestry.brick_width},
-                    {"levels", std::move(levels)}};
+    Json json{{"version", version},
+              {"path", tapestry.path},
+              {"bytes", tapestry.bytes},
+              {"mtime_ns", tapestry.mtime_ns},
+              {"duration_ns", tapestry.duration.count()},
+              {"complete", tapestry.is_complete},
+              {"folder", tapestry.folder},
+              {"height", tapestry.height},
+              {"tile_width", tapestry.tile_width},
+              {"brick_width", tapestry.brick_width},
+              {"levels", std::move(levels)}};
+    if (!tapestry.kept.is_empty()) json["frames"] = to_json(tapestry.kept);
+    if (tapestry.digits.width > 0)
+        json["digits"] = {{"width", tapestry.digits.width}, {"height", tapestry.digits.height}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -149,6 +210,8 @@ Tapestry tapestry_from_json(std::string_view text) {
     require(json.at("levels").size() <= max_levels, "too many levels");
     for (const Json& level : json.at("levels"))
         tapestry.levels.push_back(to_level(level));
+    if (json.contains("frames")) tapestry.kept = to_sheets(json.at("frames"));
+    if (json.contains("digits")) tapestry.digits = to_digits(json.at("digits"));
     return tapestry;
 }
 

@@ -16,6 +16,31 @@ struct TapestryLevel {
     bool has_zoom = false;                            // zoom fields lead to it from the level before
 };
 
+/// Frames of the film, so that the picture of any moment can be shown at once: sheets of equal cells, in time
+/// order, row by row.
+struct KeptSheets {
+    int width = 0;  // px of a frame; 0: none are kept
+    int height = 0;
+    int columns = 0;  // frames in a row of a sheet
+    int rows = 0;
+    std::vector<std::chrono::nanoseconds> times;  // of the frames: stream times, in order
+
+    bool is_empty() const { return times.empty(); }
+
+    std::size_t frames_of_a_sheet() const { return static_cast<std::size_t>(columns * rows); }
+
+    int sheets() const;
+
+    /// The frame nearest to a time. @pre there is one
+    std::size_t nearest(std::chrono::nanoseconds time) const;
+};
+
+/// A picture of the digits 0 to 9 and a colon, side by side, white on black.
+struct DigitCells {
+    int width = 0;  // px of one digit; 0: there is no such picture
+    int height = 0;
+};
+
 /// The index in a tapestry's folder. docs/catalogue.md has the format.
 struct Tapestry {
     std::string path;  // the film's path in its record
@@ -28,6 +53,8 @@ struct Tapestry {
     int tile_width = 0;                 // px; the last tile of a level may be narrower
     int brick_width = 0;                // px; neighbouring keyframes are half of it apart
     std::vector<TapestryLevel> levels;  // coarsest first; each has all keyframes of the level before
+    KeptSheets kept{};
+    DigitCells digits{};
 
     int tiles(std::size_t level) const;
 
@@ -37,6 +64,11 @@ struct Tapestry {
     /// The name of the file with a tile's zoom field to the next finer or coarser level, below the index'
     /// folder.
     std::string zoom_name(std::size_t level, int tile, bool is_to_finer) const;
+
+    /// The names of the file of a sheet of kept frames, and of the picture of digits, below the index'
+    /// folder.
+    std::string sheet_name(int sheet) const;
+    std::string digits_name() const;
 
     /// The middle of a keyframe, px of the level.
     double middle(std::size_t level, std::size_t keyframe) const;

@@ -1,6 +1,7 @@
 #include "player/stage/tapestry_playback.hpp"
 
 #include "base/system/log.hpp"
+#include "player/scene/tapestry/kept_frames.hpp"
 
 #include <array>
 #include <utility>
@@ -120,7 +121,7 @@ std::vector<TileFile> TapestryPlayback::files(const std::vector<TileId>& tiles) 
     for (const TileId& tile : tiles)
         if (!unreadable_.contains(tile))
             files.push_back({.number = number_of(tile),
-                             .file = (directory_ / tapestry.tile_name(tile.level, tile.tile)).string(),
+                             .file = (directory_ / file_of(tapestry, tile)).string(),
                              .to_coarser = zoom(tile, false),
                              .to_finer = zoom(tile, true)});
     return files;

@@ -113,6 +113,9 @@ class Tapestry(unittest.TestCase):
         self.assertEqual(index["path"], "film.mp4")
         self.assertGreaterEqual(len(index["levels"]), 2)
         self.assertEqual(index["folder"], "tiles-1")
+        self.assertEqual(len(index["frames"]["times_ns"]), 60)  # the film's frames, two a second, for a finger that looks for a moment
+        self.assertTrue(all((self.folder_of("film.mp4") / f"tiles-1/frames/{sheet:06}.jpg").is_file() for sheet in range(4)))
+        self.assertTrue((self.folder_of("film.mp4") / "tiles-1/digits.png").is_file())  # its fonts can be read in the sandbox
         for level, its in enumerate(index["levels"]):
             self.assertTrue(all(after > time for time, after in zip(its["keyframes_ns"], its["keyframes_ns"][1:])))
             for tile in range((its["width"] + index["tile_width"] - 1) // index["tile_width"]):

@@ -83,22 +83,39 @@ void Candidates::read(void* into, std::size_t bytes, std::int64_t offset) const 
         throw std::system_error(EIO, std::generic_category(), "read a frame");
 }
 
-Keyframe Candidates::keyframe(int number) const {
+cv::Mat Candidates::kept_picture(int number) const {
     const Kept& kept = kept_[as_index(number)];
     std::string jpeg(static_cast<std::size_t>(kept.bytes), '\0');
     read(jpeg.data(), jpeg.size(), kept.offset);
-    const cv::Mat whole = from_jpeg(jpeg);
-    const Shot* shot = shot_at(number);
-    const cv::Rect active = active_part(shot, whole.size());
-    const KeptPart part{.whole = whole.size(), .part = cut_to(active.size(), brick_) + active.tl()};
-    Keyframe keyframe{.picture = whole, .faces = {}, .region = {}};
-    if (part.part.size() != brick_ || whole.size() != brick_)
-        cv::resize(whole(part.part), keyframe.picture, brick_, 0, 0,
-                   part.part.height < brick_.height ? cv::INTER_CUBIC : cv::INTER_AREA);
+    return from_jpeg(jpeg);
+}
+
+Candidates::KeptPart Candidates::kept_part(int number, cv::Size whole) const {
+    const cv::Rect active = active_part(shot_at(number), whole);
+    return {.whole = whole, .part = cut_to(active.size(), brick_) + active.tl()};
+}
+
+cv::Mat Candidates::as_brick(const cv::Mat& kept, const KeptPart& part) const {
+    if (part.part.size() == brick_ && kept.size() == brick_) return kept;
+    cv::Mat brick;
+    cv::resize(kept(part.part), brick, brick_, 0, 0,
+               part.part.height < brick_.height ? cv::INTER_CUBIC : cv::INTER_AREA);
+    return brick;
+}
+
+cv::Mat Candidates::picture(int number) const {
+    const cv::Mat whole = kept_picture(number);
+    return as_brick(whole, kept_part(number, whole.size()));
+}
+
+Keyframe Candidates::keyframe(int number) const {
+    const cv::Mat whole = kept_picture(number);
+    const KeptPart part = kept_part(number, whole.size());
+    Keyframe keyframe{.picture = as_brick(whole, part), .faces = {}, .region = {}};
     auto& faces = faces_[as_index(number)];
     if (!faces) faces = faces_in(keyframe.picture);
     keyframe.faces = *faces;
-    if (shot != nullptr) keyframe.region = region_in(*shot, number, part);
+    if (const Shot* shot = shot_at(number); shot != nullptr) keyframe.region = region_in(*shot, number, part);
     return keyframe;
 }
 

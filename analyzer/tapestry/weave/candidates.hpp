@@ -41,6 +41,10 @@ class Candidates {
 
     const FilmContent& content() const { return content_; }
 
+    /// The picture of a frame, CV_8UC3, of the brick's size.
+    /// @throws std::system_error, std::runtime_error where the file cannot be read
+    cv::Mat picture(int number) const;
+
     /// A frame as a keyframe. Its faces are searched at its first call: most frames of a long film are never
     /// asked for.
     /// @throws std::system_error, std::runtime_error where the file cannot be read
@@ -61,6 +65,9 @@ class Candidates {
     void read(void* into, std::size_t bytes, std::int64_t offset) const;
     void read_sizes(const CandidateFileEnd& end);
     void read_record(const CandidateFileEnd& end);
+    cv::Mat kept_picture(int number) const;
+    KeptPart kept_part(int number, cv::Size whole) const;
+    cv::Mat as_brick(const cv::Mat& kept, const KeptPart& part) const;
     const Shot* shot_at(int number) const;
     cv::Rect active_part(const Shot* shot, cv::Size kept) const;
     std::vector<cv::Point> region_in(const Shot& shot, int number, const KeptPart& part) const;

@@ -4,6 +4,7 @@
 #include "analyzer/tapestry/synthesis/as_index.hpp"
 #include "analyzer/tapestry/synthesis/frame_fitness.hpp"
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
+#include "analyzer/tapestry/weave/frame_sheets.hpp"
 #include "analyzer/tapestry/weave/level_files.hpp"
 #include "analyzer/tapestry/weave/zoom_files.hpp"
 #include "base/state/media_error.hpp"
@@ -184,11 +185,16 @@ Tapestry PyramidWriter::write(Tapestry tapestry, const WeavePlan& plan) const {
     tapestry.height = tapestry_height(brickwork_of(plan.levels[0], candidates.brick()));
     tapestry.tile_width = tile_file_width;
     tapestry.brick_width = candidates.brick().width;
+    tapestry.kept = write_frame_sheets(directory_, tapestry, candidates);
+    tapestry.digits = write_digits(directory_, tapestry);
+    const std::uint64_t sheets = tile_bytes((directory_ / tapestry.sheet_name(0)).parent_path());
+    const std::uint64_t max_bytes =
+        settings_.max_bytes > 0 ? std::max<std::uint64_t>(settings_.max_bytes, sheets + 1) - sheets : 0;
     const std::size_t woven = levels_woven(index_folder(), tapestry);
     for (std::size_t i = 0; i < plan.levels.size(); ++i) {
         const Brickwork brickwork = brickwork_of(plan.levels[i], candidates.brick());
-        if (i > 0 && !has_room(tapestry, tile_bytes(directory_ / tapestry.folder), brickwork.width(),
-                               settings_.max_bytes))
+        if (i > 0 && !has_room(tapestry, tile_bytes(directory_ / tapestry.folder) - sheets, brickwork.width(),
+                               max_bytes))
             break;
         tapestry.levels.push_back(level_of(plan.levels[i], candidates));
         tapestry.levels.back().has_zoom = i > 0;

@@ -90,7 +90,7 @@ const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace
         touched_ = now;
         reached_level_.reset();
     }
-    if (!reached_level_ && now - *touched_ >= pace_.patience) reached_level_ = now;
+    if (!reached_level_ && !is_held_ && now - *touched_ >= pace_.patience) reached_level_ = now;
     if (reached_level_) go_by_itself(now, passed, place);
     go_on_zooming(now, place);
     glide(passed, place);

@@ -1,6 +1,7 @@
 #include "player/scene/tapestry/tapestry_picture.hpp"
 
 #include "player/scene/crossfade.hpp"
+#include "player/scene/tapestry/kept_frames.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,9 @@ constexpr double soft_edge = 0.14;       // width, as a share of the height of t
 constexpr int edge_points = 6;           // points of each side of the soft edge
 constexpr double nearly_opaque = 0.999;  // a soft edge needs an item that is not opaque
 constexpr double playhead_alpha = 0.85;
+constexpr double digit_height = 0.034;  // share of the canvas' height
+constexpr double digit_gap = 0.006;     // between digits and strip, share of the canvas' height
+constexpr auto alike = 40ms;            // a sharp picture so near to a moment shows it
 constexpr double playhead_lines = 720;  // canvas px of height for which half the playhead is 1 px wide
 
 std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
@@ -82,6 +86,9 @@ class Drawing {
 
     void draw_level(std::size_t level, double alpha);
     void draw_above(const PlayingSpan& playing, nanoseconds local);
+    void draw_cell(const PlacedCell& cell, const Box& at);
+    void draw_time(nanoseconds time, double x);
+    bool has_kept(nanoseconds moment) const;
     void draw_zoom(std::size_t level, bool is_to_finer);
     bool has_tiles(std::size_t level) const;
     bool has_zooms(std::size_t level) const;
@@ -196,12 +203,55 @@ void Drawing::draw_in_place() {
                             .alpha = std::min(alpha, nearly_opaque)});
 }
 
-/// The sharp picture of a moment that a finger looks for stands over the film that has played before.
+/// While a finger looks for a moment, the sharp picture or the kept frame is drawn, whichever is nearer to
+/// the moment; until there is one, the film that has played before.
 void Drawing::draw_preview() {
+    const ScrubbedPicture& scrubbed = drawn_.preview.scrubbed();
+    const std::optional<PlayingSpan>& sharp = scrubbed.sharp();
+    if (scrubbed.moment() && has_kept(*scrubbed.moment())) {
+        const KeptSheets& kept = drawn_.tapestry.kept;
+        const nanoseconds away =
+            std::chrono::abs(kept.times[kept.nearest(*scrubbed.moment())] - *scrubbed.moment());
+        if (sharp &&
+            std::chrono::abs(sharp->span.begin - *scrubbed.moment()) <= std::max<nanoseconds>(away, alike))
+            return draw_above(*sharp, 0ns);
+        frame_.covered.push_back(drawn_.boxes.preview);
+        return draw_cell(placed_frame(drawn_.tapestry, *scrubbed.moment(), drawn_.boxes.preview),
+                         drawn_.boxes.preview);
+    }
+    if (scrubbed.moment() && sharp) return draw_above(*sharp, 0ns);
     const std::optional<PlayingSpan>& playing = drawn_.preview.above();
     if (playing && playing->began) draw_above(*playing, drawn_.preview.time_above(frame_.time));
-    const ScrubbedPicture& scrubbed = drawn_.preview.scrubbed();
-    if (scrubbed.moment() && scrubbed.sharp()) draw_above(*scrubbed.sharp(), 0ns);
+}
+
+bool Drawing::has_kept(nanoseconds moment) const {
+    return !drawn_.tapestry.kept.is_empty() &&
+           drawn_.kept.has(placed_frame(drawn_.tapestry, moment, drawn_.boxes.preview).picture);
+}
+
+void Drawing::draw_cell(const PlacedCell& cell, const Box& at) {
+    frame_.items.push_back({.source = drawn_.sources.tile(cell.picture),
+                            .cell = box_cell(at),
+                            .placement = {.scale = 1, .offset = cell.offset},
+                            .picture = cell.size,
+                            .alpha = 1});
+}
+
+/// Tells the film's time above its line, within the canvas.
+void Drawing::draw_time(nanoseconds time, double x) {
+    if (!drawn_.kept.has(digits_picture(drawn_.tapestry))) return;
+    const std::string words = time_in_words(time);
+    const DigitCells& digits = drawn_.tapestry.digits;
+    const double high = std::round(digit_height * drawn_.boxes.canvas.y);
+    const double wide = std::round(high * digits.width / digits.height);
+    const double all = wide * static_cast<double>(words.size());
+    const double bottom = box().min.y - std::round(digit_gap * drawn_.boxes.canvas.y);
+    double left = std::max(box().min.x, std::min(std::round(x - all / 2), box().max.x - all));
+    for (const char glyph : words) {
+        const Box at{{left, bottom - high}, {left + wide, bottom}};
+        draw_cell(placed_digit(drawn_.tapestry, glyph, at), at);
+        left += wide;
+    }
 }
 
 void Drawing::draw_above(const PlayingSpan& playing, nanoseconds local) {
@@ -222,6 +272,7 @@ void Drawing::draw_playhead() {
     const double x = std::round(place_.canvas_x(drawn_.view, *time));
     const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
     if (x < box().min.x || x > box().max.x) return;
+    draw_time(*time, x);
     frame_.items.push_back({.source = drawn_.sources.mark(),
                             .cell = box_cell({{x - half, box().min.y}, {x + half, box().max.y}}),
                             .placement = {.scale = 1, .offset = {x - half, box().min.y}},

@@ -36,6 +36,7 @@ struct TapestrySources {
 struct DrawnTapestry {
     const Tapestry& tapestry;
     const TileCache& tiles;
+    const TileCache& kept;  // sheets of frames, digits
     const PreviewedFilm& film;
     const TapestryPreview& preview;
     StripPicture touched;  // it plays in place

@@ -1,5 +1,7 @@
 #include "player/scene/tapestry/tapestry_show.hpp"
 
+#include "player/scene/tapestry/kept_frames.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -29,6 +31,7 @@ TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
       boxes_(tapestry_boxes(canvas, film.picture)),
       motion_({.centre = settings.first_seen}, settings.pace),
       tiles_(max_tiles(tapestry_, settings.max_tile_bytes)),
+      kept_(max_kept_pictures),
       spans_(std::move(film), sources_.film()),
       preview_(spans_) {
     if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());
@@ -52,7 +55,8 @@ void TapestryShow::handle_gesture(const Gesture& gesture) {
 }
 
 void TapestryShow::tile_ready(const TileId& tile, TileZooms zooms) {
-    for (const TileId& gone : tiles_.add(tile, std::move(zooms)))
+    TileCache& cache = is_of_level(tapestry_, tile) ? tiles_ : kept_;
+    for (const TileId& gone : cache.add(tile, std::move(zooms)))
         retired_tiles_.push_back(sources_.tile(gone));
 }
 
@@ -61,51 +65,58 @@ std::vector<SourceId> TapestryShow::close() {
     std::vector<SourceId> retired = spans_.take_changes().retired;
     for (const SourceId tile : std::exchange(retired_tiles_, {}))
         retired.push_back(tile);
-    for (const TileId& tile : tiles_.clear())
-        retired.push_back(sources_.tile(tile));
+    for (TileCache* cache : {&tiles_, &kept_})
+        for (const TileId& tile : cache->clear())
+            retired.push_back(sources_.tile(tile));
     retired.push_back(sources_.mark());
     return retired;
 }
 
-/// While the strip moves by itself, starts the preview at the middle of the view from time to time, unless a
-/// visitor has chosen what plays.
-void TapestryShow::play_by_itself(nanoseconds now) {
-    const bool is_chosen = preview_.above() && (finger_.has_chosen() || patience_);
-    if (!motion_.is_by_itself() || is_chosen) {
-        played_ = now - own_interval;
-        return;
-    }
-    if (now - played_ < own_interval) return;
-    played_ = now;
-    preview_.stop_in_place();
-    preview_.play(view().centre, boxes_.preview.width());
-}
-
 /// Leaves when nobody has touched the tapestry for long, and a moment after the film's end. Where nobody
-/// leaves, the film begins anew.
-void TapestryShow::leave_in_time(nanoseconds now) {
+/// leaves, the film begins anew. While the strip moves by itself, plays what is in the middle of the view
+/// from time to time, unless a visitor has chosen what plays.
+void TapestryShow::leave_or_play(nanoseconds now) {
     if (!touched_) touched_ = now;
     if (patience_ && now - *touched_ >= *patience_) is_over_ = true;
     const std::optional<nanoseconds> end = preview_.ended(now);
-    if (!end || now - std::max(*end, *touched_) < last_picture) return;
-    touched_ = now;
-    finger_.forget_choice();
-    is_over_ = is_over_ || patience_;
-    if (!is_over_) preview_.play(nanoseconds(0), boxes_.preview.width());
+    if (end && now - std::max(*end, *touched_) >= last_picture) {
+        touched_ = now;
+        finger_.forget_choice();
+        is_over_ = is_over_ || patience_;
+        if (!is_over_) preview_.play(nanoseconds(0), boxes_.preview.width());
+    }
+    const bool is_chosen = preview_.above() && (finger_.has_chosen() || patience_);
+    if (!motion_.is_by_itself() || is_chosen) {
+        played_ = now - own_interval;
+    } else if (now - played_ >= own_interval) {
+        played_ = now;
+        preview_.stop_in_place();
+        preview_.play(view().centre, boxes_.preview.width());
+    }
+}
+
+/// What a finger looks for comes before all tiles.
+std::vector<TileId> TapestryShow::missing() const {
+    std::vector<TileId> first = kept_.missing();
+    std::vector<TileId> second = tiles_.missing();
+    if (!preview_.scrubbed().moment()) std::swap(first, second);
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
 }
 
 TapestryStep TapestryShow::step(nanoseconds now) {
-    leave_in_time(now);
     const TapestryPlace here = place();
     motion_.follow(preview_.playhead(now));
     motion_.advance(now, here);
     finger_.advance(now, touched_strip());
     tiles_.set_wanted(wanted_tiles(here, view(), motion_.direction(), tiles_.max_tiles()));
-    play_by_itself(now);
+    kept_.set_wanted(wanted_pictures(here, view(), tapestry_, preview_.scrubbed().moment()));
+    leave_or_play(now);
     preview_.play_on(now, boxes_.preview.width());
     preview_.start_ready(now);
     const DrawnTapestry drawn{.tapestry = tapestry_,
                               .tiles = tiles_,
+                              .kept = kept_,
                               .film = film(),
                               .preview = preview_,
                               .touched = finger_.touched(),
@@ -114,7 +125,7 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                               .sources = sources_};
     FilmSpans::Changes changes = spans_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
-                      .missing = tiles_.missing(),
+                      .missing = missing(),
                       .requests = std::move(changes.requests),
                       .retired = std::move(changes.retired)};
     for (const SourceId tile : std::exchange(retired_tiles_, {}))

@@ -62,7 +62,7 @@ class TapestryShow {
     void end() { is_over_ = true; }
 
     /// Call when all tiles have been lost with the renderer.
-    void forget_tiles() { tiles_.clear(); }
+    void forget_tiles() { tiles_.clear(), kept_.clear(); }
 
     void source_ready(SourceId source) { preview_.source_ready(source); }
 
@@ -90,8 +90,8 @@ class TapestryShow {
   private:
     TouchedStrip touched_strip() { return {place(), boxes_, spans_, motion_, preview_}; }
 
-    void play_by_itself(std::chrono::nanoseconds now);
-    void leave_in_time(std::chrono::nanoseconds now);
+    void leave_or_play(std::chrono::nanoseconds now);
+    std::vector<TileId> missing() const;
 
     Tapestry tapestry_;
     TapestrySources sources_;
@@ -99,6 +99,7 @@ class TapestryShow {
     TapestryBoxes boxes_;
     TapestryMotion motion_;
     TileCache tiles_;
+    TileCache kept_;  // sheets of frames, digits
     FilmSpans spans_;
     TapestryPreview preview_;  // refers to spans_
     StripFinger finger_;

@@ -70,6 +70,26 @@ TEST_CASE("half a brick before a keyframe at the film's begin, and behind one at
         CHECK(tapestry.x_at(1, tapestry.time_at(1, x)) == doctest::Approx(x).epsilon(1e-3));
 }
 
+TEST_CASE("an index says which frames are kept, and where the one nearest to a moment is") {
+    Tapestry tapestry = drawn();
+    tapestry.kept = {.width = 100, .height = 50, .columns = 2, .rows = 2, .times = {}};
+    for (int frame = 0; frame < 9; ++frame)
+        tapestry.kept.times.push_back(seconds(10 * frame));
+    tapestry.digits = {.width = 30, .height = 48};
+    const Tapestry read = tapestry_from_json(to_json(tapestry));
+
+    CHECK(to_json(read) == to_json(tapestry));
+    CHECK(read.kept.sheets() == 3);
+    CHECK(read.kept.nearest(seconds(-1)) == 0);
+    CHECK(read.kept.nearest(seconds(44)) == 4);
+    CHECK(read.kept.nearest(seconds(46)) == 5);
+    CHECK(read.kept.nearest(seconds(100)) == 8);
+    CHECK(read.sheet_name(2) == "tiles-1/frames/000002.jpg");
+    CHECK(tapestry_from_json(to_json(drawn())).kept.is_empty());
+    tapestry.kept.columns = 1000;
+    CHECK_THROWS_AS(tapestry_from_json(to_json(tapestry)), std::runtime_error);
+}
+
 TEST_CASE("an index is read as it was written") {
     const TemporaryDirectory folder;
     const Tapestry tapestry = drawn();

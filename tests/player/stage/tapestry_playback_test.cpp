@@ -372,6 +372,26 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     CHECK(largest <= TapestryPlayback::max_uploads);
 }
 
+TEST_CASE("a tapestry plays at once, and from the store as soon as the film's record is known") {
+    Theatre theatre;
+    TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
+    const WallStep first = tapestry.step(0s, theatre.renderer);
+    REQUIRE(first.requests.size() == 1);
+    CHECK(first.requests[0].path == "film.mp4");
+    CHECK_FALSE(first.requests[0].shot.stored);
+
+    MediaRecord record{.path = "film.mp4", .state = MediaState::ready, .width = 160, .height = 90};
+    record.shots = {Shot{.begin = 0s, .end = 60s, .stored = StoredShot{.file = "id/clip"}}};
+    tapestry.set_catalogue(std::vector<MediaRecord>{record});
+    tapestry.handle_gesture({.kind = Gesture::Kind::key, .key = Key::select});
+    const WallStep next = tapestry.step(100ms, theatre.renderer);
+    REQUIRE(next.requests.size() == 1);
+    CHECK(next.requests[0].shot.stored);
+    CHECK_FALSE(tapestry.is_over());
+    tapestry.set_catalogue(std::vector<MediaRecord>{});
+    CHECK(tapestry.is_over());
+}
+
 TEST_CASE("a directory without a tapestry is named") {
     const TemporaryDirectory directory;
     CHECK_THROWS_WITH(TapestryPlayback(directory.path, {320, 180}, {}), doctest::Contains("index.json"));

@@ -67,6 +67,46 @@ TEST_CASE("a film is woven into levels of tiles, and an index that says what the
     check_tiles(folder.path, read);
 }
 
+TEST_CASE("a tapestry keeps the film's frames, two a second, and a picture of the digits") {
+    const TemporaryDirectory folder;
+    DrawnSource source({64, 64}, 141, false);
+    (void)woven(folder, source, 1);
+    const Tapestry read = read_tapestry(folder.path);
+
+    REQUIRE(read.kept.times.size() == 29);
+    CHECK(read.kept.times[3] == milliseconds(1500));
+    CHECK(read.kept.sheets() == 2);
+    DrawnSource again({64, 64}, 141, false);
+    const Film film = gathered(again, folder.path, nullptr);
+    for (const int frame : {0, 5, 28}) {
+        CAPTURE(frame);
+        const StillPicture sheet =
+            load_still((folder.path / read.sheet_name(frame / 16)).string(), 4000, 4000);
+        CHECK(sheet.width == read.kept.width * 4);
+        cv::Mat small;
+        cv::resize(film.candidates->picture(frame), small, {read.kept.width, read.kept.height}, 0, 0,
+                   cv::INTER_AREA);
+        const int x = frame % 16 % 4 * read.kept.width + read.kept.width / 2;
+        const int y = frame % 16 / 4 * read.kept.height + read.kept.height / 2;
+        const auto at = static_cast<std::size_t>(4 * (y * sheet.width + x));
+        const auto& wanted = small.at<cv::Vec3b>(read.kept.height / 2, read.kept.width / 2);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            CHECK(std::abs(std::to_integer<int>(sheet.pixels[at + channel]) -
+                           wanted[static_cast<int>(2 - channel)]) < 24);
+    }
+    REQUIRE(read.digits.width > 0);
+    const StillPicture digits = load_still((folder.path / read.digits_name()).string(), 4000, 4000);
+    CHECK(digits.width == 11 * read.digits.width);
+    for (int digit = 0; digit < 11; ++digit) {
+        int bright = 0;
+        for (int y = 0; y < digits.height; ++y)
+            for (int x = digit * read.digits.width; x < (digit + 1) * read.digits.width; ++x)
+                bright += std::to_integer<int>(
+                              digits.pixels[static_cast<std::size_t>(4 * (y * digits.width + x))]) > 128;
+        CHECK(bright > 10);
+    }
+}
+
 TEST_CASE("a second weaving leaves only its own tiles") {
     const TemporaryDirectory folder;
     DrawnSource first({64, 48}, 20, false);

@@ -1,5 +1,6 @@
 #include "player/scene/tapestry/tapestry_show.hpp"
 
+#include "player/scene/tapestry/kept_frames.hpp"
 #include "tests/player/scene/tapestry/drawn_tapestry.hpp"
 
 #include <doctest/doctest.h>
@@ -531,6 +532,53 @@ TEST_CASE("a finger that goes over the strip sees the moment under it above; let
     CHECK(house.playing.back().source == shown.source);  // the picture goes on: nothing is asked for again
     REQUIRE(House::item(frame, shown.source) != nullptr);
     CHECK(House::item(frame, shown.source)->local > 400ms);
+}
+
+TEST_CASE("a frame that was kept stands for the moment under the finger at once, with its time in digits") {
+    Tapestry tapestry = drawn_tapestry();
+    tapestry.kept = {.width = 32, .height = 18, .columns = 4, .rows = 4, .times = {}};
+    for (int frame = 0; frame < 120; ++frame)
+        tapestry.kept.times.push_back(500ms * frame);
+    tapestry.digits = {.width = 30, .height = 48};
+    TapestryShow strip(tapestry, drawn_film(), {640, 360}, {.first_source = 1000});
+    std::chrono::nanoseconds now = 0s;
+    const auto step = [&] {
+        TapestryStep done = strip.step(now);
+        for (const TileId& tile : done.missing)
+            strip.tile_ready(tile);
+        now += frame_time;
+        return done;
+    };
+    step();
+    step();
+    const Box preview = tapestry_boxes({640, 360}, {160, 90}).preview;
+    for (double x = 180; x < 460; x += 7) {  // the whole film is in view
+        strip.handle_gesture({.kind = Kind::drag, .at = {x, 280}, .from = {180, 280}, .moved = {7, 0}});
+        step();
+        const Frame frame = step().frame;
+        const auto moment = strip.place().time_at(strip.view(), x);
+        const auto kept =
+            std::clamp<std::int64_t>(std::llround(static_cast<double>(moment / 1ms) / 500), 0, 119);
+        const DrawItem* const sheet =
+            House::item(frame, strip.sources().tile({.level = 4, .tile = static_cast<int>(kept / 16)}));
+        REQUIRE(sheet != nullptr);
+        const Vec2 cell{static_cast<double>(kept % 16 % 4), static_cast<double>(kept % 16 / 4)};
+        const Vec2 middle = (preview.min + preview.max) * 0.5;
+        CHECK((middle.x - sheet->placement.offset.x) / sheet->picture.x ==
+              doctest::Approx((cell.x + 0.5) / 4).epsilon(1e-6));
+        CHECK((middle.y - sheet->placement.offset.y) / sheet->picture.y ==
+              doctest::Approx((cell.y + 0.5) / 4).epsilon(1e-6));
+        CHECK(bounding_box(sheet->cell->parts[0]) == preview);
+        const SourceId digits = strip.sources().tile({.level = 5, .tile = 0});
+        CHECK(std::ranges::count(frame.items, digits, &DrawItem::source) == 4);
+    }
+}
+
+TEST_CASE("a time is told in minutes and seconds, with hours where there are any") {
+    CHECK(time_in_words(0s) == "0:00");
+    CHECK(time_in_words(59999ms) == "0:59");
+    CHECK(time_in_words(125s) == "2:05");
+    CHECK(time_in_words(3725s) == "1:02:05");
 }
 
 TEST_CASE("one moment after another is asked for, however fast the finger is; none stays behind") {
