@@ -63,6 +63,7 @@ enum class ShotOrder {
 
 /// The place of a film with several shots on the wall (show.film).
 enum class FilmShow {
+    automatic,     // in sequence if the film is alone on the wall, else side by side
     side_by_side,  // its shots may be beside each other; each shot of the catalogue is shown once before any
                    // repeats
     sequence,      // one place, where its shots follow each other; meanwhile other files start again

@@ -242,13 +242,16 @@ constexpr auto keys = std::to_array<SettingKey>({
      "first."},
     {"show.film",
      choice<&S::show, &S::Show::film>(
-         {{{"side_by_side", FilmShow::side_by_side}, {"sequence", FilmShow::sequence}}}),
+         {{{"auto", FilmShow::automatic},
+           {"side_by_side", FilmShow::side_by_side},
+           {"sequence", FilmShow::sequence}}}),
      SettingEffect::new_walls,
      "Display of a film with many shots. \"side_by_side\": its shots may be beside each other. Every shot of "
      "all files is shown once before any is shown again, so a long film fills the wall once the other files "
      "have been shown. \"sequence\": the film has one place, where its shots follow each other in time; "
      "meanwhile the other files are shown again. If the film is alone on the wall, each of its shots plays "
-     "once, and they leave one after another, overlapping in time."},
+     "once, and they leave one after another, overlapping in time. \"auto\": \"sequence\" for a film that is "
+     "alone on the wall, else \"side_by_side\"."},
     {"show.dwell_seconds", whole<&S::show, &S::Show::dwell>(1, 86400), SettingEffect::new_walls,
      "Seconds that a shot keeps its slot while others wait. A film's shot leaves at the end of a loop."},
     {"show.longest_seconds", whole<&S::show, &S::Show::longest>(1, 86400), SettingEffect::new_walls,

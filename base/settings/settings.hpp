@@ -81,7 +81,7 @@ struct Settings {
 
     struct Show {
         ShotOrder order = ShotOrder::shuffle;
-        FilmShow film = FilmShow::side_by_side;
+        FilmShow film = FilmShow::automatic;
         std::chrono::seconds dwell{20};
         std::chrono::seconds longest{60};
         std::chrono::milliseconds motion{800};

@@ -24,6 +24,10 @@ void WallFiles::set(const RecordList& records) {
     shown_.apply(changes);
 }
 
+bool is_in_sequence(FilmShow film, std::size_t files) {
+    return film == FilmShow::sequence || (film == FilmShow::automatic && files == 1);
+}
+
 void ShotChooser::set_files(const RecordList& files, const RecordList& before, const ShowHints& hints) {
     std::erase_if(avoided_, [&](const auto& avoided) {
         const RecordList::Record old = before.find(avoided.first);
@@ -70,7 +74,7 @@ std::optional<ShotKey> ShotChooser::next_shot(const FreeSlot& slot) {
     // A shot beside another one of its own film is better than a free slot. But it does not replace another
     // file's only shot, unless the files take turns anyway and no shot may repeat yet.
     const bool can_double = slot.leaving.empty() || count(slot.leaving) > 1;
-    const bool is_strict = film_ == FilmShow::side_by_side;
+    const bool is_strict = !is_in_sequence(film_, files_);
     const bool takes_turns = files_ > slot.slots;
     if (auto key = rotation_.next_shot(stands_alone)) return key;
     if (is_strict && (can_double || takes_turns))

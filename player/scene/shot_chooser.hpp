@@ -36,6 +36,10 @@ struct FreeSlot {
     const std::string* pinned = nullptr;  // a file that shall come first; lent for the call
 };
 
+/// Says if the shots of a film follow each other in time.
+/// @param files  the number of files that the wall may show
+bool is_in_sequence(FilmShow film, std::size_t files);
+
 /// Chooses the next shot for a slot, from a rotation of all shots.
 ///
 /// Every shot is shown once before any repeats, new files first. No shot is on the wall twice. Exception: a

@@ -7,6 +7,9 @@ namespace vitrine::player {
 
 namespace {
 
+constexpr std::chrono::milliseconds first_leaves{2500};  // of the shots of a film that came at once
+constexpr std::chrono::seconds short_shot{1};            // a shorter one of several plays once and gives way
+
 /// A time at which a shot could leave, and the length of its loop: 0 for a shot that leaves at any time.
 struct Leaving {
     std::chrono::nanoseconds due;
@@ -150,10 +153,10 @@ void WallSlots::fill_slots() {
 }
 
 /// Makes shots of one film that came at once in sequence leave one after the other, evenly spread over their
-/// time. Source: Dynamic Media Assemblage, chapter 4, "sequentially with time overlaps"; docs/algorithms.md,
-/// (d).
+/// time; the first leaves soon. Source: Dynamic Media Assemblage, chapter 4, "sequentially with time
+/// overlaps"; docs/algorithms.md, (d).
 void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
-    if (settings_.film != FilmShow::sequence) return;
+    if (!is_in_sequence(settings_.film, files_.all().size())) return;
     std::map<std::string, std::vector<Slot*>> films;
     for (Slot* slot : filled)
         if (slot->shot->kind == MediaKind::film) films[slot->shot->key.path].push_back(slot);
@@ -161,7 +164,10 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
         const auto count = static_cast<std::int64_t>(slots.size());
         for (std::int64_t k = 0; k < count; ++k) {
             Slot& slot = *slots[static_cast<std::size_t>(k)];
-            slot.ahead = time_to_stay(*slot.shot) * (count - 1 - k) / count;
+            const std::chrono::nanoseconds stay = time_to_stay(*slot.shot);
+            const std::chrono::nanoseconds first =
+                std::min<std::chrono::nanoseconds>(stay / count, first_leaves);
+            slot.ahead = stay - first - stay * k / count;
         }
     }
 }
@@ -183,13 +189,15 @@ std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until
 }
 
 /// The time that a shot stays: as its hints say; else a film stays for whole loops, unless they take too
-/// long, and a film in sequence beside its own other shots for one loop.
+/// long, and for one loop if that is a very short one of several, or if it is in sequence beside its film's
+/// other shots.
 std::chrono::nanoseconds WallSlots::time_to_stay(const WallShot& shot) const {
     const auto said = hints_.find(shot.key.path);
     if (said && said->hints.dwell) return *said->hints.dwell;
     if (shot.kind == MediaKind::photo) return settings_.dwell;
     const std::chrono::nanoseconds loop = shot.shot.duration();
-    if (settings_.film == FilmShow::sequence && count_on_wall(shot.key.path) > 1)
+    if (loop < short_shot && files_.all().find(shot.key.path)->shots.size() > 1) return loop;
+    if (is_in_sequence(settings_.film, files_.all().size()) && count_on_wall(shot.key.path) > 1)
         return std::min(loop, settings_.max_dwell);
     const auto loops = (settings_.dwell + loop - std::chrono::nanoseconds(1)) / loop;
     const std::chrono::nanoseconds max_dwell = std::max(settings_.dwell, settings_.max_dwell);

@@ -23,7 +23,7 @@ struct SlotSettings {
     int count = 12;
     ShotOrder order = ShotOrder::shuffle;
     std::uint64_t seed = 1;
-    FilmShow film = FilmShow::side_by_side;
+    FilmShow film = FilmShow::automatic;
     std::chrono::nanoseconds dwell = std::chrono::seconds(20);        // shortest time that a shot stays
     std::chrono::nanoseconds max_dwell = std::chrono::seconds(60);    // limit for whole loops
     std::chrono::nanoseconds spacing = std::chrono::seconds(3);       // between two turns

@@ -114,7 +114,9 @@ TEST_CASE("time counts only once a shot is shown") {
 
 TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
     const auto first_stay = [](std::chrono::nanoseconds shot) {
-        Player wall = make_player({.count = 1, .dwell = 20s, .max_dwell = 60s}, {film("f", 2, shot)});
+        Player wall =
+            make_player({.count = 1, .dwell = 20s, .max_dwell = 60s, .film = FilmShow::side_by_side},
+                        {film("f", 2, shot)});
         while (wall.order.size() < 2)
             wall.run(100ms);
         return std::chrono::round<std::chrono::seconds>(wall.now - 100ms);
@@ -325,6 +327,29 @@ TEST_CASE("in sequence, a film alone shows each shot once through, evenly stagge
     }
     for (int shot = 0; shot < 24; ++shot)
         CHECK(wall.order[static_cast<std::size_t>(shot)] == ShotKey{"f", shot});
+}
+
+TEST_CASE(
+    "a film alone plays in sequence by default and its first shot leaves within 3 s; two films do not") {
+    Player alone = make_player({.count = 4}, {film("f", 12, 30s)});
+    alone.run(3s);
+    REQUIRE(alone.order.size() == 5);
+    CHECK(alone.order.back() == ShotKey{"f", 4});
+    alone.run(57s);
+    CHECK(alone.order.size() >= 10);
+    Player two = make_player({.count = 4}, {film("f", 12, 30s), film("g", 12, 30s)});
+    two.run(29s);
+    CHECK(two.order.size() == 4);
+}
+
+TEST_CASE("a shot shorter than a second gives way as soon as another may come") {
+    MediaRecord record = film("f", 8, 5s);
+    record.shots[1].end = record.shots[1].begin + 600ms;
+    Player wall =
+        make_player({.count = 4, .order = ShotOrder::name, .film = FilmShow::side_by_side}, {record});
+    wall.run(1s);
+    const std::vector<WallShot> shots = wall.slots.shots();
+    CHECK(std::ranges::none_of(shots, [](const WallShot& shot) { return shot.key.shot == 1; }));
 }
 
 TEST_CASE("in sequence, a film stands on the wall once while other files are there") {
