@@ -52,7 +52,7 @@ std::optional<Transition> FadeFinder::push(const FeatureWindow& window, std::siz
         if (!open_) {
             const std::size_t start = ramp_start(window, frame, since);
             const bool fades = window.time(frame) - window.time(start) > min_fade;
-            const std::size_t begin = stands_until(window, start, frame, StandingShare::fade);
+            const std::size_t begin = stands_until(window, start, frame, ShotEnd::fade);
             open_ = {window.time(begin), window.time(frame), fades ? ShotEnd::fade : ShotEnd::cut};
         }
         in_plain_ = true;
@@ -80,7 +80,7 @@ Transition FadeFinder::closed(const FeatureWindow& window) {
     Transition found = *std::exchange(open_, std::nullopt);
     const std::size_t plain = std::max(window.first(), plain_end_ > 0 ? plain_end_ - 1 : 0);
     const std::size_t end = window.frame_at(found.end);
-    if (end > plain) found.end = window.time(stands_from(window, plain, end, StandingShare::fade));
+    if (end > plain) found.end = window.time(stands_from(window, plain, end, ShotEnd::fade));
     return found;
 }
 

@@ -7,8 +7,8 @@
 
 namespace vitrine::analyzer {
 
-/// Finds frames of one colour, black or white, and the fades that lead there and away from there. A fade begins
-/// and ends where the picture is lit to three quarters.
+/// Finds frames of one colour, black or white, and the fades that lead there and away from there. A fade
+/// begins and ends where the picture is lit to three quarters.
 class FadeFinder {
   public:
     /// @param since  the transition reaches back no further than this frame

@@ -8,8 +8,8 @@
 
 namespace vitrine::analyzer {
 
-/// A stretch of one take, or of several short ones cut to each other, half-open [begin, end) in stream time. The
-/// time between two shots is transition.
+/// A stretch of one take, or of several short ones cut to each other, half-open [begin, end) in stream time.
+/// The time between two shots is transition.
 struct DetectedShot {
     std::chrono::nanoseconds begin{0};
     std::chrono::nanoseconds end{0};

@@ -59,8 +59,7 @@ std::vector<Transition> TransitionDetector::push(const FrameFeatures& frame) {
 std::vector<Transition> TransitionDetector::finish(std::chrono::nanoseconds end) {
     while (judged_ < window_.end())
         judge(judged_++);
-    if (const auto found = dissolves_.finish(); found && is_dissolve(*found))
-        add(without_standing(window_, *found));
+    if (const auto found = dissolves_.finish()) add_dissolve(*found);
     if (const auto found = fades_.finish(end)) add(*found);
     return std::exchange(pending_, {});
 }
@@ -73,8 +72,7 @@ void TransitionDetector::judge(std::size_t frame) {
         add({window_.time(frame), window_.time(frame), ShotEnd::cut});
         since_ = frame;
     }
-    if (const auto found = dissolves_.push(window_, frame, since_); found && is_dissolve(*found))
-        add(without_standing(window_, *found));
+    if (const auto found = dissolves_.push(window_, frame, since_)) add_dissolve(*found);
     if (const auto found = wipes_.push(window_, frame, faded_)) add(*found);
     if (const auto found = fades_.push(window_, frame, since_); found && !is_flash(*found)) {
         add(*found);
@@ -97,6 +95,12 @@ bool TransitionDetector::is_dissolve(const Transition& found) const {
     return change.share > min_dissolve_share && change.area > min_area &&
            change.unmoved > min_dissolve_unmoved && change.on_way > min_dissolve_on_way &&
            is_new_take(window_, begin, end);
+}
+
+void TransitionDetector::add_dissolve(const Transition& found) {
+    if (!is_dissolve(found)) return;
+    const Transition dissolve = without_standing(window_, found);
+    if (is_gradual(dissolve)) add(dissolve);  // else it is the lit end of a fade that is found by itself
 }
 
 void TransitionDetector::add(const Transition& found) {

@@ -24,6 +24,7 @@ class TransitionDetector {
     void judge(std::size_t frame);
     bool is_flash(const Transition& found) const;
     bool is_dissolve(const Transition& found) const;
+    void add_dissolve(const Transition& found);
     void add(const Transition& found);
     bool is_settled(const Transition& found) const;
 

@@ -4,9 +4,11 @@
 #include "analyzer/film/shot_detector.hpp"
 #include "analyzer/one_file/between_shots.hpp"
 #include "analyzer/saliency/sample_store.hpp"
+#include "analyzer/saliency/take_parts.hpp"
 #include "base/state/media_error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vitrine::analyzer {
@@ -41,7 +43,7 @@ class Sampler {
         before_ = frame;
     }
 
-    const UnshownTimes& unshown() const { return unshown_; }
+    UnshownTimes& unshown() { return unshown_; }
 
     /// The bars of the samples so far.
     ActivePictureFinder& bars() { return bars_; }
@@ -60,6 +62,8 @@ class Sampler {
                              .active = bars_.newest()};
         Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
         if (is_film_) sample.look = look_within(frame.picture, pair.active);
+        if (!sampled_.empty()) sample.changed_share = changed_share(sampled_, frame.picture);
+        sampled_ = frame.picture;
         unshown_.add_sample(frame.time, sample.look.kind == PictureKind::plain);
         if (network_ != nullptr) sample.subject = find_subject(*network_, pair);
         ++count_;
@@ -79,6 +83,7 @@ class Sampler {
     std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
     ActivePictureFinder bars_;
     UnshownTimes unshown_;
+    cv::Mat sampled_;  // the picture of the last sample
     FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
@@ -110,34 +115,36 @@ class ShotWriter {
   public:
     ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
                const GrowthObserver& grown)
-        : record_(record), settings_(settings), observer_(observer), grown_(grown), part_(record) {
-        part_.is_complete = false;
+        : record_(record), settings_(settings), observer_(observer), grown_(grown), told_(record) {
+        told_.is_complete = false;
     }
 
     SampleStore& samples() { return samples_; }
 
-    /// @param bars  of the shot's samples
-    void close(const DetectedShot& found, ActivePictureFinder& bars) {
+    /// Writes a take as one shot, or as several if it is long. A plain take is none.
+    /// @param sampler  has its bars, and is told what is not shown
+    void close(const DetectedShot& found, Sampler& sampler) {
         const nanoseconds end = std::max(found.end, found.begin + nanoseconds(1));
         std::vector<Sample> samples = samples_.pop_samples(found.begin, end);
         const PictureKind kind = kind_of(samples);
         if (kind == PictureKind::plain) return;
-        const cv::Rect active = bars.close_shot(found.begin, end);
-        if (record_.shots.size() >= max_shots) return;
-        const cv::Size frame = bars.whole().size();
-        const Shot shot{.begin = found.begin,
-                        .end = found.end,
-                        .ends_with = found.ends_with,
-                        .region = {},
-                        .is_title = kind == PictureKind::title,
-                        .picture = to_source(active, frame, record_)};
-        const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
-                                                  {record_.width, record_.height}, settings_);
-        record_.shots.push_back(evidence.shot);
-        if (observer_) observer_(evidence);
-        if (!grown_ || record_.kind == MediaKind::photo) return;
-        part_.shots = {evidence.shot};
-        grown_(part_);
+        const bool is_title = kind == PictureKind::title;
+        auto first = samples.begin();
+        const auto parts = is_title ? std::vector{TakePart{found.begin, found.end}}
+                                    : take_parts(samples, found.begin, found.end);
+        for (const TakePart& part : parts) {
+            const auto last = std::find_if(first, samples.end(),
+                                           [&](const Sample& sample) { return sample.time >= part.end; });
+            std::vector<Sample> own(std::make_move_iterator(first),
+                                    std::make_move_iterator(part.end == found.end ? samples.end() : last));
+            first = last;
+            const ShotEnd ends_with = part.end == found.end ? found.ends_with : ShotEnd::split;
+            if (part.is_empty)
+                sampler.unshown().add_empty(part.begin, part.end);
+            else
+                write({.begin = part.begin, .end = part.end, .ends_with = ends_with, .is_title = is_title},
+                      std::move(own), sampler.bars());
+        }
     }
 
     /// Cuts off the bars that only later shots made known.
@@ -153,11 +160,25 @@ class ShotWriter {
     }
 
   private:
+    void write(Shot shot, std::vector<Sample> samples, ActivePictureFinder& bars) {
+        const cv::Rect active = bars.close_shot(shot.begin, std::max(shot.end, shot.begin + nanoseconds(1)));
+        if (record_.shots.size() >= max_shots) return;
+        const cv::Size frame = bars.whole().size();
+        shot.picture = to_source(active, frame, record_);
+        const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
+                                                  {record_.width, record_.height}, settings_);
+        record_.shots.push_back(evidence.shot);
+        if (observer_) observer_(evidence);
+        if (!grown_ || record_.kind == MediaKind::photo) return;
+        told_.shots = {evidence.shot};
+        grown_(told_);
+    }
+
     MediaRecord& record_;  // all four outlive the writer
     const AnalysisSettings& settings_;
     const ShotObserver& observer_;
     const GrowthObserver& grown_;
-    MediaRecord part_;  // the record that `grown` gets, with the newest shot
+    MediaRecord told_;  // the record that `grown` gets, with the newest shot
     SampleStore samples_;
 };
 
@@ -188,7 +209,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
     if (info.kind == MediaKind::photo) {
-        writer.close({}, sampler.bars());
+        writer.close({}, sampler);
         return record;
     }
     ShotDetector detector;
@@ -198,7 +219,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     for (FilmFrame last = *frame; (frame = source.next());) {
         if (!follows(*frame, last)) continue;
         for (const DetectedShot& shot : detector.push(*frame))
-            writer.close(shot, sampler.bars());
+            writer.close(shot, sampler);
         sampler.push(*frame, writer.samples());
         interval = frame->time - last.time;
         last = std::move(*frame);
@@ -206,8 +227,8 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     }
     record.duration = film_end(info, last_time, interval);
     for (const DetectedShot& shot : detector.finish(record.duration))
-        writer.close(shot, sampler.bars());
-    if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, sampler.bars());
+        writer.close(shot, sampler);
+    if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, sampler);
     writer.finish(sampler.bars());
     record.between = sampler.unshown().between(record);
     return record;

@@ -65,7 +65,8 @@ PictureLook look_at(const cv::Mat& bgr, cv::Size size) {
     cv::meanStdDev(small, ground, spread, is_near);
     if (!is_colourless(ground)) return {};
     const cv::Mat outside = outside_of(small, ground);
-    const double share = static_cast<double>(cv::countNonZero(outside)) / static_cast<double>(outside.total());
+    const double share =
+        static_cast<double>(cv::countNonZero(outside)) / static_cast<double>(outside.total());
     if (share <= max_left_over) return {PictureKind::plain, {}};
     if (1 - share < min_ground || std::max({spread[0], spread[1], spread[2]}) > max_spread) return {};
     if (most_changes(outside) < min_changes) return {};

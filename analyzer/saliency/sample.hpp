@@ -25,6 +25,7 @@ struct Sample {
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
     std::chrono::nanoseconds faces_time{0};  // time of the frame they were found in
     PictureLook look;                        // of a film's frame
+    double changed_share = 0;                // of the picture, since the sample before
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
 };
 

@@ -25,8 +25,8 @@ enum class MediaState {
     quarantined,  // killed its reader or the player repeatedly; it is tried again after a while
 };
 
-/// The end of a shot. A transition belongs to neither of its two shots.
-enum class ShotEnd { cut, dissolve, fade, end };
+/// The end of a shot. A transition belongs to neither of its two shots. A split is none: one take goes on.
+enum class ShotEnd { cut, dissolve, fade, end, split };
 
 /// The region that must not be covered (paper 1, section 3.3).
 struct IRegion {

@@ -33,8 +33,11 @@ constexpr Names<FaultOwner, 4> owners{{{FaultOwner::file, name_of(FaultOwner::fi
                                        {FaultOwner::transport, name_of(FaultOwner::transport)},
                                        {FaultOwner::machine, name_of(FaultOwner::machine)},
                                        {FaultOwner::program, name_of(FaultOwner::program)}}};
-constexpr Names<ShotEnd, 4> ends{
-    {{ShotEnd::cut, "cut"}, {ShotEnd::dissolve, "dissolve"}, {ShotEnd::fade, "fade"}, {ShotEnd::end, "end"}}};
+constexpr Names<ShotEnd, 5> ends{{{ShotEnd::cut, "cut"},
+                                  {ShotEnd::dissolve, "dissolve"},
+                                  {ShotEnd::fade, "fade"},
+                                  {ShotEnd::end, "end"},
+                                  {ShotEnd::split, "split"}}};
 
 constexpr Names<StretchKind, 3> stretches{{{StretchKind::transition, "transition"},
                                            {StretchKind::plain, "plain"},

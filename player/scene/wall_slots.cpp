@@ -166,7 +166,7 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
             Slot& slot = *slots[static_cast<std::size_t>(k)];
             const std::chrono::nanoseconds stay = time_to_stay(*slot.shot);
             const std::chrono::nanoseconds first =
-                std::min<std::chrono::nanoseconds>(stay / count, first_leaves);
+                count > 1 ? std::min<std::chrono::nanoseconds>(stay / count, first_leaves) : stay;
             slot.ahead = stay - first - stay * k / count;
         }
     }

@@ -60,8 +60,8 @@ TEST_CASE("a fade over black ends one shot and begins the next where it is over"
     });
     REQUIRE(shots.size() == 2);
     CHECK(shots[0].ends_with == ShotEnd::fade);
-    CHECK(is_near(shots[0].end, 40, 5));
-    CHECK(is_near(shots[1].begin, 85, 5));
+    CHECK(is_near(shots[0].end, 45, 2));  // lit to three quarters
+    CHECK(is_near(shots[1].begin, 80, 2));
 }
 
 TEST_CASE("a film that begins black begins its first shot where the picture stands") {

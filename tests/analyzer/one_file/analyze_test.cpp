@@ -116,7 +116,8 @@ TEST_CASE("a film of one frame, of two and of nothing but black has a shot with 
     }
 }
 
-TEST_CASE("black and grey stretches are no shots, and the record tells of them; a title is one, with all words") {
+TEST_CASE(
+    "black and grey stretches are no shots, and the record tells of them; a title is one, with all words") {
     DrawnFilm film(MediaKind::film, 200, [](int i) {
         if (i < 40 || i >= 160) return with_disc({200, 120, 60}, {80 + i, 90});
         if (i < 80) return plain({0, 0, 0});
@@ -133,8 +134,22 @@ TEST_CASE("black and grey stretches are no shots, and the record tells of them; 
     CHECK(record.shots[1].is_title);
     for (const Vec2 end_of_words : {Vec2{44, 170}, Vec2{580, 170}})
         CHECK(is_inside_convex(record.shots[1].region.polygon, end_of_words, 6));
+    CHECK(record.between == std::vector{Stretch{milliseconds(1600), milliseconds(4800), StretchKind::plain}});
+}
+
+TEST_CASE("a long take is split, no cut, and its empty seconds are no shot") {
+    DrawnFilm film(MediaKind::film, 500, [](int i) {
+        const int x = i < 150 ? 40 + i : i < 350 ? 190 : 540 - i;
+        return with_disc({200, 120, 60}, {x, 90});
+    });
+    const MediaRecord record = analyze(film, without_faces());
+    REQUIRE(record.shots.size() == 2);
+    CHECK(record.shots[0].ends_with == ShotEnd::split);
+    CHECK(record.shots[1].ends_with == ShotEnd::end);
+    CHECK(record.shots[0].end < milliseconds(7500));
+    CHECK(record.shots[1].begin > milliseconds(12500));
     CHECK(record.between ==
-          std::vector{Stretch{milliseconds(1600), milliseconds(4800), StretchKind::plain}});
+          std::vector{Stretch{record.shots[0].end, record.shots[1].begin, StretchKind::empty}});
 }
 
 TEST_CASE("a source without any frame is an error in the operator's words") {

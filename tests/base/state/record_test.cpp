@@ -34,9 +34,11 @@ TEST_CASE("a record survives the way to JSON and back") {
     CHECK(record_from_json(to_json(film())) == film());
 }
 
-TEST_CASE("titles and what lies between shots survive the way to JSON and back; a record without them is read") {
+TEST_CASE(
+    "titles and what lies between shots survive the way to JSON and back; a record without them is read") {
     MediaRecord record = film();
     record.shots[0].is_title = true;
+    record.shots[0].ends_with = ShotEnd::split;
     record.between = {{2s, 2500ms, StretchKind::transition},
                       {2500ms, 2800ms, StretchKind::plain},
                       {2800ms, 3s, StretchKind::empty}};
