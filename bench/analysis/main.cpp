@@ -1,6 +1,6 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
 //   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx]
-//   [--only shots|subjects|motion|drift|bars] [--verbose]
+//   [--only shots|shown|subjects|motion|drift|bars] [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 int usage() {
     fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] "
-               "[--only shots|subjects|motion|drift|bars] [--verbose]\n");
+               "[--only shots|shown|subjects|motion|drift|bars] [--verbose]\n");
     return 2;
 }
 
@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (only.empty() || only == "shots") shots_table(input);
+    if (only.empty() || only == "shown") shown_table(input);
     if (only.empty() || only == "subjects") subjects_table(input);
     if (only.empty() || only == "motion") motion_table(input);
     if (only.empty() || only == "drift") drift_table(input);

@@ -16,6 +16,9 @@ struct TableInput {
 /// Transitions found, missed and false in edited films and films of one take.
 void shots_table(const TableInput& input);
 
+/// The share of a film's pictures that its shots show, and the longest stretch of one in which nothing moves.
+void shown_table(const TableInput& input);
+
 /// Marked subjects and faces of photographs inside the region, and what a picture costs.
 void subjects_table(const TableInput& input);
 

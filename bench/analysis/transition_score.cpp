@@ -40,6 +40,32 @@ class FrameTimes {
     std::vector<double> seconds_;
 };
 
+/// The stretches without those that are no pictures.
+std::vector<Stretch> without(std::vector<Stretch> stretches, const std::vector<Transition>& others) {
+    for (const Transition& other : others) {
+        if (other.end <= other.begin) continue;
+        std::vector<Stretch> left;
+        for (const Stretch& stretch : stretches) {
+            const Stretch before{stretch.begin, std::min(stretch.end, other.begin)};
+            const Stretch after{std::max(stretch.begin, other.end), stretch.end};
+            for (const Stretch& part : {before, after})
+                if (part.begin < part.end) left.push_back(part);
+        }
+        stretches = std::move(left);
+    }
+    return stretches;
+}
+
+/// The stretches of the shots, or the whole film where the truth has none, without transitions and what is
+/// ignored.
+std::vector<Stretch> pictures_of(const nlohmann::json& json, const FrameTimes& times, const Truth& truth) {
+    std::vector<Stretch> pictures;
+    for (const auto& shot : json.value("shots", nlohmann::json::array()))
+        pictures.push_back({times.at(shot.at(0)), times.at(shot.at(1).get<std::size_t>() + 1)});
+    if (pictures.empty()) pictures.push_back({times.at(0), times.at(json.at("frames"))});
+    return without(without(std::move(pictures), truth.transitions), truth.ignored);
+}
+
 Truth read_truth(const nlohmann::json& json) {
     const FrameTimes times(json);
     Truth truth{.file = json.at("file"), .fps = times.fps()};
@@ -55,6 +81,7 @@ Truth read_truth(const nlohmann::json& json) {
     for (const auto& range : json.value("ignore", nlohmann::json::array()))
         truth.ignored.push_back(times.gradual(range.at(0), range.at(1), ShotEnd::fade));
     truth.is_one_take = truth.transitions.empty();
+    if (!truth.is_one_take && json.contains("frames")) truth.pictures = pictures_of(json, times, truth);
     return truth;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/film/transition.hpp"
+#include "base/state/record.hpp"
 
 #include <filesystem>
 #include <string>
@@ -14,6 +15,7 @@ struct Truth {
     double fps = 25;
     std::vector<Transition> transitions;
     std::vector<Transition> ignored;  // ranges in which nothing is judged
+    std::vector<Stretch> pictures;    // neither transition, black nor title; none in a film of one take
     bool is_one_take = false;         // all that is found is wrong
 };
 
