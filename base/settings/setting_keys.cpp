@@ -241,10 +241,9 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Order in which shots take their turn: \"shuffle\", \"name\" or \"newest\". New files always come "
      "first."},
     {"show.film",
-     choice<&S::show, &S::Show::film>(
-         {{{"auto", FilmShow::automatic},
-           {"side_by_side", FilmShow::side_by_side},
-           {"sequence", FilmShow::sequence}}}),
+     choice<&S::show, &S::Show::film>({{{"auto", FilmShow::automatic},
+                                        {"side_by_side", FilmShow::side_by_side},
+                                        {"sequence", FilmShow::sequence}}}),
      SettingEffect::new_walls,
      "Display of a film with many shots. \"side_by_side\": its shots may be beside each other. Every shot of "
      "all files is shown once before any is shown again, so a long film fills the wall once the other files "

@@ -84,7 +84,7 @@ struct MediaRecord {
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
-    std::vector<Stretch> between;  // all of a film that is no shot, in time order; none: not told
+    std::vector<Stretch> between;          // all of a film that is no shot, in time order; none: not told
     std::optional<StoredSound> sound;      // for a film whose sound may be played; none: it is not stored
 
     bool operator==(const MediaRecord&) const = default;

@@ -39,9 +39,8 @@ constexpr Names<ShotEnd, 5> ends{{{ShotEnd::cut, "cut"},
                                   {ShotEnd::end, "end"},
                                   {ShotEnd::split, "split"}}};
 
-constexpr Names<StretchKind, 3> stretches{{{StretchKind::transition, "transition"},
-                                           {StretchKind::plain, "plain"},
-                                           {StretchKind::empty, "empty"}}};
+constexpr Names<StretchKind, 3> stretches{
+    {{StretchKind::transition, "transition"}, {StretchKind::plain, "plain"}, {StretchKind::empty, "empty"}}};
 
 template <typename Table> std::string_view name_in(const Table& table, auto value) {
     for (const auto& [key, name] : table)
