@@ -115,7 +115,7 @@ TEST_CASE("time counts only once a shot is shown") {
 TEST_CASE("a film leaves at the end of a loop, a very long one in its midst") {
     const auto first_stay = [](std::chrono::nanoseconds shot) {
         Player wall =
-            make_player({.count = 1, .dwell = 20s, .max_dwell = 60s, .film = FilmShow::side_by_side},
+            make_player({.count = 1, .film = FilmShow::side_by_side, .dwell = 20s, .max_dwell = 60s},
                         {film("f", 2, shot)});
         while (wall.order.size() < 2)
             wall.run(100ms);
