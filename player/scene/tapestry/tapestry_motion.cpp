@@ -33,7 +33,10 @@ bool is_held_after(Gesture::Kind kind, bool was_held) {
 
 void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace& place) {
     touch();
-    is_held_ = is_held_after(gesture.kind, is_held_);
+    if (is_held_after(gesture.kind, hold_ == Hold::held))
+        hold_ = Hold::held;
+    else if (hold_ == Hold::held)
+        hold_ = Hold::away;  // until what plays is seen
     const double middle = (place.box().min.x + place.box().max.x) / 2;
     switch (gesture.kind) {
     case Gesture::Kind::drag:
@@ -90,7 +93,7 @@ const TapestryView& TapestryMotion::advance(nanoseconds now, const TapestryPlace
         touched_ = now;
         reached_level_.reset();
     }
-    if (!reached_level_ && !is_held_ && now - *touched_ >= pace_.patience) reached_level_ = now;
+    if (!reached_level_ && hold_ != Hold::held && now - *touched_ >= pace_.patience) reached_level_ = now;
     if (reached_level_) go_by_itself(now, passed, place);
     go_on_zooming(now, place);
     glide(passed, place);
@@ -104,9 +107,9 @@ void TapestryMotion::keep_in_view(nanoseconds passed, const TapestryPlace& place
     const Box& box = place.box();
     const double x = place.canvas_x(view_, *followed_);
     const bool is_seen = x >= box.min.x && x <= box.max.x;
-    const bool is_moved = is_held_ || speed_ != 0 || (zoom_ && !is_by_itself());
-    if (is_moved || is_seen) is_away_ = !is_seen;
-    if (is_moved || is_away_) return;
+    const bool is_moved = hold_ == Hold::held || speed_ != 0 || (zoom_ && !is_by_itself());
+    if (hold_ != Hold::held && (is_moved || is_seen)) hold_ = is_seen ? Hold::free : Hold::away;
+    if (is_moved || hold_ == Hold::away) return;
     const double beyond =
         x - std::clamp(x, box.min.x + first_stand * box.width(), box.min.x + last_stand * box.width());
     if (beyond != 0)

@@ -43,6 +43,12 @@ class TapestryMotion {
     double direction() const;
 
   private:
+    enum class Hold {
+        free,  // the strip goes along with the film
+        held,  // a finger is on the strip
+        away,  // a visitor has moved the strip away from what plays
+    };
+
     struct Zoom {
         double from = 0, to = 0;                        // levels
         double at = 0;                                  // canvas px of the point that stays in place
@@ -66,9 +72,8 @@ class TapestryMotion {
     double level_step_ = 1;  // by itself: 1: to finer levels, -1: to coarser ones
     double pinched_at_ = 0;  // canvas px; the middle of the pinch
     std::optional<std::chrono::nanoseconds> followed_;  // the film's moment that plays
-    bool is_held_ = false;                              // a finger is on the strip
-    bool is_away_ = false;                              // a visitor has moved the strip away from what plays
-    std::optional<std::chrono::nanoseconds> touched_;   // the last touch; none: since the last advance()
+    Hold hold_ = Hold::free;
+    std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last advance()
     std::optional<std::chrono::nanoseconds>
         reached_level_;  // by itself: time of reaching the level; none: it does not move by itself
     std::optional<std::chrono::nanoseconds> last_;  // the last advance()

@@ -21,6 +21,14 @@ std::size_t max_tiles(const Tapestry& tapestry, std::int64_t bytes) {
     return static_cast<std::size_t>(std::max(min_tiles, bytes / tile));
 }
 
+/// The tiles to be read. What a finger looks for comes before all others.
+std::vector<TileId> missing_tiles(const TileCache& tiles, const TileCache& kept, bool is_looking) {
+    std::vector<TileId> first = is_looking ? kept.missing() : tiles.missing();
+    const std::vector<TileId> second = is_looking ? tiles.missing() : kept.missing();
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 }  // namespace
 
 TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
@@ -95,15 +103,6 @@ void TapestryShow::leave_or_play(nanoseconds now) {
     }
 }
 
-/// What a finger looks for comes before all tiles.
-std::vector<TileId> TapestryShow::missing() const {
-    std::vector<TileId> first = kept_.missing();
-    std::vector<TileId> second = tiles_.missing();
-    if (!preview_.scrubbed().moment()) std::swap(first, second);
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 TapestryStep TapestryShow::step(nanoseconds now) {
     const TapestryPlace here = place();
     motion_.follow(preview_.playhead(now));
@@ -125,7 +124,7 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                               .sources = sources_};
     FilmSpans::Changes changes = spans_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
-                      .missing = missing(),
+                      .missing = missing_tiles(tiles_, kept_, preview_.scrubbed().moment().has_value()),
                       .requests = std::move(changes.requests),
                       .retired = std::move(changes.retired)};
     for (const SourceId tile : std::exchange(retired_tiles_, {}))

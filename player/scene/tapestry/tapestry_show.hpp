@@ -91,7 +91,6 @@ class TapestryShow {
     TouchedStrip touched_strip() { return {place(), boxes_, spans_, motion_, preview_}; }
 
     void leave_or_play(std::chrono::nanoseconds now);
-    std::vector<TileId> missing() const;
 
     Tapestry tapestry_;
     TapestrySources sources_;
