@@ -35,8 +35,7 @@ class Candidates {
     /// The film's duration.
     std::chrono::nanoseconds duration() const { return duration_; }
 
-    /// What was known of the film when its frames were kept: its size and its shots. No shots: none are
-    /// known.
+    /// The film as it was known when its frames were kept: its size and its shots. No shots: none are known.
     const MediaRecord& film() const { return film_; }
 
     const FilmContent& content() const { return content_; }
