@@ -27,8 +27,7 @@ struct DismissedShot {
     TouchedWall rest;  // the wall without it
 };
 
-/// Visitors' touches on the shots of a wall. A finger drags a shot. A tap enlarges it for a while. A long
-/// touch enlarges it until the finger is lifted. A flick beyond the edge of the canvas dismisses it.
+/// Visitors' touches on the shots of a wall: they drag, enlarge or dismiss a shot (docs/technician.md, "Touch").
 class WallTouch {
   public:
     /// @param idle  time after which a tapped shot returns
