@@ -27,7 +27,8 @@ struct DismissedShot {
     TouchedWall rest;  // the wall without it
 };
 
-/// Visitors' touches on the shots of a wall: they drag, enlarge or dismiss a shot (docs/technician.md, "Touch").
+/// Visitors' touches on the shots of a wall: they drag, enlarge or dismiss a shot (docs/technician.md,
+/// "Touch").
 class WallTouch {
   public:
     /// @param idle  time after which a tapped shot returns

@@ -37,7 +37,6 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
         hold_ = Hold::held;
     else if (hold_ == Hold::held)
         hold_ = Hold::away;  // until what plays is seen
-    const double middle = (place.box().min.x + place.box().max.x) / 2;
     switch (gesture.kind) {
     case Gesture::Kind::drag:
         speed_ = 0;
@@ -63,7 +62,7 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
         return zoom_by_one(gesture.factor > 1, gesture.at.x);
     case Gesture::Kind::key:
         if (gesture.key == Key::nearer || gesture.key == Key::farther)
-            return zoom_by_one(gesture.key == Key::nearer, middle);
+            return zoom_by_one(gesture.key == Key::nearer, place.box().centre().x);
         if (gesture.key == Key::left || gesture.key == Key::right)
             speed_ =
                 (gesture.key == Key::left ? 1 : -1) * key_way * place.box().width() / seconds(pace_.glide);
