@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <system_error>
 
 namespace vitrine::analyzer {
@@ -81,16 +82,43 @@ bool is_stale(const fs::path& folder, const MediaRecord& record) {
     }
 }
 
+std::vector<fs::path> tile_folders(const fs::path& folder) {
+    std::vector<fs::path> tiles;
+    std::error_code missing;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing))
+        if (entry.path().filename().string().starts_with("tiles-")) tiles.push_back(entry.path());
+    return tiles;
+}
+
 /// Removes index and tiles. The frames stay: they may belong to the new content already, and name their
 /// content.
 void remove_stale(const fs::path& folder) {
     std::error_code ignored;
     fs::remove(folder / "index.json", ignored);
-    std::vector<fs::path> tiles;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().filename().string().starts_with("tiles-")) tiles.push_back(entry.path());
-    for (const fs::path& folder_of_tiles : tiles)
-        fs::remove_all(folder_of_tiles, ignored);
+    for (const fs::path& tiles : tile_folders(folder))
+        fs::remove_all(tiles, ignored);
+}
+
+/// Removes the tiles that the index has not named for ten minutes. Until then a player that has read the
+/// index before may still show them.
+/// @return true if there were any
+bool remove_replaced_tiles(const fs::path& folder) {
+    std::error_code error;
+    const auto written = fs::last_write_time(folder / "index.json", error);
+    if (error || fs::file_time_type::clock::now() - written < std::chrono::minutes(10)) return false;
+    std::vector<fs::path> tiles = tile_folders(folder);
+    if (tiles.size() < 2) return false;
+    const Unused unused(folder);
+    try {
+        const Tapestry index = read_tapestry(folder);
+        if (!index.is_complete) return false;  // a child may be writing
+        std::erase(tiles, folder / index.folder);
+    } catch (const std::runtime_error&) {  // loading one record: is_stale() sees to it
+        return false;
+    }
+    for (const fs::path& replaced : tiles)
+        fs::remove_all(replaced, error);
+    return true;
 }
 
 }  // namespace
@@ -142,6 +170,11 @@ void Tapestries::move(const std::string& from, const std::string& to) const {
 void Tapestries::look_at(const std::string& path) {
     const auto found = held_.find(path);
     if (found != held_.end()) found->second.bytes = bytes_in(folder(path));
+}
+
+void Tapestries::remove_replaced() {
+    for (auto& [path, content] : held_)
+        if (remove_replaced_tiles(folder(path))) content.bytes = bytes_in(folder(path));
 }
 
 void Tapestries::sweep(const std::vector<std::string>& files) {

@@ -38,6 +38,9 @@ class Tapestries {
     /// Measures the folder of a film, where a child wrote or is writing.
     void look_at(const std::string& path);
 
+    /// Removes tiles that finer ones of the same film replaced ten minutes ago or more.
+    void remove_replaced();
+
     /// Removes folders that belong to no record, except those of these files: a child may be writing there.
     void sweep(const std::vector<std::string>& files);
 

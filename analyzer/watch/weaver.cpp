@@ -79,6 +79,7 @@ void Weaver::finish_weaving(const std::string& path, const ChildResult& result) 
     const bool is_woven = result.end == ChildResult::End::exited && result.code == 0;
     schedule_.finish_weaving(path, is_woven);
     tapestries_.look_at(path);
+    tapestries_.remove_replaced();
     if (is_woven)
         log::info("woven: '{}'", path);
     else if (result.end != ChildResult::End::stopped)

@@ -157,7 +157,6 @@ std::string new_tile_folder(const fs::path& directory) {
 void replace_tapestry(const fs::path& directory, const fs::path& index) {
     const Tapestry tapestry = read_tapestry(index);
     write_tapestry(directory, tapestry);
-    remove_other_tiles(directory, tapestry.folder);
     fs::remove_all(index);
 }
 

@@ -69,7 +69,8 @@ constexpr const char* sharp_suffix = "-sharp";  // of the folder of tiles of a s
 /// @return its name
 std::string new_tile_folder(const std::filesystem::path& directory);
 
-/// Puts a finished tapestry of the same film in the place of another.
+/// Puts a finished tapestry of the same film in the place of another, whose tiles stay: a player may show
+/// them.
 /// @param directory  folder of both tapestries' tiles and of the index to replace
 /// @param index      folder of the finished tapestry's index; it is removed
 void replace_tapestry(const std::filesystem::path& directory, const std::filesystem::path& index);

@@ -107,6 +107,31 @@ TEST_CASE("a tapestry goes when its film is another or gone, and comes along whe
     CHECK(read_tapestry(tapestry_folder(state.home.path, "to")).path == "to");
 }
 
+TEST_CASE("tiles that sharper ones replaced go after ten minutes, for a player may show them until then") {
+    const State state;
+    const fs::path folder = tapestry_folder(state.home.path, "a");
+    state.weave("a");
+    fs::create_directories(folder / "tiles-0" / "0");
+    Tapestries tapestries(state.home.path, {.max_bytes = 1 << 20, .min_free_bytes = 0});
+    tapestries.hold(film("a"));
+
+    SUBCASE("replaced just now") {
+        write_tapestry(folder, read_tapestry(folder));
+        tapestries.remove_replaced();
+        CHECK(fs::exists(folder / "tiles-0"));
+    }
+    SUBCASE("replaced long ago") {
+        tapestries.remove_replaced();
+        CHECK_FALSE(fs::exists(folder / "tiles-0"));
+    }
+    SUBCASE("not complete") {
+        state.weave("a", false);
+        tapestries.remove_replaced();
+        CHECK(fs::exists(folder / "tiles-0"));
+    }
+    CHECK(state.has_tiles("a"));
+}
+
 TEST_CASE("what is of no film is swept away, all of it where tapestries are turned off") {
     const State state;
     for (const char* path : {"held", "analysed", "nobody's"})
