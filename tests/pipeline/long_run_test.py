@@ -61,10 +61,10 @@ def family_of(process):
 
 
 def costs_of(process):
-    """-> bytes resident, bytes in proportion, descriptors"""
+    """-> bytes resident, bytes in proportion, bytes of no file and not shared, descriptors"""
     text = Path(f"/proc/{process}/smaps_rollup").read_text()
     sizes = {line.split()[0]: int(line.split()[1]) << 10 for line in text.splitlines()[1:]}
-    return sizes["Rss:"], sizes["Pss:"], len(os.listdir(f"/proc/{process}/fd"))
+    return sizes["Rss:"], sizes["Pss:"], sizes["Anonymous:"], len(os.listdir(f"/proc/{process}/fd"))
 
 
 def growth_an_hour(series, level):
@@ -251,11 +251,12 @@ class LongRun(unittest.TestCase):
         """-> bytes and descriptors an hour. Each child and each film has descriptors: what stays is their least number."""
         seen = [row for row in costs if row[0] >= OPTIONS.warm_up]
         self.assertGreater(len(seen), 10)
-        resident, proportional, descriptors = (growth_an_hour([(row[0], row[i]) for row in seen], level)
-                                               for i, level in ((1, statistics.median), (2, statistics.median), (3, min)))
-        print(f"{name}: {statistics.median(row[1] for row in seen) / 2**20:.1f} MiB resident, {min(row[3] for row in seen)} to "
-              f"{max(row[3] for row in seen)} descriptors; growth an hour: {resident / 2**20:+.2f} MiB resident, "
-              f"{proportional / 2**20:+.2f} MiB in proportion, {descriptors:+.1f} descriptors", file=sys.stderr)
+        resident, proportional, own, descriptors = (
+            growth_an_hour([(row[0], row[i]) for row in seen], level)
+            for i, level in ((1, statistics.median), (2, statistics.median), (3, statistics.median), (4, min)))
+        print(f"{name}: {statistics.median(row[1] for row in seen) / 2**20:.1f} MiB resident, {min(row[4] for row in seen)} to "
+              f"{max(row[4] for row in seen)} descriptors; growth an hour: {resident / 2**20:+.2f} MiB resident, "
+              f"{proportional / 2**20:+.2f} MiB in proportion, {own / 2**20:+.2f} MiB of its own, {descriptors:+.1f} descriptors", file=sys.stderr)
         return resident, descriptors
 
     def test_an_hour_on_a_bad_share(self):
