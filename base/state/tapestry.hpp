@@ -27,7 +27,9 @@ struct KeptSheets {
 
     bool is_empty() const { return times.empty(); }
 
-    std::size_t frames_of_a_sheet() const { return static_cast<std::size_t>(columns * rows); }
+    std::size_t frames_of_a_sheet() const {
+        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    }
 
     int sheets() const;
 

@@ -85,6 +85,7 @@ void demand_region(PatchRules& rules, const std::vector<cv::Point>& region, cons
     cv::Mat inside(patches.size(), CV_8UC1, cv::Scalar(0));
     const cv::Point corner = patches.tl() + cv::Point(patch_side / 2, patch_side / 2);
     std::vector<cv::Point> corners;
+    corners.reserve(region.size());
     for (const cv::Point& point : region)
         corners.push_back(point - corner);
     cv::fillConvexPoly(inside, corners, cv::Scalar(1));
