@@ -77,13 +77,13 @@ PlacedCell placed_frame(const Tapestry& tapestry, nanoseconds moment, const Box&
     const KeptSheets& kept = tapestry.kept;
     const auto frame = static_cast<int>(kept.nearest(moment));
     const int cell = frame % (kept.columns * kept.rows);
-    return placed(
-        kept_sheet(tapestry, frame / (kept.columns * kept.rows)),
-        {.cell = {static_cast<double>(kept.width), static_cast<double>(kept.height)},
-         .all = {static_cast<double>(kept.columns), static_cast<double>(kept.rows)},
-         .number = {static_cast<double>(cell % kept.columns), static_cast<double>(cell / kept.columns)},
-         .cut = std::min(kept.width, kept.height) > 4 * seam ? seam : 0},
-        box);
+    const int row = cell / kept.columns;
+    return placed(kept_sheet(tapestry, frame / (kept.columns * kept.rows)),
+                  {.cell = {static_cast<double>(kept.width), static_cast<double>(kept.height)},
+                   .all = {static_cast<double>(kept.columns), static_cast<double>(kept.rows)},
+                   .number = {static_cast<double>(cell % kept.columns), static_cast<double>(row)},
+                   .cut = std::min(kept.width, kept.height) > 4 * seam ? seam : 0},
+                  box);
 }
 
 PlacedCell placed_digit(const Tapestry& tapestry, char glyph, const Box& box) {

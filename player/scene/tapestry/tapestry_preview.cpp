@@ -24,9 +24,9 @@ bool has_begun(const std::optional<PlayingSpan>& playing) {
 /// Where a finger has looked for this moment, its picture is there already and goes on from there.
 void TapestryPreview::play(nanoseconds from, double width) {
     spans_.retire(next_above_);
-    if (std::optional<PlayingSpan> found = scrubbed_.take(from)) {
+    if (const std::optional<PlayingSpan> found = scrubbed_.take(from)) {
         spans_.retire(above_);
-        above_ = std::move(found);
+        above_ = found;
         above_->began = at_next_frame;
         return scrubbed_.stop();
     }
