@@ -151,8 +151,8 @@ TEST_CASE("a long film of many scenes has 24 keyframes first, then twice as many
     std::vector<FrameSignature> frames;
     std::vector<FilmPart> shots;
     for (int shot = 0; shot < 120; ++shot) {
-        shots.push_back({frames.size() * 500ms, (frames.size() + 3) * 500ms});
-        for (int i = 0; i < 3; ++i)
+        shots.push_back({frames.size() * 500ms, (frames.size() + 2) * 500ms});
+        for (int i = 0; i < 2; ++i)
             frames.push_back({.time = 500ms * static_cast<int>(frames.size()), .pixels = scene(shot % 11)});
     }
     const auto levels = levels_of(frames, shots);
