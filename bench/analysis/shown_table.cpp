@@ -23,7 +23,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-// Nothing was fitted to these.
+// No threshold was chosen on these films.
 constexpr std::array held_back{"composites/gradual_640x360_25.mp4", "edited/nasa_13013_320x180.mp4"};
 constexpr double moves = .003;  // share of the picture that changes in a fifth of a second
 

@@ -16,9 +16,9 @@ namespace vitrine::analyzer {
 
 namespace {
 
-constexpr int max_height =
-    100;                       // px of a frame: it is shown for the tenth of a second that a sharp one takes
-constexpr int sheet_side = 4;  // frames across and down: a sheet is read in 5 ms
+// px of a frame; it is shown for the tenth of a second that a sharp one takes
+constexpr int max_height = 100;
+constexpr int sheet_side = 4;      // frames across and down: a sheet is read in 5 ms
 constexpr int digit_height = 48;   // px
 constexpr int digit_width = 30;    // px
 constexpr double digit_size = 40;  // px of the font
