@@ -39,7 +39,7 @@ cv::Mat outside_of(const cv::Mat& bgr, const cv::Scalar& ground) {
 }
 
 /// The most changes from ground to ink or back in one row.
-int most_changes(const cv::Mat& ink) {
+int max_changes(const cv::Mat& ink) {
     int most = 0;
     for (int y = 0; y < ink.rows; ++y) {
         int changes = 0;
@@ -69,7 +69,7 @@ PictureLook look_at(const cv::Mat& bgr, cv::Size size) {
         static_cast<double>(cv::countNonZero(outside)) / static_cast<double>(outside.total());
     if (share <= max_left_over) return {PictureKind::plain, {}};
     if (1 - share < min_ground || std::max({spread[0], spread[1], spread[2]}) > max_spread) return {};
-    if (most_changes(outside) < min_changes) return {};
+    if (max_changes(outside) < min_changes) return {};
     return {PictureKind::title, cv::boundingRect(outside)};
 }
 

@@ -189,11 +189,12 @@ CommandAnswer look_for_unknown(CommandAnswer report) {
         is_there |= ::access(place.c_str(), F_OK) == 0;
         may_look &= is_there || errno != EACCES;
     }
-    if (is_there) json["state"] = "new";
-    if (is_there)
+    if (is_there) {
+        json["state"] = "new";
         json["says"] = "It is in the media folder and has not been looked at yet.";
-    else if (may_look)
+    } else if (may_look) {
         json["says"] = "There is no such file in the media folder.";
+    }
     report.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return report;
 }

@@ -322,15 +322,15 @@ std::vector<Keyframes> finer_levels(const Affinity& costs, Keyframes coarsest,
 
 std::vector<Keyframes> keyframe_levels(Affinity costs, const KeyframeSettings& settings) {
     const Affinity told = told_costs(std::move(costs), settings.rules);
-    Keyframes coarsest = coarsest_of(told, settings, settings.rules ? settings.most_first : settings.first);
-    if (settings.rules && static_cast<int>(coarsest.size()) >= settings.most_first)
+    Keyframes coarsest = coarsest_of(told, settings, settings.rules ? settings.max_first : settings.first);
+    if (settings.rules && static_cast<int>(coarsest.size()) >= settings.max_first)
         coarsest = coarsest_of(told, settings, settings.first);
     if (!settings.rules) return finer_levels(told, std::move(coarsest), settings);
     KeyframeSettings more = settings;
-    more.max_levels += settings.least_first;  // so many at most are left out, as each has one keyframe more
+    more.max_levels += settings.min_first;  // so many at most are left out, as each has one keyframe more
     std::vector<Keyframes> levels = finer_levels(told, std::move(coarsest), more);
     const auto fills = [&](const Keyframes& level) {
-        return static_cast<int>(level.size()) >= settings.least_first;
+        return static_cast<int>(level.size()) >= settings.min_first;
     };
     levels.erase(levels.begin(), std::find_if(levels.begin(), levels.end() - 1, fills));
     levels.resize(std::min(levels.size(), static_cast<std::size_t>(settings.max_levels)));

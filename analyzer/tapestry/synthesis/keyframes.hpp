@@ -24,8 +24,8 @@ struct KeyframeRules {
 
 struct KeyframeSettings {
     int first = 24;          // keyframes of the coarsest level, n_1, at most
-    int most_first = 36;     // the same with rules, where so many tell all
-    int least_first = 4;     // with rules: coarser levels are left out, since they fill no screen
+    int max_first = 36;      // the same with rules, where so many tell all
+    int min_first = 4;       // with rules: coarser levels are left out, since they fill no screen
     int growth = 2;          // factor from each level to the next, rho
     int max_levels = 32;     // the coarsest included
     bool keeps_rows = true;  // new keyframes between two others come in even numbers only

@@ -13,9 +13,9 @@ using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
 constexpr auto span_in_strip = 4s;  // longest part in place; then it repeats
-constexpr auto least_loop = 1s;     // shortest part in place: a shorter loop flickers
-constexpr auto least_rest = 400ms;  // shortest part before the film's end
-constexpr auto least_stored = 1s;   // a shorter part of a stored shot is not worth a source of its own
+constexpr auto min_loop = 1s;       // shortest part in place: a shorter loop flickers
+constexpr auto min_rest = 400ms;    // shortest part before the film's end
+constexpr auto min_stored = 1s;     // a shorter part of a stored shot is not worth a source of its own
 
 /// The shot that contains a time; nullptr: it lies between two shots, or the shots are not known.
 const Shot* shot_with(const std::vector<Shot>& shots, nanoseconds time) {
@@ -33,15 +33,14 @@ Shot part_of(const std::vector<Shot>& shots, FilmSpan wanted) {
     Shot part{.begin = wanted.begin, .end = wanted.end, .stored = {}};
     const Shot* within = shot_with(shots, part.begin);
     if (within != nullptr && is_in_store(*within) &&
-        (within->end - part.begin >= least_stored || within->end >= part.end)) {
+        (within->end - part.begin >= min_stored || within->end >= part.end)) {
         part.end = std::min(part.end, within->end);
         part.stored = within->stored;
         part.stored->begin += part.begin - within->begin;
         return part;
     }
-    const auto next = std::ranges::find_if(shots, [&](const Shot& shot) {
-        return is_in_store(shot) && shot.begin >= part.begin + least_stored;
-    });
+    const auto next = std::ranges::find_if(
+        shots, [&](const Shot& shot) { return is_in_store(shot) && shot.begin >= part.begin + min_stored; });
     if (next != shots.end()) part.end = std::min(part.end, next->begin);
     return part;
 }
@@ -52,14 +51,14 @@ FilmSpans::FilmSpans(PreviewedFilm film, SourceId last_source)
     : film_(std::move(film)), last_source_(last_source) {}
 
 nanoseconds FilmSpans::possible_begin(nanoseconds from) const {
-    return std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), film_.duration - least_rest));
+    return std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), film_.duration - min_rest));
 }
 
 FilmSpan FilmSpans::span_in_place(nanoseconds from) const {
     const nanoseconds begin = possible_begin(from);
     nanoseconds end = begin + span_in_strip;
     if (const Shot* within = shot_with(film_.shots, begin); within != nullptr)
-        end = std::clamp(within->end, nanoseconds(begin + least_loop), end);
+        end = std::clamp(within->end, nanoseconds(begin + min_loop), end);
     return {begin, std::min(end, film_.duration)};
 }
 
