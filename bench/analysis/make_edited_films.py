@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes edited films whose transitions are known exactly, to try shot detection on what it was not tuned to.
 
-    make_edited_films.py MEDIA OUT [--photos FOLDER]... [--seeds 4 5 6] [--films 8] [--hard]
+    make_edited_films.py MEDIA OUT [--photos FOLDER]... [--seeds 4 5 6] [--films 8] [--shots 12] [--hard]
 
 Takes are real clips of one take (MEDIA/single), single shots of MEDIA/edited, and moves of a camera over photos
 (MEDIA/photos and every FOLDER). They are disturbed (shake, noise, exposure, camera flashes, things passing close by, bars
@@ -404,7 +404,7 @@ def frame_times(rng, frames, rate):
     return f"(N/{rate}+{wave}*(1-cos(N/{period})))/TB", times
 
 
-def make(rng, clips, photos, path, single, kind=Film):
+def make(rng, clips, photos, path, shots, kind=Film):
     rate = rng.choice(RATES)
     variable, rate = rate == "variable", 30 if rate == "variable" else rate
     size = rng.choice(SIZES)
@@ -416,10 +416,10 @@ def make(rng, clips, photos, path, single, kind=Film):
          str(rng.choice([18, 23, 28, 33])), "-pix_fmt", "yuv420p", "-threads", "1", path], stdin=subprocess.PIPE)
     write = lambda picture: encoder.stdin.write(np.clip(picture, 0, 255).astype(np.uint8).tobytes())
     film = kind(rng, clips, photos, write, rate, size)
-    if single:
-        film.run(film.take(), 0, round(6 * rate))
+    if shots:
+        film.edit(shots)
     else:
-        film.edit(12)
+        film.run(film.take(), 0, round(6 * rate))
     encoder.stdin.close()
     if encoder.wait():
         raise SystemExit(f"ffmpeg failed on '{path}'")
@@ -437,6 +437,7 @@ def main():
     options.add_argument("--photos", type=Path, action="append", default=[])
     options.add_argument("--seeds", type=int, nargs="+", default=[4, 5, 6])
     options.add_argument("--films", type=int, default=8, help="edited films a seed, and half as many of one take")
+    options.add_argument("--shots", type=int, default=12, help="shots of an edited film")
     options.add_argument("--hard", action="store_true", help="takes and joins that detectors get wrong")
     given = options.parse_args()
     cv2.setNumThreads(1)
@@ -451,7 +452,7 @@ def main():
             single = i >= given.films
             name = f"take{i - given.films}" if single else f"film{i}"
             rng = random.Random(f"{'hard/' if given.hard else ''}{seed}/{i}")
-            make(rng, *halves[held_out], folder / f"{name}.mp4", single, HardFilm if given.hard else Film)
+            make(rng, *halves[held_out], folder / f"{name}.mp4", 0 if single else given.shots, HardFilm if given.hard else Film)
 
 
 if __name__ == "__main__":
