@@ -32,6 +32,7 @@ constexpr Ink region_colour = 0xFF8A00;
 constexpr Ink paper_mode_colour = 0xF03A9B;
 constexpr Ink drift_colour = 0x00C8E0;
 constexpr Ink face_colour = 0x4CE06A;
+constexpr Ink line_colour = 0x46B4FF;
 constexpr double dimmed = 0.45;  // brightness outside the region
 
 struct Cell {
@@ -138,8 +139,8 @@ cv::Mat dimmed_outside(const cv::Mat& frame, const Polygon& region) {
     return result;
 }
 
-/// Draws a frame with the findings in it: the region as it lies then, that by the paper's letter, faces, and
-/// the way that the region still goes.
+/// Draws a frame with the findings in it: the region as it lies then, that by the paper's letter, faces,
+/// lines of text, and the way that the region still goes.
 void draw_frame(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const ShownFrame& shown,
                 const MediaRecord& record) {
     const double scale = static_cast<double>(cell.size.width) / record.width;
@@ -158,6 +159,10 @@ void draw_frame(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
     for (const Face& face : shown.faces) {
         const double face_scale = static_cast<double>(cell.size.width) / row.volume.cols;
         outline(transformed(to_polygon(face.box), face_scale, {}), face_colour, 1);
+    }
+    for (const Box& line : shown.lines) {
+        const double line_scale = static_cast<double>(cell.size.width) / row.volume.cols;
+        outline(transformed(to_polygon(line), line_scale, {}), line_colour, 1);
     }
     outline(now, region_colour, 2);
     const Vec2 left = region.drift * (scale * seconds(row.shot.end - shown.time));
@@ -185,7 +190,7 @@ void draw_facts(Canvas& canvas, const Cell& cell, const ShotEvidence& row, const
         lines.emplace_back(fmt::format("paper's letter {:.0f} %", part_of(row.letter, record)), ink);
     if (row.shot.certainty) {
         lines.emplace_back(fmt::format("network sure {:.0f} %", 100 * *row.shot.certainty), ink);
-        lines.emplace_back(reason_for_size(*row.shot.certainty), faint_ink);
+        lines.emplace_back(row.is_page ? "a page of text" : reason_for_size(*row.shot.certainty), faint_ink);
     }
     if (record.kind == MediaKind::film) {
         const Vec2 drift = row.shot.region.drift;
@@ -248,11 +253,12 @@ void draw_row(Canvas& canvas, double top, const ShotEvidence& row, const MediaRe
 }
 
 void draw_legend(Canvas& canvas, double y, int width) {
-    constexpr std::array<std::pair<const char*, Ink>, 4> entries{
+    constexpr std::array<std::pair<const char*, Ink>, 5> entries{
         {{"region", region_colour},
          {"by the paper's letter", paper_mode_colour},
          {"where it moves to", drift_colour},
-         {"face", face_colour}}};
+         {"face", face_colour},
+         {"line of text", line_colour}}};
     double x = width - margin;
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
         x -= canvas.text_width(entry->first, 13);

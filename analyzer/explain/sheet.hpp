@@ -33,8 +33,9 @@ struct SheetTitle {
 
 /// Draws the sheet that explains the analysis of one file, the paper's figure 4.4 for any medium: a time line
 /// of all shots, then a row for each of `rows` with its first, middle and last sample. Each sample shows the
-/// region at its time, the way that the region still goes, the faces and, where known, the region by the
-/// paper's letter. Beside the samples are S_M, S_I, S_F and S of the middle one, and the accumulated volume.
+/// region at its time, the way that the region still goes, the faces, the lines of text and, where known, the
+/// region by the paper's letter. Beside the samples are S_M, S_I, S_F and S of the middle one, and the
+/// accumulated volume.
 ///
 /// @param record  the whole file; `rows` are some of its shots
 Canvas drawn_sheet(const SheetTitle& title, const MediaRecord& record, const std::vector<ShotEvidence>& rows);

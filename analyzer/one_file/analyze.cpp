@@ -27,10 +27,12 @@ class Sampler {
         : settings_(settings),
           keeps_pictures_(keeps_pictures),
           is_film_(kind == MediaKind::film),
-          faces_(face_detector(settings.face_model, settings.face_cascade)),
-          stage_(image_saliency_stage(settings.image)) {
-        if (kind == MediaKind::photo && !settings.saliency_model.empty())
-            network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+          finders_{.faces = face_detector(settings.face_model, settings.face_cascade),
+                   .stage = image_saliency_stage(settings.image)} {
+        if (!is_film_ && !settings.saliency_model.empty())
+            finders_.network = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+        if ((is_film_ || finders_.network) && !settings.text_model.empty())
+            finders_.lines = std::make_unique<LineDetector>(settings.text_model);
     }
 
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
@@ -52,43 +54,65 @@ class Sampler {
     Sample sample(const FilmFrame& frame) {
         const nanoseconds interval = frame.time - before_.time;
         const bool has_pair = count_ > 0 && interval > nanoseconds(0) && interval <= max_interval;
-        if (faces_ != nullptr && count_ % settings_.face_interval == 0) {
-            last_faces_ = find_faces(*faces_, frame.picture, settings_.only_prominent_faces);
-            last_faces_time_ = frame.time;
-        }
         const FramePair pair{.frame = frame.picture,
                              .before = has_pair ? before_.picture : cv::Mat(),
                              .seconds = std::chrono::duration<double>(interval).count(),
                              .active = bars_.newest()};
-        Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
+        search(pair, frame.time);
+        Sample sample = sample_of(pair, settings_, last_.faces, finders_.stage.get());
         if (is_film_) sample.look = look_within(frame.picture, pair.active);
         if (!sampled_.empty()) sample.changed_share = changed_share(sampled_, frame.picture);
         sampled_ = frame.picture;
         unshown_.add_sample(frame.time, sample.look.kind == PictureKind::plain);
-        if (network_ != nullptr) sample.subject = find_subject(*network_, pair);
+        if (finders_.network) sample.subject = find_subject(*finders_.network, pair);
         ++count_;
         sample.time = frame.time;
         sample.pair_time = before_.time;
-        sample.faces = last_faces_;
-        sample.faces_time = last_faces_time_;
+        sample.faces = last_.faces;
+        sample.faces_time = last_.faces_time;
+        sample.lines = last_.lines;
+        sample.lines_time = last_.lines_time;
         if (keeps_pictures_) sample.picture = frame.picture;
         return sample;
     }
 
+    /// Searches faces and lines of text, where it is their turn.
+    void search(const FramePair& pair, nanoseconds time) {
+        if (finders_.faces && count_ % settings_.face_interval == 0) {
+            last_.faces = find_faces(*finders_.faces, pair.frame, settings_.only_prominent_faces);
+            last_.faces_time = time;
+        }
+        if (finders_.lines && count_ % settings_.text_interval == 0) {
+            last_.lines = find_lines(*finders_.lines, pair);
+            last_.lines_time = time;
+        }
+    }
+
+    struct Finders {
+        std::unique_ptr<FaceDetector> faces;  // null: not searched
+        std::unique_ptr<ImageSaliencyStage> stage;
+        std::unique_ptr<SaliencyNetwork> network;  // null: not asked
+        std::unique_ptr<LineDetector> lines;       // null: not searched
+    };
+
+    struct Searched {
+        std::vector<Face> faces;
+        nanoseconds faces_time{0};
+        std::vector<Box> lines;
+        nanoseconds lines_time{0};
+    };
+
     const AnalysisSettings& settings_;  // outlives the sampler
     bool keeps_pictures_;
     bool is_film_;
-    std::unique_ptr<FaceDetector> faces_;
-    std::unique_ptr<ImageSaliencyStage> stage_;
-    std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
+    Finders finders_;
     ActivePictureFinder bars_;
     UnshownTimes unshown_;
     cv::Mat sampled_;  // the picture of the last sample
     FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
-    std::vector<Face> last_faces_;
-    nanoseconds last_faces_time_{0};
+    Searched last_;  // the findings of the last search of each kind
 };
 
 /// A part of the frames in px of the source; none where it is all of it.

@@ -231,7 +231,8 @@ MediaRecord analysed_record(const AnalysedFile& file, const AnalysisOutputs& out
 ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     const StorePlace place = file.store_place();
     const AnalysisSettings settings = settings_for(file, outputs);
-    ReaderNeeds needs{.models = {settings.face_model, settings.face_cascade, settings.saliency_model}};
+    ReaderNeeds needs{
+        .models = {settings.face_model, settings.face_cascade, settings.saliency_model, settings.text_model}};
     if (outputs.stored || outputs.growth) needs.folders.push_back(place.store / place.id);
     if (outputs.thumbnail) needs.folders.push_back(file.thumbnail().parent_path());
     if (outputs.frames && lacks_tapestry(file)) needs.film_folder = file.tapestry();

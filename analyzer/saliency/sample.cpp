@@ -1,6 +1,7 @@
 #include "analyzer/saliency/sample.hpp"
 
 #include "analyzer/saliency/background_motion.hpp"
+#include "analyzer/words/text_page.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -10,6 +11,8 @@
 
 namespace vitrine::analyzer {
 namespace {
+
+constexpr int line_side = 640;  // px of the picture in which lines of text are searched
 
 cv::Size fitted(cv::Size size, int side) {
     const double scale = std::min(1.0, static_cast<double>(side) / std::max(size.width, size.height));
@@ -141,6 +144,20 @@ SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
     const cv::Rect whole({0, 0}, size);
     const cv::Rect active = (pair.active & whole).empty() ? whole : pair.active & whole;
     return placed_map(network.map(pair.frame(active)), map_part(active, size), map_size(size));
+}
+
+std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair) {
+    const cv::Size size = pair.frame.size();
+    const cv::Rect whole({0, 0}, size);
+    const cv::Rect active = (pair.active & whole).empty() ? whole : pair.active & whole;
+    const std::vector<Box> found = detector.find(pair.frame(active), line_side);
+    const double scale = static_cast<double>(map_size(size).width) / size.width;
+    const Vec2 corner{static_cast<double>(active.x), static_cast<double>(active.y)};
+    std::vector<Box> lines =
+        readable_lines(found, {static_cast<double>(active.width), static_cast<double>(active.height)});
+    for (Box& line : lines)
+        line = {(line.min + corner) * scale, (line.max + corner) * scale};
+    return lines;
 }
 
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent) {

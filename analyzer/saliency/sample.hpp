@@ -5,6 +5,7 @@
 #include "analyzer/saliency/picture_kind.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 #include "analyzer/saliency/saliency_network.hpp"
+#include "analyzer/words/line_detector.hpp"
 #include "base/geometry/vec2.hpp"
 
 #include <chrono>
@@ -24,6 +25,8 @@ struct Sample {
     SaliencyMap subject;                    // found by the network; empty where it was not asked
     std::vector<Face> faces;                // found in this frame or, between two searches, in an earlier one
     std::chrono::nanoseconds faces_time{0};  // time of the frame they were found in
+    std::vector<Box> lines;                  // of text, found in this frame or in an earlier one
+    std::chrono::nanoseconds lines_time{0};  // time of the frame they were found in
     PictureLook look;                        // of a film's frame
     double changed_share = 0;                // of the picture, since the sample before
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
@@ -58,6 +61,10 @@ PictureLook look_within(const cv::Mat& frame, const cv::Rect& active);
 
 /// The faces of a frame, in px of the maps that sample_of() makes of it.
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
+
+/// The lines of text in a frame's picture within its bars, in px of the maps, as far as a reader would miss
+/// them. @throws std::runtime_error like LineDetector::find()
+std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair);
 
 /// The size of the maps of a frame.
 cv::Size map_size(cv::Size frame);

@@ -1,6 +1,8 @@
 #include "analyzer/saliency/shot_region.hpp"
 
 #include "analyzer/saliency/movers.hpp"
+#include "analyzer/words/steady_lines.hpp"
+#include "analyzer/words/text_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +19,16 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// Drops motion measured across the shot's begin, and replaces faces found before it by the next found in it.
+/// Drops motion measured across the shot's begin, and replaces faces and lines found before it by the next
+/// found in it.
 void drop_shot_before(std::vector<Sample>& samples, std::chrono::nanoseconds begin) {
     for (std::size_t i = samples.size(); i-- > 0;) {
         Sample& sample = samples[i];
+        if (sample.lines_time < begin) {
+            const bool is_last = i + 1 == samples.size();
+            sample.lines = is_last ? std::vector<Box>{} : samples[i + 1].lines;
+            sample.lines_time = is_last ? begin : samples[i + 1].lines_time;
+        }
         if (sample.pair_time < begin) {
             sample.motion.release();
             sample.global_motion = {};
@@ -72,6 +80,18 @@ std::vector<Box> heads(const std::vector<Sample>& samples, std::chrono::nanoseco
     return result;
 }
 
+/// The lines of each search in the shot.
+std::vector<LineSearch> line_searches(const std::vector<Sample>& samples, std::chrono::nanoseconds begin) {
+    std::vector<LineSearch> found;
+    const Sample* last = nullptr;
+    for (const Sample& sample : samples) {
+        if (last == nullptr || last->lines_time != sample.lines_time)
+            found.push_back({.time = seconds(sample.lines_time - begin), .lines = sample.lines});
+        last = &sample;
+    }
+    return found;
+}
+
 std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std::chrono::nanoseconds begin,
                                          const AnalysisSettings& settings) {
     std::vector<SalientFrame> frames;
@@ -85,11 +105,13 @@ std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std
     return frames;
 }
 
-/// All that must stay whole: heads, movers, and the words of a title.
+/// All that must stay whole: heads, movers, lines of text, and the words of a title.
 std::vector<Box> whole_parts(const std::vector<Sample>& samples, const Shot& shot, Vec2 drift, cv::Size map) {
     std::vector<Box> result = heads(samples, shot.begin, drift, map);
     for (const Box& mover : movers(samples, shot.begin, drift))
         result.push_back(mover);
+    for (const Box& line : steady_lines(line_searches(samples, shot.begin), drift))
+        result.push_back(line);
     for (const Sample& sample : samples) {
         if (!shot.is_title || sample.look.kind != PictureKind::title) continue;
         const cv::Rect words = sample.look.stands_out & cv::Rect({0, 0}, map);
@@ -127,6 +149,11 @@ void move_faces(std::vector<Face>& faces, Vec2 by) {
         face.box = moved(face.box, by);
 }
 
+void move_lines(std::vector<Box>& lines, Vec2 by) {
+    for (Box& line : lines)
+        line = moved(line, by);
+}
+
 /// Leaves only a part of each sample's maps; the faces move along.
 void crop(std::vector<Sample>& samples, const cv::Rect& part) {
     const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
@@ -134,6 +161,7 @@ void crop(std::vector<Sample>& samples, const cv::Rect& part) {
         for (SaliencyMap* map : {&sample.motion, &sample.image, &sample.subject})
             if (!map->empty()) *map = SaliencyMap((*map)(part).clone());
         move_faces(sample.faces, corner * -1);
+        move_lines(sample.lines, corner * -1);
         sample.look.stands_out -= part.tl();
     }
 }
@@ -149,13 +177,20 @@ void place(ShotEvidence& evidence, const cv::Rect& part, cv::Size size) {
     }
     const Vec2 corner{static_cast<double>(part.x), static_cast<double>(part.y)};
     move_faces(evidence.faces, corner);
-    for (ShownFrame& frame : evidence.frames)
+    for (ShownFrame& frame : evidence.frames) {
         move_faces(frame.faces, corner);
+        move_lines(frame.lines, corner);
+    }
 }
 
 void add_centre(SaliencyMap& volume, std::size_t frames) {
     volume += centre_prior(volume.size()) *
               (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames)));
+}
+
+/// The page of text that a photo shows; no corners where it shows none.
+Polygon page_in(const Sample& photo, cv::Size size) {
+    return text_page(photo.lines, {static_cast<double>(size.width), static_cast<double>(size.height)});
 }
 
 /// True for a photo that the network was asked about.
@@ -168,7 +203,8 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
     const std::size_t middle = samples.size() / 2;
     const Sample& sample = samples[middle];
     for (const Sample* shown : {&samples.front(), &sample, &samples.back()}) {
-        if (!shown->picture.empty()) evidence.frames.push_back({shown->picture, shown->time, shown->faces});
+        if (!shown->picture.empty())
+            evidence.frames.push_back({shown->picture, shown->time, shown->faces, shown->lines});
     }
     evidence.motion = sample.motion;
     evidence.image = sample.image;
@@ -187,7 +223,8 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     if (part.size() != map) crop(samples, part);
     const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
-    const Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
+    Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
+    if (has_caption(line_searches(samples, shot.begin), drift)) drift = {};  // which stands still
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);
@@ -197,7 +234,11 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     const Box core = common_part(part.size(), drift, duration);
     Polygon region = i_region(volume, core, whole, settings.region);
     if (has_subject(samples)) {
-        const SubjectOutline subject = subject_outline(samples.front().subject);
+        const Polygon page = page_in(samples.front(), part.size());
+        evidence.is_page = !page.empty();
+        const SubjectOutline subject = evidence.is_page
+                                           ? SubjectOutline{.sure = page, .possible = page, .certainty = 1}
+                                           : subject_outline(samples.front().subject);
         region = subject_region(subject, volume, core, whole, settings.region);
         shot.certainty = subject.certainty;
     }

@@ -14,6 +14,7 @@ struct ShownFrame {
     cv::Mat picture;  // BGR
     std::chrono::nanoseconds time{0};
     std::vector<Face> faces;  // px of the map
+    std::vector<Box> lines;   // of text, px of the map
 };
 
 /// The evidence that led to the region of one shot, to explain it. Maps are in px of the map.
@@ -26,15 +27,16 @@ struct ShotEvidence {
     SaliencyMap combined;
     SaliencyMap volume;  // S_c, in px of the shot's begin
     std::vector<Face> faces;
-    SaliencyMap subject;  // found by the network; empty where it was not asked
-    IRegion letter;       // the region in paper_mode(), to compare with; no corners where it is not wanted
+    SaliencyMap subject;   // found by the network; empty where it was not asked
+    bool is_page = false;  // the subject is a page of text
+    IRegion letter;        // the region in paper_mode(), to compare with; no corners where it is not wanted
     std::size_t samples = 0;
 };
 
 /// Finds the region of one shot from its samples, in source px, with its evidence.
 ///
-/// @param samples   the shot's, in time order; motion measured across the shot's begin and faces found before
-///                  it are left out
+/// @param samples   the shot's, in time order; motion measured across the shot's begin, and faces and lines
+///                  of text found before it are left out
 /// @param shot      begin, end, ends_with and picture; its region, which lies in the picture, is filled
 /// @param map       the size of the samples' maps, for a shot without any
 /// @param source    px of the upright picture

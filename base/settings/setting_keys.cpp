@@ -149,6 +149,12 @@ constexpr auto keys = std::to_array<SettingKey>({
      "The ONNX file of that network. It takes one picture of 320 x 320 and gives one map, as U2-Net does. "
      "The "
      "default comes with the analyzer. Empty, or if the file is missing: the plain method."},
+    {"analyzer.text_model", text<&S::analyzer, &S::Analyzer::text_model>("a path, or nothing", is_any),
+     SettingEffect::analyzer,
+     "An ONNX file that finds lines of text, so that none is cut. It takes a picture and gives a map of "
+     "lines, "
+     "as the detectors of PP-OCR do. It is used where `analyzer.saliency` is \"network\". The default comes "
+     "with the analyzer. Empty, or if the file is missing: lines of text are not searched for."},
     {"analyzer.face_model", text<&S::analyzer, &S::Analyzer::face_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "An ONNX file of the YuNet face detector. It finds more faces than the cascade, and faster. Empty: the "

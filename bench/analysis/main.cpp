@@ -1,6 +1,6 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
 //   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx]
-//   [--only shots|shown|subjects|motion|drift|bars] [--verbose]
+//   [--only shots|shown|subjects|words|motion|drift|bars] [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
     cv::setNumThreads(1);
     TableInput input{.media = VITRINE_MEDIA,
                      .face_model = VITRINE_MODELS "/face_detection_yunet.onnx",
-                     .saliency_model = VITRINE_MODELS "/u2netp.onnx"};
+                     .saliency_model = VITRINE_MODELS "/u2netp.onnx",
+                     .text_model = VITRINE_MODELS "/text_detection.onnx"};
     std::string only;
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
     if (only.empty() || only == "shots") shots_table(input);
     if (only.empty() || only == "shown") shown_table(input);
     if (only.empty() || only == "subjects") subjects_table(input);
+    if (only.empty() || only == "words") words_table(input);
     if (only.empty() || only == "motion") motion_table(input);
     if (only.empty() || only == "drift") drift_table(input);
     if (only.empty() || only == "bars") bars_table(input);

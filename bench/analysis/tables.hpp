@@ -10,6 +10,7 @@ struct TableInput {
     std::filesystem::path media;  // a folder with ground truth in the format of ../shared/media
     std::string face_model;       // YuNet's ONNX file; "": Viola-Jones
     std::string saliency_model;   // of the network that finds subjects of photos; "": none
+    std::string text_model;       // of the network that finds lines of text
     bool is_verbose = false;      // a line for each picture
 };
 
@@ -21,6 +22,9 @@ void shown_table(const TableInput& input);
 
 /// Marked subjects and faces of photographs inside the region, and what a picture costs.
 void subjects_table(const TableInput& input);
+
+/// Lines of text that lie whole in the region of slides and of photographs with signs.
+void words_table(const TableInput& input);
 
 /// Moving subjects inside the drifting region.
 void motion_table(const TableInput& input);

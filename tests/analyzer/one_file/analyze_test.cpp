@@ -51,7 +51,41 @@ AnalysisSettings without_faces() {
     return settings;
 }
 
+/// The disc and, far from it, a line of letters.
+cv::Mat with_words(const cv::Scalar& background, cv::Point disc, cv::Rect& words) {
+    cv::Mat picture = with_disc(background, disc);
+    const cv::Mat before = picture.clone();
+    cv::putText(picture, "Gate 17", {204, 160}, cv::FONT_HERSHEY_SIMPLEX, 0.8, cv::Scalar(250, 250, 250), 2,
+                cv::LINE_AA);
+    cv::Mat changed;
+    cv::absdiff(before, picture, changed);
+    cv::cvtColor(changed, changed, cv::COLOR_BGR2GRAY);
+    words = cv::boundingRect(changed > 16);
+    return picture;
+}
+
+/// Says if a region in a picture of twice the size holds a rectangle.
+bool holds(const Polygon& region, const cv::Rect& part) {
+    for (const cv::Point corner : {part.tl(), part.br(), {part.x, part.br().y}, {part.br().x, part.y}})
+        if (!is_inside_convex(region, Vec2{2.0 * corner.x, 2.0 * corner.y}, 2)) return false;
+    return true;
+}
+
 }  // namespace
+
+TEST_CASE("the words in a film lie whole in its region, and in a photo that the network looks at") {
+    cv::Rect words;
+    const auto draw = [&words](int i) { return with_words({60, 90, 40}, {60 + i / 2, 50}, words); };
+    AnalysisSettings settings = without_faces();
+    DrawnFilm plain_film(MediaKind::film, 75, draw);
+    CHECK_FALSE(holds(analyze(plain_film, settings).shots.at(0).region.polygon, words));
+    settings.text_model = VITRINE_MODELS "/text_detection.onnx";
+    DrawnFilm film(MediaKind::film, 75, draw);
+    CHECK(holds(analyze(film, settings).shots.at(0).region.polygon, words));
+    settings.saliency_model = VITRINE_MODELS "/u2netp.onnx";
+    DrawnFilm photo(MediaKind::photo, 1, draw);
+    CHECK(holds(analyze(photo, settings).shots.at(0).region.polygon, words));
+}
 
 TEST_CASE("a photo has one shot without time, around its subject") {
     DrawnFilm photo(MediaKind::photo, 1, [](int) { return with_disc({200, 190, 180}, {220, 60}); });

@@ -148,3 +148,39 @@ TEST_CASE("samples of a transition go to neither shot, later ones stay") {
     CHECK(store.pop_samples(milliseconds(500), milliseconds(900)).size() == 4);
     CHECK(store.size() == 1);
 }
+
+TEST_CASE("a line of text beside the subject stays whole; in a film where it is seen twice") {
+    const Box line{{100, 70}, {150, 78}};
+    const auto held = [&](const IRegion& region) {
+        return is_inside_convex(region.polygon, line.min * 4 + Vec2{1, 1}) &&
+               is_inside_convex(region.polygon, line.max * 4 - Vec2{1, 1});
+    };
+    const auto region_of = [](const std::vector<Sample>& samples) {
+        return shot_region(samples, {.begin = seconds(0), .end = seconds(2)}, {160, 90}, {640, 360}, {})
+            .shot.region;
+    };
+    std::vector<Sample> samples;
+    for (int i = 0; i < 12; ++i) {
+        samples.push_back(sample_with_disc(milliseconds(160 * i), {30, 30}));
+        samples.back().lines_time = milliseconds(i < 6 ? 0 : 960);
+    }
+    CHECK_FALSE(held(region_of(samples)));
+    for (int i = 6; i < 12; ++i)
+        samples[static_cast<std::size_t>(i)].lines = {line};
+    CHECK_FALSE(held(region_of(samples)));  // one search of two: a detector errs now and then
+    for (Sample& sample : samples)
+        sample.lines = {line};
+    CHECK(held(region_of(samples)));
+}
+
+TEST_CASE("the region of a photo of a page is the page, wherever the network looks") {
+    Sample photo = sample_with_disc(milliseconds(0), {130, 20});
+    photo.subject = photo.image.clone();
+    photo.lines = {{{20, 30}, {90, 40}}, {{20, 44}, {84, 52}}, {{22, 56}, {80, 66}}};
+    const ShotEvidence found = shot_region({photo}, {}, {160, 90}, {640, 360}, {});
+    CHECK(found.is_page);
+    CHECK(found.shot.certainty == 1);
+    CHECK(is_inside_convex(found.shot.region.polygon, Vec2{20, 30} * 4 + Vec2{1, 1}));
+    CHECK(is_inside_convex(found.shot.region.polygon, Vec2{90, 40} * 4 - Vec2{1, 1}));
+    CHECK_FALSE(is_inside_convex(found.shot.region.polygon, Vec2{130, 20} * 4));
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/geometry/box.hpp"
+
+#include <opencv2/core.hpp>
+#include <opencv2/dnn.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+/// Finds lines of text in a picture, whatever their script, by a neural network that marks the core of each
+/// line. It reads nothing.
+/// Source: Liao et al., Real-time Scene Text Detection with Differentiable Binarization, AAAI 2020; the
+/// network is PP-OCRv4's small detector (analyzer/models).
+class LineDetector {
+  public:
+    /// @param file  ONNX: one picture of any size in multiples of 32, one map of the same size
+    /// @throws std::runtime_error if it cannot be read
+    explicit LineDetector(const std::string& file);
+
+    /// The cost grows with the area that is searched: 640 x 480 px take about a third of a second of
+    /// processor time.
+    /// @param bgr   CV_8UC3, not empty
+    /// @param side  px, the longest side of what the network sees, a multiple of 32
+    /// @return      boxes that hold a whole line each, px of `bgr`
+    /// @throws std::runtime_error if the network does not take such a picture or gives no map
+    std::vector<Box> find(const cv::Mat& bgr, int side);
+
+  private:
+    cv::Mat map_of(const cv::Mat& bgr, cv::Size size);
+
+    std::string file_;
+    std::vector<char> model_;  // bytes of the file
+    cv::dnn::Net net_;
+    cv::Size size_;  // of the net's input so far; empty: it has had none
+};
+
+}  // namespace vitrine::analyzer
