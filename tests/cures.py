@@ -281,7 +281,7 @@ CURES = [
     Cure("a page is its text", "analyzer/saliency/shot_region.cpp",
          "        evidence.is_page = !page.empty();\n", "", "saliency_test.shot_region_test"),
     Cure("a film's words are searched", "analyzer/one_file/analyze.cpp",
-         "        if ((is_film_ || finders_.network) &&", "        if (finders_.network &&", "analyze_test.analyze_test"),
+         "        if ((is_film || network_) &&", "        if (network_ &&", "analyze_test.analyze_test"),
     Cure("OpenCV 4.6 and a picture of another size", "analyzer/words/line_detector.cpp",
          "        if (size != size_ && !size_.empty())", "        if (size_.empty())", "words_test.line_detector_test"),
     Cure("a small subject is a blur to the network", "analyzer/saliency/subject_outline.cpp",

@@ -20,6 +20,52 @@ constexpr std::size_t max_shots = 10'000;           // in a file; later ones are
 constexpr nanoseconds usual_interval{40'000'000};   // the duration of the last frame, if it is not known
 constexpr nanoseconds max_interval{1'000'000'000};  // between two frames that are compared for motion
 
+/// Searches single frames. Faces and lines of text are searched now and then, and hold until the next search.
+class FrameSearch {
+  public:
+    FrameSearch(const AnalysisSettings& settings, MediaKind kind)
+        : settings_(settings),
+          faces_(face_detector(settings.face_model, settings.face_cascade)),
+          stage_(image_saliency_stage(settings.image)) {
+        const bool is_film = kind == MediaKind::film;
+        if (!is_film && !settings.saliency_model.empty())
+            network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+        if ((is_film || network_) && !settings.text_model.empty())
+            lines_ = std::make_unique<LineDetector>(settings.text_model);
+    }
+
+    /// @param count  of the samples before
+    Sample search(const FramePair& pair, nanoseconds time, int count) {
+        if (faces_ && count % settings_.face_interval == 0) {
+            last_faces_ = find_faces(*faces_, pair.frame, settings_.only_prominent_faces);
+            faces_time_ = time;
+        }
+        if (lines_ && count % settings_.text_interval == 0) {
+            last_lines_ = find_lines(*lines_, pair);
+            lines_time_ = time;
+        }
+        Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
+        if (network_) sample.subject = find_subject(*network_, pair);
+        sample.time = time;
+        sample.faces = last_faces_;
+        sample.faces_time = faces_time_;
+        sample.lines = last_lines_;
+        sample.lines_time = lines_time_;
+        return sample;
+    }
+
+  private:
+    const AnalysisSettings& settings_;     // outlives the search
+    std::unique_ptr<FaceDetector> faces_;  // null: not searched
+    std::unique_ptr<ImageSaliencyStage> stage_;
+    std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
+    std::unique_ptr<LineDetector> lines_;       // null: not searched
+    std::vector<Face> last_faces_;
+    nanoseconds faces_time_{0};
+    std::vector<Box> last_lines_;
+    nanoseconds lines_time_{0};
+};
+
 /// Turns frames into samples, a few a second.
 class Sampler {
   public:
@@ -27,13 +73,7 @@ class Sampler {
         : settings_(settings),
           keeps_pictures_(keeps_pictures),
           is_film_(kind == MediaKind::film),
-          finders_{.faces = face_detector(settings.face_model, settings.face_cascade),
-                   .stage = image_saliency_stage(settings.image)} {
-        if (!is_film_ && !settings.saliency_model.empty())
-            finders_.network = std::make_unique<SaliencyNetwork>(settings.saliency_model);
-        if ((is_film_ || finders_.network) && !settings.text_model.empty())
-            finders_.lines = std::make_unique<LineDetector>(settings.text_model);
-    }
+          search_(settings, kind) {}
 
     /// @param frame  later than the last; a sample is taken where the last is at least an interval old
     void push(const FilmFrame& frame, SampleStore& into) {
@@ -58,61 +98,27 @@ class Sampler {
                              .before = has_pair ? before_.picture : cv::Mat(),
                              .seconds = std::chrono::duration<double>(interval).count(),
                              .active = bars_.newest()};
-        search(pair, frame.time);
-        Sample sample = sample_of(pair, settings_, last_.faces, finders_.stage.get());
+        Sample sample = search_.search(pair, frame.time, count_);
         if (is_film_) sample.look = look_within(frame.picture, pair.active);
         if (!sampled_.empty()) sample.changed_share = changed_share(sampled_, frame.picture);
         sampled_ = frame.picture;
         unshown_.add_sample(frame.time, sample.look.kind == PictureKind::plain);
-        if (finders_.network) sample.subject = find_subject(*finders_.network, pair);
         ++count_;
-        sample.time = frame.time;
         sample.pair_time = before_.time;
-        sample.faces = last_.faces;
-        sample.faces_time = last_.faces_time;
-        sample.lines = last_.lines;
-        sample.lines_time = last_.lines_time;
         if (keeps_pictures_) sample.picture = frame.picture;
         return sample;
     }
 
-    /// Searches faces and lines of text, where it is their turn.
-    void search(const FramePair& pair, nanoseconds time) {
-        if (finders_.faces && count_ % settings_.face_interval == 0) {
-            last_.faces = find_faces(*finders_.faces, pair.frame, settings_.only_prominent_faces);
-            last_.faces_time = time;
-        }
-        if (finders_.lines && count_ % settings_.text_interval == 0) {
-            last_.lines = find_lines(*finders_.lines, pair);
-            last_.lines_time = time;
-        }
-    }
-
-    struct Finders {
-        std::unique_ptr<FaceDetector> faces;  // null: not searched
-        std::unique_ptr<ImageSaliencyStage> stage;
-        std::unique_ptr<SaliencyNetwork> network;  // null: not asked
-        std::unique_ptr<LineDetector> lines;       // null: not searched
-    };
-
-    struct Searched {
-        std::vector<Face> faces;
-        nanoseconds faces_time{0};
-        std::vector<Box> lines;
-        nanoseconds lines_time{0};
-    };
-
     const AnalysisSettings& settings_;  // outlives the sampler
     bool keeps_pictures_;
     bool is_film_;
-    Finders finders_;
+    FrameSearch search_;
     ActivePictureFinder bars_;
     UnshownTimes unshown_;
     cv::Mat sampled_;  // the picture of the last sample
     FilmFrame before_;
     nanoseconds due_{0};
     int count_ = 0;
-    Searched last_;  // the findings of the last search of each kind
 };
 
 /// A part of the frames in px of the source; none where it is all of it.
