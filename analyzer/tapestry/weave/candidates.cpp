@@ -18,9 +18,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr std::int64_t max_entries = 20'000;
-constexpr std::int64_t max_jpeg_bytes = 1 << 20;
+constexpr std::int64_t max_jpeg_bytes = 32 << 20;  // of a frame of 4096 px, with room
 constexpr std::int64_t max_record_bytes = 64 << 20;
-constexpr int max_side = 4096;           // px of bricks and frames
 constexpr double detected_height = 200;  // px to which small bricks are enlarged for detectors
 constexpr double min_part = 0.55;  // of either side within a shot's own bars; less is a title on plain ground
 constexpr double max_region = 0.6;  // of a brick: a larger region says nothing

@@ -17,6 +17,8 @@ namespace vitrine::analyzer {
 /// memory, 25 MB for two hours; their pictures stay in the file.
 class Candidates {
   public:
+    static constexpr int max_side = 4096;  // px of bricks and frames
+
     /// @param faces  outlives this; null: no faces are searched
     /// @throws std::runtime_error where the file is of another kind or ends too early, std::system_error
     Candidates(UniqueFd file, FaceDetector* faces);

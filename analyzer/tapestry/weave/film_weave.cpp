@@ -84,13 +84,17 @@ TapestryLevel level_of(const Keyframes& keyframes, const Candidates& candidates)
 
 cv::Mat woven_strip(const Film& film, const Keyframes& keyframes, const RetargetSettings& settings,
                     const RunTasks& run) {
-    std::vector<cv::Mat> parts;
+    const Brickwork brickwork = brickwork_of(keyframes, film.candidates->brick());
+    cv::Mat strip(tapestry_height(brickwork), brickwork.width(), CV_8UC3);
+    int done = 0;  // columns
     weave_level(
-        {.brickwork = brickwork_of(keyframes, film.candidates->brick()),
+        {.brickwork = brickwork,
          .keyframe = [&](int k) { return film.candidates->keyframe(keyframes[as_index(k)]); }},
-        [&](const cv::Mat& columns, const WovenSoFar&) { parts.push_back(columns.clone()); }, settings, run);
-    cv::Mat strip;
-    cv::hconcat(parts, strip);
+        [&](const cv::Mat& columns, const WovenSoFar&) {
+            columns.copyTo(strip.colRange(done, done + columns.cols));
+            done += columns.cols;
+        },
+        settings, run);
     return strip;
 }
 

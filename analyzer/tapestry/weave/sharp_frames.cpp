@@ -13,15 +13,23 @@ constexpr double worth_reading = 1.2;  // times the height of the kept bricks
 
 }  // namespace
 
-std::optional<SharpFrames> sharp_frames(const Candidates& kept, int wanted_height) {
+SharpFrames frames_as_tall_as(const Candidates& kept, int brick_height) {
     const cv::Size frame = kept.frame();
+    const int side = std::max(frame.width, frame.height);
+    const int film_side = std::max({kept.film().width, kept.film().height, side});
     const double full = kept.film().height > 0 ? static_cast<double>(kept.film().height) / frame.height : 1;
-    const int height = std::min(wanted_height, static_cast<int>(kept.active().height * full)) / 2 * 2;
-    if (height < worth_reading * kept.brick().height) return std::nullopt;
+    const double largest = std::min(full, static_cast<double>(Candidates::max_side) / side);
+    const int whole = static_cast<int>(std::lround(kept.active().height * largest)) / 2 * 2;
+    const int height = std::clamp(brick_height / 2 * 2, 2, std::max(2, whole));
     const double scale = static_cast<double>(height) / kept.active().height;
-    return SharpFrames{.brick_height = height,
-                       .frame_size =
-                           static_cast<int>(std::ceil(std::max(frame.width, frame.height) * scale))};
+    const int frame_size = height == whole ? film_side : static_cast<int>(std::ceil(side * scale));
+    return {.brick_height = height, .frame_size = std::min(frame_size, Candidates::max_side)};
+}
+
+std::optional<SharpFrames> sharp_frames(const Candidates& kept, int wanted_height) {
+    const SharpFrames size = frames_as_tall_as(kept, wanted_height);
+    if (size.brick_height < worth_reading * kept.brick().height) return std::nullopt;
+    return size;
 }
 
 void read_sharp_frames(FrameSource& source, const Candidates& kept, const Keyframes& finest,

@@ -16,6 +16,10 @@ struct SharpFrames {
     int frame_size = 0;    // px, longest side of the frames to read
 };
 
+/// Says how large keyframes are to be read for bricks of that height, or as tall as the film is; their
+/// longest side is at most Candidates::max_side.
+SharpFrames frames_as_tall_as(const Candidates& kept, int brick_height);
+
 /// Says how large keyframes are to be read, for bricks as tall as wanted or as the film is.
 /// @return nothing where the kept frames are hardly smaller
 std::optional<SharpFrames> sharp_frames(const Candidates& kept, int wanted_height);
