@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+namespace vitrine::analyzer {
+
+/// The folder of a page that shows a tapestry in a browser: index.html, and beside it a folder `tapestry-N`
+/// with all that the page reads. A new page replaces an earlier one as a whole: index.html names the new
+/// folder once that is complete, then the earlier one goes.
+class PageFolder {
+  public:
+    /// Changes nothing. @throws std::runtime_error that names the folder, where it holds other files than a
+    /// page of ours or the rest of one that was interrupted
+    explicit PageFolder(std::filesystem::path folder);
+    PageFolder(const PageFolder&) = delete;
+    PageFolder& operator=(const PageFolder&) = delete;
+
+    /// Removes a page that was not published.
+    ~PageFolder();
+
+    /// Makes the folder for the files that the new page reads, with the page's own among them. Call once.
+    /// @throws std::system_error
+    const std::filesystem::path& begin();
+
+    /// Puts the new page in the place of the earlier one. @pre begin()
+    /// @throws std::system_error; the earlier page then stays
+    void publish();
+
+  private:
+    std::filesystem::path folder_;
+    std::filesystem::path data_;  // of the new page; empty: none is begun, or it is published
+};
+
+}  // namespace vitrine::analyzer
