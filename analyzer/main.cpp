@@ -80,6 +80,16 @@ void add_weave(CLI::App& command, CommandLine& line) {
     command.add_option("--sheet", weave.sheet, "Draws all levels below each other, as a PNG");
     command.add_option("--zoom", weave.zoom,
                        "Draws the zoom between the two coarsest levels in three ways, as a PNG");
+    CLI::Option* page = command.add_option(
+        "--html", weave.html, "A folder for a page that any browser shows: tiles, zoom, a small silent film");
+    CLI::Option* poster =
+        command.add_option("--poster", weave.poster, "Draws the coarsest level to be printed, as a PNG");
+    command
+        .add_option("--height", weave.poster_height,
+                    "Height of the poster in pixels; a smaller film is enlarged, and the log says how much")
+        ->check(CLI::Range(100, 6000))
+        ->capture_default_str()
+        ->needs(poster);
     command.add_option("--levels", weave.levels, "Limit of the levels; the coarsest are woven first")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
@@ -87,7 +97,9 @@ void add_weave(CLI::App& command, CommandLine& line) {
                        "A file with the times of the coarsest keyframes: seconds, one a line");
     command.add_flag("--uniform", weave.is_uniform, "Takes keyframes at equal distances, not by content");
     command.add_flag("--resume", weave.resumes, "Resumes an interrupted weaving into the folder")
-        ->needs(folder);
+        ->needs(folder)
+        ->excludes(page)
+        ->excludes(poster);
     command.add_option("--most-bytes", weave.max_bytes,
                        "Approximate limit of the tapestry in bytes (default: none)");
     command.add_option("--threads", weave.threads, "Number of threads (default: one for each core)")

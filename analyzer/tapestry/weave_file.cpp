@@ -6,9 +6,13 @@
 #include "analyzer/film/reader_sandbox.hpp"
 #include "analyzer/models/model_file.hpp"
 #include "analyzer/saliency/faces.hpp"
+#include "analyzer/tapestry/export/page_data.hpp"
+#include "analyzer/tapestry/export/page_folder.hpp"
+#include "analyzer/tapestry/export/small_film.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
+#include "analyzer/tapestry/weave/poster.hpp"
 #include "analyzer/tapestry/weave/sharp_frames.hpp"
 #include "analyzer/tapestry/weave/threads.hpp"
 #include "analyzer/tapestry/weave/woven_sheet.hpp"
@@ -105,6 +109,10 @@ class Weaving {
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
         if (!request.times.empty()) choice_.times = times_in(request.times);
+        if (!request.html.empty()) {
+            page_.emplace(request.html);
+            require_film_encoder();
+        }
         const Settings::Analyzer& models = settings.analyzer;
         faces_ =
             face_detector(find_model(models.face_model, Settings{}.analyzer.face_model), models.face_cascade);
@@ -113,22 +121,21 @@ class Weaving {
     /// Lets the process read the film and write the result, and nothing else.
     void enter_sandbox() const {
         ReaderNeeds needs{.libraries = font_places()};
-        if (!request_.directory.empty()) needs.folders.push_back(request_.directory);
-        for (const fs::path& sheet : {request_.sheet, request_.zoom})
+        for (const fs::path& folder : {request_.directory, request_.html})
+            if (!folder.empty()) needs.folders.push_back(folder);
+        for (const fs::path& sheet : {request_.sheet, request_.zoom, request_.poster})
             if (!sheet.empty()) needs.folders.push_back(fs::absolute(sheet).parent_path());
         enter_reader_sandbox(file_, needs);
     }
 
     std::string once() {
-        const fs::path directory =
-            request_.directory.empty() ? fs::absolute(request_.result()).parent_path() : request_.directory;
-        fs::create_directories(directory);
-        const Film film = gathered(*opened(file_, settings_.analyzer.frame_size), directory, faces_.get());
+        const Film film = watched();
         const std::vector<Keyframes> levels = chosen_keyframes(*film.candidates, choice_, run_);
         if (!request_.sheet.empty()) write_png(request_.sheet, drawn_weave(film, levels, {}, run_));
         if (!request_.zoom.empty()) draw_zoom(film, levels);
-        if (!request_.directory.empty()) write_once(film, levels);
-        return in_words(levels);
+        if (!request_.directory.empty()) write_pyramid(film, levels, request_.directory);
+        if (page_) write_page(film, levels);
+        return in_words(levels) + (request_.poster.empty() ? "" : write_poster(film, levels.front()));
     }
 
     /// Weaves so that it can be interrupted: frames, plan and tiles stay in the folder until the tapestry is
@@ -160,21 +167,69 @@ class Weaving {
                            levels.back().size());
     }
 
-    void write_once(const Film& film, const std::vector<Keyframes>& levels) const {
-        const fs::path& directory = request_.directory;
+    /// The film's frames. What is no film is told before a folder is made.
+    Film watched() const {
+        const std::unique_ptr<FrameSource> source = opened(file_, settings_.analyzer.frame_size);
+        fs::create_directories(work_folder());
+        return gathered(*source, work_folder(), faces_.get());
+    }
+
+    /// A folder in which the result comes to lie, for files without a name.
+    fs::path work_folder() const {
+        for (const fs::path& folder : {request_.directory, request_.html})
+            if (!folder.empty()) return folder;
+        return fs::absolute(request_.result()).parent_path();
+    }
+
+    void write_pyramid(const Film& film, const std::vector<Keyframes>& levels,
+                       const fs::path& directory) const {
         const WeavePlan plan{.folder = new_tile_folder(directory), .levels = levels};
         const std::optional<SharpFrames> size = sharp_frames(*film.candidates, brick_height_);
         if (!size) {
             (void)PyramidWriter(directory, film, pyramid_, run_).write(head_, plan);
             return;
         }
-        CandidateWriter writer(nameless_file(directory), CandidateWriter::two_hours, size->brick_height);
-        read_sharp_frames(*opened(file_, size->frame_size), *film.candidates, levels.back(),
-                          [&](const FilmFrame& frame) { writer.push(frame); });
-        const cv::Rect active = active_in(*film.candidates, writer.frame());
-        const Film sharp = film_of(writer.finish(record_of(film), {}, active), faces_.get());
+        const Film sharp = read_again(film, levels.back(), *size);
         (void)PyramidWriter(directory, sharp, pyramid_, run_)
             .write(head_, {.folder = plan.folder, .levels = sharp_levels(levels)});
+    }
+
+    /// The keyframes of a level, larger.
+    Film read_again(const Film& film, const Keyframes& level, const SharpFrames& size) const {
+        CandidateWriter writer(nameless_file(work_folder()), CandidateWriter::two_hours, size.brick_height);
+        read_sharp_frames(*opened(file_, size.frame_size), *film.candidates, level,
+                          [&](const FilmFrame& frame) { writer.push(frame); });
+        const cv::Rect active = active_in(*film.candidates, writer.frame());
+        return film_of(writer.finish(record_of(film), {}, active), faces_.get());
+    }
+
+    /// Writes the page from a tapestry that is woven already, or from one that goes with its making.
+    void write_page(const Film& film, const std::vector<Keyframes>& levels) {
+        const fs::path& data = page_->begin();
+        const fs::path own = data / "woven";
+        if (request_.directory.empty()) write_pyramid(film, levels, own);
+        const MediaInfo info = opened(file_, settings_.analyzer.frame_size)->info();
+        const SmallFilmSize size = write_small_film(file_.name(), info, film.duration, data / page_film_name);
+        write_page_data(
+            request_.directory.empty() ? own : request_.directory,
+            {.name = request_.file.filename().string(), .width = size.width, .height = size.height}, data);
+        fs::remove_all(own);
+        page_->publish();
+    }
+
+    /// @return  the poster in words for the log
+    std::string write_poster(const Film& film, const Keyframes& level) const {
+        const SharpFrames size = poster_frames(*film.candidates, request_.poster_height, level.size());
+        const Film sharp = read_again(film, level, size);
+        const Poster poster =
+            drawn_poster(sharp, sharp_levels({level}).front(), request_.poster_height, run_);
+        write_png(request_.poster, poster.picture);
+        std::string words = fmt::format("; a poster of {} keyframes, {} x {} px", level.size(),
+                                        poster.picture.cols, poster.picture.rows);
+        if (poster.enlargement > 1)
+            words += fmt::format("; the film's picture is {} px tall, so it is enlarged {:.2f} times",
+                                 size.brick_height, poster.enlargement);
+        return words;
     }
 
     /// Weaves the film again beside its first tapestry, in high quality, and puts the result in its place. An
@@ -265,6 +320,7 @@ class Weaving {
     int brick_height_;  // px, wanted
     RunTasks run_;
     std::unique_ptr<FaceDetector> faces_;
+    std::optional<PageFolder> page_;  // none: no page is asked for
 };
 
 }  // namespace

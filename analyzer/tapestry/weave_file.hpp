@@ -14,6 +14,9 @@ struct WeaveRequest {
     std::filesystem::path directory;  // for the pyramid; empty: none
     std::filesystem::path sheet;      // a PNG; empty: none
     std::filesystem::path zoom;       // a PNG of the zoom between the two coarsest levels; empty: none
+    std::filesystem::path html;       // a folder for a page that any browser shows; empty: none
+    std::filesystem::path poster;     // a PNG of the coarsest level; empty: none
+    int poster_height = 2000;         // px
     int levels = 32;
     std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
     bool is_uniform = false;
@@ -22,15 +25,16 @@ struct WeaveRequest {
     int threads = 0;              // 0: one a core
     bool is_alone = false;  // this process does nothing else: it enters the sandbox of a reader for good
 
-    /// The first of directory, sheet and zoom that is asked for; empty where none is.
+    /// The first result that is asked for; empty where none is.
     const std::filesystem::path& result() const {
-        if (!directory.empty()) return directory;
-        return sheet.empty() ? zoom : sheet;
+        for (const std::filesystem::path* one : {&directory, &html, &sheet, &zoom})
+            if (!one->empty()) return *one;
+        return poster;
     }
 };
 
-/// Weaves the tapestry of one film, into a folder or as sheets.
-/// @return the levels made, in words for the log
+/// Weaves the tapestry of one film: into a folder, as a page for browsers, as sheets, as a poster.
+/// @return the levels made, in words for the log; with a poster its size, and how much it is enlarged
 /// @throws std::exception that names the file
 std::string weave_file(const WeaveRequest& request, const Settings& settings);
 
