@@ -54,7 +54,7 @@ void require_page_or_nothing(const fs::path& folder) {
 
 fs::path new_data_folder(const fs::path& folder) {
     for (int number = 1;; ++number) {
-        const fs::path made = folder / fmt::format("{}{}", data_begin, number);
+        fs::path made = folder / fmt::format("{}{}", data_begin, number);
         if (fs::create_directories(made)) return made;
     }
 }

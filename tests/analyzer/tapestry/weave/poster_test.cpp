@@ -43,14 +43,14 @@ class FineSource : public FrameSource {
     MediaInfo info_;
 };
 
-const cv::Size film_size(320, 240);
+const cv::Size film_size(240, 180);
 
 struct DrawnPosters {
     TemporaryDirectory folder;
     Film kept;
 
     explicit DrawnPosters(int frames) {
-        FineSource source(film_size, 160, frames);
+        FineSource source(film_size, 120, frames);
         kept = gathered(source, folder.path, nullptr);
     }
 
@@ -81,11 +81,11 @@ TEST_CASE("a poster is as tall as asked, of frames as large as it needs or as th
     const DrawnPosters drawn(9);
     CHECK(poster_frames(*drawn.kept.candidates, 240, 4).brick_height == 160);
     CHECK(poster_frames(*drawn.kept.candidates, 241, 4).brick_height == 162);
-    CHECK(poster_frames(*drawn.kept.candidates, 2000, 4).brick_height == 240);
-    CHECK(poster_frames(*drawn.kept.candidates, 2000, 4).frame_size == 320);
+    CHECK(poster_frames(*drawn.kept.candidates, 2000, 4).brick_height == 180);
+    CHECK(poster_frames(*drawn.kept.candidates, 2000, 4).frame_size == 240);
     CHECK(poster_frames(*drawn.kept.candidates, 160, 1).brick_height == 160);
 
-    for (const int height : {181, 182, 183}) {
+    for (const int height : {121, 122, 123}) {
         CAPTURE(height);
         const Poster poster = drawn.poster({1, 5}, height);
         CHECK(poster.picture.rows == height);
@@ -95,28 +95,28 @@ TEST_CASE("a poster is as tall as asked, of frames as large as it needs or as th
 
 TEST_CASE("a poster is woven of the film's frames, not of the small ones that were kept") {
     const DrawnPosters drawn(9);
-    const Poster poster = drawn.poster({1, 5}, 300);
-    CHECK(poster.picture.rows == 300);
+    const Poster poster = drawn.poster({1, 5}, 225);
+    CHECK(poster.picture.rows == 225);
     CHECK(poster.enlargement == 1);
-    const Poster enlarged = drawn_poster(drawn.kept, {1, 5}, 300, run_in_order);
-    CHECK(enlarged.picture.rows == 300);
-    CHECK(enlarged.enlargement == doctest::Approx(2));
+    const Poster enlarged = drawn_poster(drawn.kept, {1, 5}, 225, run_in_order);
+    CHECK(enlarged.picture.rows == 225);
+    CHECK(enlarged.enlargement == doctest::Approx(1.5));
     MESSAGE("sharpness: ", sharpness(poster.picture), ", enlarged: ", sharpness(enlarged.picture));
     CHECK(sharpness(poster.picture) > 1.8 * sharpness(enlarged.picture));
 }
 
 TEST_CASE("a poster that is taller than its film's frames allow tells how much they are enlarged") {
     const DrawnPosters drawn(9);
-    const Poster poster = drawn.poster({1, 5}, 540);
-    CHECK(poster.picture.rows == 540);
-    CHECK(poster.enlargement == doctest::Approx(1.5));  // bricks of 240 px make 360
-    CHECK(poster.picture.cols == doctest::Approx(1.5 * 480).epsilon(0.01));
+    const Poster poster = drawn.poster({1, 5}, 405);
+    CHECK(poster.picture.rows == 405);
+    CHECK(poster.enlargement == doctest::Approx(1.5));  // bricks of 180 px make 270
+    CHECK(poster.picture.cols == doctest::Approx(1.5 * 360).epsilon(0.01));
 }
 
 TEST_CASE("a single keyframe is a poster by itself, and is not enlarged where the film is as tall") {
     const DrawnPosters drawn(1);
-    const Poster poster = drawn.poster({0}, 240);
-    CHECK(poster.picture.size() == cv::Size(320, 240));
+    const Poster poster = drawn.poster({0}, 180);
+    CHECK(poster.picture.size() == cv::Size(240, 180));
     CHECK(poster.enlargement == 1);
 }
 
