@@ -112,8 +112,6 @@
 
         pointerDown(event) {
             if (event.button !== 0 || this.pointers.size === 2) return;
-            event.preventDefault();
-            this.strip.focus({ preventScroll: true });
             try {
                 this.strip.setPointerCapture(event.pointerId);
             } catch {
