@@ -149,6 +149,16 @@ bool Tapestries::hold(const MediaRecord& record) {
            tapestry_state(folder(record.path), record.bytes, record.mtime_ns) == TapestryState::lacking;
 }
 
+std::optional<FilmVersion> Tapestries::revive(const std::string& path) const {
+    const auto found = held_.find(path);
+    if (found == held_.end()) return std::nullopt;
+    const FilmVersion film{.bytes = found->second.film_bytes, .mtime_ns = found->second.film_mtime_ns};
+    const bool is_dropped = tapestry_state(folder(path), film.bytes, film.mtime_ns) == TapestryState::dropped;
+    if (!is_dropped) return std::nullopt;
+    forget_drop(folder(path));
+    return film;
+}
+
 void Tapestries::release(const std::string& path) {
     if (held_.erase(path) > 0) remove_tapestry(folder(path));
 }

@@ -6,11 +6,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace vitrine::analyzer {
+
+/// A film's content, by what changes with it.
+struct FilmVersion {
+    std::uint64_t bytes = 0;
+    std::int64_t mtime_ns = 0;
+};
 
 /// The daemon's list of tapestries: one folder a film, with the name of the film's record. Weaving children
 /// fill the folders. The daemon removes the tapestries that no film has any more, and those beyond the
@@ -28,6 +35,10 @@ class Tapestries {
     /// Follows a new or changed record. Removes a tapestry of other content.
     /// @return true where a tapestry must be woven for it
     bool hold(const MediaRecord& record);
+
+    /// A tapestry that has lost its place to others may be woven again.
+    /// @return the film's content, if the tapestry had lost its place
+    std::optional<FilmVersion> revive(const std::string& path) const;
 
     /// Removes the tapestry of a path that has no record any more.
     void release(const std::string& path);

@@ -45,4 +45,9 @@ void note_dropped(const fs::path& folder, std::uint64_t bytes, std::int64_t mtim
     replace_file(folder / dropped_name, note_of(bytes, mtime_ns));
 }
 
+void forget_drop(const fs::path& folder) {
+    std::error_code gone;
+    fs::remove(folder / dropped_name, gone);
+}
+
 }  // namespace vitrine::analyzer

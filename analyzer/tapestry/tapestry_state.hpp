@@ -18,6 +18,9 @@ TapestryState tapestry_state(const std::filesystem::path& folder, std::uint64_t 
 /// Notes that the tapestry of that content is not woven again. @throws std::system_error
 void note_dropped(const std::filesystem::path& folder, std::uint64_t bytes, std::int64_t mtime_ns);
 
+/// Removes that note: the tapestry is woven again.
+void forget_drop(const std::filesystem::path& folder);
+
 /// The bytes that one tapestry may take, and those of its film's frames.
 /// @param max_bytes  for all tapestries
 constexpr std::uint64_t tapestry_share(std::uint64_t max_bytes) {

@@ -10,6 +10,7 @@
 #include "analyzer/tapestry/export/page_folder.hpp"
 #include "analyzer/tapestry/export/small_film.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
+#include "analyzer/tapestry/weave/first_view.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
 #include "analyzer/tapestry/weave/picture_file.hpp"
 #include "analyzer/tapestry/weave/poster.hpp"
@@ -145,11 +146,7 @@ class Weaving {
         fs::create_directories(directory);
         const Film film = kept_film();
         std::optional<WeavePlan> plan = read_plan(directory, content_, film.candidates->signatures().size());
-        if (!plan) {
-            plan = {.folder = new_tile_folder(directory),
-                    .levels = chosen_keyframes(*film.candidates, choice_, run_)};
-            write_plan(directory, content_, *plan);
-        }
+        if (!plan) plan = new_plan(film);
         const std::optional<SharpFrames> size = sharp_frames(*film.candidates, brick_height_);
         PyramidSettings first = pyramid_;
         first.is_last = !size;
@@ -179,6 +176,29 @@ class Weaving {
         for (const fs::path& folder : {request_.directory, request_.html})
             if (!folder.empty()) return folder;
         return fs::absolute(request_.result()).parent_path();
+    }
+
+    /// Chooses the keyframes. Before, which may take a while, there is a first view, unless the film has a
+    /// tapestry already.
+    WeavePlan new_plan(const Film& film) const {
+        const fs::path& directory = request_.directory;
+        WeavePlan plan{.folder = new_tile_folder(directory), .levels = {}};
+        if (!has_index()) write_first_view(directory, head_, plan.folder + first_suffix, film);
+        plan.levels = chosen_keyframes(*film.candidates, choice_, run_);
+        write_plan(directory, content_, plan);
+        return plan;
+    }
+
+    /// Says if there is an index of this content.
+    bool has_index() const {
+        std::error_code error;
+        if (!fs::exists(request_.directory / "index.json", error)) return false;
+        try {
+            const Tapestry index = read_tapestry(request_.directory);
+            return index.bytes == head_.bytes && index.mtime_ns == head_.mtime_ns;
+        } catch (const std::runtime_error&) {  // loading one record: it is written anew
+            return false;
+        }
     }
 
     void write_pyramid(const Film& film, const std::vector<Keyframes>& levels,

@@ -89,6 +89,12 @@ std::string progress_in_words(const Schedule& schedule) {
     return fmt::format("{} of {}", done, all);
 }
 
+/// @param is_free  nothing is to be analysed
+WeaveScope weave_scope(bool may_weave, bool is_free) {
+    if (!may_weave) return WeaveScope::none;
+    return is_free ? WeaveScope::all : WeaveScope::wanted;
+}
+
 /// The record of a file that brought its readers down: quarantined, or a film that is shown as far as it is
 /// known.
 /// @param known  the record in the catalogue
@@ -236,7 +242,7 @@ void Daemon::advance() {
             perform(action);
     const bool is_free = is_online() && schedule_.is_idle();
     refiner_.advance(is_free);
-    weaver_.advance(is_free && refiner_.backlog() == 0 && options_.weaves);
+    weaver_.advance(weave_scope(is_online() && options_.weaves, is_free && refiner_.backlog() == 0));
     book_.make_room();
     wake_at(schedule_.next_wake(), begin);
     liveness_.send_status_soon();

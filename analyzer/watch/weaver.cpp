@@ -11,7 +11,21 @@ Weaver::Weaver(EventLoop& loop, WeaveOptions options, std::function<void()> ende
     : loop_(loop),
       options_(std::move(options)),
       ended_(std::move(ended)),
-      tapestries_(options_.state, options_.bounds) {}
+      tapestries_(options_.state, options_.bounds),
+      wanted_(loop, options_.state, [this] {
+          follow_wish();
+          advance(scope_);
+      }) {
+    follow_wish();
+}
+
+/// A tapestry that has lost its place to others is woven again if a visitor waits for it.
+void Weaver::follow_wish() {
+    const std::string& path = wanted_.path();
+    schedule_.want_film(path);
+    if (const std::optional<FilmVersion> film = tapestries_.revive(path))
+        schedule_.request_film(path, film->bytes, film->mtime_ns);
+}
 
 void Weaver::note_record(const MediaRecord& record) {
     if (tapestries_.hold(record))
@@ -22,17 +36,19 @@ void Weaver::note_record(const MediaRecord& record) {
 
 void Weaver::forget_film(const std::string& path) {
     schedule_.forget_film(path);
-    advance(was_free_);  // its child must not write into the removed folder
+    advance(scope_);  // its child must not write into the removed folder
     tapestries_.release(path);
 }
 
 void Weaver::rename_film(const std::string& from, const std::string& to) {
     schedule_.forget_film(from);
-    advance(was_free_);
+    advance(scope_);
     tapestries_.move(from, to);
 }
 
 void Weaver::sweep_tapestries(const std::vector<std::string>& files) {
+    wanted_.look();
+    follow_wish();
     tapestries_.sweep(files);
     tapestries_.look_at(schedule_.running_film());
     make_room();
@@ -45,9 +61,9 @@ void Weaver::make_room() {
     }
 }
 
-void Weaver::advance(bool is_free) {
-    was_free_ = is_free;
-    for (const WeaveAction& action : schedule_.next_actions(is_free))
+void Weaver::advance(WeaveScope scope) {
+    scope_ = scope;
+    for (const WeaveAction& action : schedule_.next_actions(scope))
         perform(action);
 }
 
@@ -68,10 +84,12 @@ void Weaver::start_child(const std::string& path) {
     std::vector<std::string> command = options_.command;
     command.push_back("--output=" + tapestries_.folder(path).string());
     command.push_back((options_.root / path).string());
-    log::debug("weaving '{}'", path);
+    const bool is_wanted = path == schedule_.wanted_film();
+    ChildLimits limits = options_.limits;
+    if (is_wanted) limits.niceness = options_.wanted_niceness;
+    log::debug("weaving '{}'{}", path, is_wanted ? ", as a visitor waits for it" : "");
     child_ = std::make_unique<ChildProcess>(
-        loop_, command, options_.limits,
-        [this, path](const ChildResult& result) { finish_weaving(path, result); });
+        loop_, command, limits, [this, path](const ChildResult& result) { finish_weaving(path, result); });
 }
 
 void Weaver::finish_weaving(const std::string& path, const ChildResult& result) {
@@ -85,7 +103,7 @@ void Weaver::finish_weaving(const std::string& path, const ChildResult& result) 
     else if (result.end != ChildResult::End::stopped)
         log::warning("not woven: '{}': {}", path, reason_of(result, options_.limits));
     make_room();
-    advance(was_free_);
+    advance(scope_);
     ended_();
 }
 

@@ -2,6 +2,7 @@
 
 #include "analyzer/child/child_process.hpp"
 #include "analyzer/tapestry/tapestries.hpp"
+#include "analyzer/watch/wanted_film.hpp"
 #include "analyzer/watch/weave_schedule.hpp"
 #include "base/system/event_loop.hpp"
 
@@ -20,10 +21,11 @@ struct WeaveOptions {
     StoreBounds bounds;                // max_bytes 0: no tapestries
     std::vector<std::string> command;  // the folder and the film are appended
     ChildLimits limits;
+    int wanted_niceness = 5;  // of a child that a visitor waits for: before analyses, behind the player
 };
 
 /// Weaves the tapestries of the films that have records, one at a time in a child process, and only while
-/// nothing is analysed. Logs.
+/// nothing is analysed, except for the film that a visitor waits for. Logs.
 class Weaver {
   public:
     /// @param ended  called from the loop when a child has ended
@@ -49,8 +51,7 @@ class Weaver {
     void sweep_tapestries(const std::vector<std::string>& files);
 
     /// Starts, pauses or continues weaving.
-    /// @param is_free  nothing is to be analysed, and the films are there
-    void advance(bool is_free);
+    void advance(WeaveScope scope);
 
     /// True where nothing is woven, and nothing will be.
     bool is_idle() const { return schedule_.is_idle(); }
@@ -60,6 +61,7 @@ class Weaver {
     void start_child(const std::string& path);
     void finish_weaving(const std::string& path, const ChildResult& result);
     void make_room();
+    void follow_wish();
 
     EventLoop& loop_;  // outlives this
     WeaveOptions options_;
@@ -67,7 +69,8 @@ class Weaver {
     Tapestries tapestries_;
     WeaveSchedule schedule_;
     std::unique_ptr<ChildProcess> child_;
-    bool was_free_ = false;
+    WeaveScope scope_ = WeaveScope::none;  // since the last advance()
+    WantedFilm wanted_;
 };
 
 }  // namespace vitrine::analyzer

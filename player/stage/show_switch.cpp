@@ -20,6 +20,26 @@ using namespace std::chrono_literals;
 
 constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set in a tapestry's sources
 
+/// Tells if there is a tapestry that was woven from the present content of the film. Logs why there is none.
+bool has_tapestry(const std::filesystem::path& directory, const MediaRecord& film) {
+    std::error_code error;
+    if (!std::filesystem::exists(directory / "index.json", error)) return false;
+    try {
+        const Tapestry tapestry = read_tapestry(directory);
+        if (is_woven_from(tapestry, film)) return !tapestry.levels.empty();
+        log::info("no tapestry of '{}': the film has changed since it was woven", film.path);
+    } catch (const std::exception& failure) {
+        log::warning("no tapestry of '{}': {}", film.path, failure.what());
+    }
+    return false;
+}
+
+/// Tells if the analyzer weaves this file's tapestry, sooner or later.
+bool may_be_woven(const MediaRecord& record) {
+    return record.kind == MediaKind::film && record.is_complete && !record.shots.empty() &&
+           record.duration > 0ns;
+}
+
 }  // namespace
 
 ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool awaits_tiles)
@@ -73,16 +93,15 @@ bool ShowSwitch::may_switch() const {
 
 bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
-    std::error_code error;
-    if (!may_switch() || !std::filesystem::exists(directory / "index.json", error)) return false;
+    if (!may_switch()) return false;
+    const bool has_index = has_tapestry(directory, *film);
+    if (!has_index && (settings_.tapestry.max_bytes == 0 || !may_be_woven(*film))) return false;
     try {
-        if (!is_woven_from(read_tapestry(directory), *film)) {
-            log::info("no tapestry of '{}': the film has changed since it was woven", film->path);
-            return false;
-        }
         show_tapestry(directory, {.patience = settings_.input.idle,
                                   .film = film,
-                                  .first_seen = shot < film->shots.size() ? film->shots[shot].begin : 0ns});
+                                  .first_seen = shot < film->shots.size() ? film->shots[shot].begin : 0ns,
+                                  .awaits_index = !has_index,
+                                  .wishes_in = settings_.state.directory});
     } catch (const std::exception& failure) {
         log::warning("no tapestry of '{}': {}", film->path, failure.what());
         return false;
@@ -94,10 +113,11 @@ void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryP
     options.first_source = sources_of(owner_) | tapestry_bit;
     options.awaits_tiles = awaits_tiles_;
     options.rests = settings_.show.calm;
-    tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, std::move(options));
+    const char* const when = options.awaits_index ? ", as soon as it is woven" : "";
+    tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, options);
     switched_ = time_;
     has_switched_ = true;
-    log::info("tapestry of '{}'", tapestry_->show().tapestry().path);
+    log::info("tapestry of '{}'{}", tapestry_->show().tapestry().path, when);
 }
 
 std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {

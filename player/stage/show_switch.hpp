@@ -53,10 +53,10 @@ class ShowSwitch {
     /// @param frame  the frame of the last step()
     void fade(Frame& frame);
 
-    /// Shows a film's tapestry in place of the wall, if there is one and it was woven from the present
-    /// content of the film.
+    /// Shows a film's tapestry in place of the wall. If there is none of the present content of the film, the
+    /// film plays above an empty strip until the analyzer has woven a first view.
     /// @param shot  the shot of the film at which the view starts
-    /// @return false: there is no such tapestry, or the last switch was too short a time ago
+    /// @return false: there is none and none will be woven, or the last switch was too short a time ago
     bool open_tapestry(const RecordList::Record& film, std::size_t shot);
 
     /// Shows a tapestry in place of the wall.

@@ -2,6 +2,7 @@
 
 #include "base/system/log.hpp"
 #include "player/scene/tapestry/kept_frames.hpp"
+#include "player/scene/tapestry/unwoven_tapestry.hpp"
 
 #include <array>
 #include <utility>
@@ -10,17 +11,24 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int tile_bits = 32;  // bits of a tile's number below its level
+constexpr int tile_bits = 32;        // bits of a tile's number below its level
+constexpr int generation_bits = 48;  // and below the generation of its tapestry
 /// A tapestry's height in bricks: it has two rows, three quarters of a brick apart.
 constexpr double rows_of_bricks = 1.5;
 constexpr std::array<std::byte, 4> white{std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
 
-std::uint64_t number_of(const TileId& tile) {
-    return (std::uint64_t{tile.level} << tile_bits) + static_cast<std::uint64_t>(tile.tile);
+/// The number by which the loader knows a tile.
+std::uint64_t number_of(const TileId& tile, unsigned generation) {
+    return (std::uint64_t{generation} << generation_bits) + (std::uint64_t{tile.level} << tile_bits) +
+           static_cast<std::uint64_t>(tile.tile);
 }
 
 TileId tile_of(std::uint64_t number) {
-    return {number >> tile_bits, static_cast<int>(number & 0xffffffff)};
+    return {(number >> tile_bits) & 0xffff, static_cast<int>(number & 0xffffffff)};
+}
+
+unsigned generation_of(std::uint64_t number) {
+    return static_cast<unsigned>(number >> generation_bits);
 }
 
 /// The film of a tapestry as its record has it. Without a record, its picture has the shape of a brick.
@@ -41,10 +49,38 @@ PreviewedFilm film_of(const Tapestry& tapestry, const RecordList::Record& record
     return film;
 }
 
+/// The tapestry to begin with.
+Tapestry first_tapestry(const std::filesystem::path& directory, const TapestryPlaybackOptions& options) {
+    if (!options.awaits_index) {
+        Tapestry tapestry = read_tapestry(directory);
+        if (tapestry.levels.empty())
+            throw std::runtime_error("'" + directory.string() + "' has no level yet");
+        return tapestry;
+    }
+    const MediaRecord& film = *options.film;
+    const Box active = active_picture(film);
+    Tapestry tapestry = unwoven_tapestry(film.duration, active.max - active.min);
+    tapestry.path = film.path;
+    tapestry.bytes = film.bytes;
+    tapestry.mtime_ns = film.mtime_ns;
+    return tapestry;
+}
+
+/// Tells if the same pictures are shown by both.
+bool shows_the_same(const Tapestry& a, const Tapestry& b) {
+    return a.folder == b.folder && a.levels.size() == b.levels.size() &&
+           a.kept.times.size() == b.kept.times.size() && a.digits.width == b.digits.width;
+}
+
+NewerIndex followed_index(const std::filesystem::path& directory, const TapestryPlaybackOptions& options) {
+    NewerIndex index(directory);
+    if (!options.awaits_index) index.pass_over();
+    return index;
+}
+
 TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                      const TapestryPlaybackOptions& options) {
-    Tapestry tapestry = read_tapestry(directory);
-    if (tapestry.levels.empty()) throw std::runtime_error("'" + directory.string() + "' has no level yet");
+    Tapestry tapestry = first_tapestry(directory, options);
     TapestrySettings settings{.first_source = options.first_source,
                               .patience = options.patience,
                               .plays_at_once = true,
@@ -67,27 +103,60 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
 }
 
 TapestryPlayback::TapestryPlayback(std::filesystem::path directory, Vec2 canvas,
-                                   TapestryPlaybackOptions options)
+                                   const TapestryPlaybackOptions& options)
     : directory_(std::move(directory)),
-      options_(std::move(options)),
-      show_(show_of(directory_, canvas, options_)) {}
+      awaits_tiles_(options.awaits_tiles),
+      film_(options.film),
+      index_(followed_index(directory_, options)),
+      show_(show_of(directory_, canvas, options)) {
+    if (film_ && !options.wishes_in.empty() && !show_.tapestry().is_complete)
+        wish_.emplace(options.wishes_in, film_->path);
+}
 
 void TapestryPlayback::set_catalogue(const RecordList& records) {
     const RecordList::Record film = records.find(show_.film().path);
     const bool is_known = film && is_woven_from(show_.tapestry(), *film);
-    if (!is_known && !options_.film) return;
+    if (!is_known && !film_) return;
     if (!is_known) return show_.end();
-    options_.film = film;
+    film_ = film;
     show_.set_film(film_of(show_.tapestry(), film));
 }
 
+/// A newer index of the same film is shown as soon as its tiles are there, one after another.
+void TapestryPlayback::take_newer_index(std::chrono::nanoseconds now) {
+    if (show_.strips().coming()) return;
+    std::optional<Tapestry> newer = index_.take(now);
+    const Tapestry& shown = show_.tapestry();
+    if (!newer || newer->bytes != shown.bytes || newer->mtime_ns != shown.mtime_ns) return;
+    if (newer->is_complete) wish_.reset();
+    if (shows_the_same(*newer, shown)) return;
+    const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(now - *opened_);
+    if (is_unwoven(shown))
+        log::info("first view of the tapestry of '{}' after {} ms", show_.film().path, waited.count());
+    else
+        log::debug("newer tapestry of '{}': {}, {} levels", show_.film().path, newer->folder,
+                   newer->levels.size());
+    show_.strips().take_over(std::move(*newer));
+}
+
+void TapestryPlayback::end_waiting(std::chrono::nanoseconds now) {
+    const bool waits = is_unwoven(show_.tapestry()) && !show_.strips().coming() && !show_.is_over();
+    if (!waits || now - *opened_ < max_wait) return;
+    log::info("no tapestry of '{}' within {} s: the analyzer does not run, or needs longer",
+              show_.film().path, max_wait.count());
+    show_.end();
+}
+
 WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer) {
+    if (!opened_) opened_ = now;
+    take_newer_index(now);
+    end_waiting(now);
     if (!std::exchange(has_mark_, true))
         renderer.upload(show_.sources().mark(),
                         {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
     TapestryStep step = show_.step(now);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
-    if (give_tiles(step.missing, renderer) && options_.awaits_tiles) {
+    if (give_tiles(step, renderer) && awaits_tiles_) {
         step = show_.step(now);
         done.retired.insert(done.retired.end(), step.retired.begin(), step.retired.end());
     }
@@ -96,54 +165,69 @@ WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer
 }
 
 /// Gives tiles that have been read to the renderer. True: at least one.
-bool TapestryPlayback::give_tiles(const std::vector<TileId>& missing, Renderer& renderer) {
-    if (options_.awaits_tiles) {
-        for (const TileFile& file : files(missing))
+bool TapestryPlayback::give_tiles(const TapestryStep& step, Renderer& renderer) {
+    std::vector<TileFile> wanted;
+    if (const std::optional<ComingStrip>& coming = show_.strips().coming())
+        add_files(coming->strip(), step.coming, wanted);
+    add_files(show_.strips().shown(), step.missing, wanted);
+    if (awaits_tiles_) {
+        for (const TileFile& file : wanted)
             give(load_tile(file), renderer);
-        return !missing.empty();
+        return !wanted.empty();
     }
     const std::vector<LoadedTile> loaded = loader_.take(max_uploads);
     for (const LoadedTile& tile : loaded)
         give(tile, renderer);
-    if (missing != asked_) loader_.want(files(missing));
-    asked_ = missing;
+    std::vector<std::uint64_t> numbers;
+    numbers.reserve(wanted.size());
+    for (const TileFile& file : wanted)
+        numbers.push_back(file.number);
+    if (numbers != asked_) loader_.want(std::move(wanted));
+    asked_ = std::move(numbers);
     return !loaded.empty();
 }
 
-std::vector<TileFile> TapestryPlayback::files(const std::vector<TileId>& tiles) {
-    std::vector<TileFile> files;
-    const Tapestry& tapestry = show_.tapestry();
+void TapestryPlayback::add_files(const TapestryStrip& strip, const std::vector<TileId>& tiles,
+                                 std::vector<TileFile>& files) const {
+    const Tapestry& tapestry = strip.tapestry();
     const auto zoom = [&](const TileId& tile, bool is_to_finer) {
         const std::size_t finer = tile.level + (is_to_finer ? 1 : 0);
         if (finer >= tapestry.levels.size() || !tapestry.levels[finer].has_zoom) return std::string();
         return (directory_ / tapestry.zoom_name(tile.level, tile.tile, is_to_finer)).string();
     };
-    for (const TileId& tile : tiles)
-        if (!unreadable_.contains(tile))
-            files.push_back({.number = number_of(tile),
+    for (const TileId& tile : tiles) {
+        const std::uint64_t number = number_of(tile, strip.sources().generation);
+        if (!unreadable_.contains(number))
+            files.push_back({.number = number,
                              .file = (directory_ / file_of(tapestry, tile)).string(),
                              .to_coarser = zoom(tile, false),
                              .to_finer = zoom(tile, true)});
-    return files;
+    }
 }
 
+/// A tapestry that is to come and has no such tile any more has been replaced: the next one is awaited.
 void TapestryPlayback::give(const LoadedTile& loaded, Renderer& renderer) {
     const TileId tile = tile_of(loaded.number);
+    const unsigned generation = generation_of(loaded.number);
+    const TapestryStrip* const strip = show_.strips().find(generation);
+    if (strip == nullptr) return;
     if (loaded.sample.pixels.empty()) {
-        unreadable_.insert(tile);
+        unreadable_.insert(loaded.number);
         log::warning("tile {} of level {} of '{}' cannot be read", tile.tile, tile.level,
                      directory_.string());
+        if (strip != &show_.strips().shown()) show_.strips().drop_coming();
         return;
     }
-    renderer.upload(show_.sources().tile(tile), loaded.sample);
-    const double left = static_cast<double>(tile.tile) * show_.tapestry().tile_width;
-    show_.tile_ready(tile, {.to_coarser = mesh_of(loaded.to_coarser, left, false),
-                            .to_finer = mesh_of(loaded.to_finer, left, true)});
+    renderer.upload(strip->sources().tile(tile), loaded.sample);
+    const double left = static_cast<double>(tile.tile) * strip->tapestry().tile_width;
+    show_.strips().add(generation, tile,
+                       {.to_coarser = mesh_of(loaded.to_coarser, left, false),
+                        .to_finer = mesh_of(loaded.to_finer, left, true)});
 }
 
 void TapestryPlayback::forget_uploads() {
     has_mark_ = false;
-    show_.forget_tiles();
+    show_.strips().forget_tiles();
 }
 
 }  // namespace vitrine::player

@@ -4,6 +4,8 @@
 #include "player/render/renderer.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/tapestry/tapestry_show.hpp"
+#include "player/stage/newer_index.hpp"
+#include "player/stage/tapestry_wish.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -22,18 +24,23 @@ struct TapestryPlaybackOptions {
     bool rests = false;                                // it never moves by itself
     RecordList::Record film;                           // none: the film has no record
     std::chrono::nanoseconds first_seen{0};            // film time in the middle of the first view
+    bool awaits_index = false;          // there is no index of the film yet; then `film` is needed
+    std::filesystem::path wishes_in{};  // state directory, where the analyzer hears that a visitor waits for
+                                        // what is not woven yet; empty: nobody waits
 };
 
 /// True: the tapestry was woven from the present content of the film.
 bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 
-/// Shows a film's tapestry with its tiles. They are read in the background and a few of them are given to the
-/// renderer with each frame, so that neither reading nor uploading delays a frame.
+/// Shows a film's tapestry with its tiles. While the film is woven better and better, each newer index takes
+/// the place of the one before; without any, the film plays above an empty strip for a while. Tiles are read
+/// in the background and a few of them are given to the renderer with each frame, so that neither reading nor
+/// uploading delays a frame.
 class TapestryPlayback {
   public:
     /// @param directory  the tapestry's directory
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
-    TapestryPlayback(std::filesystem::path directory, Vec2 canvas, TapestryPlaybackOptions options);
+    TapestryPlayback(std::filesystem::path directory, Vec2 canvas, const TapestryPlaybackOptions& options);
 
     void set_canvas(Vec2 canvas) { show_.set_canvas(canvas); }
 
@@ -59,20 +66,30 @@ class TapestryPlayback {
 
     const TapestryShow& show() const { return show_; }
 
+    /// Limit of the time that a visitor waits for a first view of a film that is not woven yet.
+    static constexpr std::chrono::seconds max_wait{15};
+
     /// Limit of the tiles that the renderer gets in one frame, unless frames wait for tiles.
     static constexpr std::size_t max_uploads = 2;
 
   private:
-    std::vector<TileFile> files(const std::vector<TileId>& tiles);
-    bool give_tiles(const std::vector<TileId>& missing, Renderer& renderer);
+    void take_newer_index(std::chrono::nanoseconds now);
+    void end_waiting(std::chrono::nanoseconds now);
+    void add_files(const TapestryStrip& strip, const std::vector<TileId>& tiles,
+                   std::vector<TileFile>& files) const;
+    bool give_tiles(const TapestryStep& step, Renderer& renderer);
     void give(const LoadedTile& tile, Renderer& renderer);
 
     std::filesystem::path directory_;
-    TapestryPlaybackOptions options_;
+    bool awaits_tiles_;
+    RecordList::Record film_;  // none: the film has no record
+    NewerIndex index_;
     TapestryShow show_;
-    std::set<TileId> unreadable_;  // tiles that are not asked for again
-    std::vector<TileId> asked_;    // the last tiles that the loader was asked for
-    bool has_mark_ = false;        // the renderer has the white picture for drawing lines
+    std::optional<TapestryWish> wish_;                // a visitor waits
+    std::optional<std::chrono::nanoseconds> opened_;  // time of the first step
+    std::set<std::uint64_t> unreadable_;              // numbers of tiles that are not asked for again
+    std::vector<std::uint64_t> asked_;                // of the last tiles that the loader was asked for
+    bool has_mark_ = false;                           // the renderer has the white picture for drawing lines
     TileLoader loader_;
 };
 

@@ -107,13 +107,13 @@ cv::Mat Candidates::picture(int number) const {
     return as_brick(whole, kept_part(number, whole.size()));
 }
 
-Keyframe Candidates::keyframe(int number) const {
+Keyframe Candidates::keyframe(int number, FaceSearch search) const {
     const cv::Mat whole = kept_picture(number);
     const KeptPart part = kept_part(number, whole.size());
     Keyframe keyframe{.picture = as_brick(whole, part), .faces = {}, .region = {}};
     auto& faces = faces_[as_index(number)];
-    if (!faces) faces = faces_in(keyframe.picture);
-    keyframe.faces = *faces;
+    if (!faces && search == FaceSearch::done) faces = faces_in(keyframe.picture);
+    if (faces) keyframe.faces = *faces;
     if (const Shot* shot = shot_at(number); shot != nullptr) keyframe.region = region_in(*shot, number, part);
     return keyframe;
 }

@@ -13,6 +13,8 @@
 
 namespace vitrine::analyzer {
 
+enum class FaceSearch { done, left_out };
+
 /// The frames of a film that may become keyframes, as CandidateWriter has left them. Their signatures are in
 /// memory, 25 MB for two hours; their pictures stay in the file.
 class Candidates {
@@ -46,10 +48,10 @@ class Candidates {
     /// @throws std::system_error, std::runtime_error where the file cannot be read
     cv::Mat picture(int number) const;
 
-    /// A frame as a keyframe. Its faces are searched at its first call: most frames of a long film are never
-    /// asked for.
+    /// A frame as a keyframe. Its faces are searched at the first call that wants them: most frames of a long
+    /// film are never asked for.
     /// @throws std::system_error, std::runtime_error where the file cannot be read
-    Keyframe keyframe(int number) const;
+    Keyframe keyframe(int number, FaceSearch search = FaceSearch::done) const;
 
   private:
     /// The part of a kept picture that becomes the brick.

@@ -153,8 +153,9 @@ std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const Weav
 std::string new_tile_folder(const fs::path& directory) {
     for (int number = 1;; ++number) {
         std::string name = fmt::format("tiles-{}", number);
-        if (!fs::exists(directory / (name + sharp_suffix)) && fs::create_directories(directory / name))
-            return name;
+        const bool is_taken =
+            fs::exists(directory / (name + sharp_suffix)) || fs::exists(directory / (name + first_suffix));
+        if (!is_taken && fs::create_directories(directory / name)) return name;
     }
 }
 

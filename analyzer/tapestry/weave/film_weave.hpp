@@ -63,7 +63,9 @@ struct PyramidSettings {
     std::filesystem::path index;  // folder of the index; empty: that of the tiles
 };
 
-constexpr const char* sharp_suffix = "-sharp";  // of the folder of tiles of a sharper tapestry
+// Suffixes of folders of tiles.
+constexpr const char* first_suffix = "-first";  // of a first view, see first_view.hpp
+constexpr const char* sharp_suffix = "-sharp";  // of a sharper tapestry
 
 /// Makes a folder for tiles that no weaving has used before, so that readers of the one before lose nothing.
 /// @return its name

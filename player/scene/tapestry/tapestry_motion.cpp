@@ -72,6 +72,18 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
     }
 }
 
+void TapestryMotion::move_to(const TapestryPlace& to, const TapestryPlace& from) {
+    const auto level_of = [&](double level) {
+        return view_like(to, from, {.centre = view_.centre, .level = level}).level;
+    };
+    if (zoom_) {
+        zoom_->from = level_of(zoom_->from);
+        zoom_->to = std::round(level_of(zoom_->to));
+    }
+    view_ = view_like(to, from, view_);
+    if (!zoom_ && hold_ != Hold::held) settle(to.box().centre().x);
+}
+
 void TapestryMotion::zoom_to(double level, double at) {
     zoom_ = Zoom{.from = view_.level, .to = level, .at = at, .began = {}};
 }

@@ -25,6 +25,10 @@ class TapestryMotion {
     /// Moves the view by drags, flicks, pinches, the wheel and keys; ignores other gestures.
     void handle_gesture(const Gesture& gesture, const TapestryPlace& place);
 
+    /// Another tapestry of the same film takes the place of the one that was moved: see
+    /// view_like().
+    void move_to(const TapestryPlace& to, const TapestryPlace& from);
+
     /// Notes a touch: the view does not move by itself for `patience`.
     void touch() { touched_.reset(); }
 

@@ -2,6 +2,7 @@
 
 #include "player/scene/crossfade.hpp"
 #include "player/scene/tapestry/kept_frames.hpp"
+#include "player/scene/tapestry/unwoven_tapestry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ constexpr double preview_top = 0.05;   // share of the canvas' height
 constexpr double preview_room = 0.52;  // share of the canvas' height, filled as the shape allows
 constexpr double preview_width = 0.9;  // limit, as a share of the canvas' width
 constexpr int level_bits = 26;         // bits in a source's number for the number of a tile within its level
+constexpr int generation_bit = 33;
 constexpr SourceId film_bit = SourceId{1} << 40;
 constexpr auto appearing = 300ms;        // fade-in of a film that starts to play in place
 constexpr double blend_begin = 0.2;      // position between two levels from which the finer one is visible
@@ -28,6 +30,7 @@ constexpr double soft_edge = 0.14;       // width, as a share of the height of t
 constexpr int edge_points = 6;           // points of each side of the soft edge
 constexpr double nearly_opaque = 0.999;  // a soft edge needs an item that is not opaque
 constexpr double playhead_alpha = 0.85;
+constexpr double unwoven_alpha = 0.12;  // of the place of a strip that is not woven yet
 constexpr double digit_height = 0.034;  // share of the canvas' height
 constexpr double digit_gap = 0.006;     // between digits and strip, share of the canvas' height
 constexpr auto alike = 40ms;            // a sharp picture so near to a moment shows it
@@ -66,6 +69,16 @@ std::shared_ptr<const Cell> soft_cell(const Box& box, double edge) {
                                              .edge_coverage = 1});
 }
 
+/// @param strip  the box of the strip
+DrawItem tile_item(const TilePiece& piece, SourceId source, const Box& strip, double alpha) {
+    const double width = (piece.right - piece.left) / (piece.last - piece.first);
+    return {.source = source,
+            .cell = box_cell({{piece.left, strip.min.y}, {piece.right, strip.max.y}}),
+            .placement = {.scale = 1, .offset = {piece.left - piece.first * width, strip.min.y}},
+            .picture = {width, strip.height()},
+            .alpha = alpha};
+}
+
 /// Draws one frame, part by part.
 class Drawing {
   public:
@@ -75,6 +88,7 @@ class Drawing {
           frame_{.canvas = drawn.boxes.canvas, .idle = 1, .time = now} {}
 
     void draw_strip();
+    void draw_coming();
     void draw_in_place();
     void draw_preview();
     void draw_playhead();
@@ -84,6 +98,7 @@ class Drawing {
   private:
     const Box& box() const { return drawn_.boxes.strip; }
 
+    void draw_unwoven();
     void draw_level(std::size_t level, double alpha);
     void draw_above(const PlayingSpan& playing, nanoseconds local);
     void draw_cell(const PlacedCell& cell, const Box& at);
@@ -110,6 +125,7 @@ class Drawing {
 };
 
 void Drawing::draw_strip() {
+    if (is_unwoven(drawn_.tapestry)) return draw_unwoven();
     const double level = drawn_.view.level;
     const auto coarse = static_cast<std::size_t>(level);
     const double share = level - static_cast<double>(coarse);
@@ -177,15 +193,30 @@ void Drawing::cover_strip() {
 
 void Drawing::draw_level(std::size_t level, double alpha) {
     for (const TilePiece& piece : place_.pieces(drawn_.view, level, box().min.x, box().max.x)) {
-        if (!drawn_.tiles.has(piece.tile)) continue;
-        const double width = (piece.right - piece.left) / (piece.last - piece.first);
-        frame_.items.push_back(
-            {.source = drawn_.sources.tile(piece.tile),
-             .cell = box_cell({{piece.left, box().min.y}, {piece.right, box().max.y}}),
-             .placement = {.scale = 1, .offset = {piece.left - piece.first * width, box().min.y}},
-             .picture = {width, box().height()},
-             .alpha = alpha});
+        if (drawn_.tiles.has(piece.tile))
+            frame_.items.push_back(tile_item(piece, drawn_.sources.tile(piece.tile), box(), alpha));
     }
+}
+
+/// Draws what is loaded of a newer strip over the older one.
+void Drawing::draw_coming() {
+    if (!drawn_.coming) return;
+    const OverlaidStrip& coming = *drawn_.coming;
+    const TapestryPlace place(*coming.tapestry, box());
+    const auto level = static_cast<std::size_t>(std::lround(coming.view.level));
+    for (const TilePiece& piece : place.pieces(coming.view, level, box().min.x, box().max.x))
+        if (coming.tiles->has(piece.tile))
+            frame_.items.push_back(tile_item(piece, coming.sources.tile(piece.tile), box(), coming.alpha));
+}
+
+void Drawing::draw_unwoven() {
+    const double left = std::max(box().min.x, place_.canvas_x(drawn_.view, 0ns));
+    const double right = std::min(box().max.x, place_.canvas_x(drawn_.view, drawn_.tapestry.duration));
+    frame_.items.push_back({.source = drawn_.sources.mark(),
+                            .cell = box_cell({{left, box().min.y}, {right, box().max.y}}),
+                            .placement = {.scale = 1, .offset = {left, box().min.y}},
+                            .picture = {right - left, box().height()},
+                            .alpha = unwoven_alpha});
 }
 
 void Drawing::draw_in_place() {
@@ -294,7 +325,8 @@ TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture) {
 }
 
 SourceId TapestrySources::tile(const TileId& tile) const {
-    return first + (SourceId{tile.level + 1} << level_bits) + static_cast<SourceId>(tile.tile);
+    return first + (SourceId{generation} << generation_bit) + (SourceId{tile.level + 1} << level_bits) +
+           static_cast<SourceId>(tile.tile);
 }
 
 SourceId TapestrySources::film() const {
@@ -304,6 +336,7 @@ SourceId TapestrySources::film() const {
 Frame tapestry_frame(const DrawnTapestry& drawn, nanoseconds now) {
     Drawing drawing(drawn, now);
     drawing.draw_strip();
+    drawing.draw_coming();
     drawing.draw_in_place();
     drawing.draw_preview();
     drawing.draw_playhead();

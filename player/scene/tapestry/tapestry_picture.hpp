@@ -6,6 +6,7 @@
 #include "player/scene/tapestry/tile_cache.hpp"
 
 #include <chrono>
+#include <optional>
 
 namespace vitrine::player {
 
@@ -22,6 +23,9 @@ TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture);
 /// The source numbers of one tapestry, from `first` on.
 struct TapestrySources {
     SourceId first = 0;
+    unsigned generation = 0;  // of the tapestry, among those of the film that follow each other
+
+    static constexpr unsigned generations = 64;  // then they begin anew
 
     /// A picture of one white pixel, for drawing lines.
     SourceId mark() const { return first; }
@@ -30,6 +34,15 @@ struct TapestrySources {
 
     /// The first source number for the parts of the film that play.
     SourceId film() const;
+};
+
+/// A newer strip that fades in over another one. Lent for the call.
+struct OverlaidStrip {
+    const Tapestry* tapestry = nullptr;
+    const TileCache* tiles = nullptr;
+    TapestryView view;
+    TapestrySources sources;
+    double alpha = 1;
 };
 
 /// The parts of a tapestry's frame. Lent for the call.
@@ -43,11 +56,13 @@ struct DrawnTapestry {
     TapestryView view;
     TapestryBoxes boxes;
     TapestrySources sources;
+    std::optional<OverlaidStrip> coming;
 };
 
 /// Draws the tapestry, the part that plays in place, the preview above, and a line in the tapestry at the
 /// time of the preview. Between two levels it draws the meshes of the zoom fields if the film has them; else
-/// one level fades into the other. Where tiles are missing, the coarsest level is drawn.
+/// one level fades into the other. Where tiles are missing, the coarsest level is drawn. A
+/// tapestry that is not woven yet is a pale place.
 Frame tapestry_frame(const DrawnTapestry& drawn, std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

@@ -1,7 +1,5 @@
 #include "player/scene/tapestry/tapestry_show.hpp"
 
-#include "player/scene/tapestry/kept_frames.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -14,33 +12,16 @@ using std::chrono::nanoseconds;
 
 constexpr auto own_interval = 12s;  // between two previews that the show starts by itself
 constexpr auto last_picture = 3s;   // time for which the film's last picture stands
-constexpr std::int64_t min_tiles = 16;
-
-std::size_t max_tiles(const Tapestry& tapestry, std::int64_t bytes) {
-    const std::int64_t tile = std::int64_t{4} * tapestry.tile_width * tapestry.height;
-    return static_cast<std::size_t>(std::max(min_tiles, bytes / tile));
-}
-
-/// The tiles to be read. What a finger looks for comes before all others.
-std::vector<TileId> missing_tiles(const TileCache& tiles, const TileCache& kept, bool is_looking) {
-    std::vector<TileId> first = is_looking ? kept.missing() : tiles.missing();
-    const std::vector<TileId> second = is_looking ? tiles.missing() : kept.missing();
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
 
 }  // namespace
 
 TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
                            const TapestrySettings& settings)
-    : tapestry_(std::move(tapestry)),
-      sources_{settings.first_source},
+    : strips_(std::move(tapestry), settings.first_source, settings.max_tile_bytes),
       patience_(settings.patience),
       boxes_(tapestry_boxes(canvas, film.picture)),
       motion_({.centre = settings.first_seen}, settings.pace),
-      tiles_(max_tiles(tapestry_, settings.max_tile_bytes)),
-      kept_(max_kept_pictures),
-      spans_(std::move(film), sources_.film()),
+      spans_(std::move(film), sources().film()),
       preview_(spans_) {
     if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());
 }
@@ -62,21 +43,13 @@ void TapestryShow::handle_gesture(const Gesture& gesture) {
     is_over_ = is_over_ || finger_.has_closed();
 }
 
-void TapestryShow::tile_ready(const TileId& tile, TileZooms zooms) {
-    TileCache& cache = is_of_level(tapestry_, tile) ? tiles_ : kept_;
-    for (const TileId& gone : cache.add(tile, std::move(zooms)))
-        retired_tiles_.push_back(sources_.tile(gone));
-}
-
 std::vector<SourceId> TapestryShow::close() {
     preview_.stop_all();
+    strips_.clear();
     std::vector<SourceId> retired = spans_.take_changes().retired;
-    for (const SourceId tile : std::exchange(retired_tiles_, {}))
+    for (const SourceId tile : strips_.take_retired())
         retired.push_back(tile);
-    for (TileCache* cache : {&tiles_, &kept_})
-        for (const TileId& tile : cache->clear())
-            retired.push_back(sources_.tile(tile));
-    retired.push_back(sources_.mark());
+    retired.push_back(sources().mark());
     return retired;
 }
 
@@ -104,30 +77,34 @@ void TapestryShow::leave_or_play(nanoseconds now) {
 }
 
 TapestryStep TapestryShow::step(nanoseconds now) {
+    strips_.advance(now, boxes_.strip, motion_);
     const TapestryPlace here = place();
     motion_.follow(preview_.playhead(now));
     motion_.advance(now, here);
     finger_.advance(now, touched_strip());
-    tiles_.set_wanted(wanted_tiles(here, view(), motion_.direction(), tiles_.max_tiles()));
-    kept_.set_wanted(wanted_pictures(here, view(), tapestry_, preview_.scrubbed().moment()));
+    TapestryStrip& strip = strips_.shown();
+    const std::optional<ComingStrip>& coming = strips_.coming();
+    strip.want_all(here, view(), motion_.direction(), preview_.scrubbed().moment());
     leave_or_play(now);
     preview_.play_on(now, boxes_.preview.width());
     preview_.start_ready(now);
-    const DrawnTapestry drawn{.tapestry = tapestry_,
-                              .tiles = tiles_,
-                              .kept = kept_,
+    const DrawnTapestry drawn{.tapestry = strip.tapestry(),
+                              .tiles = strip.tiles(),
+                              .kept = strip.kept(),
                               .film = film(),
                               .preview = preview_,
                               .touched = finger_.touched(),
                               .view = view(),
                               .boxes = boxes_,
-                              .sources = sources_};
+                              .sources = strip.sources(),
+                              .coming = coming ? coming->drawn(now) : std::nullopt};
     FilmSpans::Changes changes = spans_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
-                      .missing = missing_tiles(tiles_, kept_, preview_.scrubbed().moment().has_value()),
+                      .missing = strip.missing(preview_.scrubbed().moment().has_value()),
+                      .coming = coming ? coming->strip().missing(false) : std::vector<TileId>{},
                       .requests = std::move(changes.requests),
                       .retired = std::move(changes.retired)};
-    for (const SourceId tile : std::exchange(retired_tiles_, {}))
+    for (const SourceId tile : strips_.take_retired())
         step.retired.push_back(tile);
     return step;
 }

@@ -6,10 +6,11 @@
 #include "player/scene/tapestry/tapestry_motion.hpp"
 #include "player/scene/tapestry/tapestry_picture.hpp"
 #include "player/scene/tapestry/tapestry_preview.hpp"
-#include "player/scene/tapestry/tile_cache.hpp"
+#include "player/scene/tapestry/woven_strips.hpp"
 
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -26,7 +27,8 @@ struct TapestrySettings {
 /// The work of one frame, besides drawing it.
 struct TapestryStep {
     Frame frame;
-    std::vector<TileId> missing;        // tiles to be read, the most urgent first; replaces the last list
+    std::vector<TileId> missing;  // tiles to be read, the most urgent first; replaces the last list
+    std::vector<TileId> coming;   // the same of the newer tapestry that is to be shown; before `missing`
     std::vector<ShotRequest> requests;  // parts of the film to play
     std::vector<SourceId> retired;      // tiles and parts, no longer needed; requested again if needed later
 };
@@ -37,7 +39,8 @@ struct TapestryStep {
 /// tapestry is over. Without a touch the strip moves through the film by itself. Knows no clock, files or
 /// textures: tiles and parts of the film are sources, and the caller reports when they are ready. Source:
 /// Video Tapestries 5 and 6 (preview above, zoom in 0.6 s); animated tapestries: 7, future work. Zooms follow
-/// the film's zoom fields (4.3) if it has any; else one level fades into the other.
+/// the film's zoom fields (4.3) if it has any; else one level fades into the other. A film that is not woven
+/// yet has an empty strip; a newer tapestry of the film fades in over the one that is shown.
 class TapestryShow {
   public:
     /// @param canvas  px
@@ -53,16 +56,20 @@ class TapestryShow {
     void handle_gesture(const Gesture& gesture);
 
     /// Call when a tile can be drawn.
-    void tile_ready(const TileId& tile, TileZooms zooms = {});
+    void tile_ready(const TileId& tile, TileZooms zooms = {}) {
+        strips_.add(sources().generation, tile, std::move(zooms));
+    }
+
+    /// The tapestry that is shown, and a newer one that comes.
+    WovenStrips& strips() { return strips_; }
+
+    const WovenStrips& strips() const { return strips_; }
 
     /// Retires everything and returns the sources.
     std::vector<SourceId> close();
 
     /// Ends the show, because its film has changed.
     void end() { is_over_ = true; }
-
-    /// Call when all tiles have been lost with the renderer.
-    void forget_tiles() { tiles_.clear(), kept_.clear(); }
 
     void source_ready(SourceId source) { preview_.source_ready(source); }
 
@@ -75,34 +82,27 @@ class TapestryShow {
     /// or end() was called. Without `patience` the film begins anew at its end.
     bool is_over() const { return is_over_; }
 
-    const TapestrySources& sources() const { return sources_; }
+    const TapestrySources& sources() const { return strips_.shown().sources(); }
 
     const TapestryView& view() const { return motion_.view(); }
 
-    const Tapestry& tapestry() const { return tapestry_; }
+    const Tapestry& tapestry() const { return strips_.shown().tapestry(); }
 
     /// The strip's place on the canvas. Borrows the tapestry.
-    TapestryPlace place() const { return {tapestry_, boxes_.strip}; }
-
-    /// Number of tiles that are loaded.
-    std::size_t tile_count() const { return tiles_.size(); }
+    TapestryPlace place() const { return {tapestry(), boxes_.strip}; }
 
   private:
     TouchedStrip touched_strip() { return {place(), boxes_, spans_, motion_, preview_}; }
 
     void leave_or_play(std::chrono::nanoseconds now);
 
-    Tapestry tapestry_;
-    TapestrySources sources_;
+    WovenStrips strips_;
     std::optional<std::chrono::nanoseconds> patience_;  // see TapestrySettings
     TapestryBoxes boxes_;
     TapestryMotion motion_;
-    TileCache tiles_;
-    TileCache kept_;  // sheets of frames, digits
     FilmSpans spans_;
     TapestryPreview preview_;  // refers to spans_
     StripFinger finger_;
-    std::vector<SourceId> retired_tiles_;
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last step
     std::chrono::nanoseconds played_{0};               // time at which the preview last started by itself
     bool is_over_ = false;

@@ -25,6 +25,20 @@ Between between(double level, std::size_t levels) {
     return {coarse, std::min(coarse + 1, levels - 1), within - static_cast<double>(coarse)};
 }
 
+/// The level at which a film is so wide, canvas px. Bisects: finer levels are wider.
+double level_of_width(const TapestryPlace& place, double wanted) {
+    constexpr int level_halvings = 30;
+    double low = 0;
+    double high = place.max_level();
+    if (wanted <= place.width(low)) return low;
+    if (wanted >= place.width(high)) return high;
+    for (int k = 0; k < level_halvings; ++k) {
+        const double middle = (low + high) / 2;
+        (place.width(middle) <= wanted ? low : high) = middle;
+    }
+    return low;
+}
+
 }  // namespace
 
 double TapestryPlace::strip_x(double level, nanoseconds time) const {
@@ -186,6 +200,12 @@ std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& 
         tiles.push_back({{level, tile}, x});
     }
     return tiles;
+}
+
+TapestryView view_like(const TapestryPlace& to, const TapestryPlace& from, const TapestryView& view) {
+    const double level = level_of_width(to, from.width(view.level));
+    const bool is_whole = view.level == std::round(view.level);
+    return to.bounded({.centre = view.centre, .level = is_whole ? std::round(level) : level});
 }
 
 }  // namespace vitrine::player

@@ -108,4 +108,9 @@ class TapestryPlace {
     Box box_;
 };
 
+/// The view of a tapestry that is most like one of another tapestry of the same film: the same moment in the
+/// middle, at about the same scale. A view of one level stays one.
+/// @param to, from  in the same box
+TapestryView view_like(const TapestryPlace& to, const TapestryPlace& from, const TapestryView& view);
+
 }  // namespace vitrine::player

@@ -27,6 +27,24 @@ Settings without_faces() {
     return settings;
 }
 
+FilmContent content_of(const fs::path& file) {
+    struct stat status {};
+
+    REQUIRE(::stat(file.c_str(), &status) == 0);
+    return {.bytes = static_cast<std::uint64_t>(status.st_size),
+            .mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+void keep_three_frames(const fs::path& folder, const FilmContent& of) {
+    KeptFrames frames(folder, 1 << 20);
+    for (int i = 0; i < 3; ++i) {
+        cv::Mat picture(48, 64, CV_8UC3, cv::Scalar::all(80 * i));
+        picture.colRange(20 * i, 20 * i + 20).setTo(cv::Scalar(200, 10, 90));
+        frames.saw({.picture = picture, .time = std::chrono::seconds(i)});
+    }
+    frames.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(3)}, of);
+}
+
 }  // namespace
 
 TEST_CASE("errors name the file" * doctest::test_suite("real")) {
@@ -102,7 +120,7 @@ TEST_CASE("a film is woven as tall as the settings want it, where it is not smal
             names.push_back(entry.path().filename().string());
         std::ranges::sort(names);
         // The coarse tiles stay for a player that still shows them. The daemon removes them later.
-        CHECK(names == std::vector<std::string>{"index.json", "tiles-1", tapestry.folder});
+        CHECK(names == std::vector<std::string>{"index.json", "tiles-1", "tiles-1-first", tapestry.folder});
     }
 }
 
@@ -112,28 +130,14 @@ TEST_CASE(
     const fs::path text = folder.write("films/notes.txt", "no film at all");
     const fs::path out = folder.path / "out";
 
-    struct stat status {};
-
-    REQUIRE(::stat(text.c_str(), &status) == 0);
-    const FilmContent content{.bytes = 14,
-                              .mtime_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 +
-                                          status.st_mtim.tv_nsec};
-    const auto keep = [&](const FilmContent& of) {
-        KeptFrames frames(out, 1 << 20);
-        for (int i = 0; i < 3; ++i) {
-            cv::Mat picture(48, 64, CV_8UC3, cv::Scalar::all(80 * i));
-            picture.colRange(20 * i, 20 * i + 20).setTo(cv::Scalar(200, 10, 90));
-            frames.saw({.picture = picture, .time = std::chrono::seconds(i)});
-        }
-        frames.finish({.kind = MediaKind::film, .duration = std::chrono::seconds(3)}, of);
-    };
+    const FilmContent content = content_of(text);
     Settings settings = without_faces();
     settings.media.root = folder.path / "films";
     const WeaveRequest request{.file = text, .directory = out, .resumes = true, .threads = 1};
 
-    keep({.bytes = 13, .mtime_ns = content.mtime_ns});
+    keep_three_frames(out, {.bytes = 13, .mtime_ns = content.mtime_ns});
     CHECK_THROWS_WITH(weave_file(request, settings), doctest::Contains("notes.txt"));
-    keep(content);
+    keep_three_frames(out, content);
     (void)weave_file(request, settings);
     const Tapestry tapestry = read_tapestry(out);
     CHECK(tapestry.path == "notes.txt");
@@ -144,6 +148,29 @@ TEST_CASE(
     CHECK(fs::exists(out / tapestry.tile_name(0, 0)));
     CHECK_FALSE(fs::exists(out / "frames"));
     CHECK_FALSE(fs::exists(out / "plan"));
+}
+
+TEST_CASE("a first view is there before anything is woven") {
+    const TemporaryDirectory folder;
+    const fs::path text = folder.write("films/notes.txt", "no film at all");
+    const fs::path out = folder.path / "out";
+    keep_three_frames(out, content_of(text));
+    folder.write("out/plan.new/in-the-way", "");  // so that the plan cannot be written: nothing is woven
+
+    Settings settings = without_faces();
+    settings.media.root = folder.path / "films";
+    const WeaveRequest request{.file = text, .directory = out, .resumes = true, .threads = 1};
+    CHECK_THROWS(weave_file(request, settings));
+    const Tapestry first = read_tapestry(out);
+    CHECK_FALSE(first.is_complete);
+    CHECK(first.folder == "tiles-1-first");
+    REQUIRE(first.levels.size() == 1);
+    CHECK(fs::exists(out / first.tile_name(0, 0)));
+
+    fs::remove_all(out / "plan.new");
+    (void)weave_file(request, settings);
+    CHECK(read_tapestry(out).is_complete);
+    CHECK_FALSE(fs::exists(out / "tiles-1-first"));
 }
 
 }  // namespace vitrine::analyzer

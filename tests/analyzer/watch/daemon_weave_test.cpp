@@ -1,6 +1,8 @@
 #include "analyzer/watch/daemon.hpp"
 
+#include "analyzer/tapestry/tapestry_state.hpp"
 #include "base/state/tapestry.hpp"
+#include "base/state/wanted_tapestry.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <sys/stat.h>
@@ -124,6 +126,53 @@ TEST_CASE("nothing is woven while something is analysed") {
     CHECK(house.weavings() == 0);
     std::ofstream(house.read.string() + ".gate") << "go\n";
     CHECK(house.comes_true([&] { return house.has_woven("film.mp4") && house.has_woven("slow.mp4"); }));
+}
+
+TEST_CASE("the film that a visitor waits for is woven while another is analysed") {
+    House house;
+    house.drop("film.mp4");
+    house.drop("other.mp4");
+    house.drop("slow.mp4", "slow\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.records() == 2; }));
+    want_tapestry(house.home.path, "film.mp4");
+    CHECK(house.comes_true([&] { return house.has_woven("film.mp4"); }));
+    CHECK_FALSE(house.has_woven("other.mp4"));
+    CHECK(house.weavings() == 1);
+    std::ofstream(house.read.string() + ".gate") << "go\n";
+    CHECK(house.comes_true([&] { return house.has_woven("other.mp4") && house.has_woven("slow.mp4"); }));
+}
+
+TEST_CASE("the film that a visitor waits for takes the place of the one that is woven, which follows") {
+    House house;
+    house.drop("gate.mp4", "gate\n");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.weavings() == 1; }));
+    house.drop("wanted.mp4");
+    want_tapestry(house.home.path, "wanted.mp4");
+    CHECK(house.comes_true([&] { return house.has_woven("wanted.mp4"); }));
+    CHECK_FALSE(house.has_woven("gate.mp4"));
+    REQUIRE(house.comes_true([&] { return house.weavings() == 3; }));
+    std::ofstream(house.weave.string() + ".gate") << "go\n";
+    CHECK(house.comes_true([&] { return house.has_woven("gate.mp4"); }));
+}
+
+TEST_CASE("a tapestry that has lost its place is woven again when a visitor waits for it") {
+    House house;
+    const fs::path film = house.drop("film.mp4");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.has_woven("film.mp4"); }));
+    house.daemon.reset();
+    const MediaRecord record = Catalogue(house.home.path / "catalogue").load().front();
+    const fs::path folder = tapestry_folder(house.home.path, "film.mp4");
+    fs::remove_all(folder);
+    note_dropped(folder, record.bytes, record.mtime_ns);
+    house.start();
+    for (int i = 0; i < 20; ++i)
+        house.loop.run_once(10ms);
+    REQUIRE_FALSE(house.has_woven("film.mp4"));
+    want_tapestry(house.home.path, "film.mp4");
+    CHECK(house.comes_true([&] { return house.has_woven("film.mp4"); }));
 }
 
 TEST_CASE("a tapestry goes with its film, comes along with its name and is woven anew when it changes") {

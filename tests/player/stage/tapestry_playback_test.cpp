@@ -1,6 +1,7 @@
 #include "player/stage/tapestry_playback.hpp"
 
 #include "base/settings/settings.hpp"
+#include "base/state/wanted_tapestry.hpp"
 #include "base/system/atomic_file.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/display/offscreen_screen.hpp"
@@ -363,11 +364,11 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
     std::size_t largest = 0;
     std::chrono::nanoseconds now = 0s;
-    for (std::size_t before = 0; tapestry.show().tile_count() < 4;
+    for (std::size_t before = 0; tapestry.show().strips().shown().tiles().size() < 4;
          now += 16ms) {  // ends at the test's timeout
         tapestry.step(now, theatre.renderer);
-        largest = std::max(largest, tapestry.show().tile_count() - before);
-        before = tapestry.show().tile_count();
+        largest = std::max(largest, tapestry.show().strips().shown().tiles().size() - before);
+        before = tapestry.show().strips().shown().tiles().size();
     }
     CHECK(largest <= TapestryPlayback::max_uploads);
 }
@@ -395,4 +396,108 @@ TEST_CASE("a tapestry plays at once, and from the store as soon as the film's re
 TEST_CASE("a directory without a tapestry is named") {
     const TemporaryDirectory directory;
     CHECK_THROWS_WITH(TapestryPlayback(directory.path, {320, 180}, {}), doctest::Contains("index.json"));
+}
+
+namespace {
+
+/// The film of drawn_tapestry().
+RecordList::Record film_record() {
+    MediaRecord record{.path = "film.mp4",
+                       .kind = MediaKind::film,
+                       .state = MediaState::ready,
+                       .width = 160,
+                       .height = 90,
+                       .duration = 60s};
+    record.shots = {Shot{.begin = 0s, .end = 60s}};
+    return RecordList(std::vector<MediaRecord>{record}).find("film.mp4");
+}
+
+/// A visitor has opened a film that is not woven yet.
+struct Opened {
+    explicit Opened(const std::filesystem::path& wishes_in = {})
+        : tapestry(directory.path / "tapestry", {320, 180},
+                   {.first_source = 1,
+                    .awaits_tiles = true,
+                    .film = film_record(),
+                    .first_seen = 30s,
+                    .awaits_index = true,
+                    .wishes_in = wishes_in}) {}
+
+    WallStep play(std::chrono::nanoseconds duration) {
+        WallStep last;
+        for (const auto end = now + duration; now < end; now += 100ms)
+            last = tapestry.step(now, renderer);
+        return last;
+    }
+
+    void write(const Tapestry& index) const { write_tiles(directory.path / "tapestry", index); }
+
+    TemporaryDirectory directory;
+    TapestryPlayback tapestry;
+    Renderer renderer{1, 1};
+    std::chrono::nanoseconds now = 0s;
+};
+
+}  // namespace
+
+TEST_CASE("a film that is not woven plays at once, and its strip is taken over as soon as there is one") {
+    Theatre theatre;  // a context to draw in
+    Opened opened;
+    const WallStep first = opened.tapestry.step(0s, opened.renderer);
+    REQUIRE(first.requests.size() == 1);
+    CHECK(first.requests[0].path == "film.mp4");
+    opened.play(3s);
+    CHECK_FALSE(opened.tapestry.is_over());
+
+    Tapestry plain = drawn_tapestry(1);
+    plain.folder = "tiles-1-first";
+    plain.is_complete = false;
+    opened.write(plain);
+    opened.play(600ms);
+    CHECK(opened.tapestry.show().tapestry().folder == "tiles-1-first");
+    const auto centre = opened.tapestry.show().view().centre;
+
+    Tapestry better = drawn_tapestry(2);
+    better.folder = "tiles-1";
+    opened.write(better);
+    opened.play(600ms);
+    CHECK(opened.tapestry.show().tapestry().folder == "tiles-1");
+    CHECK(opened.tapestry.show().tapestry().levels.size() == 2);
+    CHECK(std::chrono::abs(opened.tapestry.show().view().centre - centre) < 5s);
+    opened.play(20s);
+    CHECK_FALSE(opened.tapestry.is_over());
+}
+
+TEST_CASE("a film whose tapestry does not come, or is another's, gives way to the wall") {
+    Theatre theatre;
+    Opened opened;
+    Tapestry stale = drawn_tapestry(1);
+    stale.bytes = 5;
+    opened.write(stale);
+    opened.play(TapestryPlayback::max_wait - 1s);
+    CHECK_FALSE(opened.tapestry.is_over());
+    opened.play(2s);
+    CHECK(opened.tapestry.is_over());
+}
+
+TEST_CASE("the analyzer hears that a visitor waits, until the tapestry is complete or the visitor goes") {
+    Theatre theatre;
+    const auto wanted = [&] {
+        return wanted_tapestry(theatre.directory.path, std::filesystem::file_time_type::clock::now());
+    };
+    {
+        Opened opened(theatre.directory.path);
+        CHECK(wanted() == "film.mp4");
+        opened.write(drawn_tapestry(1));
+        opened.play(600ms);
+        CHECK(wanted().empty());
+    }
+    {
+        const Opened opened(theatre.directory.path);
+        CHECK(wanted() == "film.mp4");
+    }
+    CHECK(wanted().empty());
+    const TapestryPlayback complete(theatre.tapestry(), {320, 180},
+                                    {.film = film_record(), .wishes_in = theatre.directory.path});
+    CHECK(wanted().empty());
 }
