@@ -95,6 +95,8 @@ void add_weave(CLI::App& command, CommandLine& line) {
         ->capture_default_str();
     command.add_option("--times", weave.times,
                        "A file with the times of the coarsest keyframes: seconds, one a line");
+    command.add_option("--keyframes", weave.keyframes,
+                       "A file that chooses keyframes, as FILE.tapestry.toml beside a film does");
     command.add_flag("--uniform", weave.is_uniform, "Takes keyframes at equal distances, not by content");
     command.add_flag("--resume", weave.resumes, "Resumes an interrupted weaving into the folder")
         ->needs(folder)

@@ -18,6 +18,7 @@ std::string status_json(const StatusReport& report) {
         if (!is_utf8(entry.file.path)) file["path_hex"] = to_hex(entry.file.path);
         if (!entry.file.reason.empty()) file["reason"] = entry.file.reason;
         if (entry.hints != Hints{}) file["shown"] = in_words(entry.hints);
+        if (!entry.keyframes.is_empty()) file["tapestry"] = in_words(entry.keyframes);
         files.push_back(std::move(file));
     }
     return Json{{"version", version},

@@ -2,6 +2,7 @@
 
 #include "analyzer/status/file_state.hpp"
 #include "base/hints/hints.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/state/visibility.hpp"
 
 #include <chrono>
@@ -16,6 +17,7 @@ namespace vitrine::analyzer {
 struct StatusEntry {
     FileState file;
     Hints hints;
+    KeyframeChoice keyframes{};             // of its tapestry
     std::string id;                         // record_id() of its path: names its thumbnail
     std::optional<FileVisibility> on_wall;  // none: the player does not run, or does not know the file yet
 };

@@ -17,7 +17,9 @@ std::string in_words(const StatusEntry& entry, const ClockText& clock) {
     switch (file.state) {
     case State::ready: {
         const std::string how = in_words(entry.hints);
-        const std::string ready = how.empty() ? "ready" : "ready, " + how;
+        const std::string chosen = in_words(entry.keyframes);
+        const std::string ready =
+            (how.empty() ? "ready" : "ready, " + how) + (chosen.empty() ? "" : "; tapestry: " + chosen);
         const std::string wall = entry.on_wall ? ". " + plain_text(sentence(*entry.on_wall)) : "";
         return (reason.empty() ? ready : ready + "; " + reason) + wall;
     }

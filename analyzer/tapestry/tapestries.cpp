@@ -130,33 +130,40 @@ fs::path Tapestries::folder(const std::string& path) const {
     return tapestry_folder(state_, path);
 }
 
-bool Tapestries::hold(const MediaRecord& record) {
+bool Tapestries::hold(const MediaRecord& record, const std::string& choice) {
     const bool is_film = record.kind == MediaKind::film && record.state == MediaState::ready;
     if (!is_film || !is_on()) {
         release(record.path);
         return false;
     }
     Content& content = held_[record.path];
-    const bool is_known = content.film_bytes == record.bytes && content.film_mtime_ns == record.mtime_ns;
-    content.film_bytes = record.bytes;
-    content.film_mtime_ns = record.mtime_ns;
+    const bool is_known = content.film.bytes == record.bytes && content.film.mtime_ns == record.mtime_ns;
+    content.film = {.bytes = record.bytes, .mtime_ns = record.mtime_ns, .choice = choice};
+    content.is_complete = record.is_complete;
     const Unused unused(folder(record.path));
     if (!is_known) {
         if (is_stale(folder(record.path), record)) remove_stale(folder(record.path));
         look_at(record.path);
     }
-    return record.is_complete &&
-           tapestry_state(folder(record.path), record.bytes, record.mtime_ns) == TapestryState::lacking;
+    return record.is_complete && tapestry_state(folder(record.path), content.film) == TapestryState::lacking;
+}
+
+std::optional<std::pair<FilmVersion, bool>> Tapestries::choose(const std::string& path,
+                                                               const std::string& choice) {
+    const auto found = held_.find(path);
+    if (found == held_.end() || !found->second.is_complete) return std::nullopt;
+    found->second.film.choice = choice;
+    const Unused unused(folder(path));
+    return std::pair(found->second.film,
+                     tapestry_state(folder(path), found->second.film) == TapestryState::lacking);
 }
 
 std::optional<FilmVersion> Tapestries::revive(const std::string& path) const {
     const auto found = held_.find(path);
     if (found == held_.end()) return std::nullopt;
-    const FilmVersion film{.bytes = found->second.film_bytes, .mtime_ns = found->second.film_mtime_ns};
-    const bool is_dropped = tapestry_state(folder(path), film.bytes, film.mtime_ns) == TapestryState::dropped;
-    if (!is_dropped) return std::nullopt;
+    if (tapestry_state(folder(path), found->second.film) != TapestryState::dropped) return std::nullopt;
     forget_drop(folder(path));
-    return film;
+    return found->second.film;
 }
 
 void Tapestries::release(const std::string& path) {
@@ -233,7 +240,7 @@ std::uint64_t Tapestries::excess() const {
 
 void Tapestries::note(const std::string& path, const Content& content) const {
     try {
-        note_dropped(folder(path), content.film_bytes, content.film_mtime_ns);
+        note_dropped(folder(path), content.film.bytes, content.film.mtime_ns);
     } catch (const std::system_error&) {  // a full disk: after a restart it is woven again
         return;
     }

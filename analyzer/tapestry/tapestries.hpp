@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/store/store.hpp"
+#include "analyzer/tapestry/tapestry_state.hpp"
 #include "base/state/record.hpp"
 
 #include <cstdint>
@@ -9,15 +10,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::analyzer {
-
-/// A film's content, by what changes with it.
-struct FilmVersion {
-    std::uint64_t bytes = 0;
-    std::int64_t mtime_ns = 0;
-};
 
 /// The daemon's list of tapestries: one folder a film, with the name of the film's record. Weaving children
 /// fill the folders. The daemon removes the tapestries that no film has any more, and those beyond the
@@ -33,8 +29,14 @@ class Tapestries {
     std::filesystem::path folder(const std::string& path) const;
 
     /// Follows a new or changed record. Removes a tapestry of other content.
+    /// @param choice  see FilmVersion
     /// @return true where a tapestry must be woven for it
-    bool hold(const MediaRecord& record);
+    bool hold(const MediaRecord& record, const std::string& choice = "");
+
+    /// The film whose record holds, with another choice of keyframes; none where there is no such film, or
+    /// its tapestry is not wanted.
+    /// @return its version, and true where a tapestry must be woven for it
+    std::optional<std::pair<FilmVersion, bool>> choose(const std::string& path, const std::string& choice);
 
     /// A tapestry that has lost its place to others may be woven again.
     /// @return the film's content, if the tapestry had lost its place
@@ -61,9 +63,9 @@ class Tapestries {
 
   private:
     struct Content {
-        std::uint64_t film_bytes = 0;
-        std::int64_t film_mtime_ns = 0;
-        std::uint64_t bytes = 0;  // bytes in the folder
+        FilmVersion film;
+        bool is_complete = false;  // the film's record
+        std::uint64_t bytes = 0;   // bytes in the folder
     };
 
     std::uint64_t excess() const;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace vitrine::analyzer {
 
@@ -12,7 +13,19 @@ enum class TapestryState {
     dropped,   // it lost its place to others: it is not woven again
 };
 
+/// A film's content, and the keyframes that a person has chosen for it.
+struct FilmVersion {
+    std::uint64_t bytes = 0;
+    std::int64_t mtime_ns = 0;
+    std::string choice{};  // see key_of(); "": none
+
+    bool operator==(const FilmVersion&) const = default;
+};
+
 /// @param folder  the film's, see tapestry_folder()
+TapestryState tapestry_state(const std::filesystem::path& folder, const FilmVersion& film);
+
+/// The same for any choice of keyframes.
 TapestryState tapestry_state(const std::filesystem::path& folder, std::uint64_t bytes, std::int64_t mtime_ns);
 
 /// Notes that the tapestry of that content is not woven again. @throws std::system_error

@@ -41,6 +41,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double max_chosen_seconds = 1e6;  // the largest time that may be chosen
+constexpr std::size_t max_choice_bytes = 1U << 16;
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// Reads times in seconds, one a line. Empty lines and text behind a # do not count.
@@ -62,6 +63,13 @@ std::vector<std::chrono::nanoseconds> times_in(const fs::path& file) {
     }
     if (times.empty()) throw std::runtime_error(fmt::format("'{}': it holds no times", file.string()));
     return times;
+}
+
+/// @throws std::runtime_error naming the first line with a fault
+KeyframeChoice choice_in(const fs::path& file) {
+    KeyframeFile read = read_keyframe_choice(read_file(file, max_choice_bytes), file.string());
+    if (!read.faults.empty()) throw std::runtime_error(read.faults.front());
+    return std::move(read.choice);
 }
 
 /// @param size  px, longest side of the frames
@@ -104,12 +112,15 @@ class Weaving {
           file_(request.file, settings.media.root),
           head_(head_of(file_, request.file)),
           content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
-          choice_{.max_levels = request.levels, .is_uniform = request.is_uniform, .times = {}},
+          choice_{.max_levels = request.levels, .is_uniform = request.is_uniform},
           pyramid_{.retarget = {}, .max_bytes = request.max_bytes},
           brick_height_(wanted_brick_height(settings)),
           run_(threaded(request.threads > 0 ? request.threads
                                             : static_cast<int>(std::thread::hardware_concurrency()))) {
-        if (!request.times.empty()) choice_.times = times_in(request.times);
+        if (!request.times.empty())
+            choice_.chosen = {.keyframes = times_in(request.times), .struck = {}, .is_only = true};
+        if (!request.keyframes.empty()) choice_.chosen = choice_in(request.keyframes);
+        head_.choice = key_of(choice_.chosen);
         if (!request.html.empty()) {
             page_.emplace(request.html);
             require_film_encoder();
@@ -145,7 +156,7 @@ class Weaving {
         const fs::path& directory = request_.directory;
         fs::create_directories(directory);
         const Film film = kept_film();
-        std::optional<WeavePlan> plan = read_plan(directory, content_, film.candidates->signatures().size());
+        std::optional<WeavePlan> plan = read_plan(directory, subject(), film.candidates->signatures().size());
         if (!plan) plan = new_plan(film);
         const std::optional<SharpFrames> size = sharp_frames(*film.candidates, brick_height_);
         PyramidSettings first = pyramid_;
@@ -183,11 +194,14 @@ class Weaving {
     WeavePlan new_plan(const Film& film) const {
         const fs::path& directory = request_.directory;
         WeavePlan plan{.folder = new_tile_folder(directory), .levels = {}};
-        if (!has_index()) write_first_view(directory, head_, plan.folder + first_suffix, film);
+        if (!has_index())
+            write_first_view(directory, head_, plan.folder + first_suffix, film, choice_.chosen);
         plan.levels = chosen_keyframes(*film.candidates, choice_, run_);
-        write_plan(directory, content_, plan);
+        write_plan(directory, subject(), plan);
         return plan;
     }
+
+    PlanSubject subject() const { return {.content = content_, .choice = head_.choice}; }
 
     /// Says if there is an index of this content.
     bool has_index() const {

@@ -18,7 +18,8 @@ struct WeaveRequest {
     std::filesystem::path poster;     // a PNG of the coarsest level; empty: none
     int poster_height = 2000;         // px
     int levels = 32;
-    std::filesystem::path times;  // a file of times in seconds, one a line; empty: none
+    std::filesystem::path times;      // a file of times in seconds, one a line; empty: none
+    std::filesystem::path keyframes;  // a choice of keyframes, see base/hints/keyframe_choice; empty: none
     bool is_uniform = false;
     bool resumes = false;         // an interrupted weaving of the pyramid goes on
     std::uint64_t max_bytes = 0;  // for the pyramid, approximately; 0: any

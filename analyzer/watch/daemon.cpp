@@ -189,7 +189,8 @@ void Daemon::rescan() {
 void Daemon::follow_hints() {
     if (is_online()) {
         const std::vector<std::string> paths = schedule_.paths_below("");
-        hint_files_.read(paths);
+        hint_files_.read(paths, follower_.keyframe_files());
+        weaver_.set_choices(hint_files_.keyframe_choices());
         const auto is_heard = [this](const std::string& path) {
             return hint_files_.hints_for(path).sound.value_or(false);
         };
@@ -398,7 +399,11 @@ StatusReport Daemon::report() const {
     for (FileState& file : files()) {
         Hints hints = hint_files_.hints_for(file.path);
         std::string id = record_id(file.path);
-        report.files.push_back({.file = std::move(file), .hints = hints, .id = std::move(id)});
+        KeyframeChoice keyframes = hint_files_.keyframes_for(file.path);
+        report.files.push_back({.file = std::move(file),
+                                .hints = hints,
+                                .keyframes = std::move(keyframes),
+                                .id = std::move(id)});
     }
     return report;
 }

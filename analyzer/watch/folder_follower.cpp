@@ -1,6 +1,7 @@
 #include "analyzer/watch/folder_follower.hpp"
 
 #include "base/hints/hint_file.hpp"
+#include "base/hints/keyframe_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,11 @@ bool is_elsewhere(const MediaFolder& folder, const std::optional<std::uint64_t>&
     return device && folder.device() != device;
 }
 
+std::string relative_to(const fs::path& root, const fs::path& directory) {
+    const std::string path = directory.lexically_relative(root).string();
+    return path == "." ? "" : path;
+}
+
 }  // namespace
 
 void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& attend) {
@@ -44,6 +50,7 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     }
     if (!listing.files.empty() || !device_) device_ = folder_.device();
     has_seen_files_ |= !listing.files.empty();
+    std::erase_if(keyframe_files_, [&](const std::string& file) { return !listing.is_unread(file); });
     compare(listing, "", now);
     remarks_ = listing.remarks;
     if (unwatched_ > 0)
@@ -82,8 +89,9 @@ FolderFollower::Changes FolderFollower::read_changes() {
     using Kind = DirectoryEvent::Kind;
     Changes changes;
     for (const DirectoryEvent& event : watch_.read()) {
-        const std::string path = relative(event.directory / event.name);
-        has_hint_news_ |= event.name == hint_file_name;
+        const std::string path = relative_to(folder_.root(), event.directory / event.name);
+        has_hint_news_ |= event.name == hint_file_name || is_keyframe_file(event.name);
+        if (is_keyframe_file(event.name)) keyframe_files_.insert(path);
         switch (event.kind) {
         case Kind::written:
             changes.closed.insert(path);
@@ -149,6 +157,7 @@ void FolderFollower::list_below(const std::string& folder, Schedule::Time now) {
 
 void FolderFollower::compare(const MediaFolder::Listing& listing, const std::string& folder,
                              Schedule::Time now) {
+    keyframe_files_.insert(listing.keyframe_files.begin(), listing.keyframe_files.end());
     std::set<std::string> there;
     for (const MediaFolder::File& file : listing.files)
         there.insert(file.path);
@@ -178,11 +187,6 @@ void FolderFollower::lose_missing(const std::vector<std::string>& missing, Sched
 void FolderFollower::see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed) {
     const LookKind local = is_closed ? LookKind::closed : LookKind::local;
     schedule_.see_file(file.path, file.facts, now, is_remote_ ? LookKind::remote : local);
-}
-
-std::string FolderFollower::relative(const fs::path& directory) const {
-    const std::string path = directory.lexically_relative(folder_.root()).string();
-    return path == "." ? "" : path;
 }
 
 }  // namespace vitrine::analyzer

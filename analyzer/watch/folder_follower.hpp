@@ -43,7 +43,11 @@ class FolderFollower {
     /// Follows the kernel's events. @return whether the folder must be read as a whole
     bool read_events(Schedule::Time now);
 
-    /// @return true where a `.vitrine.toml` or a folder came, went or changed since the last call
+    /// The files that choose keyframes, see is_keyframe_file(). One of them may have gone by now.
+    const std::set<std::string>& keyframe_files() const { return keyframe_files_; }
+
+    /// @return true where a file of hints or of keyframes or a folder came, went or changed since the last
+    /// call
     bool take_hint_news() { return std::exchange(has_hint_news_, false); }
 
     /// Looks at single files.
@@ -65,7 +69,6 @@ class FolderFollower {
     void compare(const MediaFolder::Listing& listing, const std::string& folder, Schedule::Time now);
     void see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
     void look_at_changed(const Changes& changes, Schedule::Time now);
-    std::string relative(const std::filesystem::path& directory) const;
     void lose_missing(const std::vector<std::string>& missing, Schedule::Time now);
     bool is_unmounted(const MediaFolder::Listing& listing) const;
     bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;
@@ -78,6 +81,7 @@ class FolderFollower {
     std::vector<std::string> remarks_;
     bool is_online_ = false;
     bool has_hint_news_ = false;
+    std::set<std::string> keyframe_files_;
     bool is_remote_ = false;
     bool has_seen_files_ = false;          // since the start of this process
     std::optional<std::uint64_t> device_;  // where files were last seen

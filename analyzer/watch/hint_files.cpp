@@ -4,6 +4,7 @@
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -33,11 +34,20 @@ void HintFiles::read_soon() {
     due_.arm(write_time);
 }
 
-void HintFiles::read(const std::vector<std::string>& paths) {
+void HintFiles::read(const std::vector<std::string>& paths, const std::set<std::string>& keyframe_files) {
     hints_.clear();
     faults_.clear();
     for (const std::string& folder : folders_of(paths))
         read_folder(folder);
+    KeyframeChoices choices;
+    for (const std::string& path : keyframe_files) {
+        const std::string film = path.substr(0, path.size() - keyframe_file_ending.size());
+        if (std::ranges::binary_search(paths, film))
+            read_keyframes(path, film, choices);
+        else if (folder_.content(path, 1))
+            faults_.push_back(path + ": there is no such film beside it");
+    }
+    choices_ = std::move(choices);
     for (const std::string& fault : faults_)
         if (!logged_.contains(fault)) log::warning("hints: {}", fault);
     logged_ = {faults_.begin(), faults_.end()};
@@ -55,6 +65,29 @@ void HintFiles::read_folder(const std::string& folder) {
     const HintFile file = read_hints(*text, path);
     faults_.insert(faults_.end(), file.faults.begin(), file.faults.end());
     if (file.hints != Hints{}) hints_[folder] = file.hints;
+}
+
+/// A file that cannot be read has gone if its film is there; else its share may be off, and its choice stays.
+void HintFiles::read_keyframes(const std::string& path, const std::string& film, KeyframeChoices& choices) {
+    const std::optional<std::string> text = folder_.content(path, max_bytes + 1);
+    if (!text) {
+        const auto known = choices_.find(film);
+        if (known != choices_.end() && folder_.look_at(film).presence != MediaFolder::Presence::there)
+            choices.insert(*known);
+        return;
+    }
+    if (text->size() > max_bytes) {
+        faults_.push_back(path + ": it is larger than 64 KiB");
+        return;
+    }
+    KeyframeFile file = read_keyframe_choice(*text, path);
+    faults_.insert(faults_.end(), file.faults.begin(), file.faults.end());
+    if (!file.choice.is_empty()) choices[film] = std::move(file.choice);
+}
+
+KeyframeChoice HintFiles::keyframes_for(const std::string& path) const {
+    const auto found = choices_.find(path);
+    return found == choices_.end() ? KeyframeChoice{} : found->second;
 }
 
 /// A full disk is no reason to stop: it is tried again the next time.

@@ -2,6 +2,7 @@
 
 #include "analyzer/watch/media_folder.hpp"
 #include "base/hints/folder_hints.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/system/event_loop.hpp"
 
 #include <filesystem>
@@ -12,7 +13,8 @@
 
 namespace vitrine::analyzer {
 
-/// The files `.vitrine.toml` in the media folder. Hands their hints to the player in STATE/hints.json. Logs.
+/// What operators say in files beside the media: the files `.vitrine.toml`, whose hints are handed to the
+/// player in STATE/hints.json, and the files that choose the keyframes of tapestries. Logs.
 class HintFiles {
   public:
     static constexpr std::size_t max_bytes = 1U << 16;  // in one of them
@@ -26,8 +28,15 @@ class HintFiles {
     /// One of them is just being written: it is read once it is whole.
     void read_soon();
 
-    /// Reads all of them anew. @param paths  the media; the folders of these are searched
-    void read(const std::vector<std::string>& paths);
+    /// Reads all of them anew. @param paths  the media, in order; the folders of these are searched
+    /// @param keyframe_files  those that there may be, see is_keyframe_file()
+    void read(const std::vector<std::string>& paths, const std::set<std::string>& keyframe_files = {});
+
+    /// The keyframes that were chosen, by the paths of films.
+    const KeyframeChoices& keyframe_choices() const { return choices_; }
+
+    /// The same for one file; an empty one where there is none.
+    KeyframeChoice keyframes_for(const std::string& path) const;
 
     /// The hints for one file, by all names and folders above it.
     Hints hints_for(const std::string& path) const { return hints_of(path, hints_); }
@@ -37,11 +46,13 @@ class HintFiles {
 
   private:
     void read_folder(const std::string& folder);
+    void read_keyframes(const std::string& path, const std::string& film, KeyframeChoices& choices);
     void write_hand_over();
 
     const MediaFolder& folder_;
     std::filesystem::path hand_over_;
     FolderHints hints_;
+    KeyframeChoices choices_;
     std::vector<std::string> faults_;
     std::set<std::string> logged_;  // faults that are in the log
     std::string written_;           // the content of hand_over_

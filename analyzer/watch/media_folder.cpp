@@ -1,6 +1,7 @@
 #include "analyzer/watch/media_folder.hpp"
 
 #include "base/hints/hint_words.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/system/written_size.hpp"
 
 #include <fcntl.h>
@@ -106,10 +107,18 @@ struct Walk {
         (void)fd.release();  // closedir closes it
         errno = 0;
         while (const dirent* entry = ::readdir(directory.get())) {
-            if (!is_junk_name(entry->d_name)) visit(::dirfd(directory.get()), folder, entry->d_name, depth);
+            if (is_keyframe_file(entry->d_name))
+                note_keyframe_file(folder, entry->d_name);
+            else if (!is_junk_name(entry->d_name))
+                visit(::dirfd(directory.get()), folder, entry->d_name, depth);
             errno = 0;
         }
         if (errno != 0) remark(folder, std::strerror(errno));
+    }
+
+    void note_keyframe_file(const std::string& folder, const char* name) {
+        if (listing.keyframe_files.size() < MediaFolder::max_files)
+            listing.keyframe_files.push_back(folder.empty() ? name : folder + "/" + name);
     }
 
     void visit(int parent, const std::string& folder, const char* name, int depth) {
@@ -146,6 +155,7 @@ struct Walk {
 bool is_junk_name(std::string_view name) {
     const std::string lower = lower_case(name);
     return (lower.starts_with('.') && !begins_with_period(name)) || lower.starts_with("~$") ||
+           is_keyframe_file(name) ||
            std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
            std::any_of(junk_endings.begin(), junk_endings.end(),
                        [&](const char* ending) { return lower.ends_with(ending); });

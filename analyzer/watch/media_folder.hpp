@@ -52,8 +52,9 @@ class MediaFolder {
 
     struct Listing {
         std::vector<File> files;
-        std::vector<std::string> unread;   // files and folders that could not be read
-        std::vector<std::string> remarks;  // unreadable folders and exceeded limits, in plain words
+        std::vector<std::string> keyframe_files;  // see is_keyframe_file(); they are no media
+        std::vector<std::string> unread;          // files and folders that could not be read
+        std::vector<std::string> remarks;         // unreadable folders and exceeded limits, in plain words
 
         /// True where the path, or a folder that it lies in, could not be read.
         bool is_unread(const std::string& path) const;

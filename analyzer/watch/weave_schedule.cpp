@@ -5,10 +5,11 @@
 
 namespace vitrine::analyzer {
 
-void WeaveSchedule::request_film(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns) {
+void WeaveSchedule::request_film(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns,
+                                 const std::string& choice) {
     Wish& wish = wishes_[path];
-    if (wish.bytes == bytes && wish.mtime_ns == mtime_ns) return;
-    wish = {.bytes = bytes, .mtime_ns = mtime_ns};
+    if (wish.bytes == bytes && wish.mtime_ns == mtime_ns && wish.choice == choice) return;
+    wish = {.bytes = bytes, .mtime_ns = mtime_ns, .choice = choice};
     if (running_ == path) is_outdated_ = true;
 }
 
@@ -63,7 +64,7 @@ WeaveSchedule::Wishes::iterator WeaveSchedule::next_wish(WeaveScope scope) {
     if (scope != WeaveScope::all) return newest;
     for (auto wish = wishes_.begin(); wish != wishes_.end(); ++wish)
         if (wish->second.tries < max_tries &&
-            (newest == wishes_.end() || wish->second.mtime_ns > newest->second.mtime_ns))
+            (newest == wishes_.end() || wish->second.rank() > newest->second.rank()))
             newest = wish;
     return newest;
 }

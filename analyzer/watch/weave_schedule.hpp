@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::analyzer {
@@ -37,8 +38,10 @@ class WeaveSchedule {
   public:
     static constexpr int max_tries = 2;  // for one content
 
-    /// The film has no tapestry yet. A second request for the same content changes nothing.
-    void request_film(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns);
+    /// The film has no tapestry yet. A second request for the same version changes nothing.
+    /// @param choice  key of the keyframes that a person has chosen; such films come before others
+    void request_film(const std::string& path, std::uint64_t bytes, std::int64_t mtime_ns,
+                      const std::string& choice = "");
 
     /// The film is gone, or its tapestry is not wanted any more.
     void forget_film(const std::string& path);
@@ -64,7 +67,11 @@ class WeaveSchedule {
     struct Wish {
         std::uint64_t bytes = 0;
         std::int64_t mtime_ns = 0;
+        std::string choice;
         int tries = 0;
+
+        /// Later ones are woven first.
+        auto rank() const { return std::pair(!choice.empty(), mtime_ns); }
     };
 
     using Wishes = std::map<std::string, Wish>;

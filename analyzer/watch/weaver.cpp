@@ -1,11 +1,20 @@
 #include "analyzer/watch/weaver.hpp"
 
 #include "analyzer/watch/analysis_outcome.hpp"
+#include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
+#include <set>
+#include <system_error>
 #include <utility>
 
 namespace vitrine::analyzer {
+
+namespace {
+
+constexpr const char* choice_name = "keyframes.toml";  // in the tapestry's folder, for its child
+
+}  // namespace
 
 Weaver::Weaver(EventLoop& loop, WeaveOptions options, std::function<void()> ended)
     : loop_(loop),
@@ -24,14 +33,39 @@ void Weaver::follow_wish() {
     const std::string& path = wanted_.path();
     schedule_.want_film(path);
     if (const std::optional<FilmVersion> film = tapestries_.revive(path))
-        schedule_.request_film(path, film->bytes, film->mtime_ns);
+        schedule_.request_film(path, film->bytes, film->mtime_ns, film->choice);
 }
 
 void Weaver::note_record(const MediaRecord& record) {
-    if (tapestries_.hold(record))
-        schedule_.request_film(record.path, record.bytes, record.mtime_ns);
+    const std::string choice = choice_key(record.path);
+    if (tapestries_.hold(record, choice))
+        schedule_.request_film(record.path, record.bytes, record.mtime_ns, choice);
     else if (!record.is_complete || record.state != MediaState::ready)
         schedule_.forget_film(record.path);
+}
+
+void Weaver::set_choices(const KeyframeChoices& choices) {
+    if (choices == choices_) return;
+    const KeyframeChoices before = std::exchange(choices_, choices);
+    std::set<std::string> paths;
+    for (const KeyframeChoices* both : {&before, &choices})
+        for (const auto& [path, choice] : *both)
+            paths.insert(path);
+    for (const std::string& path : paths) {
+        const auto film = tapestries_.choose(path, choice_key(path));
+        if (!film) continue;
+        const auto& [version, is_lacking] = *film;
+        if (is_lacking)
+            schedule_.request_film(path, version.bytes, version.mtime_ns, version.choice);
+        else
+            schedule_.forget_film(path);  // it was woven with that choice before
+    }
+    advance(scope_);
+}
+
+std::string Weaver::choice_key(const std::string& path) const {
+    const auto found = choices_.find(path);
+    return found == choices_.end() ? "" : key_of(found->second);
 }
 
 void Weaver::forget_film(const std::string& path) {
@@ -80,16 +114,32 @@ void Weaver::perform(const WeaveAction& action) {
     }
 }
 
-void Weaver::start_child(const std::string& path) {
+std::vector<std::string> Weaver::command_for(const std::string& path) const {
     std::vector<std::string> command = options_.command;
-    command.push_back("--output=" + tapestries_.folder(path).string());
+    const std::filesystem::path folder = tapestries_.folder(path);
+    command.push_back("--output=" + folder.string());
+    if (const auto choice = choices_.find(path); choice != choices_.end()) {
+        std::filesystem::create_directories(folder);
+        replace_file(folder / choice_name, to_toml(choice->second));
+        command.push_back("--keyframes=" + (folder / choice_name).string());
+    }
     command.push_back((options_.root / path).string());
+    return command;
+}
+
+void Weaver::start_child(const std::string& path) {
     const bool is_wanted = path == schedule_.wanted_film();
     ChildLimits limits = options_.limits;
     if (is_wanted) limits.niceness = options_.wanted_niceness;
     log::debug("weaving '{}'{}", path, is_wanted ? ", as a visitor waits for it" : "");
-    child_ = std::make_unique<ChildProcess>(
-        loop_, command, limits, [this, path](const ChildResult& result) { finish_weaving(path, result); });
+    try {
+        child_ = std::make_unique<ChildProcess>(
+            loop_, command_for(path), limits,
+            [this, path](const ChildResult& result) { finish_weaving(path, result); });
+    } catch (const std::system_error& error) {  // a full disk, no process
+        log::warning("not woven: '{}': {}", path, error.what());
+        schedule_.finish_weaving(path, false);
+    }
 }
 
 void Weaver::finish_weaving(const std::string& path, const ChildResult& result) {

@@ -4,6 +4,7 @@
 #include "analyzer/tapestry/tapestries.hpp"
 #include "analyzer/watch/wanted_film.hpp"
 #include "analyzer/watch/weave_schedule.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/system/event_loop.hpp"
 
 #include <filesystem>
@@ -37,6 +38,10 @@ class Weaver {
     /// There is this record now; its tapestry is woven where it lacks one.
     void note_record(const MediaRecord& record);
 
+    /// The keyframes that operators have chosen, by the paths of films. Films of another choice are woven
+    /// anew.
+    void set_choices(const KeyframeChoices& choices);
+
     /// There is no record of this path any more: its tapestry goes.
     void forget_film(const std::string& path);
 
@@ -58,15 +63,18 @@ class Weaver {
 
   private:
     void perform(const WeaveAction& action);
+    std::vector<std::string> command_for(const std::string& path) const;
     void start_child(const std::string& path);
     void finish_weaving(const std::string& path, const ChildResult& result);
     void make_room();
     void follow_wish();
+    std::string choice_key(const std::string& path) const;
 
     EventLoop& loop_;  // outlives this
     WeaveOptions options_;
     std::function<void()> ended_;
     Tapestries tapestries_;
+    KeyframeChoices choices_;
     WeaveSchedule schedule_;
     std::unique_ptr<ChildProcess> child_;
     WeaveScope scope_ = WeaveScope::none;  // since the last advance()

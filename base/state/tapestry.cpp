@@ -185,6 +185,7 @@ std::string to_json(const Tapestry& tapestry) {
               {"tile_width", tapestry.tile_width},
               {"brick_width", tapestry.brick_width},
               {"levels", std::move(levels)}};
+    if (!tapestry.choice.empty()) json["choice"] = tapestry.choice;
     if (!tapestry.kept.is_empty()) json["frames"] = to_json(tapestry.kept);
     if (tapestry.digits.width > 0)
         json["digits"] = {{"width", tapestry.digits.width}, {"height", tapestry.digits.height}};
@@ -197,6 +198,7 @@ Tapestry tapestry_from_json(std::string_view text) {
     Tapestry tapestry{.path = json.at("path").get<std::string>(),
                       .bytes = json.at("bytes").get<std::uint64_t>(),
                       .mtime_ns = json.at("mtime_ns").get<std::int64_t>(),
+                      .choice = json.value("choice", ""),
                       .duration = nanoseconds(json.at("duration_ns").get<std::int64_t>()),
                       .is_complete = json.at("complete").get<bool>(),
                       .folder = json.at("folder").get<std::string>(),

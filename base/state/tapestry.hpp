@@ -48,6 +48,7 @@ struct Tapestry {
     std::string path;  // the film's path in its record
     std::uint64_t bytes = 0;
     std::int64_t mtime_ns = 0;
+    std::string choice{};  // key of the keyframes that a person has chosen; "": none
     std::chrono::nanoseconds duration{0};
     bool is_complete = false;           // false: finer levels may still come
     std::string folder;                 // folder of the tiles, below the index

@@ -2,6 +2,7 @@
 #include "base/hints/hint_file.hpp"
 #include "base/hints/hint_times.hpp"
 #include "base/hints/hint_words.hpp"
+#include "base/hints/keyframe_choice.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -48,6 +49,14 @@ void files(std::string_view text) {
     require(folder_hints_from_json(to_json(told)) == told);
 }
 
+void chosen(std::string_view text) {
+    const KeyframeFile file = read_keyframe_choice(text, "fuzz");
+    for (const std::string& fault : file.faults)
+        require(fault.starts_with("fuzz:"));
+    require(read_keyframe_choice(to_toml(file.choice), "again").choice == file.choice);
+    require(key_of(file.choice).empty() == file.choice.is_empty());
+}
+
 void told(std::string_view text) {
     FolderHints folders;
     try {
@@ -68,6 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);  // NOLINT: bytes are characters
     names(text);
     files(text);
+    chosen(text);
     told(text);
     return 0;
 }

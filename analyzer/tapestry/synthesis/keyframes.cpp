@@ -287,9 +287,12 @@ Affinity told_costs(Affinity told, const std::optional<KeyframeRules>& rules) {
 
 Keyframes coarsest_of(const Affinity& costs, const KeyframeSettings& settings, int count) {
     Medoids medoids(costs);
+    for (const int frame : settings.chosen)
+        medoids.add(frame);
     const Gate gate(settings.rules, 0);
-    Level level(costs, medoids, gate, settings.keeps_rows);
-    level.add(std::min(count, costs.frames()));
+    constexpr bool is_paired = false;  // there are no rows yet to be kept
+    Level level(costs, medoids, gate, is_paired);
+    level.add(std::min(count, costs.frames()) - static_cast<int>(settings.chosen.size()));
     level.improve();
     return medoids.sorted();
 }

@@ -30,6 +30,7 @@ struct KeyframeSettings {
     int max_levels = 32;     // the coarsest included
     bool keeps_rows = true;  // new keyframes between two others come in even numbers only
     std::optional<KeyframeRules> rules;
+    Keyframes chosen{};  // by a person: keyframes of the coarsest level, whatever they show
 };
 
 /// Chooses keyframes level by level, until every frame is a keyframe as far as rows allow it. Each level
@@ -42,6 +43,8 @@ struct KeyframeSettings {
 /// With rules there are as many keyframes as the film has to tell: none is added that lowers the cost by too
 /// little or looks like its neighbour. A take has a keyframe of its own. Frames that are not fit need not be
 /// shown. A level that would add less than a third to the one before is left out, and the next one is finer.
+///
+/// Frames that a person has chosen are keyframes of the coarsest level, beside those that it would have.
 ///
 /// @param costs  costs of at least one frame
 /// Source: Video Tapestries 4.1, k-medoids with earlier levels frozen; 4.3 for the even numbers.

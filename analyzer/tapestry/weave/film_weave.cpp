@@ -139,14 +139,17 @@ std::vector<Keyframes> chosen_keyframes(const Candidates& candidates, const Weav
                                         const RunTasks& run) {
     const auto& frames = candidates.signatures();
     KeyframeSettings settings{.max_levels = choice.max_levels, .rules = std::nullopt};
+    const KeyframeChoice& chosen = choice.chosen;
     if (choice.is_uniform) {
         const Affinity costs = time_affinity(frames);
         return refined_levels(costs, uniform_keyframes(costs.frames(), settings.first), settings);
     }
     settings.rules = rules_of(candidates);
+    for (std::size_t frame = 0; frame < frames.size(); ++frame)
+        if (is_struck(chosen, frames[frame].time)) settings.rules->fit[frame] = false;
+    settings.chosen = keyframes_at(frames, chosen.keyframes);
     Affinity costs = affinity(frames, {}, run);
-    if (!choice.times.empty())
-        return refined_levels(std::move(costs), keyframes_at(frames, choice.times), settings);
+    if (chosen.is_only) return refined_levels(std::move(costs), std::move(settings.chosen), settings);
     return keyframe_levels(std::move(costs), settings);
 }
 

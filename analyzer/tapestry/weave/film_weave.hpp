@@ -5,6 +5,7 @@
 #include "analyzer/tapestry/synthesis/weave.hpp"
 #include "analyzer/tapestry/weave/candidates.hpp"
 #include "analyzer/tapestry/weave/weave_plan.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/state/tapestry.hpp"
 
 #include <filesystem>
@@ -17,8 +18,8 @@ namespace vitrine::analyzer {
 /// The choice of a film's keyframes.
 struct WeaveChoice {
     int max_levels = 32;
-    bool is_uniform = false;                      // keyframes at equal distances; no frames are compared
-    std::vector<std::chrono::nanoseconds> times;  // chosen for the coarsest level; empty: by clustering
+    bool is_uniform = false;  // keyframes at equal distances; no frames are compared
+    KeyframeChoice chosen{};  // by a person; without any, all are chosen by clustering
 };
 
 /// The frames of a film that are kept to weave it.

@@ -121,18 +121,23 @@ void write_tiles(const fs::path& directory, const Tapestry& tapestry, const cv::
 
 }  // namespace
 
-Keyframes first_keyframes(const Candidates& candidates, int count) {
+Keyframes first_keyframes(const Candidates& candidates, int count, const KeyframeChoice& chosen) {
     const std::vector<FrameSignature>& frames = candidates.signatures();
     std::vector<FilmPart> shots;
     for (const Shot& shot : candidates.film().shots)
         shots.push_back({shot.begin, shot.end});
+    Keyframes keyframes = keyframes_at(frames, chosen.keyframes);
+    if (chosen.is_only) return keyframes;
     const std::vector<bool> fit = fit_frames(frames, shots);
     std::vector<int> standing;  // the frames that may be shown
     for (int frame = 0; frame < static_cast<int>(frames.size()); ++frame)
-        if (fit[as_index(frame)]) standing.push_back(frame);
-    Keyframes keyframes;
+        if (fit[as_index(frame)] && !is_struck(chosen, frames[as_index(frame)].time))
+            standing.push_back(frame);
     for (const int number : uniform_keyframes(static_cast<int>(standing.size()), count))
         keyframes.push_back(standing[as_index(number)]);
+    std::ranges::sort(keyframes);
+    keyframes.erase(std::unique(keyframes.begin(), keyframes.end()), keyframes.end());
+    if (keyframes.empty()) keyframes.push_back(0);
     return keyframes;
 }
 
@@ -156,9 +161,9 @@ cv::Mat plain_strip(const Brickwork& brickwork, const std::function<Keyframe(int
 }
 
 void write_first_view(const fs::path& directory, const Tapestry& head, const std::string& folder,
-                      const Film& film) {
+                      const Film& film, const KeyframeChoice& chosen) {
     const Candidates& candidates = *film.candidates;
-    const Keyframes keyframes = first_keyframes(candidates, KeyframeSettings{}.first);
+    const Keyframes keyframes = first_keyframes(candidates, KeyframeSettings{}.first, chosen);
     const Brickwork brickwork = brickwork_of(keyframes, candidates.brick());
     const cv::Mat strip = plain_strip(
         brickwork, [&](int k) { return candidates.keyframe(keyframes[as_index(k)], FaceSearch::left_out); });

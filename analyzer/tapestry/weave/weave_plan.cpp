@@ -9,7 +9,7 @@
 #include <sstream>
 #include <system_error>
 
-// A line with the film's content and the folder, then a line a level.
+// A line with the film's content, the choice and the folder, then a line a level.
 
 namespace vitrine::analyzer {
 
@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* plan_name = "plan";
 constexpr std::size_t max_plan_levels = 32;
+constexpr const char* no_choice = "-";
 
 std::optional<Keyframes> level_in(const std::string& line, std::size_t candidates) {
     std::istringstream words(line);
@@ -32,19 +33,20 @@ std::optional<Keyframes> level_in(const std::string& line, std::size_t candidate
     return level;
 }
 
-std::string head_of(const FilmContent& content) {
-    return fmt::format("vitrine-plan 1 {} {} ", content.bytes, content.mtime_ns);
+std::string head_of(const PlanSubject& subject) {
+    return fmt::format("vitrine-plan 2 {} {} {} ", subject.content.bytes, subject.content.mtime_ns,
+                       subject.choice.empty() ? no_choice : subject.choice);
 }
 
 }  // namespace
 
-std::optional<WeavePlan> read_plan(const fs::path& directory, const FilmContent& content,
+std::optional<WeavePlan> read_plan(const fs::path& directory, const PlanSubject& subject,
                                    std::size_t candidates) {
     std::error_code error;
     if (!fs::exists(directory / plan_name, error)) return std::nullopt;
     std::istringstream lines(read_file(directory / plan_name));
     std::string line;
-    const std::string head = head_of(content);
+    const std::string head = head_of(subject);
     if (!std::getline(lines, line) || !line.starts_with(head)) return std::nullopt;
     WeavePlan plan{.folder = line.substr(head.size()), .levels = {}};
     if (!plan.folder.starts_with("tiles-") || plan.folder.find_first_of("/.") != std::string::npos)
@@ -60,8 +62,8 @@ std::optional<WeavePlan> read_plan(const fs::path& directory, const FilmContent&
     return plan;
 }
 
-void write_plan(const fs::path& directory, const FilmContent& content, const WeavePlan& plan) {
-    std::string text = head_of(content) + plan.folder + "\n";
+void write_plan(const fs::path& directory, const PlanSubject& subject, const WeavePlan& plan) {
+    std::string text = head_of(subject) + plan.folder + "\n";
     for (const Keyframes& level : plan.levels)
         text += fmt::format("{}\n", fmt::join(level, " "));
     replace_file(directory / plan_name, text);

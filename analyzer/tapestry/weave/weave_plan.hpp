@@ -19,13 +19,19 @@ struct WeavePlan {
     bool operator==(const WeavePlan&) const = default;
 };
 
-/// The plan in a tapestry's folder; nothing where there is none for that film, or it is not valid.
+/// The film and the choice of its keyframes that a plan is for.
+struct PlanSubject {
+    FilmContent content;
+    std::string choice{};  // its key; "": none
+};
+
+/// The plan in a tapestry's folder; nothing where there is none for that subject, or it is not valid.
 /// @param candidates  number of candidates of the film
-std::optional<WeavePlan> read_plan(const std::filesystem::path& directory, const FilmContent& content,
+std::optional<WeavePlan> read_plan(const std::filesystem::path& directory, const PlanSubject& subject,
                                    std::size_t candidates);
 
 /// @throws std::system_error
-void write_plan(const std::filesystem::path& directory, const FilmContent& content, const WeavePlan& plan);
+void write_plan(const std::filesystem::path& directory, const PlanSubject& subject, const WeavePlan& plan);
 
 void remove_plan(const std::filesystem::path& directory);
 

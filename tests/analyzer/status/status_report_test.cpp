@@ -49,11 +49,12 @@ TEST_CASE("each file has a line that says where it stands and why") {
                     entry("f.jpg", State::failed, "it cannot be read"),
                     entry("g.mp4", State::quarantined, "twice it crashed its reader")};
     report.files[0].hints = hints_in_name("08-18 20s", NamePart::folder);
+    report.files[0].keyframes = {.keyframes = {1s, 2s, 3s}};
     CHECK(status_text(report, moment) ==
           "7 files: 1 ready, 1 copying, 1 looked at, 1 waiting, 1 unsupported, 1 not "
           "readable, 1 quarantined\n"
           "\n"
-          "a.jpg: ready, from 08:00 to 18:00, for 20 seconds\n"
+          "a.jpg: ready, from 08:00 to 18:00, for 20 seconds; tapestry: 3 keyframes chosen\n"
           "b.mp4: copying: it still changes\n"
           "c.jpg: being looked at\n"
           "d.mp4: waiting since 90 s: the copy is not complete\n"

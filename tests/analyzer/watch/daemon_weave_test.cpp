@@ -1,6 +1,7 @@
 #include "analyzer/watch/daemon.hpp"
 
 #include "analyzer/tapestry/tapestry_state.hpp"
+#include "base/hints/keyframe_choice.hpp"
 #include "base/state/tapestry.hpp"
 #include "base/state/wanted_tapestry.hpp"
 #include "tests/temporary_directory.hpp"
@@ -31,14 +32,17 @@ constexpr const char* reader = R"(
 /// Weaves nothing, but an index; "gate" waits to be let go before that, "bad" fails.
 constexpr const char* weaver = R"(
     folder=${1#--output=}
-    name=${2##*/}
+    for film; do :; done
+    choice=
+    [ $# -lt 3 ] || choice=$(sha256sum < "${2#--keyframes=}" | head -c 32)
+    name=${film##*/}
     echo "$name" >> "$0.log"
-    read -r word < "$2"
+    read -r word < "$film"
     [ "$word" != bad ] || exit 1
     mkdir -p "$folder/tiles-1/0"
     [ "$word" != gate ] || read -r _ < "$0.gate"
-    echo '{"version":1,"path":"'"$name"'","bytes":'$(stat -c %s "$2")',"mtime_ns":'$(date -r "$2" +%s%N)','\
-         '"duration_ns":9,"complete":true,"folder":"tiles-1","height":150,"tile_width":512,"brick_width":178,"levels":[]}' \
+    echo '{"version":1,"path":"'"$name"'","bytes":'$(stat -c %s "$film")',"mtime_ns":'$(date -r "$film" +%s%N)','\
+         '"choice":"'"$choice"'","duration_ns":9,"complete":true,"folder":"tiles-1","height":150,"tile_width":512,"brick_width":178,"levels":[]}' \
          > "$folder/index.json")";
 
 struct House {
@@ -126,6 +130,30 @@ TEST_CASE("nothing is woven while something is analysed") {
     CHECK(house.weavings() == 0);
     std::ofstream(house.read.string() + ".gate") << "go\n";
     CHECK(house.comes_true([&] { return house.has_woven("film.mp4") && house.has_woven("slow.mp4"); }));
+}
+
+TEST_CASE("a film is woven anew when its keyframes are chosen, otherwise, or not any more, and then only") {
+    House house;
+    house.drop("film.mp4");
+    house.drop("other.mp4");
+    house.start();
+    const auto choice = [&] { return read_tapestry(tapestry_folder(house.home.path, "film.mp4")).choice; };
+    REQUIRE(house.comes_true([&] { return house.has_woven("film.mp4") && house.has_woven("other.mp4"); }));
+    CHECK(choice().empty());
+    const fs::path file = house.drop("film.mp4.tapestry.toml", "keyframes = [\"0:12\"]\nstrik = [1]\n");
+    const std::string chosen = key_of({.keyframes = {12s}});
+    CHECK(house.comes_true([&] { return choice() == chosen; }));
+    CHECK(house.records() == 2);
+    house.daemon.reset();
+    house.start();
+    house.drop("next.mp4");
+    REQUIRE(house.comes_true([&] { return house.has_woven("next.mp4"); }));
+    CHECK(house.weavings() == 4);
+    house.drop("film.mp4.tapestry.toml", "strike = [3]\n");
+    CHECK(house.comes_true([&] { return choice() == key_of({.struck = {3s}}); }));
+    fs::remove(file);
+    CHECK(house.comes_true([&] { return choice().empty(); }));
+    CHECK(house.weavings() == 6);
 }
 
 TEST_CASE("the film that a visitor waits for is woven while another is analysed") {

@@ -25,9 +25,9 @@ std::vector<std::string> paths(const MediaFolder::Listing& listing) {
 }  // namespace
 
 TEST_CASE("what programs leave behind is junk, what people name their files is not") {
-    for (const char* name :
-         {".DS_Store", "._a.jpg", ".a.jpg.AbC123", "Thumbs.db", "THUMBS.DB", "desktop.ini", "@eaDir",
-          "~$a.doc", "a.jpg~", "a.mp4.part", "a.mp4.crdownload", "a.TMP", ".~tmp~", "a.filepart", "_STATUS"})
+    for (const char* name : {".DS_Store", "._a.jpg", ".a.jpg.AbC123", "Thumbs.db", "THUMBS.DB", "desktop.ini",
+                             "@eaDir", "~$a.doc", "a.jpg~", "a.mp4.part", "a.mp4.crdownload", "a.TMP",
+                             ".~tmp~", "a.filepart", "_STATUS", "a.mp4.tapestry.toml"})
         CHECK_MESSAGE(is_junk_name(name), name);
     for (const char* name :
          {"a.jpg", "~a.jpg", "tmp", "part", "a b\n'\".jpg", "\xff\xfe", "thumbs.db.jpg", "_a", "$1.jpg"})
@@ -41,6 +41,7 @@ TEST_CASE(
     directory.write("a.jpg", "12345");
     directory.write("b/" + odd, "1");
     directory.write("b/c/d.mp4", "1");
+    directory.write("b/c/d.mp4.tapestry.toml", "1");
     directory.write("b/@eaDir/thumb.jpg", "1");
     directory.write("b/._d.mp4", "1");
     const MediaFolder folder(directory.path);
@@ -51,6 +52,7 @@ TEST_CASE(
     CHECK(paths(listing) == std::vector<std::string>{"a.jpg", "b/c/d.mp4", "b/" + odd});
     CHECK(listing.unread.empty());
     CHECK(entered == std::vector<std::string>{"", "b", "b/c"});
+    CHECK(listing.keyframe_files == std::vector<std::string>{"b/c/d.mp4.tapestry.toml"});
     CHECK(paths(folder.list("b/c")) == std::vector<std::string>{"b/c/d.mp4"});
     CHECK(folder.list("b/@eaDir").files.empty());
 

@@ -60,6 +60,21 @@ TEST_CASE("the weaving of a film that goes is stopped, that of one that changes 
     CHECK(schedule.is_idle());
 }
 
+TEST_CASE("films of chosen keyframes come first, and another choice begins anew") {
+    WeaveSchedule schedule;
+    schedule.request_film("new", 1, 30);
+    schedule.request_film("chosen", 1, 10, "a");
+    REQUIRE(schedule.next_actions(WeaveScope::all) == Actions{{Kind::start, "chosen"}});
+    schedule.request_film("chosen", 1, 10, "a");
+    CHECK(schedule.next_actions(WeaveScope::all).empty());
+    schedule.request_film("chosen", 1, 10, "b");
+    CHECK(schedule.next_actions(WeaveScope::all) == Actions{{Kind::stop, "chosen"}});
+    schedule.finish_weaving("chosen", true);
+    CHECK(schedule.next_actions(WeaveScope::all) == Actions{{Kind::start, "chosen"}});
+    schedule.finish_weaving("chosen", true);
+    CHECK(schedule.next_actions(WeaveScope::all) == Actions{{Kind::start, "new"}});
+}
+
 TEST_CASE("what cannot be woven is tried twice, and again when it has changed") {
     WeaveSchedule schedule;
     schedule.request_film("bad", 1, 9);

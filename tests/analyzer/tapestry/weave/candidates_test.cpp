@@ -172,20 +172,21 @@ TEST_CASE("a file that is none of frames, or is cut short, is refused") {
     CHECK_THROWS(film(std::string(4000, 'x')));
 }
 
-TEST_CASE("a plan is read as it was written, for the same film only") {
+TEST_CASE("a plan is read as it was written, for the same film and choice only") {
     const TemporaryDirectory folder;
-    const FilmContent content{.bytes = 12, .mtime_ns = 34};
+    const PlanSubject subject{.content = {.bytes = 12, .mtime_ns = 34}};
     const WeavePlan plan{.folder = "tiles-3", .levels = {{0, 4}, {0, 2, 3, 4}}};
-    CHECK_FALSE(read_plan(folder.path, content, 5));
-    write_plan(folder.path, content, plan);
-    CHECK(read_plan(folder.path, content, 5) == plan);
-    CHECK_FALSE(read_plan(folder.path, {.bytes = 12, .mtime_ns = 35}, 5));
-    CHECK_FALSE(read_plan(folder.path, content, 4));
+    CHECK_FALSE(read_plan(folder.path, subject, 5));
+    write_plan(folder.path, subject, plan);
+    CHECK(read_plan(folder.path, subject, 5) == plan);
+    CHECK_FALSE(read_plan(folder.path, {.content = {.bytes = 12, .mtime_ns = 35}}, 5));
+    CHECK_FALSE(read_plan(folder.path, {.content = subject.content, .choice = "ab12"}, 5));
+    CHECK_FALSE(read_plan(folder.path, subject, 4));
     for (const char* bad :
          {"", "tiles-1\n", "../x\n0 1\n", "tiles-1\n1 0\n", "tiles-1\n0 1\n0 2 3\n", "tiles-1\n0 x\n"}) {
         CAPTURE(bad);
-        folder.write("plan", std::string("vitrine-plan 1 12 34 ") + bad);
-        CHECK_FALSE(read_plan(folder.path, content, 5));
+        folder.write("plan", std::string("vitrine-plan 2 12 34 - ") + bad);
+        CHECK_FALSE(read_plan(folder.path, subject, 5));
     }
     remove_plan(folder.path);
     CHECK_FALSE(std::filesystem::exists(folder.path / "plan"));

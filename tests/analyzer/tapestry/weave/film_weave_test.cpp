@@ -154,6 +154,35 @@ TEST_CASE("a film of three scenes has a keyframe of each, and no more than they 
         CHECK(std::ranges::any_of(first, [&](int frame) { return frame / 8 == scene; }));
 }
 
+TEST_CASE("chosen moments are keyframes of each level, and there are none beside struck ones") {
+    const TemporaryDirectory folder;
+    DrawnSource source({64, 64}, 120, false);
+    const Film film = gathered(source, folder.path, nullptr);
+    const auto levels_with = [&](const KeyframeChoice& chosen) {
+        return chosen_keyframes(*film.candidates, {.chosen = chosen}, run_in_order);
+    };
+    const auto time_of = [&](int frame) {
+        return film.candidates->signatures()[static_cast<std::size_t>(frame)].time;
+    };
+    const std::vector<Keyframes> usual = levels_with({});
+    const Keyframes neighbours{2, 3, 4};  // too like each other to be chosen by what they show
+    REQUIRE_FALSE(std::ranges::includes(usual[0], neighbours));
+    KeyframeChoice wanted;
+    for (const int frame : neighbours)
+        wanted.keyframes.push_back(time_of(frame));
+    for (const Keyframes& level : levels_with(wanted))
+        CHECK(std::ranges::includes(level, neighbours));
+
+    const KeyframeChoice struck{.struck = {time_of(usual[0].front())}};
+    for (const Keyframes& level : levels_with(struck))
+        for (const int frame : level)
+            CHECK(std::chrono::abs(time_of(frame) - struck.struck[0]) > strike_reach);
+
+    KeyframeChoice only = wanted;
+    only.is_only = true;
+    CHECK(levels_with(only)[0] == neighbours);
+}
+
 TEST_CASE("a film without a picture is an error") {
     const TemporaryDirectory folder;
     DrawnSource source({64, 48}, 0, false);

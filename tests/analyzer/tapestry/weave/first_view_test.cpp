@@ -84,6 +84,21 @@ TEST_CASE("a first view has one level of at most 24 keyframes that show a pictur
     CHECK(width == read.levels[0].width);
 }
 
+TEST_CASE("a first view shows the moments that a person has chosen, and none that are struck") {
+    const TemporaryDirectory folder;
+    DrawnSource source({64, 64}, 301, false);
+    const Film film = gathered(source, folder.path, nullptr);
+    using std::chrono::seconds;
+    write_first_view(folder.path, {.path = "drawn", .choice = "ab"}, "tiles-1-first", film,
+                     {.keyframes = {seconds(7)}, .struck = {seconds(2)}});
+    const Tapestry read = read_tapestry(folder.path);
+    CHECK(read.choice == "ab");
+    CHECK(std::ranges::count(read.levels[0].keyframes, seconds(7)) == 1);
+    for (const auto time : read.levels[0].keyframes)
+        CHECK(std::chrono::abs(time - seconds(2)) > strike_reach);
+    CHECK(first_keyframes(*film.candidates, 24, {.keyframes = {seconds(1)}, .is_only = true}).size() == 1);
+}
+
 TEST_CASE("a first view of a black film, or of one frame, is one all the same") {
     for (const int frames : {1, 60}) {
         const TemporaryDirectory folder;
