@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto step_time = 20ms;
 
-/// The same film twice as tall, of other keyframes and one level more.
+/// The same film twice as tall, of other keyframes, without its coarsest level and with a finer one.
 Tapestry taller_tapestry() {
     Tapestry tapestry = drawn_tapestry(5);
     tapestry.folder = "tiles-sharp";
@@ -26,6 +26,7 @@ Tapestry taller_tapestry() {
     tapestry.brick_width *= 2;
     for (TapestryLevel& level : tapestry.levels)
         level.width *= 2;
+    tapestry.levels.erase(tapestry.levels.begin());
     return tapestry;
 }
 
