@@ -3,6 +3,7 @@
 #include "analyzer/film/active_picture.hpp"
 #include "analyzer/film/shot_detector.hpp"
 #include "analyzer/one_file/between_shots.hpp"
+#include "analyzer/one_file/frame_search.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "analyzer/saliency/take_parts.hpp"
 #include "base/state/media_error.hpp"
@@ -19,52 +20,6 @@ using std::chrono::nanoseconds;
 constexpr std::size_t max_shots = 10'000;           // in a file; later ones are not shown
 constexpr nanoseconds usual_interval{40'000'000};   // the duration of the last frame, if it is not known
 constexpr nanoseconds max_interval{1'000'000'000};  // between two frames that are compared for motion
-
-/// Searches single frames. Faces and lines of text are searched now and then, and hold until the next search.
-class FrameSearch {
-  public:
-    FrameSearch(const AnalysisSettings& settings, MediaKind kind)
-        : settings_(settings),
-          faces_(face_detector(settings.face_model, settings.face_cascade)),
-          stage_(image_saliency_stage(settings.image)) {
-        const bool is_film = kind == MediaKind::film;
-        if (!is_film && !settings.saliency_model.empty())
-            network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
-        if ((is_film || network_) && !settings.text_model.empty())
-            lines_ = std::make_unique<LineDetector>(settings.text_model);
-    }
-
-    /// @param count  of the samples before
-    Sample search(const FramePair& pair, nanoseconds time, int count) {
-        if (faces_ && count % settings_.face_interval == 0) {
-            last_faces_ = find_faces(*faces_, pair.frame, settings_.only_prominent_faces);
-            faces_time_ = time;
-        }
-        if (lines_ && count % settings_.text_interval == 0) {
-            last_lines_ = find_lines(*lines_, pair);
-            lines_time_ = time;
-        }
-        Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
-        if (network_) sample.subject = find_subject(*network_, pair);
-        sample.time = time;
-        sample.faces = last_faces_;
-        sample.faces_time = faces_time_;
-        sample.lines = last_lines_;
-        sample.lines_time = lines_time_;
-        return sample;
-    }
-
-  private:
-    const AnalysisSettings& settings_;     // outlives the search
-    std::unique_ptr<FaceDetector> faces_;  // null: not searched
-    std::unique_ptr<ImageSaliencyStage> stage_;
-    std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
-    std::unique_ptr<LineDetector> lines_;       // null: not searched
-    std::vector<Face> last_faces_;
-    nanoseconds faces_time_{0};
-    std::vector<Box> last_lines_;
-    nanoseconds lines_time_{0};
-};
 
 /// Turns frames into samples, a few a second.
 class Sampler {

@@ -103,6 +103,18 @@ Tapestry head_of(const MediaFile& file, const fs::path& name) {
             .mtime_ns = file.mtime_ns()};
 }
 
+/// Says if a folder has an index of the same content as `head`.
+bool has_index(const fs::path& directory, const Tapestry& head) {
+    std::error_code error;
+    if (!fs::exists(directory / "index.json", error)) return false;
+    try {
+        const Tapestry index = read_tapestry(directory);
+        return index.bytes == head.bytes && index.mtime_ns == head.mtime_ns;
+    } catch (const std::runtime_error&) {  // loading one record: it is written anew
+        return false;
+    }
+}
+
 /// One weaving, with all that it needs.
 class Weaving {
   public:
@@ -194,7 +206,7 @@ class Weaving {
     WeavePlan new_plan(const Film& film) const {
         const fs::path& directory = request_.directory;
         WeavePlan plan{.folder = new_tile_folder(directory), .levels = {}};
-        if (!has_index())
+        if (!has_index(directory, head_))
             write_first_view(directory, head_, plan.folder + first_suffix, film, choice_.chosen);
         plan.levels = chosen_keyframes(*film.candidates, choice_, run_);
         write_plan(directory, subject(), plan);
@@ -202,18 +214,6 @@ class Weaving {
     }
 
     PlanSubject subject() const { return {.content = content_, .choice = head_.choice}; }
-
-    /// Says if there is an index of this content.
-    bool has_index() const {
-        std::error_code error;
-        if (!fs::exists(request_.directory / "index.json", error)) return false;
-        try {
-            const Tapestry index = read_tapestry(request_.directory);
-            return index.bytes == head_.bytes && index.mtime_ns == head_.mtime_ns;
-        } catch (const std::runtime_error&) {  // loading one record: it is written anew
-            return false;
-        }
-    }
 
     void write_pyramid(const Film& film, const std::vector<Keyframes>& levels,
                        const fs::path& directory) const {
@@ -318,8 +318,6 @@ class Weaving {
         write_png(request_.zoom, drawn_zoom(woven_pair(film, levels, {}, run_), run_));
     }
 
-    std::optional<Film> film_of_kept() const { return film_in(request_.directory); }
-
     /// The frames kept in a folder, where they are those of the film.
     std::optional<Film> film_in(const fs::path& folder) const {
         std::optional<UniqueFd> frames = kept_frames(folder);
@@ -334,12 +332,12 @@ class Weaving {
     }
 
     Film kept_film() {
-        if (auto film = film_of_kept()) return std::move(*film);
+        if (auto film = film_in(request_.directory)) return std::move(*film);
         const auto source = opened(file_, settings_.analyzer.frame_size);
         KeptFrames frames(request_.directory, request_.max_bytes > 0 ? request_.max_bytes : no_limit);
         const MediaRecord film = watched_film(*source, [&](const FilmFrame& frame) { frames.saw(frame); });
         frames.finish(film, content_);
-        if (auto film = film_of_kept()) return std::move(*film);
+        if (auto film = film_in(request_.directory)) return std::move(*film);
         throw std::runtime_error(fmt::format("'{}': no room for its frames in '{}'", request_.file.string(),
                                              request_.directory.string()));
     }

@@ -1,0 +1,37 @@
+#include "analyzer/one_file/frame_search.hpp"
+
+#include "analyzer/saliency/faces.hpp"
+
+namespace vitrine::analyzer {
+
+FrameSearch::FrameSearch(const AnalysisSettings& settings, MediaKind kind)
+    : settings_(settings),
+      faces_(face_detector(settings.face_model, settings.face_cascade)),
+      stage_(image_saliency_stage(settings.image)) {
+    const bool is_film = kind == MediaKind::film;
+    if (!is_film && !settings.saliency_model.empty())
+        network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+    if ((is_film || network_) && !settings.text_model.empty())
+        lines_ = std::make_unique<LineDetector>(settings.text_model);
+}
+
+Sample FrameSearch::search(const FramePair& pair, std::chrono::nanoseconds time, int count) {
+    if (faces_ && count % settings_.face_interval == 0) {
+        last_faces_ = find_faces(*faces_, pair.frame, settings_.only_prominent_faces);
+        faces_time_ = time;
+    }
+    if (lines_ && count % settings_.text_interval == 0) {
+        last_lines_ = find_lines(*lines_, pair);
+        lines_time_ = time;
+    }
+    Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
+    if (network_) sample.subject = find_subject(*network_, pair);
+    sample.time = time;
+    sample.faces = last_faces_;
+    sample.faces_time = faces_time_;
+    sample.lines = last_lines_;
+    sample.lines_time = lines_time_;
+    return sample;
+}
+
+}  // namespace vitrine::analyzer
