@@ -16,7 +16,7 @@ while :; do
     cp /tmp/one.png stays-$i.png; sync stays-$i.png .
     if [ $((i % 2)) = 0 ]; then cat /tmp/one.png >over.png; else cat /tmp/two.png >over.png; fi
     cp /tmp/two.png goes-$i.png; rm -f goes-$((i - 2)).png
-    sleep 1
+    sleep 3
 done
 """
 

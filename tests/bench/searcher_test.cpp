@@ -75,6 +75,23 @@ TEST_CASE("a frame that only a finer level shows costs a zoom, and the drags to 
     CHECK(finer < 14);
 }
 
+TEST_CASE("a frame that was clicked in vain is not clicked again, though its cell is wider than itself") {
+    // The frame of second 0 is shown three times as wide as it is; the sought shot looks the same and is
+    // elsewhere.
+    SearchedLevel level = filmstrip(8, 1);
+    level.moment_at = [](cv::Point at) { return seconds(at.x / width / 3 * 3); };
+    level.x_at = [](nanoseconds time) {
+        return static_cast<int>(std::chrono::duration_cast<seconds>(time).count()) * width + 1;
+    };
+    const SearchedInterface interface {
+        .levels = {level}, .screen_width = 8 * width, .duration = seconds(8)
+    };
+    SoughtScene scene = scene_at(2);
+    scene.shot_begin = seconds(5);
+    scene.shot_end = seconds(6);
+    CHECK(count_steps(interface, scene) < 12);
+}
+
 TEST_CASE("without pictures the longest stretch is halved again and again") {
     const SearchedInterface interface {
         .levels = {{.picture = {},

@@ -75,10 +75,12 @@ class Search {
         std::fill(seen.begin() + left_, seen.begin() + last, true);
     }
 
-    /// A place near which a click has shown another shot is not tried again.
-    bool is_tried(int x) const {
+    /// A place near which a click has shown another shot, or that leads to the same moment, is not tried
+    /// again.
+    bool is_tried(cv::Point at) const {
         return std::ranges::any_of(clicked_, [&](nanoseconds moment) {
-            return 2 * std::abs(level().x_at(moment) - x) < level().frame.width;
+            return 2 * std::abs(level().x_at(moment) - at.x) < level().frame.width ||
+                   level().moment_at(at) == moment;
         });
     }
 
@@ -91,7 +93,7 @@ class Search {
     std::optional<Place> best(std::span<const Place> places) const {
         std::optional<Place> best;
         for (const Place& place : places)
-            if ((!best || place.difference < best->difference) && !is_tried(place.at.x)) best = place;
+            if ((!best || place.difference < best->difference) && !is_tried(place.at)) best = place;
         return best;
     }
 

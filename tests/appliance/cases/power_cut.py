@@ -19,7 +19,7 @@ from write_log import Replay
 
 STATE = "/var/lib/vitrine"
 SIZE = 192 << 20  # bytes of the disk
-LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 15))
+LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 10))
 CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 4))
 STARTS = max(2, CUTS // 10)  # cuts after which the analyzer is started, too
 
