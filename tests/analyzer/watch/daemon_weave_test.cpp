@@ -43,7 +43,7 @@ constexpr const char* weaver = R"(
     [ "$word" != gate ] || read -r _ < "$0.gate"
     echo '{"version":1,"path":"'"$name"'","bytes":'$(stat -c %s "$film")',"mtime_ns":'$(date -r "$film" +%s%N)','\
          '"choice":"'"$choice"'","duration_ns":9,"complete":true,"folder":"tiles-1","height":150,"tile_width":512,"brick_width":178,"levels":[]}' \
-         > "$folder/index.json")";
+         > "$folder/index.new" && mv "$folder/index.new" "$folder/index.json")";
 
 struct House {
     House() : read(home.write("reader.sh", reader)), weave(home.write("weaver.sh", weaver)) {

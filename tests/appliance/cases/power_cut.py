@@ -22,6 +22,7 @@ SIZE = 192 << 20  # bytes of the disk
 LENGTH = float(os.environ.get("VITRINE_RIG_SECONDS", 10))
 CUTS = int(os.environ.get("VITRINE_RIG_CUTS", 4))
 STARTS = max(2, CUTS // 10)  # cuts after which the analyzer is started, too
+PROMISES = 5 if CUTS > 4 else 2  # files told to be ready before the first cut; each takes a minute in an emulated machine
 
 
 def run(box):
@@ -48,7 +49,7 @@ def fill(box, disk, log):
     begin, there = log.stat().st_size, box.sh(f"cd {MEDIA}; ls *.png *.mp4").split()
     start_arrivals(box)
     promises, end = {name: begin for name in there}, time.monotonic() + LENGTH
-    while time.monotonic() < end or len(promises) < len(there) + 5:
+    while time.monotonic() < end or len(promises) < len(there) + PROMISES:
         for name in promised(box.machine.said()):
             promises.setdefault(name, log.stat().st_size)
         assert time.monotonic() < end + 600, f"next to nothing was analysed: {sorted(promises)}"
