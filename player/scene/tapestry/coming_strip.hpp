@@ -25,7 +25,7 @@ class ComingStrip {
     /// True: it covers the older one.
     bool is_there(std::chrono::nanoseconds now) const;
 
-    /// How it is drawn over the older one; none: it is not loaded yet.
+    /// @return  the strip as it is drawn over the older one; nothing while it is not loaded
     std::optional<OverlaidStrip> drawn(std::chrono::nanoseconds now) const;
 
     std::vector<SourceId> add(const TileId& tile, TileZooms zooms) {

@@ -36,7 +36,8 @@ class TapestryStrip {
     /// Wants no more than the pictures that a view shows.
     void want_seen(const TapestryPlace& place, const TapestryView& view);
 
-    /// What is wanted and not loaded, the most urgent first. @param is_looking  a finger looks for a moment
+    /// Lists the tiles that are wanted and not loaded, the most urgent first.
+    /// @param is_looking  a finger looks for a moment
     std::vector<TileId> missing(bool is_looking) const;
 
     /// Call when a picture can be drawn. @return the sources of those that went for it
