@@ -84,6 +84,12 @@ Sample searched(const FramePair& pair, const AnalysisSettings& settings, std::sp
     return sample;
 }
 
+/// The part of a frame within its bars; all of it where none is known.
+cv::Rect seen_part(const cv::Rect& active, cv::Size frame) {
+    const cv::Rect whole({0, 0}, frame);
+    return (active & whole).empty() ? whole : active & whole;
+}
+
 /// The map of a part of a frame becomes one of the frame, with 0 around it.
 SaliencyMap placed_map(const SaliencyMap& map, const cv::Rect& part, cv::Size size) {
     if (map.empty()) return map;
@@ -131,8 +137,7 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
 }
 
 PictureLook look_within(const cv::Mat& frame, const cv::Rect& active) {
-    const cv::Rect whole({0, 0}, frame.size());
-    const cv::Rect seen = (active & whole).empty() ? whole : active & whole;
+    const cv::Rect seen = seen_part(active, frame.size());
     const cv::Rect part = map_part(seen, frame.size());
     PictureLook look = look_at(frame(seen), part.size());
     look.stands_out += part.tl();
@@ -141,15 +146,13 @@ PictureLook look_within(const cv::Mat& frame, const cv::Rect& active) {
 
 SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
     const cv::Size size = pair.frame.size();
-    const cv::Rect whole({0, 0}, size);
-    const cv::Rect active = (pair.active & whole).empty() ? whole : pair.active & whole;
+    const cv::Rect active = seen_part(pair.active, size);
     return placed_map(network.map(pair.frame(active)), map_part(active, size), map_size(size));
 }
 
 std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair) {
     const cv::Size size = pair.frame.size();
-    const cv::Rect whole({0, 0}, size);
-    const cv::Rect active = (pair.active & whole).empty() ? whole : pair.active & whole;
+    const cv::Rect active = seen_part(pair.active, size);
     const std::vector<Box> found = detector.find(pair.frame(active), line_side);
     const double scale = static_cast<double>(map_size(size).width) / size.width;
     const Vec2 corner{static_cast<double>(active.x), static_cast<double>(active.y)};

@@ -106,11 +106,13 @@ std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std
 }
 
 /// All that must stay whole: heads, movers, lines of text, and the words of a title.
-std::vector<Box> whole_parts(const std::vector<Sample>& samples, const Shot& shot, Vec2 drift, cv::Size map) {
+/// @param searches  of the samples, for lines of text
+std::vector<Box> whole_parts(const std::vector<Sample>& samples, std::span<const LineSearch> searches,
+                             const Shot& shot, Vec2 drift, cv::Size map) {
     std::vector<Box> result = heads(samples, shot.begin, drift, map);
     for (const Box& mover : movers(samples, shot.begin, drift))
         result.push_back(mover);
-    for (const Box& line : steady_lines(line_searches(samples, shot.begin), drift))
+    for (const Box& line : steady_lines(searches, drift))
         result.push_back(line);
     for (const Sample& sample : samples) {
         if (!shot.is_title || sample.look.kind != PictureKind::title) continue;
@@ -224,13 +226,14 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     const std::vector<SalientFrame> frames = salient_frames(samples, shot.begin, settings);
     const double duration = seconds(shot.duration());
     Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
-    if (has_caption(line_searches(samples, shot.begin), drift)) drift = {};  // which stands still
+    const std::vector<LineSearch> searches = line_searches(samples, shot.begin);
+    if (has_caption(searches, drift)) drift = {};  // which stands still
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);
     SaliencyMap volume = evidence.volume.clone();
     if (settings.region.mode == RegionMode::min_area) add_centre(volume, frames.size());
-    const std::vector<Box> whole = whole_parts(samples, shot, drift, part.size());
+    const std::vector<Box> whole = whole_parts(samples, searches, shot, drift, part.size());
     const Box core = common_part(part.size(), drift, duration);
     Polygon region = i_region(volume, core, whole, settings.region);
     if (has_subject(samples)) {

@@ -13,8 +13,8 @@
 
 namespace vitrine::analyzer {
 
-/// Reads the files that operators put beside the media: `.vitrine.toml`, whose hints it hands to the player in
-/// STATE/hints.json, and the files that choose the keyframes of tapestries. Logs.
+/// Reads the files that operators put beside the media: `.vitrine.toml`, whose hints it hands to the player
+/// in STATE/hints.json, and the files that choose the keyframes of tapestries. Logs.
 class HintFiles {
   public:
     static constexpr std::size_t max_bytes = 1U << 16;  // in one of them
