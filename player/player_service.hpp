@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/system/event_loop.hpp"
+#include "base/system/memory.hpp"
 #include "player/control/analyzer_word.hpp"
 #include "player/control/bus_object.hpp"
 #include "player/control/commands.hpp"
@@ -52,7 +53,8 @@ struct PlayerActions {
 };
 
 /// Serves everything that looks after a player: systemd, whose watchdog it feeds while pictures reach the
-/// displays; vitrinectl, over the bus; a node exporter, through a file.
+/// displays; vitrinectl, over the bus; a node exporter, through a file. It returns freed memory to the
+/// system.
 class PlayerService {
   public:
     /// @param loop  outlives this
@@ -87,6 +89,7 @@ class PlayerService {
     ShowControls controls_;
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
+    FreedMemory memory_{return_freed_memory};
     RateLimit screenshots_{std::chrono::seconds(1)};
     std::chrono::nanoseconds now_{0};       // the time of the last look()
     std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
