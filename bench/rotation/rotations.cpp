@@ -56,13 +56,13 @@ double filler_of(std::span<const PlacedShot> wall) {
     return sum / (canvas.x * canvas.y);
 }
 
-/// The measures of a stretch of rotations.
-struct Stretch {
+/// The measures of some rotations.
+struct Rotations {
     std::vector<double> medians, greatest, seen, filler;
     int anew = 0;  // in which most of the others moved far
 };
 
-void tell(const std::string& name, const Stretch& stretch) {
+void tell(const std::string& name, const Rotations& stretch) {
     fmt::print("| {} | {:.2f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {} |\n", name,
                100 * at_share(stretch.medians, 0.5), 100 * at_share(stretch.medians, 0.9),
                100 * mean(stretch.greatest), mean(stretch.seen), at_share(stretch.seen, 0.1),
@@ -70,7 +70,7 @@ void tell(const std::string& name, const Stretch& stretch) {
     std::fflush(stdout);
 }
 
-void add(Stretch& stretch, std::span<const PlacedShot> before, std::span<const PlacedShot> after) {
+void add(Rotations& stretch, std::span<const PlacedShot> before, std::span<const PlacedShot> after) {
     constexpr double far = 0.1;
     std::vector<double> moves;
     for (const PlacedShot& placed : after)
@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
         "{} slots, {} rotations\n\n| rotations | median move % | 90th | farthest | seen | 10th | filler "
         "% | 90th | anew |\n|--|--|--|--|--|--|--|--|--|\n",
         slots, rotations);
-    Stretch all;
-    Stretch stretch;
+    Rotations all;
+    Rotations stretch;
     std::vector<PlacedShot> before;
     int changes = 0;
     for (std::chrono::nanoseconds now{0}; changes < rotations; now += frame) {
