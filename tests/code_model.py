@@ -1,8 +1,8 @@
 """The classes and functions of the tree as the compiler sees them, read with libclang.
 
-model(root, build) parses each source file with the flags of BUILD/compile_commands.json. A file's answer is kept in
-the user's cache, under a key made of the file, of all files of the tree that it includes, and of its flags, so that
-a second run parses only what changed.
+model(root, build) parses the source files, many as one unit, with the flags of BUILD/compile_commands.json. A unit's
+answer is kept in the user's cache, under a key made of its files, of all files of the tree that they include, and of
+the flags, so that a second run parses only what changed.
 """
 import hashlib
 import json
@@ -19,6 +19,11 @@ sys.path.append("/usr/lib/python3/dist-packages")
 from clang import cindex  # noqa: E402
 from clang.cindex import AccessSpecifier, CursorKind  # noqa: E402
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cmake"))
+sys.dont_write_bytecode = True
+from batches import batches  # noqa: E402
+
+UNIT = 4000  # lines of sources that are read as one
 LIBRARY = "/usr/lib/llvm-14/lib/libclang.so.1"
 TOPS = ("base", "analyzer", "player")
 CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
@@ -213,8 +218,8 @@ def parse_headers(root, names, flags, precompiled):
 def parse_sources(task):
     """Reads what source files declare themselves; what they include is in `precompiled`, and was read with that.
 
-    Loading that takes a second, so the files of a folder are one unit. Names of unnamed namespaces may clash there: a
-    file with an error is read again by itself.
+    Loading that takes a second, so many files are one unit. Where names of unnamed namespaces clash in spite of
+    cmake/batches.py, a file with an error is read again by itself.
     """
     root, names, flags, precompiled = task
     load_library()
@@ -290,22 +295,21 @@ def model(root, build):
     """All classes and functions of base, analyzer and player; the errors of files that could not be parsed."""
     names, flags = commands_of(root, build)
     headers = sorted(str(p.relative_to(root)) for top in TOPS for p in (root / top).rglob("*.hpp"))
-    folders = {}
-    for name in names:
-        folders.setdefault(str(Path(name).parent), []).append(name)
+    units = [[str(Path(source).relative_to(root)) for source in batch]
+             for batch in batches([str(root / name) for name in names], UNIT)]
     cache, known, digests = cache_folder(), {}, {}
     of_headers = cache / key_of(headers, root, flags, known, digests)
-    kept = {folder: cache / key_of(inside, root, flags, known, digests) for folder, inside in folders.items()}
-    waiting = sorted((f for f in folders if not kept[f].exists()), key=lambda f: -len(folders[f]))
+    kept = [cache / key_of(unit, root, flags, known, digests) for unit in units]
+    waiting = [(unit, answer) for unit, answer in zip(units, kept) if not answer.exists()]
     with tempfile.TemporaryDirectory() as scratch:
         precompiled = str(Path(scratch) / "headers.pch")
         if waiting or not of_headers.exists():
             of_headers.write_text(json.dumps(parse_headers(root, headers, flags, precompiled)))
         with ProcessPoolExecutor(os.cpu_count()) as pool:
-            tasks = [(root, folders[folder], flags, precompiled) for folder in waiting]
-            for folder, found in zip(waiting, pool.map(parse_sources, tasks)):
-                kept[folder].write_text(json.dumps(found))
+            tasks = [(root, unit, flags, precompiled) for unit, _ in waiting]
+            for (_, answer), found in zip(waiting, pool.map(parse_sources, tasks)):
+                answer.write_text(json.dumps(found))
     result = {"classes": {}, "functions": {}, "errors": {}}
-    for path in (of_headers, *kept.values()):
+    for path in (of_headers, *kept):
         add(result, json.loads(path.read_text()))
     return result
