@@ -17,7 +17,9 @@ def local_names(text):
         for line in body.splitlines():
             if not line or line[0] in " }/#)" or line.startswith(("using namespace", "namespace ", "template")):
                 continue
-            head = re.split("[={]", line)[0]
+            if re.match(r"using \w+(::\w+)+;", line):
+                continue  # the same name may be brought in twice
+            head = re.split("[={]", re.sub(r"__attribute__\(\(.*?\)\)", "", line))[0]
             found = re.match(r"(?:struct|class|enum class|enum|using)\s+(\w+)", head) or re.search(r"(\w+)\(", head) \
                 or re.search(r"(\w+)(?:\[.*\])*\s*[{;]?\s*$", head)
             if found:

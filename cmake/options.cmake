@@ -11,7 +11,7 @@ add_library(vitrine_options INTERFACE)
 target_include_directories(vitrine_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(vitrine_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow> -Wnon-virtual-dtor -Wold-style-cast
-  -Wno-missing-field-initializers)  # designated initialisers leave out what keeps its default
+  -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)  # designated initialisers leave out what keeps its default
 # Headers precompiled once for all targets need the same macros in each: fmt's, and those of -pthread.
 target_compile_options(vitrine_options INTERFACE -pthread)
 target_link_libraries(vitrine_options INTERFACE fmt::fmt)
@@ -83,7 +83,8 @@ function(read_together name)
   endforeach()
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # vitrine_options leaves out -Wshadow here: file-local names of one source are hidden in others, which is no mistake.
-  target_compile_options(${name} PRIVATE -Wno-subobject-linkage)  # types of unnamed namespaces are not in a main file
+  # GCC warns of types of unnamed namespaces where a batch includes their source.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 # A program that prints figures.

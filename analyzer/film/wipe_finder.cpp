@@ -32,9 +32,6 @@ constexpr double min_unmoved = .12;  // share of the change that is no pan past 
 constexpr milliseconds min_wipe{70};
 constexpr milliseconds margin{80};  // a soft edge reaches so much further
 
-constexpr int width = static_cast<int>(FrameFeatures::signature_width);
-constexpr int height = static_cast<int>(FrameFeatures::signature_height);
-
 }  // namespace
 
 struct WipeFinder::Passing {

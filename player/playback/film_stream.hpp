@@ -41,7 +41,7 @@ class FilmStream {
     void land_at(std::chrono::nanoseconds at) { landing_ = at; }
 
   private:
-    struct Size {
+    struct alignas(8) Size {  // both are read and written at once, without a lock
         int width = 0;  // px
         int height = 0;
     };

@@ -244,7 +244,9 @@ class Model {
     }
 
     void check_nothing_half_is_ready() {
-        for (const auto& [path, record] : catalogue_) {
+        for (const auto& entry : catalogue_) {
+            const std::string& path = entry.first;
+            const auto& record = entry.second;
             const auto file = files_.find(path);
             if (record.state != Answer::final || file == files_.end()) continue;
             INFO(path);
@@ -306,7 +308,9 @@ class Model {
             for (const std::string& path : ended())
                 end(path);
         }
-        for (const auto& [path, file] : files_) {
+        for (const auto& entry : files_) {
+            const std::string& path = entry.first;
+            const auto& file = entry.second;
             INFO(path);
             REQUIRE(catalogue_.contains(path));
             CHECK(is_same_content(catalogue_.at(path).facts, file.facts));

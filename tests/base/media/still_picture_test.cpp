@@ -277,7 +277,8 @@ TEST_CASE("a picture that is all there but damaged is not waited for") {
     // where each one's coded picture or first directory entry lies: the chunks' sizes stay as they are
     const std::array<std::pair<const char*, std::streamoff>, 3> damage{
         {{"a.webp", 30}, {"a.png", 70}, {"a.tif", -1}}};
-    for (const auto& [name, at] : damage) {
+    for (const auto& [file_name, at] : damage) {
+        const char* name = file_name;
         CAPTURE(name);
         write(folder / name, 80, 60);
         std::fstream file(folder / name, std::ios::binary | std::ios::in | std::ios::out);

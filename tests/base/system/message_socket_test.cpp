@@ -37,7 +37,9 @@ TEST_CASE("descriptors that nobody asked for are not taken, and a message that i
 }
 
 TEST_CASE("the end of one side ends the waiting of the other, and one's own end one's own") {
-    auto [one, other] = message_sockets();
+    auto sockets = message_sockets();
+    auto& one = sockets.first;
+    auto& other = sockets.second;
     std::thread waiting([&] { CHECK_FALSE(other.receive()); });
     one.end_sending();
     waiting.join();

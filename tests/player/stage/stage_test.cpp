@@ -133,7 +133,8 @@ TEST_CASE("every screen shows the wall, the one of another shape between black b
 
     play(theatre, 0s, 1s);
 
-    for (const auto& [screen, x, y] : {std::tuple{0, 160, 90}, {1, 80, 80}, {2, 80, 45}}) {
+    for (const auto& [number, x, y] : {std::tuple{0, 160, 90}, {1, 80, 80}, {2, 80, 45}}) {
+        const int screen = number;
         CAPTURE(screen);
         CHECK(is_near(theatre.picture(static_cast<std::size_t>(screen)), x, y, red));
     }

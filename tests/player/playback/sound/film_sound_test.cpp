@@ -87,11 +87,12 @@ bool ends(const FilmSound& sound, SoundRecorder& recorder) {
 }  // namespace
 
 TEST_CASE("what is heard belongs to the picture's time, loop after loop") {
-    for (const auto& [name, film] : {std::pair{std::string("a.mp4"), SoundingFilm{}},
+    for (const auto& [file, film] : {std::pair{std::string("a.mp4"), SoundingFilm{}},
                                      {"b.mkv", SoundingFilm{.muxer = "matroskamux", .encoder = "vorbisenc"}},
                                      {"c.mkv", SoundingFilm{.muxer = "matroskamux", .encoder = "opusenc"}},
                                      {"d.avi", SoundingFilm{.muxer = "avimux", .encoder = "lamemp3enc"}},
                                      {"e.mov", SoundingFilm{.muxer = "qtmux", .encoder = "identity"}}}) {
+        const std::string& name = file;
         CAPTURE(name);
         const Folder folder;
         const SoundPart part{
@@ -108,7 +109,8 @@ TEST_CASE("what is heard belongs to the picture's time, loop after loop") {
         REQUIRE_FALSE(heard.empty());
         CHECK(heard.begin()->first >= 900ms);
         int right = 0;
-        for (const auto& [local, second] : heard) {
+        for (const auto& [time, second] : heard) {
+            const nanoseconds local = time;
             if (is_near_a_change(part, local) || local < heard.begin()->first + 200ms) continue;
             if (second == silence && local % part.duration() < seam) continue;
             CAPTURE(local.count());
