@@ -146,6 +146,8 @@ std::optional<MediaRecord> kept_record(std::optional<MediaRecord> known, const A
     known->is_complete = true;
     known->reason = fmt::format("not shown to its end: {}", judged.reason);
     known->duration = known->shots.back().end;
+    for (Shot& shot : known->shots)
+        shot.analysis = Shot::current_analysis;  // more is not to be had
     return known;
 }
 

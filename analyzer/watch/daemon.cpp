@@ -95,6 +95,19 @@ WeaveScope weave_scope(bool may_weave, bool is_free) {
     return is_free ? WeaveScope::all : WeaveScope::wanted;
 }
 
+/// Has one file read again that an earlier version of the analysis looked at.
+/// @return false where there is none
+bool read_outdated_file(const FileStates& states, Schedule& schedule) {
+    return std::ranges::any_of(states.outdated_files(),
+                               [&](const std::string& path) { return schedule.analyse_again(path); });
+}
+
+/// True if the network has seen the photo as it is.
+bool is_refined(const std::optional<MediaRecord>& known, const FileFacts& facts) {
+    return known && known->bytes == facts.bytes && known->mtime_ns == facts.mtime_ns &&
+           known->shots.size() == 1 && known->shots.front().certainty;
+}
+
 /// The record of a file that brought its readers down: quarantined, or a film that is shown as far as it is
 /// known.
 /// @param known  the record in the catalogue
@@ -241,9 +254,11 @@ void Daemon::advance() {
          actions = schedule_.next_actions(now()))
         for (const Action& action : actions)
             perform(action);
-    const bool is_free = is_online() && schedule_.is_idle();
+    bool is_free = is_online() && schedule_.is_idle();
     refiner_.advance(is_free);
-    weaver_.advance(weave_scope(is_online() && options_.weaves, is_free && refiner_.backlog() == 0));
+    is_free = is_free && refiner_.backlog() == 0;
+    if (is_free && read_outdated_file(book_.states(), schedule_)) return wake_.arm(0s);
+    weaver_.advance(weave_scope(is_online() && options_.weaves, is_free));
     book_.make_room();
     wake_at(schedule_.next_wake(), begin);
     liveness_.send_status_soon();
@@ -296,6 +311,8 @@ void Daemon::start_analysis(const Action& action) {
     AnalysisOutputs outputs = options_.outputs;
     outputs.sound = outputs.stored && hint_files_.hints_for(action.path).sound.value_or(false);
     outputs.accepts_cut = action.is_last_try;
+    // The plain region for a while, in the place of the network's, would move the wall twice.
+    outputs.network = !options_.refine.empty() && is_refined(book_.record(action.path), action.facts);
     std::vector<std::string> arguments = arguments_for(outputs);
     arguments.push_back(follower_.folder().absolute(action.path).string());
     book_.begin_analysis(action.path, action.facts);
@@ -382,6 +399,8 @@ std::string Daemon::status() const {
     if (!analyses_.is_idle()) text += "; " + analyses_.in_words();
     if (const std::size_t photos = refiner_.backlog(); photos > 0)
         text += fmt::format("; looking closer at {} photo{}", photos, photos == 1 ? "" : "s");
+    if (const std::size_t files = book_.states().outdated_files().size(); files > 0)
+        text += fmt::format("; {} file{} of an earlier version to be read again", files, files == 1 ? "" : "s");
     if (const std::size_t records = book_.backlog().records; records > 0)
         text += fmt::format("; {} record{} cannot be stored: is the disk full?", records,
                             records == 1 ? "" : "s");

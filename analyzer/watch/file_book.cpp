@@ -23,6 +23,18 @@ namespace {
 
 constexpr auto growth_rest = std::chrono::milliseconds(500);  // between two writings of growing films
 
+/// The growth of a film that the catalogue has whole: the wall keeps its shots while it is analysed again.
+std::optional<FilmGrowth> known_growth(const std::optional<MediaRecord>& known) {
+    if (!known || known->state != MediaState::ready) return std::nullopt;
+    return FilmGrowth::published(*known);
+}
+
+/// True if a whole record of the same content had other bars.
+bool had_other_bars(const std::optional<MediaRecord>& before, const MediaRecord& record) {
+    return before && before->state == MediaState::ready && before->is_complete &&
+           is_same_content(*before, record) && active_picture(*before) != active_picture(record);
+}
+
 /// The catalogue has one writer.
 UniqueFd lock_of(const fs::path& catalogue) {
     fs::create_directories(catalogue);
@@ -80,6 +92,8 @@ std::optional<MediaRecord> FileBook::record(const std::string& path) const {
 
 void FileBook::store(const MediaRecord& record) {
     if (const auto known = files_.find(record.path); known != files_.end()) known->second.growth.reset();
+    if (had_other_bars(this->record(record.path), record))
+        followers_.weaver.forget_film(record.path);  // its tapestry shows bars, or lacks a part
     write_record(record);
 }
 
@@ -110,6 +124,7 @@ void FileBook::refine(const std::vector<MediaRecord>& found) {
         known->shots.front().region = refined.shots.front().region;
         known->shots.front().picture = refined.shots.front().picture;
         known->shots.front().certainty = refined.shots.front().certainty;
+        known->shots.front().analysis = refined.shots.front().analysis;
         write_record(std::move(*known));
     }
 }
@@ -173,8 +188,9 @@ FileBook::Backlog FileBook::backlog() const {
 
 void FileBook::begin_analysis(const std::string& path, const FileFacts& facts) {
     const MediaRecord begun = record_of(path, facts, MediaState::waiting, "");
+    states_.note_analysis(path);
     std::unique_ptr<FilmGrowth>& growth = files_[path].growth;
-    if (!growth) growth = std::make_unique<FilmGrowth>(begun);
+    if (!growth) growth = std::make_unique<FilmGrowth>(known_growth(record(path)).value_or(FilmGrowth(begun)));
     growth->begin_analysis(begun);
     store_.begin_writing(store_id(path, facts.bytes, facts.mtime_ns));
 }
@@ -221,7 +237,6 @@ bool FileBook::request_sounds(const std::vector<std::string>& paths,
         File& file = files_[path];
         file.is_sound_checked = true;
         if (!store_.lacks_sound(*heard)) continue;
-        file.growth = std::make_unique<FilmGrowth>(FilmGrowth::published(*heard));
         schedule_.analyse_again(path);
         has_requested = true;
     }

@@ -24,6 +24,15 @@ FileState::State state_of(MediaState state) {
 
 void FileStates::note_record(const MediaRecord& record) {
     found_[record.path] = {.state = record.state, .reason = record.reason, .fault = record.fault};
+    if (is_outdated(record))
+        outdated_.insert(record.path);
+    else
+        outdated_.erase(record.path);
+}
+
+void FileStates::forget_file(const std::string& path) {
+    found_.erase(path);
+    outdated_.erase(path);
 }
 
 const FileStates::Found* FileStates::found(const std::string& path, Schedule::Progress progress) const {

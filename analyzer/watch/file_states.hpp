@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,13 @@ class FileStates {
     /// The catalogue has this record now, in place of an earlier one of that path.
     void note_record(const MediaRecord& record);
 
-    void forget_file(const std::string& path) { found_.erase(path); }
+    void forget_file(const std::string& path);
+
+    /// A child looks at the file: it is outdated no more, whatever comes of it.
+    void note_analysis(const std::string& path) { outdated_.erase(path); }
+
+    /// The files whose records an earlier version of the analysis wrote.
+    const std::set<std::string>& outdated_files() const { return outdated_; }
 
     StateCounts counts(const Schedule& schedule) const;
 
@@ -43,6 +50,7 @@ class FileStates {
     static FileState::State state_of(const Found* found, Schedule::Progress progress);
 
     std::map<std::string, Found> found_;
+    std::set<std::string> outdated_;
 };
 
 }  // namespace vitrine::analyzer

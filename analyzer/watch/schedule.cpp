@@ -139,10 +139,11 @@ Verdict Schedule::finish_analysis(const std::string& path, Answer answer, Time n
     return next.verdict;
 }
 
-void Schedule::analyse_again(const std::string& path) {
+bool Schedule::analyse_again(const std::string& path) {
     const auto found = entries_.find(path);
-    if (found != entries_.end() && found->second.phase == Phase::done)
-        enter_phase(path, found->second, Phase::due);
+    if (found == entries_.end() || found->second.phase != Phase::done) return false;
+    enter_phase(path, found->second, Phase::due);
+    return true;
 }
 
 std::vector<std::string> Schedule::files_to_look_at(Time now) const {

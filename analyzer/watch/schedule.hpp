@@ -68,7 +68,8 @@ class Schedule {
     Verdict finish_analysis(const std::string& path, Answer answer, Time now);
 
     /// Analyses a file once more though its record stands, because more is to be known of it.
-    void analyse_again(const std::string& path);
+    /// @return false where it is being analysed, or was not seen in this run
+    bool analyse_again(const std::string& path);
 
     /// Files that are due to be looked at; answer each by see_file() or lose_file().
     std::vector<std::string> files_to_look_at(Time now) const;

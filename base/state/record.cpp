@@ -42,6 +42,12 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
            std::equal(before.shots.begin(), before.shots.end(), after.shots.begin(), is_same);
 }
 
+bool is_outdated(const MediaRecord& record) {
+    return record.state == MediaState::ready &&
+           std::ranges::any_of(record.shots,
+                               [](const Shot& shot) { return shot.analysis < Shot::current_analysis; });
+}
+
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root) {
     const std::filesystem::path relative =
         std::filesystem::absolute(file).lexically_normal().lexically_relative(

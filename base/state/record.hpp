@@ -53,6 +53,9 @@ struct Stretch {
 };
 
 struct Shot {
+    /// 2: bars are searched, and lines of text. A record says nothing of earlier ones.
+    static constexpr int current_analysis = 2;
+
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
@@ -61,6 +64,7 @@ struct Shot {
     std::optional<double> certainty;   // [0, 1], of the network that knows things; none: it was not asked
     std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
     std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
+    int analysis = current_analysis;   // the version of the analysis that found it
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
@@ -103,6 +107,10 @@ Box core(const MediaRecord& record, const Shot& shot);
 /// True if `after` describes the same content as `before`, with the same shots and perhaps more shots at the
 /// end. Ignores the places in the store.
 bool is_grown_from(const MediaRecord& after, const MediaRecord& before);
+
+/// True if an earlier version of the analysis found a shot of a ready file: the record holds, and today's
+/// analysis would find more.
+bool is_outdated(const MediaRecord& record);
 
 /// The path of a file in its record: relative to the media folder if the file is inside, else unchanged.
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root);

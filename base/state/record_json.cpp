@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t max_shots = 100'000;
 constexpr std::size_t max_corners = 1'000;
+constexpr int first_analysis = 1;    // of records that do not name it
 constexpr double max_pixels = 1e9;  // for a place, and for the way in one second
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;
@@ -140,6 +141,7 @@ Json to_object(const Shot& shot) {
               {"end_ns", shot.end.count()},
               {"ends_with", name_of(shot.ends_with)},
               {"region", {{"polygon", polygon}, {"drift", to_array(shot.region.drift)}}}};
+    json["analysis"] = shot.analysis;
     if (shot.is_title) json["title"] = true;
     if (shot.certainty) json["certainty"] = rounded(*shot.certainty);
     if (shot.picture)
@@ -158,6 +160,7 @@ Shot to_shot(const Json& json) {
     for (const Json& corner : polygon)
         shot.region.polygon.push_back(to_vec2(corner));
     shot.region.drift = to_vec2(json.at("region").at("drift"));
+    shot.analysis = json.contains("analysis") ? whole<int>(json, "analysis") : first_analysis;
     if (json.contains("title")) shot.is_title = json["title"].get<bool>();
     if (json.contains("certainty")) shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
     if (json.contains("picture"))

@@ -65,8 +65,8 @@ constexpr const char* reader = R"(
         echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
              '"reason":"'"$reason"'","width":4,"height":3,"duration_ns":0,"shots":['"$2"']'"$sound$fault"'}'
     }
-    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
-    second='{"begin_ns":5,"end_ns":9,"ends_with":"end","region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
+    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","analysis":2,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
+    second='{"begin_ns":5,"end_ns":9,"ends_with":"end","analysis":2,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
     case "$word" in
     film) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done; say true "$first,$second" ;;
     hang) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done ;;
@@ -511,6 +511,36 @@ TEST_CASE("a second start analyses nothing again, and removes what went in betwe
     house.start();
     CHECK(house.comes_true([&] { return house.records() == 2; }));
     CHECK(house.analyses() == analyses);
+}
+
+TEST_CASE("what an earlier version analysed is read again, one file at a time, and keeps its shots meanwhile") {
+    House house;
+    house.drop("a.jpg");
+    house.drop("b.mp4", "film\n");
+    house.home.write("reader.sh.gate", "");
+    house.start();
+    REQUIRE(house.becomes("a.jpg", MediaState::ready));
+    REQUIRE(house.comes_true([&] { return house.shots("b.mp4") == 2; }));
+    house.daemon.reset();
+    fs::remove(house.gate());
+    for (const char* path : {"a.jpg", "b.mp4"}) {
+        MediaRecord record = *house.record(path);
+        for (Shot& shot : record.shots)
+            shot.analysis = 1;
+        Catalogue(house.home.path / "catalogue").store(record);
+    }
+    const std::size_t analyses = house.analyses();
+
+    house.start();
+    CHECK(house.daemon->status().ends_with("; 2 files of an earlier version to be read again"));
+    CHECK(house.comes_true([&] { return house.analyses() == analyses + 2; }));
+    CHECK(house.comes_true([&] { return !is_outdated(*house.record("a.jpg")); }));
+    CHECK(is_outdated(*house.record("b.mp4")));
+    CHECK(house.shots("b.mp4") == 2);
+    house.home.write("reader.sh.gate", "");
+    CHECK(house.comes_true([&] { return !is_outdated(*house.record("b.mp4")); }));
+    CHECK(house.shots("b.mp4") == 2);
+    CHECK(house.analyses() == analyses + 2);
 }
 
 TEST_CASE("the records outlive the media folder, and it is followed again once it is back") {

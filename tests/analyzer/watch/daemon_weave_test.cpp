@@ -26,7 +26,7 @@ constexpr const char* reader = R"(
     read -r word < "$1" || true
     [ "$word" != slow ] || read -r _ < "$0.gate"
     echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"ready","complete":true,'\
-         '"reason":"","width":4,"height":3,"duration_ns":9,"shots":[{"begin_ns":0,"end_ns":9,"ends_with":"end",'\
+         '"reason":"","width":4,"height":3,"duration_ns":9,"shots":[{"begin_ns":0,"end_ns":9,"ends_with":"end","analysis":2,'\
          '"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}]}')";
 
 /// Weaves nothing, but an index; "gate" waits to be let go before that, "bad" fails.
@@ -106,6 +106,22 @@ struct House {
 };
 
 }  // namespace
+
+TEST_CASE("a film whose bars an earlier version did not see is woven anew") {
+    House house;
+    house.drop("a.mp4");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.has_woven("a.mp4"); }));
+    house.daemon.reset();
+    const Catalogue catalogue(house.home.path / "catalogue");
+    MediaRecord record = *catalogue.find("a.mp4");
+    record.shots[0].analysis = 1;
+    record.shots[0].picture = Box{{1, 0}, {3, 3}};
+    catalogue.store(record);
+
+    house.start();
+    CHECK(house.comes_true([&] { return house.weavings() == 2 && house.has_woven("a.mp4"); }));
+}
 
 TEST_CASE("a film has its tapestry after its analysis, once, also over a restart") {
     House house;

@@ -135,6 +135,18 @@ TEST_CASE("a renamed file is forgotten as a whole: the next one of its name begi
     CHECK(desk.book.record("a")->shots.size() == 1);
 }
 
+TEST_CASE("a film that is analysed again keeps its shots until more of them are known") {
+    Desk desk;
+    desk.book.store(film("a", 2, true));
+    desk.start("a");
+    desk.book.begin_analysis("a", facts);
+    desk.book.add_growth(film("a", 1, false));
+    desk.book.end_analysis("a", facts);
+    REQUIRE(desk.book.record("a"));
+    CHECK(desk.book.record("a")->shots.size() == 2);
+    CHECK(desk.book.record("a")->is_complete);
+}
+
 TEST_CASE("a removed file is forgotten as a whole, with what its child still says") {
     Desk desk;
     desk.start("a");

@@ -143,6 +143,20 @@ TEST_CASE("a shot's picture within its bars survives the way to JSON, and its co
     CHECK(active_picture(record) == whole);
 }
 
+TEST_CASE("a shot that does not name its analysis is of an earlier version, and its record is outdated") {
+    MediaRecord record{.path = "a", .state = MediaState::ready, .width = 4, .height = 3, .shots = {Shot{}}};
+    CHECK_FALSE(is_outdated(record_from_json(to_json(record))));
+    std::string earlier = to_json(record);
+    const std::string key = R"("analysis":2,)";
+    const std::size_t at = earlier.find(key);
+    REQUIRE(at != std::string::npos);
+    earlier.erase(at, key.size());
+    CHECK(is_outdated(record_from_json(earlier)));
+    record.state = MediaState::failed;
+    record.shots.front().analysis = 1;
+    CHECK_FALSE(is_outdated(record));
+}
+
 TEST_CASE("text that is no record is refused, with the reason") {
     CHECK_THROWS_AS(record_from_json(""), std::runtime_error);
     CHECK_THROWS_AS(record_from_json("{}"), std::runtime_error);
