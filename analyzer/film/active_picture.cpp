@@ -102,13 +102,14 @@ constexpr WantedEdges coloured_edges{
     .each = 0.6, .equal = 0.7, .unequal = 0.8};  // else a title on white has bars
 constexpr WantedEdges frame_edges{.each = 0.1, .equal = 0.15, .unequal = 0.2};
 
-/// The bars of two opposite sides. None: {0, 0}.
-std::pair<int, int> opposite_bars(const SideBand& a, const SideBand& b, int side, const WantedEdges& wanted) {
+/// The bars of two opposite sides. None: {0, 0}. @param edge  the measure of their edges
+std::pair<int, int> opposite_bars(const SideBand& a, const SideBand& b, int side, const WantedEdges& wanted,
+                                  double SideBand::*edge = &SideBand::edge) {
     const double min = std::max(2.0, min_depth * side);
     if (a.depth < min || b.depth < min || a.depth + b.depth > max_bars * side) return {0, 0};
     const bool are_equal = std::abs(a.depth - b.depth) <= 2 + 0.1 * std::max(a.depth, b.depth);
-    const bool is_straight = std::min(a.edge, b.edge) >= wanted.each &&
-                             (a.edge + b.edge) / 2 >= (are_equal ? wanted.equal : wanted.unequal);
+    const bool is_straight = std::min(a.*edge, b.*edge) >= wanted.each &&
+                             (a.*edge + b.*edge) / 2 >= (are_equal ? wanted.equal : wanted.unequal);
     return is_straight ? std::pair(cut_depth(a.depth), cut_depth(b.depth)) : std::pair(0, 0);
 }
 
@@ -126,6 +127,11 @@ std::optional<cv::Rect> found_bars(const SideBands& bands, cv::Size size, bool i
         along = opposite_bars(top, bottom, size.height, frame_edges);
     if (is_photo && along.first > 0 && difference(left.colour, top.colour) <= same_colour)
         across = opposite_bars(left, right, size.width, frame_edges);
+    // Bars at two sides alone end in a line from one side to the other. A logo on black has a short one.
+    if (along.first == 0)
+        across = opposite_bars(left, right, size.width, edges_of(left, right), &SideBand::side);
+    if (across.first == 0)
+        along = opposite_bars(top, bottom, size.height, edges_of(top, bottom), &SideBand::side);
     const cv::Rect active = within({across.first, along.first, across.second, along.second}, size);
     return active.size() == size ? std::nullopt : std::optional(active);
 }
@@ -142,14 +148,16 @@ int common_depth(std::span<const SideBands> pictures, std::size_t side) {
 
 /// The edge of a band of that depth: as it is seen in a few pictures at least. 0 where the band changes its
 /// colour.
-double lasting_edge(std::span<const SideBands> pictures, std::size_t side, int depth) {
+/// @param edge  the measure of it
+double lasting_edge(std::span<const SideBands> pictures, std::size_t side, int depth,
+                    double SideBand::*edge) {
     const cv::Vec3b& colour = pictures.front()[side].colour;
     std::vector<double> edges;
     for (const SideBands& bands : pictures) {
         const SideBand& band = bands[side];
         const bool is_constant = is_black(band.colour) || difference(band.colour, colour) <= same_colour;
         if (!is_constant && band.depth >= depth) return 0;
-        edges.push_back(std::abs(band.depth - depth) <= place_tolerance ? band.edge : 0);
+        edges.push_back(std::abs(band.depth - depth) <= place_tolerance ? band.*edge : 0);
     }
     const auto kth = static_cast<std::ptrdiff_t>(min_edges * static_cast<double>(edges.size()));
     std::nth_element(edges.begin(), edges.begin() + kth, edges.end(), std::greater<>());
@@ -183,6 +191,7 @@ SideBands side_bands(const cv::Mat& bgr) {
         const int length = turned[side].cols;
         const cv::Range columns(std::min(before, length), std::max(std::min(before, length), length - after));
         bands[side].edge = top_edge(turned[side], bands[side], columns);
+        bands[side].side = bands[side].edge * columns.size() / length;
     }
     return bands;
 }
@@ -214,7 +223,8 @@ cv::Rect ActivePictureFinder::close_shot(std::chrono::nanoseconds begin, std::ch
         for (std::size_t side = 0; side < bands.size(); ++side) {
             shot.depths[side] = common_depth(pictures, side);
             bands[side] = {.depth = shot.depths[side],
-                           .edge = lasting_edge(pictures, side, shot.depths[side]),
+                           .edge = lasting_edge(pictures, side, shot.depths[side], &SideBand::edge),
+                           .side = lasting_edge(pictures, side, shot.depths[side], &SideBand::side),
                            .colour = pictures.front()[side].colour};
         }
         shot.found = found_bars(bands, size_, pictures.size() == 1);

@@ -13,7 +13,9 @@ namespace vitrine::analyzer {
 /// A band of one colour along one side of a picture.
 struct SideBand {
     int depth = 0;       // px from the side; rows that hold nothing but the colour
-    double edge = 0;     // share of its inner edge, in [0, 1], along which another colour follows at once
+    double edge = 0;     // share of its inner edge between the bands beside it, in [0, 1], along which
+                         // another colour follows at once
+    double side = 0;     // the same edge as a share of the whole side
     cv::Vec3b colour{};  // BGR
 
     bool operator==(const SideBand&) const = default;

@@ -400,7 +400,8 @@ std::string Daemon::status() const {
     if (const std::size_t photos = refiner_.backlog(); photos > 0)
         text += fmt::format("; looking closer at {} photo{}", photos, photos == 1 ? "" : "s");
     if (const std::size_t files = book_.states().outdated_files().size(); files > 0)
-        text += fmt::format("; {} file{} of an earlier version to be read again", files, files == 1 ? "" : "s");
+        text +=
+            fmt::format("; {} file{} of an earlier version to be read again", files, files == 1 ? "" : "s");
     if (const std::size_t records = book_.backlog().records; records > 0)
         text += fmt::format("; {} record{} cannot be stored: is the disk full?", records,
                             records == 1 ? "" : "s");

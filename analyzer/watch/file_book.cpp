@@ -190,7 +190,8 @@ void FileBook::begin_analysis(const std::string& path, const FileFacts& facts) {
     const MediaRecord begun = record_of(path, facts, MediaState::waiting, "");
     states_.note_analysis(path);
     std::unique_ptr<FilmGrowth>& growth = files_[path].growth;
-    if (!growth) growth = std::make_unique<FilmGrowth>(known_growth(record(path)).value_or(FilmGrowth(begun)));
+    if (!growth)
+        growth = std::make_unique<FilmGrowth>(known_growth(record(path)).value_or(FilmGrowth(begun)));
     growth->begin_analysis(begun);
     store_.begin_writing(store_id(path, facts.bytes, facts.mtime_ns));
 }

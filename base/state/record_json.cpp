@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_shots = 100'000;
 constexpr std::size_t max_corners = 1'000;
-constexpr int first_analysis = 1;    // of records that do not name it
+constexpr int first_analysis = 1;   // of records that do not name it
 constexpr double max_pixels = 1e9;  // for a place, and for the way in one second
 
 template <typename Enum, std::size_t n> using Names = std::array<std::pair<Enum, std::string_view>, n>;

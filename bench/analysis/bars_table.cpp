@@ -27,7 +27,7 @@ namespace {
 constexpr int analysis_side = 320;     // px, as films are analysed
 constexpr double max_left = 0.004;     // share of the picture's side: what may be left of a bar
 constexpr double max_cut_off = 0.025;  // share of the picture's side that may be cut off the picture
-constexpr int max_frames = 400;        // of a film
+constexpr int max_frames = 1500;       // of a film
 constexpr int jpeg_quality = 75;
 constexpr int full_size = 3;  // the film's pictures are larger than those analysed; there they are coded
 
@@ -105,20 +105,46 @@ std::array<double, 4> left_out(const cv::Rect& active, cv::Size size) {
     return {active.x / width, active.y / height, 1 - active.br().x / width, 1 - active.br().y / height};
 }
 
-bool is_found(const std::array<double, 4>& out, const Bars& bars) {
+/// @param most  the largest shares that may be left out, but for max_cut_off
+bool is_found(const std::array<double, 4>& out, const Bars& bars, const std::array<double, 4>& most) {
     const std::array drawn{bars.left, bars.top, bars.right, bars.bottom};
     for (std::size_t i = 0; i < out.size(); ++i)
-        if (out[i] < drawn[i] - max_left || out[i] > drawn[i] + max_cut_off) return false;
+        if (out[i] < drawn[i] - max_left || out[i] > most[i] + max_cut_off) return false;
     return true;
+}
+
+/// The bars of a medium that has some of its own, with others around it: at most so much may be left out.
+std::array<double, 4> with_own(const Bars& bars, const std::array<double, 4>& own) {
+    const double width = 1 - bars.left - bars.right, height = 1 - bars.top - bars.bottom;
+    return {bars.left + own[0] * width, bars.top + own[1] * height, bars.right + own[2] * width,
+            bars.bottom + own[3] * height};
+}
+
+/// True if the shot ends in the bars' colour at a side that has a bar, in all its pictures: there is no line.
+bool hides(const std::vector<SideBands>& shot, const Bars& bars) {
+    constexpr double alike = 24;     // largest difference of a channel: the bars have a coder's noise
+    constexpr double min_row = .01;  // share of the side
+    const std::array drawn{bars.left, bars.top, bars.right, bars.bottom};
+    const auto is_alike = [&](const SideBand& band) {
+        for (int channel = 0; channel < 3; ++channel)
+            if (std::abs(band.colour[channel] - bars.colour[channel]) > alike) return false;
+        return band.depth >= min_row * analysis_side;
+    };
+    for (std::size_t side = 0; side < drawn.size(); ++side)
+        if (drawn[side] > 0 &&
+            std::ranges::all_of(shot, [&](const SideBands& bands) { return is_alike(bands[side]); }))
+            return true;
+    return false;
 }
 
 struct Count {
     int shots = 0;
     int found = 0;
+    int hidden = 0;  // not found, and there was no line to be found
 };
 
-/// Counts the shots of a medium whose bars were found; without bars, those of which something was cut off.
-Count count_shots(const Medium& medium, const Bars* bars, bool is_verbose) {
+/// The active picture of each shot. @param bars  drawn around it; null: none
+std::vector<cv::Rect> active_pictures(const Medium& medium, const Bars* bars, cv::Size& size) {
     ActivePictureFinder finder;
     std::size_t frame = 0;
     for (const Shot& shot : medium.shots) {
@@ -130,16 +156,39 @@ Count count_shots(const Medium& medium, const Bars* bars, bool is_verbose) {
         }
         finder.close_shot(shot.begin, end);
     }
+    size = finder.whole().size();
+    return finder.all_shots();
+}
+
+/// The bands of a shot's pictures as they are.
+std::vector<SideBands> bands_of(const Medium& medium, const Shot& shot) {
+    std::vector<SideBands> bands;
+    for (const FilmFrame& frame : medium.frames)
+        if (frame.time >= shot.begin && frame.time <= shot.end) bands.push_back(side_bands(frame.picture));
+    return bands;
+}
+
+/// Counts the shots of a medium whose bars were found; without bars, those of which something was cut off.
+Count count_shots(const Medium& medium, const Bars* bars, bool is_verbose) {
+    cv::Size size;
+    const std::vector<cv::Rect> own = active_pictures(medium, nullptr, size);
+    const std::vector<cv::Rect> all = bars == nullptr ? own : active_pictures(medium, bars, size);
     Count count;
-    for (const cv::Rect& active : finder.all_shots()) {
-        const auto out = left_out(active, finder.whole().size());
-        const bool is_hit = bars == nullptr ? active != finder.whole() : is_found(out, *bars);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto out = left_out(all[i], size);
+        const bool is_hit = bars == nullptr ? all[i].size() != size
+                                            : is_found(out, *bars, with_own(*bars, left_out(own[i], size)));
+        ++count.shots;
         count.found += is_hit ? 1 : 0;
-        const Shot& shot = medium.shots[static_cast<std::size_t>(count.shots++)];
-        if (is_hit != (bars == nullptr) || !is_verbose) continue;
-        fmt::print("  {} at {:.1f} s, {}: {:.3f} {:.3f} {:.3f} {:.3f}\n", medium.name,
+        if (is_hit != (bars == nullptr)) continue;
+        const Shot& shot = medium.shots[i];
+        const bool is_hidden = bars != nullptr && hides(bands_of(medium, shot), *bars);
+        count.hidden += is_hidden ? 1 : 0;
+        if (!is_verbose) continue;
+        fmt::print("  {} at {:.1f} s, {}: {:.3f} {:.3f} {:.3f} {:.3f}{}\n", medium.name,
                    std::chrono::duration<double>(shot.begin).count(),
-                   bars == nullptr ? "as it is" : bars->name, out[0], out[1], out[2], out[3]);
+                   bars == nullptr ? "as it is" : bars->name, out[0], out[1], out[2], out[3],
+                   is_hidden ? ", of the bars' colour itself" : "");
     }
     return count;
 }
@@ -168,19 +217,20 @@ void print_count(const char* name, const std::vector<Medium>& media, const Bars*
     Count all;
     for (const Medium& medium : media) {
         const Count count = count_shots(medium, bars, is_verbose);
-        all = {all.shots + count.shots, all.found + count.found};
+        all = {all.shots + count.shots, all.found + count.found, all.hidden + count.hidden};
     }
-    fmt::print("{:<24} {:>6} {:>6} {:>6} {:>8.3f}\n", name, media.size(), all.shots, all.found,
-               all.shots > 0 ? static_cast<double>(all.found) / all.shots : 0.0);
+    const int seen = all.shots - all.hidden;
+    fmt::print("{:<24} {:>6} {:>6} {:>6} {:>8} {:>8.3f}\n", name, media.size(), all.shots, all.found,
+               all.hidden, seen > 0 ? static_cast<double>(all.found) / seen : 0.0);
 }
 
 }  // namespace
 
 void bars_table(const TableInput& input) {
-    fmt::print("\nbars: shots of films and photos whose bars are found; without bars, that were cut\n{:<24} "
-               "{:>6} {:>6} "
-               "{:>6} {:>8}\n",
-               "", "media", "shots", "found", "share");
+    fmt::print(
+        "\nbars: shots of films and photos whose bars are found; without bars, that were cut. Shares are "
+        "of those with a line to be found\n{:<24} {:>6} {:>6} {:>6} {:>8} {:>8}\n",
+        "", "media", "shots", "found", "no line", "share");
     const auto print_all = [&](const std::vector<Medium>& films, const std::vector<Medium>& photos) {
         print_count("films as they are", films, nullptr, input.is_verbose);
         print_count("photos as they are", photos, nullptr, input.is_verbose);

@@ -92,6 +92,17 @@ TEST_CASE("a title on a black ground is no picture within bars") {
     CHECK(closed_shot(finder, 0, title) == all_of_it);
 }
 
+TEST_CASE("a logo over a line on a black ground is no picture within bars") {
+    ActivePictureFinder finder;
+    const auto logo = [](int) {
+        cv::Mat picture(film_height, film_width, CV_8UC3, cv::Scalar::all(0));
+        cv::circle(picture, {160, 60}, 25, cv::Scalar::all(235), 3);
+        cv::rectangle(picture, cv::Rect(118, 112, 86, 2), cv::Scalar::all(235), cv::FILLED);
+        return picture;
+    };
+    CHECK(closed_shot(finder, 0, logo) == all_of_it);
+}
+
 TEST_CASE("a band at one side only is part of the picture") {
     ActivePictureFinder finder;
     const cv::Rect above(0, 0, film_width, 130);

@@ -513,7 +513,8 @@ TEST_CASE("a second start analyses nothing again, and removes what went in betwe
     CHECK(house.analyses() == analyses);
 }
 
-TEST_CASE("what an earlier version analysed is read again, one file at a time, and keeps its shots meanwhile") {
+TEST_CASE(
+    "what an earlier version analysed is read again, one file at a time, and keeps its shots meanwhile") {
     House house;
     house.drop("a.jpg");
     house.drop("b.mp4", "film\n");
