@@ -102,6 +102,10 @@ constexpr WantedEdges coloured_edges{
     .each = 0.6, .equal = 0.7, .unequal = 0.8};  // else a title on white has bars
 constexpr WantedEdges frame_edges{.each = 0.1, .equal = 0.15, .unequal = 0.2};
 
+WantedEdges halved(const WantedEdges& edges) {
+    return {.each = edges.each / 2, .equal = edges.equal / 2, .unequal = edges.unequal / 2};
+}
+
 /// The bars of two opposite sides. None: {0, 0}. @param edge  the measure of their edges
 std::pair<int, int> opposite_bars(const SideBand& a, const SideBand& b, int side, const WantedEdges& wanted,
                                   double SideBand::*edge = &SideBand::edge) {
@@ -127,11 +131,12 @@ std::optional<cv::Rect> found_bars(const SideBands& bands, cv::Size size, bool i
         along = opposite_bars(top, bottom, size.height, frame_edges);
     if (is_photo && along.first > 0 && difference(left.colour, top.colour) <= same_colour)
         across = opposite_bars(left, right, size.width, frame_edges);
-    // Bars at two sides alone end in a line from one side to the other. A logo on black has a short one.
-    if (along.first == 0)
-        across = opposite_bars(left, right, size.width, edges_of(left, right), &SideBand::side);
-    if (across.first == 0)
-        along = opposite_bars(top, bottom, size.height, edges_of(top, bottom), &SideBand::side);
+    // Bars at two sides alone end in a line from one side to the other, though parts of the picture may be as
+    // dark as the bars. A logo on black has a short one.
+    if (along.first == 0 && across.first > 0)
+        across = opposite_bars(left, right, size.width, halved(edges_of(left, right)), &SideBand::side);
+    if (across.first == 0 && along.first > 0)
+        along = opposite_bars(top, bottom, size.height, halved(edges_of(top, bottom)), &SideBand::side);
     const cv::Rect active = within({across.first, along.first, across.second, along.second}, size);
     return active.size() == size ? std::nullopt : std::optional(active);
 }

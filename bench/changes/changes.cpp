@@ -63,6 +63,7 @@ struct Sizes {
     std::vector<double> newcomers;
     std::vector<double> smallest;  // of each wall
     std::vector<double> covered;   // share of the canvas, of each wall
+    std::vector<double> edges;     // share of the canvas' edge that no picture reaches, of each wall
     std::vector<double> moves;     // mean of the others' ways, shares of the diagonal, of each turn
 };
 
@@ -84,8 +85,8 @@ double filler_share(const std::vector<PlacedShot>& wall) {
 
 /// The share of the canvas' edge that no picture reaches.
 double dark_edge_share(const std::vector<PlacedShot>& wall) {
-    constexpr double inset = 2;  // px
-    constexpr int points = 240;  // a side
+    constexpr double inset = 0.5;  // px
+    constexpr int points = 240;    // a side
     const Vec2 inner = canvas - Vec2{2 * inset, 2 * inset};
     int dark = 0;
     const auto look_at = [&](double x, double y) {
@@ -171,6 +172,7 @@ class ChangedWalls {
             auto next = is_turn ? wall.turned() : k % 5 == 3 ? wall.with_one_more() : wall.with_one_less();
             add(is_turn ? "turn" : k % 5 == 3 ? "insertion" : "deletion", wall, next, {});
             add_sizes(sizes_, wall.shown(), next);
+            sizes_.edges.push_back(dark_edge_share(next));
             wall.show(std::move(next));
         }
         const TransitionStyle follows{.duration = 120ms, .is_even = true};  // as wall_touch
@@ -201,6 +203,7 @@ class ChangedWalls {
             fmt::print("{}: median {:.3f}, 95th percentile {:.3f}, most {:.3f}\n", name,
                        quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1));
         };
+        print_most("no picture at the edge after another change", sizes_.edges);
         print_most("no picture while a finger drags", drags_.held);
         print_most("no picture after a drop", drags_.dropped);
         print_most("no picture at the edge after a drop", drags_.edges);

@@ -23,7 +23,7 @@ struct EditRules {
     std::uint64_t seed = 1;
     std::int64_t budget = 100'000;      // evaluated moves in one edit at most
     double clearance = 1.5;             // canvas px between I-Regions
-    double margin = 1;                  // canvas px between I-Regions and the canvas' edge
+    double margin = 0;                  // canvas px between I-Regions and the canvas' edge
     double max_scale = 1.5;             // canvas px per source px
     std::function<bool()> should_stop;  // true: the best layout so far is completed and returned
 };

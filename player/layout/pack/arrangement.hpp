@@ -17,10 +17,14 @@ struct PackingProblem {
     std::vector<bool> pinned;    // the item keeps its place and its scale, which is scales[i] at every growth
     std::vector<Vec2> pinned_places;  // canvas px, centroids; valid for pinned items only
     Box field;                        // canvas px; I-Regions stay inside
+    Box canvas;                       // canvas px; pictures are to fill it; empty: the field
     double clearance = 0;             // canvas px between I-Regions
     bool keeps_order = false;         // the items keep their reading order
 
     std::size_t size() const { return shapes.size(); }
+
+    /// The box that pictures are to fill, canvas px. It reaches to the canvas' edge, where I-Regions do not.
+    const Box& whole() const { return canvas.is_empty() ? field : canvas; }
 
     /// The scale of an item at a growth: scales * growth, up to the limit.
     double scale(std::size_t item, double growth) const;

@@ -15,7 +15,7 @@ namespace {
 constexpr int columns = 64;  // samples across the canvas; a row is one word
 constexpr int rows = 36;
 constexpr double edge_share =
-    0.002;  // distance of the outermost samples from the field's edge, share of its side
+    0.0002;  // distance of the outermost samples from the canvas' edge, share of its side: less than a pixel
 constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scale)
 constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
 constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
@@ -46,7 +46,7 @@ std::uint64_t bits_below(int count) {
     return count >= columns ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-/// The samples of a field that lie in frames.
+/// The samples of a canvas that lie in frames.
 class FramedSamples {
   public:
     explicit FramedSamples(const Box& field) : field_(field) {}
@@ -303,7 +303,7 @@ class GapFilling {
 
 double unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                       const Arrangement& arrangement) {
-    FramedSamples samples(problem.field);
+    FramedSamples samples(problem.whole());
     for (std::size_t i = 0; i < problem.size(); ++i) {
         const double scale = problem.scale(i, arrangement.growth);
         samples.add(
@@ -330,7 +330,7 @@ double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> 
         boxes.push_back(
             {arrangement.places[i] + frames[i].min * scale, arrangement.places[i] + frames[i].max * scale});
     }
-    return 1 - covered_area(boxes, problem.field) / problem.field.area();
+    return 1 - covered_area(boxes, problem.whole()) / problem.whole().area();
 }
 
 double mean_way(const PackingProblem& problem, const FillingTargets& targets, std::span<const Vec2> places) {

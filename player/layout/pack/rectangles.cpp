@@ -46,7 +46,7 @@ class Division {
     Division(const PackingProblem& problem, const FillingTargets& targets)
         : problem_(problem),
           targets_(targets),
-          cell_{problem.field.width() / cells_a_side, problem.field.height() / cells_a_side},
+          cell_{problem.whole().width() / cells_a_side, problem.whole().height() / cells_a_side},
           all_((Set{1} << problem.size()) - 1),
           costs_(std::size_t{all_} + 1) {
         set_fair_scales();
@@ -150,8 +150,8 @@ class Division {
 
     /// The rectangle of some cells, canvas px.
     Box box_of(const Part& part) const {
-        const Vec2 low = problem_.field.min + Vec2{cell_.x * static_cast<double>(part.corner[0]),
-                                                   cell_.y * static_cast<double>(part.corner[1])};
+        const Vec2 low = problem_.whole().min + Vec2{cell_.x * static_cast<double>(part.corner[0]),
+                                                     cell_.y * static_cast<double>(part.corner[1])};
         return {low, low + Vec2{cell_.x * static_cast<double>(part.size[0]),
                                 cell_.y * static_cast<double>(part.size[1])}};
     }
@@ -159,8 +159,9 @@ class Division {
     /// The largest scale of an item in a rectangle; not above 0: it does not fit.
     double scale_in(std::size_t item, const Box& box) const {
         const Box& extent = problem_.shapes[item].extent;
-        return std::min({problem_.limits[item], (box.width() - problem_.clearance) / extent.width(),
-                         (box.height() - problem_.clearance) / extent.height()});
+        const double room = std::max(problem_.clearance, 2 * (problem_.field.min.x - problem_.whole().min.x));
+        return std::min({problem_.limits[item], (box.width() - room) / extent.width(),
+                         (box.height() - room) / extent.height()});
     }
 
     float cost_alone(std::size_t item, Cells size) const {
@@ -182,15 +183,16 @@ class Division {
     void put_in(SizedArrangement& made, Set set, const Part& part) const {
         const std::size_t item = item_of(set);
         const Box box = box_of(part);
-        const double half = problem_.clearance / 2;
+        const Vec2 half{problem_.clearance / 2, problem_.clearance / 2};
+        const Box inner = intersection({box.min + half, box.max - half}, problem_.field);
         const double scale = scale_in(item, box);
         const Box& frame = targets_.frames[item];
         const Box& extent = problem_.shapes[item].extent;
         made.scales[item] = scale;
-        made.places[item] = {place_along({box.min.x, box.max.x}, {box.min.x + half, box.max.x - half},
+        made.places[item] = {place_along({box.min.x, box.max.x}, {inner.min.x, inner.max.x},
                                          {frame.min.x * scale, frame.max.x * scale},
                                          {extent.min.x * scale, extent.max.x * scale}),
-                             place_along({box.min.y, box.max.y}, {box.min.y + half, box.max.y - half},
+                             place_along({box.min.y, box.max.y}, {inner.min.y, inner.max.y},
                                          {frame.min.y * scale, frame.max.y * scale},
                                          {extent.min.y * scale, extent.max.y * scale})};
     }

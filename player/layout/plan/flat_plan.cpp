@@ -10,6 +10,7 @@
 #include "player/layout/pack/optimizer.hpp"
 #include "player/layout/pack/separation.hpp"
 #include "player/layout/pack/shape.hpp"
+#include "player/layout/pack/sliver_filling.hpp"
 #include "player/layout/plan/warm_start.hpp"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ PackingProblem problem_of(const PlanRequest& request) {
     const double max_margin = std::min(request.canvas.x, request.canvas.y) / 4;
     const double edge = std::clamp(request.margin, min_clearance, max_margin);
     problem.field = {{edge, edge}, request.canvas - Vec2{edge, edge}};
+    problem.canvas = {{0, 0}, request.canvas};
     for (const PlanItem& entry : request.items) {
         problem.shapes.push_back(shape_of(entry.item.region));
         problem.pinned.push_back(entry.is_pinned && entry.previous.has_value());
@@ -235,8 +237,10 @@ class FlatPlan {
         SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
                             watch_.should_stop);
         const FillingTargets targets = filling_targets(problem, std::move(homes));
-        if (is_for_few(problem)) return few_filled(problem, targets, arrangement, random_, budget);
-        return fill_gaps(problem, targets, arrangement, random_, budget);
+        const Arrangement filled = is_for_few(problem)
+                                       ? few_filled(problem, targets, arrangement, random_, budget)
+                                       : fill_gaps(problem, targets, arrangement, random_, budget);
+        return slivers_filled(problem, targets.frames, filled);
     }
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {

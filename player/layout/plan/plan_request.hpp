@@ -38,7 +38,7 @@ struct PlanRequest {
     std::uint64_t seed = 1;
     std::int64_t budget = 600'000;  // evaluated moves, 0.1 to 0.2 us each
     double clearance = 1.5;         // canvas px between I-Regions
-    double margin = 1;              // canvas px between I-Regions and the canvas' edge
+    double margin = 0;              // canvas px between I-Regions and the canvas' edge
     double max_scale = 1.5;         // canvas px per source px; larger pictures look blurred
     bool fills = true;              // at last items are moved and resized so that pictures fill the canvas
     bool is_coarse = false;         // they are filled in few coarse steps, which are much alike from one plan

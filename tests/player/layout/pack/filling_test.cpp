@@ -49,10 +49,42 @@ TEST_CASE(
             const Layout layout = plan(request);
             CHECK(is_sound(items_of(request), layout, "filled"));
             CHECK(background(request, layout) <= 0.03);
-            request.fills = false;
-            dense = std::max(dense, background(request, plan(request)));
         }
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        PlanRequest request = random_request(3, seed);
+        request.canvas = {1080, 1920};
+        request.budget = 50'000;
+        request.fills = false;
+        dense = std::max(dense, background(request, plan(request)));
+    }
     CHECK(dense > 0.06);
+}
+
+TEST_CASE("pictures reach the edge of the screen: no line of a pixel or two stays dark there") {
+    constexpr double inset = 0.5;  // px
+    constexpr int points = 120;    // a side
+    int dark = 0;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PlanRequest request = random_request(10, seed);
+        request.budget = 150'000;
+        const Layout layout = plan(request);
+        const Vec2 inner = request.canvas - Vec2{2 * inset, 2 * inset};
+        const auto look_at = [&](double x, double y) {
+            const Vec2 point = Vec2{inset, inset} + Vec2{inner.x * x, inner.y * y};
+            for (std::size_t i = 0; i < request.items.size(); ++i) {
+                const Placement& at = layout.placements[i];
+                const Box& core = request.items[i].item.core;
+                const Vec2 p = (point - at.offset) * (1 / at.scale);
+                if (p.x >= core.min.x && p.x <= core.max.x && p.y >= core.min.y && p.y <= core.max.y) return;
+            }
+            ++dark;
+        };
+        for (int k = 0; k < points; ++k) {
+            const double share = (k + 0.5) / points;
+            look_at(share, 0), look_at(share, 1), look_at(0, share), look_at(1, share);
+        }
+    }
+    CHECK(dark <= 3 * 4 * points * 0.05);
 }
 
 TEST_CASE("an item that may not be enlarged stays as large as it may be") {
