@@ -13,6 +13,8 @@ namespace {
 constexpr double min_way = 1;      // canvas px from the held shot to its wished place
 constexpr double held_size = 0.7;  // share of the first scale: a smaller shot needs less room
 constexpr double min_seen = 0.85;  // share of the area seen before a step; with less, the held shot waits
+constexpr double worth_of_filling =
+    3;  // share of the canvas seen that is worth as much as a canvas that pictures fill
 constexpr double worth_of_way =
     1;  // share of the canvas seen that is worth as much as the canvas' diagonal between finger and shot
 
@@ -93,7 +95,8 @@ WallState Drag::making_way(const WallState& wall, std::size_t held, Vec2 wish) c
     const double enough = seen_of(wall) * min_seen;
     const auto worth = [&](const WallState& after) {
         const double way = length(wish - place_of(after.items[held], after.placements[held]));
-        return seen_of(after) - empty_share(after) - worth_of_way * way / length(after.canvas);
+        return seen_of(after) - worth_of_filling * empty_share(after) -
+               worth_of_way * way / length(after.canvas);
     };
     WallState best = wall;
     for (const WallState& before : tries) {

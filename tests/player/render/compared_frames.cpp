@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -22,11 +23,11 @@ class Search {
         for (int y = 0; y < expected_.height; ++y)
             for (int x = 0; x < expected_.width; ++x) {
                 const bool is_edge = expected_.is_edge[expected_.index(x, y)];
-                for (std::size_t i = 0; i < 3; ++i)
-                    note(is_edge ? found_.at_edges : found_.colour,
-                         is_edge ? from_near(x, y, i) : std::abs(off(x, y, i)), {x, y});
-                const double grey = 0.299 * off(x, y, 0) + 0.587 * off(x, y, 1) + 0.114 * off(x, y, 2);
-                if (!is_edge) note(found_.grey, std::abs(grey), {x, y});
+                if (is_edge)
+                    for (std::size_t i = 0; i < 3; ++i)
+                        note(found_.at_edges, from_near(x, y, i), {x, y});
+                else
+                    look_at_pixel(x, y);
             }
     }
 
@@ -40,6 +41,18 @@ class Search {
     Deviation found() const { return found_; }
 
   private:
+    /// Notes a pixel, or the one that it puts in second place.
+    void look_at_pixel(int x, int y) {
+        Pixel pixel{.place = {x, y}};
+        for (std::size_t i = 0; i < 3; ++i)
+            pixel.colour = std::max(pixel.colour, std::abs(off(x, y, i)));
+        pixel.grey = std::abs(0.299 * off(x, y, 0) + 0.587 * off(x, y, 1) + 0.114 * off(x, y, 2));
+        if (pixel.colour > stray_.colour) std::swap(pixel, stray_);
+        found_.stray = stray_.colour;
+        note(found_.colour, pixel.colour, pixel.place);
+        note(found_.grey, pixel.grey, pixel.place);
+    }
+
     void note(double& largest, double value, std::array<int, 2> place) {
         if (value > found_.worst()) found_.place = fmt::format("at {}, {}", place[0], place[1]);
         largest = std::max(largest, value);
@@ -79,9 +92,16 @@ class Search {
         return count < min_counted ? 0 : std::abs(sum) / count;
     }
 
+    struct Pixel {
+        std::array<int, 2> place{};
+        double grey = 0;
+        double colour = 0;
+    };
+
     const Picture& drawn_;            // outlives this
     const ReferenceImage& expected_;  // outlives this
     Deviation found_;
+    Pixel stray_;  // the one that is off most
 };
 
 /// The number of translucent pictures that lie over one another. Those of one wall lie beside one another.
