@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 namespace vitrine::player {
 
@@ -11,7 +13,7 @@ bool is_in_triangle(CellPoint p, CellPoint a, CellPoint b, CellPoint c) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-/// Cuts ears off an outline until no ear is left.
+/// Cuts ears off an outline until nothing is left.
 class EarClipping {
   public:
     explicit EarClipping(const Loop& outline) : left_(outline) {}
@@ -19,8 +21,14 @@ class EarClipping {
     std::vector<GridTriangle> run() {
         std::size_t at = 0;
         std::size_t tried = 0;
-        while (left_.size() >= 3 && tried < left_.size()) {
+        while (left_.size() >= 3) {
             at %= left_.size();
+            if (tried >= left_.size()) {
+                if (area() <= 0) break;
+                drop_flattest();
+                tried = 0;
+                continue;
+            }
             if (is_ear(at)) {
                 clip(at);
                 tried = 0;
@@ -44,6 +52,28 @@ class EarClipping {
         for (const CellPoint p : left_)
             if (p != a && p != b && p != c && is_in_triangle(p, a, b, c)) return false;
         return true;
+    }
+
+    /// Twice the area that is left, grid steps^2.
+    std::int64_t area() const {
+        std::int64_t sum = 0;
+        for (std::size_t k = 1; k + 1 < left_.size(); ++k)
+            sum += turn(left_.front(), left_[k], left_[k + 1]);
+        return sum;
+    }
+
+    /// Corners that neighbours share may lie a step or two beyond a side, so that an outline crosses itself
+    /// and has no ear. The flattest corner is where.
+    void drop_flattest() {
+        const auto flatness = [&](std::size_t at) {
+            return std::abs(turn(corner(at + left_.size() - 1), corner(at), corner(at + 1)));
+        };
+        std::size_t flattest = 0;
+        for (std::size_t k = 1; k < left_.size(); ++k)
+            if (flatness(k) < flatness(flattest)) flattest = k;
+        if (turn(corner(flattest + left_.size() - 1), corner(flattest), corner(flattest + 1)) > 0)
+            return clip(flattest);
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(flattest));
     }
 
     void clip(std::size_t at) {

@@ -1,5 +1,7 @@
 #include "player/layout/cells/cells.hpp"
 
+#include "player/layout/cells/triangulation.hpp"
+
 #include "player/layout/cells/grid.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/instances.hpp"
@@ -53,6 +55,19 @@ void check_cells(const std::vector<LayoutItem>& items, const Layout& layout) {
 }
 
 }  // namespace
+
+TEST_CASE("an outline that crosses itself by a step of the grid is triangulated whole") {
+    const Loop outline{{10142179, 3916434}, {10104576, 4047538}, {10054036, 4649608}, {10013212, 5924864},
+                       {10011986, 6220461}, {10166321, 6328505}, {10166322, 6328505}, {6974856, 5385043},
+                       {10335278, 3402489}, {10335277, 3402489}, {10217694, 3655464}};
+    std::int64_t whole = 0;
+    for (std::size_t k = 1; k + 1 < outline.size(); ++k)
+        whole += turn(outline[0], outline[k], outline[k + 1]);
+    std::int64_t sum = 0;
+    for (const GridTriangle& t : triangulated(outline))
+        sum += turn(t[0], t[1], t[2]);
+    CHECK(static_cast<double>(sum) == doctest::Approx(static_cast<double>(whole)).epsilon(1e-4));
+}
 
 TEST_CASE("cells share the canvas out exactly and hold their regions whole") {
     for (const std::size_t count : {1, 2, 3, 6, 12, 30})
