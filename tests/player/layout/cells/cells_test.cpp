@@ -1,8 +1,7 @@
 #include "player/layout/cells/cells.hpp"
 
-#include "player/layout/cells/triangulation.hpp"
-
 #include "player/layout/cells/grid.hpp"
+#include "player/layout/cells/triangulation.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/instances.hpp"
 
