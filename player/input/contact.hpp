@@ -28,7 +28,7 @@ struct Wheel {
     bool operator==(const Wheel&) const = default;
 };
 
-enum class Key { left, right, nearer, farther, select, back };
+enum class Key { left, right, nearer, farther, select, back, undo };
 
 struct KeyPress {
     Key key = Key::select;

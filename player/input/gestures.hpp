@@ -1,29 +1,20 @@
 #pragma once
 
-#include "player/input/gesture.hpp"
+#include "player/input/touch_recogniser.hpp"
 
-#include <deque>
+#include <cstdint>
 #include <map>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
 
-/// The limits of gestures. Lengths in canvas px.
-struct GestureRules {
-    double slop = 12;   // a finger that moves farther drags
-    double fast = 600;  // px a second; a finger that is lifted at this speed flicks
-    std::chrono::nanoseconds hold = std::chrono::milliseconds(500);   // a finger that rests this long holds
-    std::chrono::nanoseconds twice = std::chrono::milliseconds(350);  // longest pause in a double tap
-    std::chrono::nanoseconds trail =
-        std::chrono::milliseconds(80);  // the finger's speed is measured over this last time
-    double notch = 1.25;                // factor for one notch of the wheel
-};
-
 /// The rules for a canvas of this size, px: a finger covers the same share of every panel.
 GestureRules gesture_rules(Vec2 canvas);
 
-/// Recognises gestures in a visitor's input. Knows no clock: the time is passed in.
+/// Recognises the gestures of several people: those on one subject make one gesture together (a pinch), those
+/// on different subjects one each. A contact that rests for a minute is ignored until it is lifted. A contact
+/// that comes down without having been lifted was lost before. Knows no clock: the time is passed in.
 class Gestures {
   public:
     explicit Gestures(const GestureRules& rules = {}) : rules_(rules) {}
@@ -31,58 +22,41 @@ class Gestures {
     /// Sets the rules for fingers that come down from now on.
     void set_rules(const GestureRules& rules) { rules_ = rules; }
 
-    void handle_input(const InputEvent& event);
+    /// @param subject  for a finger that comes down, and a wheel: what is there
+    void handle_input(const InputEvent& event, Subject subject = no_subject);
 
     /// The gestures since the last call, in order.
     /// @param now  not before the last event
     std::vector<Gesture> next_gestures(std::chrono::nanoseconds now);
 
-    /// True: a finger touches the panel.
-    bool is_touched() const { return !fingers_.empty(); }
+    /// True: a finger touches the panel. A contact that is ignored does not count.
+    bool is_touched() const { return !touches_.empty(); }
+
+    /// Number of contacts that are followed.
+    std::size_t count() const { return owners_.size(); }
 
   private:
-    enum class State {
-        idle,
-        pressed,
-        holding,
-        dragging,
-        pinching,
-        over
-    };  // over: ignores everything until all fingers are lifted
+    using Owner = std::pair<Subject, int>;  // a finger on no subject has a recogniser of its own
 
-    struct Point {
+    struct Tap {
         Vec2 at;
         std::chrono::nanoseconds time{0};
     };
 
-    struct Finger {
-        Vec2 from;
-        Vec2 at;
-        std::chrono::nanoseconds since{0};
-        std::deque<Point> trail;
-    };
-
-    void handle(const Contact& contact);
-    void handle(const Wheel& wheel);
-    void handle(const KeyPress& press);
-    void put_down(const Contact& contact);
-    void move(const Contact& contact);
-    void drag(Finger& finger, Vec2 before);
-    void pinch();
-    void lift(const Contact& contact);
-    void tap(const Finger& finger, std::chrono::nanoseconds time);
-    void end_hold_or_drag(const Finger& finger, std::chrono::nanoseconds time, bool may_flick);
-    void recognise_hold(std::chrono::nanoseconds now);
-    Vec2 velocity(const Finger& finger, std::chrono::nanoseconds now) const;
-    Vec2 middle() const;
-    double spread() const;
+    void handle(const Contact& contact, Subject subject);
+    void handle(const Wheel& wheel, Subject subject);
+    void handle(const KeyPress& press, Subject subject);
+    void put_down(const Contact& contact, Subject subject);
+    void advance(std::chrono::nanoseconds now);
+    void drop_lifted();
+    void find_double_tap(std::chrono::nanoseconds since, std::chrono::nanoseconds now);
 
     GestureRules rules_;
-    State state_ = State::idle;
-    std::map<int, Finger> fingers_;
-    Vec2 middle_;                  // the point between two fingers, at the last contact
-    double spread_ = 1;            // px between two fingers, at the last contact
-    std::optional<Point> tapped_;  // the last tap, if it may become a double tap
+    std::uint64_t last_touch_ = 0;
+    std::map<Owner, TouchRecogniser> touches_;
+    std::map<int, Owner> owners_;                    // finger -> its recogniser
+    std::map<int, std::chrono::nanoseconds> since_;  // finger -> when it came down
+    std::vector<Tap> taps_;                          // the last ones, if they may become double taps
     std::vector<Gesture> gestures_;
 };
 

@@ -23,12 +23,14 @@ constexpr auto tap_time = 80ms;     // length of a tap
 constexpr auto flick_time = 120ms;  // length of a flick
 constexpr auto rest_time = 200ms;   // a dragging finger rests before it is lifted, so that it does not flick
 constexpr double min_finger_gap = 120;  // px, in a pinch
-constexpr std::array<std::pair<const char*, Key>, 6> keys{{{"left", Key::left},
+constexpr int max_finger = 99;          // number of a finger that a script moves by itself
+constexpr std::array<std::pair<const char*, Key>, 7> keys{{{"left", Key::left},
                                                            {"right", Key::right},
                                                            {"nearer", Key::nearer},
                                                            {"farther", Key::farther},
                                                            {"select", Key::select},
-                                                           {"back", Key::back}}};
+                                                           {"back", Key::back},
+                                                           {"undo", Key::undo}}};
 
 std::chrono::nanoseconds seconds(double number) {
     if (!(number >= 0 && number <= max_seconds))
@@ -45,6 +47,7 @@ struct Arguments {
     std::istream& words;
     std::chrono::nanoseconds time{0};  // time of the event
     const char* usage = "";            // the error text for a missing argument
+    int finger = 0;                    // number of the line's first finger; a pinch has two
 
     double number() {
         double number = 0;
@@ -97,18 +100,24 @@ Input contacts(const Stroke& stroke) {
 
 Input tap(Arguments& arguments) {
     const Vec2 at = arguments.place();
-    return contacts({.from = at, .to = at, .time = arguments.time, .duration = tap_time});
+    return contacts(
+        {.finger = arguments.finger, .from = at, .to = at, .time = arguments.time, .duration = tap_time});
 }
 
 Input hold(Arguments& arguments) {
     const Vec2 at = arguments.place();
-    return contacts({.from = at, .to = at, .time = arguments.time, .duration = arguments.duration()});
+    return contacts({.finger = arguments.finger,
+                     .from = at,
+                     .to = at,
+                     .time = arguments.time,
+                     .duration = arguments.duration()});
 }
 
 Input drag(Arguments& arguments) {
     const Vec2 from = arguments.place();
     const Vec2 to = arguments.place();
-    return contacts({.from = from,
+    return contacts({.finger = arguments.finger,
+                     .from = from,
                      .to = to,
                      .time = arguments.time,
                      .duration = arguments.duration(),
@@ -118,7 +127,8 @@ Input drag(Arguments& arguments) {
 Input flick(Arguments& arguments) {
     const Vec2 from = arguments.place();
     const Vec2 to = arguments.place();
-    return contacts({.from = from, .to = to, .time = arguments.time, .duration = flick_time});
+    return contacts(
+        {.finger = arguments.finger, .from = from, .to = to, .time = arguments.time, .duration = flick_time});
 }
 
 /// Two fingers beside each other; at the end their gap is larger by the factor.
@@ -129,13 +139,14 @@ Input pinch(Arguments& arguments) {
         throw std::runtime_error("the factor of a pinch must be from 0.01 to 100");
     const Vec2 first{min_finger_gap / 2 * std::max(1.0, 1 / factor), 0};
     const Vec2 last = first * factor;
-    Stroke stroke{.from = at - first,
+    Stroke stroke{.finger = arguments.finger,
+                  .from = at - first,
                   .to = at - last,
                   .time = arguments.time,
                   .duration = arguments.duration(),
                   .rest = rest_time};
     Input events = contacts(stroke);
-    stroke.finger = 1;
+    ++stroke.finger;
     stroke.from = at + first;
     stroke.to = at + last;
     const Input second = contacts(stroke);
@@ -156,6 +167,22 @@ Input key(Arguments& arguments) {
     throw std::runtime_error(arguments.usage);
 }
 
+/// One contact of a finger that the script counts itself, so that it can be lost or stay.
+template <Contact::Kind kind> Input contact(Arguments& arguments) {
+    const double number = arguments.number();
+    if (!(number >= 0 && number <= max_finger && number == std::floor(number)))
+        throw std::runtime_error(fmt::format("a finger is a number from 0 to {}", max_finger));
+    const bool has_place = kind == Contact::Kind::down || kind == Contact::Kind::move;
+    return {Contact{.kind = kind,
+                    .finger = static_cast<int>(number),
+                    .at = has_place ? arguments.place() : Vec2{},
+                    .time = arguments.time}};
+}
+
+Input undo(Arguments& arguments) {
+    return {KeyPress{.key = Key::undo, .time = arguments.time}};
+}
+
 /// A word of the script for a visitor's input.
 struct InputWord {
     const char* word;
@@ -163,14 +190,19 @@ struct InputWord {
     Input (*read)(Arguments& arguments);
 };
 
-constexpr std::array<InputWord, 7> input_words{{
+constexpr std::array<InputWord, 12> input_words{{
     {"tap", "a tap needs a place, 'X Y'", tap},
     {"hold", "a hold needs a place and a time, 'X Y SECONDS'", hold},
     {"drag", "a drag needs two places and a time, 'X Y X Y SECONDS'", drag},
     {"flick", "a flick needs two places, 'X Y X Y'", flick},
     {"pinch", "a pinch needs a place, a factor and a time, 'X Y FACTOR SECONDS'", pinch},
     {"wheel", "a wheel needs a place and a number of notches, 'X Y NOTCHES'", wheel},
-    {"key", "a key must be one of left, right, nearer, farther, select, back", key},
+    {"down", "a finger that comes down needs its number and a place, 'N X Y'", contact<Contact::Kind::down>},
+    {"move", "a finger that moves needs its number and a place, 'N X Y'", contact<Contact::Kind::move>},
+    {"up", "a finger that is lifted needs its number", contact<Contact::Kind::up>},
+    {"cancel", "a finger that the panel takes back needs its number", contact<Contact::Kind::cancel>},
+    {"key", "a key must be one of left, right, nearer, farther, select, back, undo", key},
+    {"undo", "", undo},
 }};
 
 std::string all_words() {
@@ -224,7 +256,8 @@ void Rehearsal::read_line(const std::string& line) {
         std::ranges::find_if(input_words, [&](const InputWord& word) { return word.word == what; });
     if (known == input_words.end())
         throw std::runtime_error(fmt::format("an event must be one of {}", all_words()));
-    Arguments arguments{.words = words, .time = time, .usage = known->usage};
+    next_finger_ += 2;  // gestures of several lines at the same time are those of several hands
+    Arguments arguments{.words = words, .time = time, .usage = known->usage, .finger = next_finger_};
     const Input input = known->read(arguments);
     touches_.insert(touches_.end(), input.begin(), input.end());
 }

@@ -16,7 +16,9 @@ namespace vitrine::player {
 ///
 ///     4 add FILE             the file was not there before
 ///     9 remove FILE          relative to the media folder
-///     12 tap X Y             and the other words of the table `input_words` in rehearsal.cpp
+///     12 tap X Y             and the other words of the table `input_words` in rehearsal.cpp. Lines at the
+///                            same time are several hands
+///     14 down 3 X Y          finger 3 comes down; it stays until `up 3` or `cancel 3`
 ///     0 clock 2026-12-24 17:59:50      sets the local time, which goes on from there
 class Rehearsal {
   public:
@@ -54,6 +56,7 @@ class Rehearsal {
     std::vector<InputEvent> touches_;  // in order of time
     std::size_t passed_ = 0;           // number of files_ that are over
     std::size_t touched_ = 0;          // number of touches_ that were passed on
+    int next_finger_ = 100;            // smaller numbers are those of the script's own fingers
     std::vector<Clock> clocks_;
     std::chrono::nanoseconds now_{0};
 };

@@ -25,7 +25,7 @@ namespace {
 constexpr int pointer_finger = -1;         // a mouse whose button is held; touch slots count from 0
 constexpr Vec2 pointer_reach{1920, 1080};  // px that a mouse moves for a panel's width and height
 constexpr double notch_angle = 120;        // libinput's unit for one notch
-constexpr std::array<std::pair<unsigned, Key>, 15> keys{{{KEY_LEFT, Key::left},
+constexpr std::array<std::pair<unsigned, Key>, 17> keys{{{KEY_LEFT, Key::left},
                                                          {KEY_RIGHT, Key::right},
                                                          {KEY_UP, Key::nearer},
                                                          {KEY_DOWN, Key::farther},
@@ -39,7 +39,9 @@ constexpr std::array<std::pair<unsigned, Key>, 15> keys{{{KEY_LEFT, Key::left},
                                                          {KEY_KPENTER, Key::select},
                                                          {KEY_SPACE, Key::select},
                                                          {KEY_ESC, Key::back},
-                                                         {KEY_BACKSPACE, Key::back}}};
+                                                         {KEY_BACKSPACE, Key::back},
+                                                         {KEY_UNDO, Key::undo},
+                                                         {KEY_Z, Key::undo}}};
 
 std::chrono::nanoseconds time_of(std::uint64_t microseconds) {
     return std::chrono::microseconds(microseconds);
@@ -60,6 +62,12 @@ void close_device(int fd, void* /*refused*/) {
 
 constexpr libinput_interface devices_interface{.open_restricted = open_device,
                                                .close_restricted = close_device};
+
+/// The output that udev assigns to a device; empty: none.
+std::string output_of(libinput_device* device) {
+    const char* name = libinput_device_get_output_name(device);
+    return name != nullptr ? name : "";
+}
 
 /// Drops libinput's own log lines: the player logs each device once itself.
 void ignore_log(libinput* /*context*/, libinput_log_priority /*priority*/, const char* /*format*/,
@@ -87,6 +95,7 @@ struct Touch::Context {
     std::map<std::pair<libinput_device*, int>, int> fingers;  // device and slot -> number
     Vec2 pointer{0.5, 0.5};                                   // shares of the panel's sides
     bool is_pressed = false;
+    std::chrono::nanoseconds newest{0};  // time of the last touch
     std::vector<PanelEvent> events;
     std::vector<std::string> news;
 };
@@ -121,8 +130,7 @@ void Touch::Context::open_paths(const std::string& devices) {
 void Touch::Context::handle_event(libinput_event* event) {
     const libinput_event_type type = libinput_event_get_type(event);
     libinput_device* device = libinput_event_get_device(event);
-    const char* name = libinput_device_get_output_name(device);
-    const std::string output = name != nullptr ? name : "";
+    const std::string output = output_of(device);
     switch (type) {
     case LIBINPUT_EVENT_DEVICE_ADDED:
     case LIBINPUT_EVENT_DEVICE_REMOVED:
@@ -145,12 +153,17 @@ void Touch::Context::handle_event(libinput_event* event) {
     }
 }
 
-/// Adds or removes a device. libinput itself sends the events that lift a removed device's fingers.
+/// Adds or removes a device. The fingers of a removed device are lost, if libinput has not lifted them.
 void Touch::Context::handle_device(libinput_device* device, bool is_added) {
     news.push_back(fmt::format("{} '{}'", is_added ? "found" : "gone:", libinput_device_get_name(device)));
     if (is_added && libinput_device_config_tap_get_finger_count(device) > 0)
         libinput_device_config_tap_set_enabled(device, LIBINPUT_CONFIG_TAP_ENABLED);
-    if (!is_added) std::erase_if(fingers, [&](const auto& entry) { return entry.first.first == device; });
+    if (is_added) return;
+    for (const auto& [key, finger] : fingers)
+        if (key.first == device)
+            events.push_back({output_of(device),
+                              Contact{.kind = Contact::Kind::cancel, .finger = finger, .time = newest}});
+    std::erase_if(fingers, [&](const auto& entry) { return entry.first.first == device; });
 }
 
 /// The number of a device's finger. No other finger has it at the same time.
@@ -168,6 +181,7 @@ int Touch::Context::finger_of(libinput_event_touch* touch) {
 void Touch::Context::handle_touch(libinput_event_touch* touch, libinput_event_type type,
                                   const std::string& output) {
     Contact contact{.finger = finger_of(touch), .time = time_of(libinput_event_touch_get_time_usec(touch))};
+    newest = contact.time;
     if (type == LIBINPUT_EVENT_TOUCH_DOWN || type == LIBINPUT_EVENT_TOUCH_MOTION) {
         contact.kind = type == LIBINPUT_EVENT_TOUCH_DOWN ? Contact::Kind::down : Contact::Kind::move;
         contact.at = {libinput_event_touch_get_x_transformed(touch, 1),

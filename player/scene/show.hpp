@@ -35,6 +35,12 @@ struct WallStep {
     std::vector<SourceId> retired;      // sources that neither this frame nor a later one needs
 };
 
+/// A shot that is seen, and its source, which is the subject of touches on it.
+struct SeenShot {
+    SourceId source = 0;
+    ShotKey key;
+};
+
 /// A shot on the wall and its slot.
 struct SlotShot {
     int slot = 0;  // on a panning wall: the position from the left, which changes as the wall moves
@@ -74,7 +80,7 @@ class Show {
     virtual void handle_gesture(const Gesture& /*gesture*/) {}
 
     /// The shot that is seen at a canvas point. None: no shot is there, or the show cannot be touched.
-    virtual std::optional<ShotKey> shot_at(Vec2 /*point*/) const { return std::nullopt; }
+    virtual std::optional<SeenShot> shot_at(Vec2 /*point*/) const { return std::nullopt; }
 
     /// Sets the operator's controls. A show without turns ignores turns and pins.
     virtual void set_controls(const ShowControls& /*controls*/) {}

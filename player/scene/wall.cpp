@@ -114,10 +114,10 @@ void Wall::handle_gesture(const Gesture& gesture) {
     touch_.handle_gesture(gesture, shown_, canvas_);
 }
 
-std::optional<ShotKey> Wall::shot_at(Vec2 point) const {
+std::optional<SeenShot> Wall::shot_at(Vec2 point) const {
     const PlacedShot* shot = find_shot_at(shown_, point);
     if (shot == nullptr) return std::nullopt;
-    return shot->shot.key;
+    return SeenShot{.source = shot->shot.source, .key = shot->shot.key};
 }
 
 void Wall::set_layout(const Layout& layout) {

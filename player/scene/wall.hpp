@@ -58,7 +58,7 @@ class Wall final : public Show {
     /// settled. Folders whose files are grouped cannot be touched, and shots of a calm wall not be dragged.
     void handle_gesture(const Gesture& gesture) override;
 
-    std::optional<ShotKey> shot_at(Vec2 point) const override;
+    std::optional<SeenShot> shot_at(Vec2 point) const override;
 
     /// Takes the layout of a plan of this wall, in the order of the plan's items. Ignores the layout of an
     /// outdated plan. The first wall also takes layouts that are not final, so that its sources get ready

@@ -1,6 +1,9 @@
 #include "player/stage/gesture_dispatch.hpp"
 
 #include <array>
+#include <optional>
+#include <utility>
+#include <variant>
 
 namespace vitrine::player {
 
@@ -9,12 +12,32 @@ namespace {
 constexpr double parted_enough = 1.25;  // factor of a pinch that opens a tapestry
 
 /// The folder below the media folder that a shot lies in; empty: none.
-std::string top_folder(const std::optional<ShotKey>& shot) {
-    const std::size_t slash = shot ? shot->path.find('/') : std::string::npos;
-    return slash == std::string::npos ? "" : shot->path.substr(0, slash);
+std::string top_folder(const std::optional<SeenShot>& shot) {
+    const std::size_t slash = shot ? shot->key.path.find('/') : std::string::npos;
+    return slash == std::string::npos ? "" : shot->key.path.substr(0, slash);
 }
 
 }  // namespace
+
+void GestureDispatch::handle_input(const InputEvent& event) {
+    gestures_.handle_input(event, subject_of(event));
+}
+
+/// The subject of a finger that comes down, or of a wheel.
+Subject GestureDispatch::subject_of(const InputEvent& event) const {
+    const auto* contact = std::get_if<Contact>(&event);
+    if (contact != nullptr && contact->kind != Contact::Kind::down) return no_subject;
+    if (shows_.tapestry() != nullptr) return whole_show;
+    const auto place = [](const auto& one) -> std::optional<Vec2> {
+        if constexpr (requires { one.at; })
+            return one.at;
+        else
+            return std::nullopt;
+    };
+    const std::optional<Vec2> at = std::visit(place, event);
+    const auto shot = at ? std::as_const(shows_).wall().shot_at(*at) : std::nullopt;
+    return shot ? shot->source : no_subject;
+}
 
 void GestureDispatch::dispatch(std::chrono::nanoseconds now) {
     using Handler = bool (GestureDispatch::*)(const Gesture&);
@@ -39,12 +62,15 @@ bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
 
 /// Two fingers that part on a film, or two taps on it, open its tapestry if there is one.
 bool GestureDispatch::open_tapestry(const Gesture& gesture) {
-    parted_ = gesture.kind == Gesture::Kind::pinch ? parted_ * gesture.factor : 1;
-    if (gesture.kind != Gesture::Kind::double_tap && parted_ < parted_enough) return false;
-    const std::optional<ShotKey> shot = shows_.wall().shot_at(gesture.at);
+    if (gesture.kind == Gesture::Kind::pinch_end) parted_.erase(gesture.touch);
+    const bool is_pinch = gesture.kind == Gesture::Kind::pinch && gesture.subject != no_subject;
+    const double parted =
+        is_pinch ? parted_.try_emplace(gesture.touch, 1).first->second *= gesture.factor : 1;
+    if (gesture.kind != Gesture::Kind::double_tap && parted < parted_enough) return false;
+    const std::optional<SeenShot> shot = shows_.wall().shot_at(gesture.at);
     if (!shot) return false;
-    const RecordList::Record film = files_.all().find(shot->path);
-    return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->shot));
+    const RecordList::Record film = files_.all().find(shot->key.path);
+    return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->key.shot));
 }
 
 /// A tap on a grouped folder opens it; a tap into an open folder, or a key, closes it.

@@ -6,6 +6,8 @@
 #include "player/stage/stage_files.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <map>
 
 namespace vitrine::player {
 
@@ -20,12 +22,13 @@ class GestureDispatch {
     void set_canvas(Vec2 canvas) { gestures_.set_rules(gesture_rules(canvas)); }
 
     /// @param event  canvas px; its time is since the player's start
-    void handle_input(const InputEvent& event) { gestures_.handle_input(event); }
+    void handle_input(const InputEvent& event);
 
     /// Dispatches the gestures since the last call, and closes a folder that nobody has touched for long.
     void dispatch(std::chrono::nanoseconds now);
 
   private:
+    Subject subject_of(const InputEvent& event) const;
     bool give_to_tapestry(const Gesture& gesture);
     bool open_tapestry(const Gesture& gesture);
     bool open_or_close_folder(const Gesture& gesture);
@@ -36,7 +39,7 @@ class GestureDispatch {
     ShowSwitch& shows_;         // outlives this
     StageFiles& files_;         // outlive this
     Gestures gestures_;
-    double parted_ = 1;  // factor of the present pinch
+    std::map<std::uint64_t, double> parted_;  // touch -> factor of its pinch so far
     std::chrono::nanoseconds touched_{0};
 };
 

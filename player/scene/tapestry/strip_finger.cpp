@@ -46,6 +46,7 @@ void StripFinger::handle_gesture(const Gesture& gesture, const TouchedStrip& str
         break;
     case Gesture::Kind::drop:
     case Gesture::Kind::flick:
+    case Gesture::Kind::lost:
         return let_go(gesture, strip);
     case Gesture::Kind::key:
         if (gesture.key == Key::back) has_closed_ = true;

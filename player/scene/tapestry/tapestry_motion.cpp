@@ -44,6 +44,7 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
         view_ = place.moved(view_, gesture.moved.x);
         return;
     case Gesture::Kind::drop:
+    case Gesture::Kind::lost:
         return settle(gesture.at.x);
     case Gesture::Kind::flick:
         speed_ = gesture.velocity.x;

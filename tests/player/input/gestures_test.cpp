@@ -27,9 +27,19 @@ Contact up(int finger, std::chrono::nanoseconds time) {
 
 std::vector<Gesture> meant(const std::vector<InputEvent>& events, std::chrono::nanoseconds now,
                            Gestures gestures = Gestures()) {
+    constexpr Subject shot = 7;
     for (const InputEvent& event : events)
-        gestures.handle_input(event);
+        gestures.handle_input(event, shot);
     return gestures.next_gestures(now);
+}
+
+/// The kinds of one touch's gestures, those in a row only once.
+std::vector<Kind> course_of(const std::vector<Gesture>& gestures, std::uint64_t touch) {
+    std::vector<Kind> course;
+    for (const Gesture& gesture : gestures)
+        if (gesture.touch == touch && (course.empty() || course.back() != gesture.kind))
+            course.push_back(gesture.kind);
+    return course;
 }
 
 std::vector<Kind> kinds(const std::vector<Gesture>& gestures) {
@@ -104,13 +114,13 @@ TEST_CASE("a contact that the panel takes back neither taps nor flicks") {
     const auto gestures = meant(
         {down(0, {0, 0}, 0ms), move(0, {90, 0}, 30ms), Contact{.kind = Contact::Kind::cancel, .time = 40ms}},
         40ms);
-    CHECK(kinds(gestures) == Kinds{Kind::drag, Kind::drop});
+    CHECK(kinds(gestures) == Kinds{Kind::drag, Kind::lost});
 }
 
 TEST_CASE("two fingers pinch about their middle by how far they part") {
     const auto gestures =
         meant({down(0, {100, 100}, 0ms), down(1, {200, 100}, 20ms), move(0, {80, 100}, 40ms),
-               move(1, {240, 120}, 60ms), up(0, 80ms), move(1, {300, 300}, 100ms), up(1, 120ms)},
+               move(1, {240, 120}, 60ms), up(0, 80ms), move(1, {245, 122}, 100ms), up(1, 120ms)},
               120ms);
     REQUIRE(kinds(gestures) == Kinds{Kind::pinch, Kind::pinch, Kind::pinch_end});
     CHECK(gestures[0].factor * gestures[1].factor == doctest::Approx(std::hypot(160, 20) / 100));
@@ -145,4 +155,91 @@ TEST_CASE("a larger canvas allows more trembling") {
     const std::vector<InputEvent> events{down(0, {0, 0}, 0ms), move(0, {25, 0}, 20ms), up(0, 300ms)};
     CHECK(kinds(meant(events, 300ms, Gestures(gesture_rules({640, 360})))).front() == Kind::drag);
     CHECK(kinds(meant(events, 300ms, Gestures(gesture_rules({3840, 2160})))) == Kinds{Kind::tap});
+}
+
+TEST_CASE("ten contacts on ten subjects are ten drags, each with its own number; an eleventh is nothing") {
+    Gestures gestures;
+    for (int k = 0; k <= 10; ++k)
+        gestures.handle_input(down(k, {100.0 * k, 50}, 1s + k * 1ms), static_cast<Subject>(k + 1));
+    for (int k = 0; k <= 10; ++k)
+        gestures.handle_input(move(k, {100.0 * k, 90}, 1100ms + k * 1ms));
+    CHECK(gestures.count() == 10);
+    for (int k = 0; k <= 10; ++k)
+        gestures.handle_input(up(k, 2s));
+    const auto all = gestures.next_gestures(2s);
+    REQUIRE(all.size() == 20);
+    for (std::uint64_t k = 1; k <= 10; ++k) {
+        CHECK(course_of(all, k) == Kinds{Kind::drag, Kind::drop});
+        CHECK(all[k - 1].subject == k);
+    }
+    CHECK_FALSE(gestures.is_touched());
+}
+
+TEST_CASE("two contacts beside all subjects are no pinch: each is a touch of its own") {
+    Gestures gestures;
+    for (const int k : {0, 1})
+        gestures.handle_input(down(k, {100.0 + 50 * k, 50}, 1s), no_subject);
+    for (const int k : {0, 1})
+        gestures.handle_input(move(k, {100.0 + 50 * k, 150}, 1100ms));
+    CHECK(kinds(gestures.next_gestures(1100ms)) == Kinds{Kind::drag, Kind::drag});
+}
+
+TEST_CASE("a contact that joins on another shot changes nothing for the first one") {
+    Gestures gestures;
+    gestures.handle_input(down(0, {100, 100}, 0ms), 1);
+    gestures.handle_input(move(0, {150, 100}, 20ms));
+    gestures.handle_input(down(1, {400, 100}, 30ms), 2);
+    gestures.handle_input(move(0, {200, 100}, 40ms));
+    gestures.handle_input(up(1, 90ms));
+    gestures.handle_input(move(0, {250, 100}, 100ms));
+    gestures.handle_input(up(0, 900ms));
+    const auto all = gestures.next_gestures(900ms);
+    CHECK(kinds(all) == Kinds{Kind::drag, Kind::drag, Kind::tap, Kind::drag, Kind::drop});
+}
+
+TEST_CASE("of two fingers that pinched, the one that stays may drag on") {
+    const auto gestures =
+        meant({down(0, {100, 100}, 0ms), down(1, {200, 100}, 20ms), move(1, {260, 100}, 40ms), up(0, 80ms),
+               move(1, {300, 100}, 100ms), up(1, 900ms)},
+              900ms);
+    REQUIRE(kinds(gestures) == Kinds{Kind::pinch, Kind::pinch_end, Kind::drag, Kind::drop});
+    CHECK(gestures[2].from == Vec2{260, 100});
+}
+
+TEST_CASE("a contact that rests for a minute is lost, and makes nobody else deaf") {
+    Gestures gestures;
+    gestures.handle_input(down(0, {100, 100}, 0s), 1);
+    gestures.handle_input(move(0, {103, 100}, 30s));  // it trembles
+    CHECK(kinds(gestures.next_gestures(59s)) == Kinds{Kind::hold});
+    CHECK(gestures.is_touched());
+    CHECK(kinds(gestures.next_gestures(60s)) == Kinds{Kind::lost});
+    CHECK_FALSE(gestures.is_touched());
+    gestures.handle_input(move(0, {300, 100}, 61s));  // it is ignored until it is lifted
+    gestures.handle_input(down(1, {110, 100}, 62s), 1);
+    gestures.handle_input(up(1, 62100ms));
+    CHECK(kinds(gestures.next_gestures(63s)) == Kinds{Kind::tap});
+    gestures.handle_input(up(0, 64s));
+    gestures.handle_input(down(0, {100, 100}, 65s), 1);
+    gestures.handle_input(up(0, 65100ms));
+    CHECK(kinds(gestures.next_gestures(66s)) == Kinds{Kind::tap});
+}
+
+TEST_CASE("a contact that comes down a second time was lost in between") {
+    const auto gestures =
+        meant({down(0, {100, 100}, 0ms), move(0, {200, 100}, 50ms), down(0, {400, 100}, 100ms), up(0, 150ms)},
+              150ms);
+    CHECK(kinds(gestures) == Kinds{Kind::drag, Kind::lost, Kind::tap});
+    CHECK(gestures[2].touch != gestures[0].touch);
+}
+
+TEST_CASE("two people who tap two shots in turn tap twice each, and double-tap only where one did") {
+    Gestures gestures;
+    const auto tap = [&](Vec2 at, Subject subject, std::chrono::nanoseconds time) {
+        gestures.handle_input(down(0, at, time), subject);
+        gestures.handle_input(up(0, time + 50ms));
+    };
+    tap({100, 100}, 1, 0ms);
+    tap({500, 100}, 2, 100ms);
+    tap({100, 100}, 1, 250ms);
+    CHECK(kinds(gestures.next_gestures(1s)) == Kinds{Kind::tap, Kind::tap, Kind::tap, Kind::double_tap});
 }

@@ -44,8 +44,12 @@ TEST_CASE("the finger of a rehearsal goes evenly from one place to the other, re
         return since;
     };
     CHECK(contacts(3900ms).empty());
-    CHECK(contacts(4s) == std::vector{Contact{.at = {100, 200}, .time = 4s}});
-    CHECK(contacts(5s).back() == Contact{.kind = Contact::Kind::move, .at = {200, 150}, .time = 5s});
+    const auto first = contacts(4s);
+    REQUIRE(first.size() == 1);
+    const int finger = first[0].finger;
+    CHECK(first[0] == Contact{.finger = finger, .at = {100, 200}, .time = 4s});
+    CHECK(contacts(5s).back() ==
+          Contact{.kind = Contact::Kind::move, .finger = finger, .at = {200, 150}, .time = 5s});
     CHECK(contacts(6s).back().at == Vec2{300, 100});
     CHECK(contacts(6199ms).empty());
     CHECK(contacts(7s).back().kind == Contact::Kind::up);
@@ -58,7 +62,7 @@ TEST_CASE("the words of a rehearsal are the gestures that are recognised") {
         Gestures gestures;
         rehearsal.advance(20s);
         for (const InputEvent& event : rehearsal.next_touches())
-            gestures.handle_input(event);
+            gestures.handle_input(event, 1);
         return gestures.next_gestures(20s);
     };
     using Kind = Gesture::Kind;
@@ -77,6 +81,27 @@ TEST_CASE("the words of a rehearsal are the gestures that are recognised") {
     }
 }
 
+TEST_CASE("lines of a rehearsal at the same time are several hands, and a script may lose a finger") {
+    Rehearsal rehearsal("1 drag 5 6 300 6 1\n1.2 drag 5 206 300 206 1\n1.4 down 3 700 300\n1.8 cancel 3\n");
+    rehearsal.advance(20s);
+    Gestures gestures;
+    std::size_t most = 0;
+    for (const InputEvent& event : rehearsal.next_touches()) {
+        gestures.handle_input(event);
+        most = std::max(most, gestures.count());
+    }
+    CHECK(most == 3);
+    std::map<std::uint64_t, Gesture::Kind> ends;
+    for (const Gesture& gesture : gestures.next_gestures(20s))
+        ends[gesture.touch] = gesture.kind;
+    CHECK(ends.size() == 2);
+    CHECK(ends[1] == Gesture::Kind::drop);
+    CHECK(ends[2] == Gesture::Kind::drop);
+    Rehearsal other("1 undo\n");
+    other.advance(2s);
+    CHECK(std::get<KeyPress>(other.next_touches().at(0)).key == Key::undo);
+}
+
 TEST_CASE("a wrong line of a rehearsal is named with its number and what is wrong") {
     const auto fault = [](const std::string& script) {
         try {
@@ -88,10 +113,11 @@ TEST_CASE("a wrong line of a rehearsal is named with its number and what is wron
     };
     CHECK(fault("1 add a\n2 dance b\n") ==
           "line 2 of the rehearsal, '2 dance b': an event must be one of add, remove, tap, hold, drag, "
-          "flick, pinch, wheel, key, clock");
+          "flick, pinch, wheel, down, move, up, cancel, key, undo, clock");
     CHECK(fault("add a\n").find("line 1") != std::string::npos);
     CHECK(fault("1 add\n").find("is missing") != std::string::npos);
     CHECK(fault("1 drag 1 2 3\n").find("X Y X Y SECONDS") != std::string::npos);
+    CHECK(fault("1 up 100\n").find("from 0 to 99") != std::string::npos);
     CHECK(fault("-1 add a\n").find("from 0 to") != std::string::npos);
 }
 
