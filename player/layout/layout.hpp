@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct LayoutGroup {
     bool operator==(const LayoutGroup&) const = default;
 };
 
+struct WallWay;
+
 /// The places of all items on a canvas, in the order of the items. An immutable value.
 struct Layout {
     Vec2 canvas;  // px
@@ -49,7 +52,8 @@ struct Layout {
     std::vector<LayoutGroup> groups;  // none: there are no groups
     double energy = 0;                // share of the canvas that no I-Region covers, in [0, 1]
     std::uint64_t generation = 0;
-    bool is_final = false;  // no better layout of the same request follows
+    bool is_final = false;               // no better layout of the same request follows
+    std::shared_ptr<const WallWay> way;  // of an edit: how the wall gets there; none: it finds its way itself
 };
 
 /// The item of a shot: its I-Region inside the part that every frame shows. A region that is missing or

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "player/scene/wall_shot.hpp"
-
 #include <chrono>
 #include <optional>
-#include <span>
 
 namespace vitrine::player {
 
@@ -31,11 +28,5 @@ class ChangePace {
     std::chrono::nanoseconds spacing_;
     std::optional<std::chrono::nanoseconds> last_;  // begin of the last change; none: there was none
 };
-
-/// True if a change is too small to flash: it shows another shot on less than a quarter of the canvas. The
-/// steps in which a shot follows a finger are mostly so small.
-/// @param shown, incoming  both on this canvas, with cells
-bool is_too_small_to_flash(std::span<const PlacedShot> shown, std::span<const PlacedShot> incoming,
-                           Vec2 canvas);
 
 }  // namespace vitrine::player

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
+#include "player/layout/edit/make_way.hpp"
 #include "player/layout/plan/plan_request.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -25,6 +27,7 @@ struct WallPlan {
     std::uint64_t generation = 0;  // the layout must have the same
     Vec2 canvas;                   // px
     std::vector<PlanItem> items;   // each at its present place, or with the seat of its slot's last shot
+    std::shared_ptr<const WayRequest> way;  // instead of items: the wall is touched
 };
 
 /// The work of one frame, besides drawing it.

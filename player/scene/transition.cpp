@@ -16,8 +16,7 @@ constexpr double guard_share = 0.3;     // side of the part of a seat that no sh
 constexpr int samples = 24;             // times at which the ways are looked at
 constexpr double min_fade = 0.3;        // share of the duration
 
-double progress_of(const Motion& motion, double share, bool is_even) {
-    if (is_even) return share;
+double progress_of(const Motion& motion, double share) {
     if (motion.kind != Motion::Kind::staged) return eased(share);
     const auto stages = static_cast<double>(motion.keys.size() - 1);
     const double stage = std::min(std::floor(share * stages), stages - 1);
@@ -258,8 +257,7 @@ Transition transition(Vec2 canvas, std::span<const PlacedShot> shown, std::span<
                      .old_wall = changing(shown),
                      .new_wall = changing(incoming),
                      .motion = {Motion::Kind::still, {{}}},
-                     .duration = style.duration,
-                     .is_even = style.is_even};
+                     .duration = style.duration};
     if (style.moves && style.duration.count() > 0) TransitionSearch(found).run();
     return found;
 }
@@ -276,7 +274,7 @@ std::size_t wayless_count(const Transition& transition) {
 }
 
 std::vector<Placement> placements_at(const Transition& transition, double share) {
-    return placements_at(transition.motion, progress_of(transition.motion, share, transition.is_even));
+    return placements_at(transition.motion, progress_of(transition.motion, share));
 }
 
 double free_share(const Transition& transition, const ChangingShot& shot,

@@ -15,8 +15,7 @@ namespace vitrine::player {
 struct TransitionStyle {
     std::chrono::nanoseconds duration = std::chrono::milliseconds(800);  // of the whole transition
     CellStyle cells;
-    bool moves = true;     // false: all shots that change fade
-    bool is_even = false;  // shots move at constant speed, for changes that follow a finger
+    bool moves = true;  // false: all shots that change fade
 };
 
 /// A shot of the old or of the new wall, and its part in a transition.
@@ -40,7 +39,6 @@ struct Transition {
     double fade_begin = 0;  // share of the duration: from here on the new wall fades in
     double fade_end = 1;    // share of the duration: from here on nothing of the old wall is seen
     std::chrono::nanoseconds duration{0};
-    bool is_even = false;  // the motion has constant speed
 };
 
 /// Finds the transition from one wall to the next. A shot that stays but has no free way to its new place

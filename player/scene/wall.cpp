@@ -5,6 +5,7 @@
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -34,15 +35,12 @@ std::set<SourceId> sources_of(std::span<const PlacedShot> shown, std::span<const
 
 /// A shot that stays keeps its place; a new one takes over the seat of its slot's last shot.
 /// Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
-PlanItem plan_item(const WallShot& shot, std::span<const PlacedShot> shown,
-                   const std::map<int, Seat>& left_seats) {
+PlanItem plan_item(const WallShot& shot, std::span<const PlacedShot> shown) {
     PlanItem item{.item = shot.item};
     if (const PlacedShot* same = find_source(shown, shot.source))
         item.previous = same->placement;
     else if (const PlacedShot* before = find_slot(shown, shot.slot))
         item.seat = seat_of(before->shot.item, before->placement);
-    else if (const auto left = left_seats.find(shot.slot); left != left_seats.end())
-        item.seat = left->second;
     return item;
 }
 
@@ -57,15 +55,18 @@ void forget_places_of_few(std::vector<PlanItem>& items) {
     }
 }
 
-/// True if the change can begin without a flash; notes its begin. A calm wall waits with all changes.
-bool may_begin(const WallChange& change, std::span<const PlacedShot> shown, ChangePace& pace,
-               std::chrono::nanoseconds now) {
-    const bool is_small =
-        !pace.is_calm() && change.is_by_touch && is_too_small_to_flash(shown, change.wall, change.canvas);
-    if (is_small) return true;
+/// True if a change can begin without a flash; notes its begin.
+bool may_begin(ChangePace& pace, std::chrono::nanoseconds now) {
     if (!pace.is_free(now)) return false;
     pace.note_change(now);
     return true;
+}
+
+/// The wall that a finger touches: that which comes, if it is on its way.
+TouchedWall touched_wall(const std::optional<WallChange>& change, std::span<const PlacedShot> shown,
+                         Vec2 canvas) {
+    const bool is_coming = change && change->phase == Phase::fading;
+    return {.shots = is_coming ? std::span<const PlacedShot>(change->wall) : shown, .canvas = canvas};
 }
 
 /// Starts the time of the shots that have appeared or are about to appear.
@@ -86,12 +87,18 @@ Wall::Wall(Vec2 canvas, const WallSettings& settings)
     : settings_(settings),
       canvas_(canvas),
       slots_(settings.slots),
-      touch_(settings.touch, settings.idle),
+      touch_({.edits = settings.touch,
+              .cells = settings.transition.cells,
+              .idle = settings.idle,
+              .is_calm = settings.is_calm}),
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
 void Wall::set_canvas(Vec2 canvas) {
-    is_canvas_new_ = is_canvas_new_ || canvas != canvas_;
+    if (canvas == canvas_) return;
+    is_canvas_new_ = true;
     canvas_ = canvas;
+    touch_.put_all_down();
+    if (change_ && change_->is_by_touch) change_.reset();
 }
 
 void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
@@ -99,7 +106,7 @@ void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     slots_.set_catalogue(records, hints);
     const std::vector<WallShot> known = slots_.shots();
     if (!std::ranges::equal(known, before, {}, &WallShot::source, &WallShot::source))
-        touch_.end_enlargement();
+        touch_.handle_gesture({.kind = Gesture::Kind::key, .key = Key::back}, {});
     std::vector<ShotRequest> changed = update_stored(shown_, known);
     restored_.insert(restored_.end(), changed.begin(), changed.end());
     if (!change_) return;
@@ -109,19 +116,21 @@ void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
 }
 
 void Wall::handle_gesture(const Gesture& gesture) {
-    const bool is_drag = gesture.kind == Gesture::Kind::drag;
-    if (settings_.nests || (settings_.is_calm && is_drag)) return;
-    touch_.handle_gesture(gesture, shown_, canvas_);
+    touch_.handle_gesture(gesture, touched_wall(change_, shown_, canvas_));
 }
 
 std::optional<SeenShot> Wall::shot_at(Vec2 point) const {
-    const PlacedShot* shot = find_shot_at(shown_, point);
+    const PlacedShot* shot = touch_.shot_at(point, touched_wall(change_, shown_, canvas_));
     if (shot == nullptr) return std::nullopt;
     return SeenShot{.source = shot->shot.source, .key = shot->shot.key};
 }
 
 void Wall::set_layout(const Layout& layout) {
     if (!change_ || change_->generation != layout.generation || change_->is_fading()) return;
+    if (layout.way) {
+        touch_.way_taken(*layout.way, take_way(*change_, layout.way));
+        return;
+    }
     if (!layout.is_final && !shown_.empty()) return;
     const bool is_fresh = change_->is_replanned() || shown_.empty() || change_->canvas != shown_canvas_;
     lay_out(*change_, layout, settings_.transition.cells);
@@ -152,10 +161,12 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     const bool is_touched = touch_.is_active();
     if (is_touched && change_ && !change_->is_fading() && !change_->is_by_touch && !shown_.empty())
         change_.reset();  // the change is planned once nobody touches the wall
-    if (!change_ && canvas_ == shown_canvas_) follow_touch(now);
+    follow_touch(now, step);
     const bool is_left_alone = !is_touched && !(change_ && change_->is_by_touch);
     if (!change_ && is_left_alone) slots_.advance(now);
     if (!(change_ && change_->is_fading()) && is_left_alone) step.plan = follow_slots();
+    if (change_ && change_->way && !change_->is_fading())
+        begin_way(*change_, shown_, settings_.photos_drift && change_->drifts_after, now);
     if (!step.plan && change_ && change_->phase == Phase::wasteful)
         step.plan = plan_anew(*change_, ++generation_);
     if (change_ && change_->phase == Phase::laid_out) {
@@ -164,8 +175,9 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     }
     if (change_ && change_->phase == Phase::waiting) wait_for_sources(now);
     step.frame = change_ && change_->is_fading()
-                     ? change_frame(*change_, settings_.transition, now)
+                     ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
+    touch_.draw(step.frame);
     step.retired =
         sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
     return step;
@@ -178,28 +190,33 @@ void Wall::end_change(std::chrono::nanoseconds now) {
     shown_canvas_ = change_->canvas;
     shown_ = std::move(change_->wall);
     change_.reset();
-    std::erase_if(left_seats_, [&](const auto& seat) { return find_slot(shown_, seat.first) != nullptr; });
 }
 
-/// Starts a small change if a visitor moves, enlarges or dismisses a shot. The next shot of a dismissed
-/// shot's slot comes to the place of the dismissed shot.
-void Wall::follow_touch(std::chrono::nanoseconds now) {
-    std::optional<TouchedWall> next;
-    if (std::optional<DismissedShot> dismissed = touch_.take_dismissed(shown_)) {
-        left_seats_[dismissed->slot] = dismissed->seat;
-        slots_.dismiss_shot(dismissed->source, now);
-        if (!dismissed->rest.wall.empty()) next = std::move(dismissed->rest);
-    }
-    if (!next) next = touch_.next_wall(shown_, canvas_, now);
-    if (!next) return;
-    change_ = WallChange{.phase = Phase::laid_out,
+/// Goes on with the touches, and asks for the change of the wall that follows from them.
+void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
+    const bool was_active = touch_.is_active();
+    const TouchedWall wall = touched_wall(change_, shown_, canvas_);
+    if (touch_.advance(now, wall, pace_.is_free(now))) pace_.note_change(now);
+    TouchNeeds needs = touch_.take_needs();
+    for (const SourceId source : needs.dismissed)
+        slots_.dismiss_shot(source, now);
+    if (was_active && !touch_.is_active() && !change_) needs.requests = sources_.request(shown_);
+    step.requests.insert(step.requests.end(), needs.requests.begin(), needs.requests.end());
+    if (change_ || canvas_ != shown_canvas_) return;
+    std::optional<TouchedWay> way = touch_.next_way(wall);
+    if (!way) return;
+    change_ = WallChange{.phase = Phase::planned,
                          .generation = ++generation_,
                          .canvas = canvas_,
-                         .wall = std::move(next->wall),
+                         .wall = shown_,
                          .is_final = true,
                          .is_by_touch = true,
-                         .pace = next->pace};
-    give_cells(change_->wall, canvas_, settings_.transition.cells);
+                         .duration = way->duration,
+                         .drifts_after = way->request.wishes.empty()};
+    step.plan = WallPlan{.generation = generation_,
+                         .canvas = canvas_,
+                         .items = {},
+                         .way = std::make_shared<const WayRequest>(std::move(way->request))};
 }
 
 /// Starts a change if the slots hold other shots than those on the wall or on their way to it.
@@ -218,7 +235,7 @@ std::optional<WallPlan> Wall::follow_slots() {
     for (const WallShot& shot : wanted) {
         const int group = settings_.nests ? folder_number(shot.key.path, folders) : PlanItem::no_group;
         change_->wall.push_back({.shot = shot, .group = group});
-        plan.items.push_back(plan_item(shot, shown_, left_seats_));
+        plan.items.push_back(plan_item(shot, shown_));
         plan.items.back().group = group;
     }
     if (plan.items.empty()) return std::nullopt;
@@ -232,13 +249,12 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
         return;
     }
-    TransitionStyle style = transition_style(*change_, settings_.transition);
+    TransitionStyle style = settings_.transition;
     const bool is_other_canvas = change_->canvas != shown_canvas_;
     // on the way, hulls of groups might overlap
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
-    const bool waits_for_turn = !change_->is_by_touch && !is_other_canvas;
-    const auto due = waits_for_turn ? slots_.due() : std::nullopt;
-    if ((due && now < *due - style.duration) || !may_begin(*change_, shown_, pace_, now)) return;
+    const auto due = is_other_canvas ? std::nullopt : slots_.due();
+    if ((due && now < *due - style.duration) || !may_begin(pace_, now)) return;
     if (settings_.photos_drift) give_drifts(change_->wall, shown_);
     if (is_other_canvas && !shown_.empty())
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);

@@ -54,8 +54,9 @@ class Wall final : public Show {
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
-    /// Moves, enlarges or dismisses the touched shot (WallTouch). No other change starts until the wall has
-    /// settled. Folders whose files are grouped cannot be touched, and shots of a calm wall not be dragged.
+    /// Lifts, moves, enlarges or dismisses the touched shot (WallTouch). No other change starts until the
+    /// wall has settled. A folder whose files are grouped moves as a whole. Shots of a calm wall are not
+    /// dragged.
     void handle_gesture(const Gesture& gesture) override;
 
     std::optional<SeenShot> shot_at(Vec2 point) const override;
@@ -87,7 +88,7 @@ class Wall final : public Show {
 
   private:
     void end_change(std::chrono::nanoseconds now);
-    void follow_touch(std::chrono::nanoseconds now);
+    void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     std::optional<WallPlan> follow_slots();
     void wait_for_sources(std::chrono::nanoseconds now);
     void advance_arrival(std::chrono::nanoseconds now);
@@ -98,7 +99,6 @@ class Wall final : public Show {
     WallSlots slots_;
     WallTouch touch_;
     WallSources sources_;
-    std::map<int, Seat> left_seats_;  // seats in slots whose shots were dismissed
     std::vector<PlacedShot> shown_;
     Vec2 shown_canvas_;  // the canvas of shown_'s layout
     std::optional<WallChange> change_;

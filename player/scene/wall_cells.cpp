@@ -1,5 +1,6 @@
 #include "player/scene/wall_cells.hpp"
 
+#include "player/layout/cells/bleeding_edge.hpp"
 #include "player/layout/cells/cut_cell.hpp"
 
 #include <algorithm>
@@ -23,33 +24,13 @@ bool is_in(std::span<const Vec2> outline, Vec2 point) {
     return is_inside;
 }
 
-/// The item without the edge of its core into which the picture outside bleeds: a bar or the border of a
-/// scan. Samplers mix neighbouring pixels, most of all in smaller copies. The I-Region stays whole.
-LayoutItem without_bleeding_edge(const PlacedShot& placed) {
-    constexpr double bleeding = 3;  // canvas px
-    const double depth = bleeding / placed.placement.scale;
-    LayoutItem item = placed.shot.item;
-    const Box region = bounding_box(item.region);
-    const auto keep_low = [&](double& side, double limit) {
-        if (side > 0) side = std::max(side, std::min(side + depth, limit));
-    };
-    const auto keep_high = [&](double& side, double limit, double end) {
-        if (side < end) side = std::min(side, std::max(side - depth, limit));
-    };
-    keep_low(item.core.min.x, region.min.x);
-    keep_low(item.core.min.y, region.min.y);
-    keep_high(item.core.max.x, region.max.x, placed.shot.picture.x);
-    keep_high(item.core.max.y, region.max.y, placed.shot.picture.y);
-    return item;
-}
-
 }  // namespace
 
 void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& style) {
     std::vector<LayoutItem> items;
     Layout layout{.canvas = canvas};
     for (const PlacedShot& placed : wall) {
-        items.push_back(without_bleeding_edge(placed));
+        items.push_back(without_bleeding_edge(placed.shot.item, placed.shot.picture, placed.placement));
         layout.placements.push_back(placed.placement);
     }
     std::map<int, LayoutGroup> groups;

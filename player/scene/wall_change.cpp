@@ -1,6 +1,7 @@
 #include "player/scene/wall_change.hpp"
 
 #include "player/scene/crossfade.hpp"
+#include "player/scene/photo_drift.hpp"
 #include "player/scene/transition_frame.hpp"
 #include "player/scene/wall_cells.hpp"
 
@@ -12,6 +13,39 @@ namespace vitrine::player {
 
 using Phase = WallChange::Phase;
 using std::chrono::nanoseconds;
+
+namespace {
+
+bool is_drifting(const PlacedShot& placed) {
+    return placed.drift.from != placed.drift.to;
+}
+
+/// The moment of a way that is nearest to this time; before the first one it is the old wall.
+Frame way_frame(const WallChange& change, std::span<const PlacedShot> shown, nanoseconds now) {
+    const double share =
+        std::chrono::duration<double>(now - change.began) / std::chrono::duration<double>(change.duration);
+    if (!change.way->is_free) return crossfade(change.canvas, shown, change.wall, share, now);
+    const auto count = static_cast<double>(change.way->keys.size());
+    const auto passed = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * count);
+    if (passed == 0) return standing_frame(change.canvas, shown, now);
+    const WallKey& key = change.way->keys[passed - 1];
+    Frame frame = standing_frame(change.canvas, change.wall, now);
+    for (std::size_t i = 0; i < frame.items.size(); ++i) {
+        frame.items[i].placement = key.placements[i];
+        frame.items[i].cell = key.cells[i];
+        const bool begins = is_drifting(change.wall[i]);
+        if (!begins && !is_drifting(shown[i])) continue;
+        PlacedShot placed = change.wall[i];
+        placed.placement = key.placements[i];
+        placed.cell = key.cells[i];
+        const PhotoDrift& drift = begins ? placed.drift : shown[i].drift;
+        frame.items[i].placement.offset =
+            placed.placement.offset + drift_within_cell(placed, drift, begins ? share : 1 - share, now);
+    }
+    return frame;
+}
+
+}  // namespace
 
 void lay_out(WallChange& change, const Layout& layout, const CellStyle& style) {
     assert(layout.placements.size() == change.wall.size());
@@ -57,11 +91,22 @@ bool is_ready(const WallChange& change, const WallSources& sources, bool is_firs
     return is_first ? std::ranges::any_of(change.wall, is_there) : std::ranges::all_of(change.wall, is_there);
 }
 
-TransitionStyle transition_style(const WallChange& change, TransitionStyle usual) {
-    if (!change.pace) return usual;
-    usual.duration = *change.pace;
-    usual.is_even = true;
-    return usual;
+TouchedWall take_way(WallChange& change, std::shared_ptr<const WallWay> way) {
+    const WallKey& last = way->keys.back();
+    for (std::size_t i = 0; i < change.wall.size(); ++i) {
+        change.wall[i].placement = last.placements[i];
+        change.wall[i].cell = last.cells[i];
+    }
+    change.way = std::move(way);
+    return {.shots = change.wall, .canvas = change.canvas};
+}
+
+void begin_way(WallChange& change, std::span<const PlacedShot> shown, bool drifts, nanoseconds now) {
+    for (PlacedShot& placed : change.wall)
+        placed.drift = {};
+    if (drifts) give_drifts(change.wall, shown);
+    change.began = now;
+    change.phase = Phase::fading;
 }
 
 void begin_transition(WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
@@ -88,13 +133,16 @@ void let_arrive(WallChange& change, const WallSources& sources, nanoseconds now)
 }
 
 bool has_ended(const WallChange& change, const WallSources& sources, nanoseconds arrival, nanoseconds now) {
+    if (change.way) return now - change.began >= change.duration;
     if (change.phase == Phase::fading) return now - change.began >= change.transition->duration;
     return std::ranges::all_of(change.wall, [&](const PlacedShot& placed) {
         return placed.began == never ? sources.has_failed(placed) : now - placed.began >= arrival;
     });
 }
 
-Frame change_frame(const WallChange& change, const TransitionStyle& style, nanoseconds now) {
+Frame change_frame(const WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
+                   nanoseconds now) {
+    if (change.way) return way_frame(change, shown, now);
     if (change.phase == Phase::arriving) return fade_in_each(change.canvas, change.wall, style.duration, now);
     return transition_frame(*change.transition, now - change.began, style.cells, now);
 }

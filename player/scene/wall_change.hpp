@@ -1,13 +1,16 @@
 #pragma once
 
+#include "player/layout/edit/make_way.hpp"
 #include "player/layout/layout.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"
 #include "player/scene/wall_shot.hpp"
 #include "player/scene/wall_sources.hpp"
+#include "player/scene/wall_touch.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,7 +36,9 @@ struct WallChange {
     std::vector<PlacedShot> calm;  // the wasteful layout, which moves the shots little; empty: none
     bool is_final = false;         // the layout is final: no better one follows
     bool is_by_touch = false;
-    std::optional<std::chrono::nanoseconds> pace;           // for a touch: its duration; none: the usual
+    std::chrono::nanoseconds duration{0};                   // for a touch
+    bool drifts_after = true;                               // for a touch: photos drift on the wall after it
+    std::shared_ptr<const WallWay> way;                     // for a touch: since its layout has come
     std::optional<std::chrono::nanoseconds> waiting_since;  // start of waiting for sources
     std::chrono::nanoseconds began{0};                      // start of the transition
     std::optional<Transition> transition;                   // since then; none: the first wall arrives
@@ -65,8 +70,13 @@ std::vector<ShotRequest> ask_for_sources(WallChange& change, WallSources& source
 /// waiting: true if all sources are ready; for the first wall, if one is ready.
 bool is_ready(const WallChange& change, const WallSources& sources, bool is_first);
 
-/// waiting: the style of its transition. @param usual  of changes that follow no touch
-TransitionStyle transition_style(const WallChange& change, TransitionStyle usual);
+/// planned, for a touch: takes the way. @return the wall at its end
+TouchedWall take_way(WallChange& change, std::shared_ptr<const WallWay> way);
+
+/// planned, for a touch: starts the way that was taken.
+/// @param drifts  photos drift on the new wall; on the way they return from the old wall's drift, or begin it
+void begin_way(WallChange& change, std::span<const PlacedShot> shown, bool drifts,
+               std::chrono::nanoseconds now);
 
 /// waiting: starts the transition from the shown wall to the new one; the first wall starts to arrive.
 /// @param shown  on the change's canvas
@@ -81,7 +91,8 @@ void let_arrive(WallChange& change, const WallSources& sources, std::chrono::nan
 bool has_ended(const WallChange& change, const WallSources& sources, std::chrono::nanoseconds arrival,
                std::chrono::nanoseconds now);
 
-/// fading, arriving: the frame at this time.
-Frame change_frame(const WallChange& change, const TransitionStyle& style, std::chrono::nanoseconds now);
+/// fading, arriving: the frame at this time. @param shown  the old wall
+Frame change_frame(const WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
+                   std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

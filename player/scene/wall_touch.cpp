@@ -1,78 +1,297 @@
 #include "player/scene/wall_touch.hpp"
 
-#include "player/layout/plan/plan_request.hpp"
+#include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace vitrine::player {
 
 namespace {
 
-constexpr auto drag_step = std::chrono::milliseconds(120);       // between two steps towards a finger
-constexpr auto dismissal_fade = std::chrono::milliseconds(250);  // fade of a dismissed shot
-constexpr double flight = 0.2;  // seconds for which a flicked shot would fly on
+using namespace std::chrono_literals;
+using State = LiftedState;
 
-/// True if a flicked shot would leave the canvas.
-bool leaves(const Gesture& flick, Vec2 canvas) {
-    const Vec2 end = flick.at + flick.velocity * flight;
-    return end.x < 0 || end.y < 0 || end.x > canvas.x || end.y > canvas.y;
+constexpr auto lift_time = 140ms;     // until a shot under a finger has its size
+constexpr auto return_time = 350ms;   // of a shot to its place, and to the whole screen
+constexpr auto drag_time = 120ms;     // in which the others make way
+constexpr auto home_time = 350ms;     // in which they return
+constexpr auto flight_time = 400ms;   // of a flicked shot
+constexpr auto offer_time = 4s;       // for which its return is offered
+constexpr auto key_time = 24ms;       // between two moments of a way
+constexpr double lifted_size = 0.75;  // share of a held shot's scale: it needs less room
+constexpr double held_share = 0.62;   // share of the canvas for a shot under a resting finger
+constexpr double max_growth = 2.5;    // factor of the scale of a shot that is large in its place
+constexpr double softness = 2;        // times the largest scale on the wall, because somebody looks at it
+constexpr double flight = 0.2;        // seconds for which a flicked shot would fly on
+constexpr double min_way = 4;         // canvas px of a finger that are worth an edit
+
+bool is_inside(Vec2 point, Vec2 canvas) {
+    return point.x >= 0 && point.y >= 0 && point.x <= canvas.x && point.y <= canvas.y;
+}
+
+Placement scaled_about_point(const Placement& at, Vec2 point, double factor) {
+    return {at.scale * factor, point - (point - at.offset) * factor};
+}
+
+Placement drifting_placement(const PlacedShot& placed, std::chrono::nanoseconds now) {
+    return {placed.placement.scale, placed.placement.offset + drift_at(placed, now)};
+}
+
+/// The scale of a shot that is large in its place, as a factor.
+double growth_of(const PlacedShot& placed, Vec2 canvas) {
+    const Box box = bounding_box(placed_region(placed.shot.item, placed.placement));
+    return std::clamp(held_share * std::min(canvas.x / box.width(), canvas.y / box.height()), 1.0,
+                      max_growth);
+}
+
+bool are_alike(const std::vector<Wish>& a, const std::vector<Wish>& b) {
+    return std::ranges::equal(a, b, [](const Wish& one, const Wish& other) {
+        return one.item == other.item && one.is_let_go == other.is_let_go && one.at.scale == other.at.scale &&
+               length(one.at.offset - other.at.offset) < min_way;
+    });
 }
 
 }  // namespace
 
-void WallTouch::handle_gesture(const Gesture& gesture, std::span<const PlacedShot> wall, Vec2 canvas) {
-    const PlacedShot* shot = find_shot_at(wall, gesture.from);
+void WallTouch::handle_gesture(const Gesture& gesture, const TouchedWall& wall) {
+    using Kind = Gesture::Kind;
+    SourceId source = gesture.subject;
+    if (gesture.touch == 0 && source == no_subject)
+        if (const PlacedShot* shot = shot_at(gesture.from, wall)) source = shot->shot.source;
     switch (gesture.kind) {
-    case Gesture::Kind::tap:
-        return shot != nullptr ? enlargement_.toggle(shot->shot.source) : enlargement_.end();
-    case Gesture::Kind::hold:
-        return shot != nullptr ? enlargement_.hold(shot->shot.source) : enlargement_.end();
-    case Gesture::Kind::release:
-    case Gesture::Kind::key:
-        return enlargement_.end();
-    case Gesture::Kind::drag:
-        enlargement_.end();
-        return drag_.follow_finger(gesture.at, gesture.from);
-    case Gesture::Kind::flick:
-        if (const auto held = drag_.held(); leaves(gesture, canvas) && (held || shot != nullptr))
-            dismissed_ = held ? held->source : shot->shot.source;
-        return drag_.lift_finger();
-    case Gesture::Kind::drop:
-        return drag_.lift_finger();
+    case Kind::tap:
+        return tap(source, wall);
+    case Kind::hold:
+        return hold(gesture, source, wall);
+    case Kind::drag:
+        return drag(gesture, source, wall);
+    case Kind::release:
+    case Kind::drop:
+    case Kind::flick:
+    case Kind::lost:
+        return end_drag(gesture, wall);
+    case Kind::key:
+        if (gesture.key != Key::undo) tapped_ = 0;
+        for (auto& [number, lifted] : lifted_.all())
+            if (lifted.state == State::gone && gesture.key == Key::undo) bring_back(lifted);
+        return;
     default:
         return;
     }
 }
 
-std::optional<DismissedShot> WallTouch::take_dismissed(std::span<const PlacedShot> wall) {
-    const SourceId source = std::exchange(dismissed_, 0);
-    const PlacedShot* shot = find_source(wall, source);
-    if (shot == nullptr) return std::nullopt;
-    const auto held = drag_.held();
-    const Placement from = held && held->source == source ? held->home : shot->placement;
-    drag_.let_go();
-    DismissedShot dismissed{.source = source,
-                            .slot = shot->shot.slot,
-                            .seat = seat_of(shot->shot.item, from),
-                            .rest = {.wall = {wall.begin(), wall.end()}, .pace = dismissal_fade}};
-    std::erase_if(dismissed.rest.wall,
-                  [&](const PlacedShot& placed) { return placed.shot.source == source; });
-    return dismissed;
+/// A shot that was flicked out is touched in its place, to have it back.
+void WallTouch::tap(SourceId source, const TouchedWall& wall) {
+    Lifted* lifted = lifted_.find(source);
+    if (lifted != nullptr && lifted->state == State::gone) return bring_back(*lifted);
+    const bool ends = whole_ != 0 || tapped_ == source || find_source(wall.shots, source) == nullptr;
+    tapped_ = ends ? 0 : source;
+    tapped_at_ = now_;
 }
 
-std::optional<TouchedWall> WallTouch::next_wall(std::span<const PlacedShot> wall, Vec2 canvas,
-                                                std::chrono::nanoseconds now) {
-    TouchedWall next{.wall = {wall.begin(), wall.end()}, .pace = {}};
-    auto placements = enlargement_.next_placements(wall, canvas, now);
-    if (!placements) {
-        placements = drag_.next_placements(wall, canvas);
-        next.pace = drag_step;
+/// False: the gesture is for the shot that is as large as the screen, or beside it. Any gesture lets that one
+/// return; one of a finger that came down before on another shot is for that shot.
+bool WallTouch::is_for_shot(SourceId source) {
+    if (whole_ == 0) return true;
+    tapped_ = 0;
+    return source != no_subject && source != whole_;
+}
+
+void WallTouch::drag(const Gesture& gesture, SourceId source, const TouchedWall& wall) {
+    if (!is_for_shot(source) || rules_.is_calm) return;
+    Lifted* lifted = lifted_.of_touch(gesture.touch);
+    if (lifted != nullptr && lifted->state == State::held) return lifted->picture.follow(gesture.moved);
+    lifted = lift(source, gesture.touch, State::held, wall);
+    if (lifted == nullptr) return;
+    if (tapped_ == source) tapped_ = 0;
+    const Placement at = lifted->picture.pose(now_).at;
+    const double factor = lifted_size * homes_.at(source).scale / at.scale;
+    lifted->picture.aim({.at = scaled_about_point(at, gesture.from, factor)}, now_, lift_time);
+    lifted->picture.follow(gesture.at - gesture.from);
+}
+
+void WallTouch::hold(const Gesture& gesture, SourceId source, const TouchedWall& wall) {
+    if (!is_for_shot(source) || rules_.is_calm) return;
+    Lifted* lifted = lift(source, gesture.touch, State::large, wall);
+    if (lifted == nullptr) return;
+    const WallShot& shot = lifted->picture.placed().shot;
+    show_large(*lifted, fitting(shot, wall.canvas, held_share, gesture.at), 0);
+}
+
+/// Begins to show a whole picture. @param dims  share by which the rest becomes darker
+void WallTouch::show_large(Lifted& lifted, const Placement& at, double dims) {
+    LiftedPose pose{
+        .at = at, .open = 1, .alpha = rules_.is_calm ? 0.0 : 1.0, .dims = rules_.is_calm ? 0 : dims};
+    if (rules_.is_calm) lifted.picture.aim(pose, now_, 0ns);
+    pose.alpha = 1;
+    lifted.picture.aim(pose, now_, return_time);
+    PlacedShot large = lifted.picture.placed();
+    large.placement = at;
+    needs_.requests.push_back(request_of(large));
+}
+
+/// Lifts a shot off the wall, or takes it again while it returns. nullptr: it is in another hand, or there is
+/// none.
+Lifted* WallTouch::lift(SourceId source, std::uint64_t touch, LiftedState state, const TouchedWall& wall) {
+    const PlacedShot* placed = find_source(wall.shots, source);
+    if (placed == nullptr || !placed->cell) return nullptr;
+    Lifted* lifted = lifted_.lift(*placed, touch, state, now_);
+    if (lifted == nullptr) return nullptr;
+    if (homes_.empty())
+        for (const PlacedShot& shot : wall.shots)
+            homes_[shot.shot.source] = shot.placement;
+    return lifted;
+}
+
+void WallTouch::end_drag(const Gesture& gesture, const TouchedWall& wall) {
+    Lifted* lifted = lifted_.of_touch(gesture.touch);
+    if (lifted == nullptr) return;
+    const bool is_dropped = gesture.kind == Gesture::Kind::drop || gesture.kind == Gesture::Kind::flick;
+    lifted->since = now_;
+    if (lifted->state == State::large || !is_dropped) return bring_back(*lifted);
+    const Vec2 end = gesture.at + gesture.velocity * flight;
+    if (gesture.kind == Gesture::Kind::flick && !is_inside(end, wall.canvas)) {
+        lifted->state = State::gone;
+        LiftedPose away = lifted->picture.goal();
+        away.at.offset = away.at.offset + gesture.velocity * flight * 2;
+        away.alpha = 0;
+        return lifted->picture.aim(away, now_, flight_time);
     }
-    if (!placements) return std::nullopt;
-    for (std::size_t i = 0; i < next.wall.size(); ++i)
-        next.wall[i].placement = (*placements)[i];
-    return next;
+    if (!is_inside(gesture.at, wall.canvas)) return bring_back(*lifted);
+    lifted->state = State::let_go;
+}
+
+void WallTouch::bring_back(Lifted& lifted) {
+    lifted.state = State::returning;
+    lifted.since = now_;
+    LiftedPose back{.at = lifted.picture.placed().placement};
+    if (rules_.is_calm) {
+        back = lifted.picture.goal();
+        back.alpha = 0;
+    }
+    lifted.picture.aim(back, now_, return_time);
+}
+
+void WallTouch::put_all_down() {
+    lifted_.all().clear();
+    homes_.clear();
+    asked_.clear();
+    tapped_ = whole_ = 0;
+}
+
+bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, bool may_flash) {
+    now_ = now;
+    if (tapped_ != 0 && now_ - tapped_at_ >= rules_.idle) tapped_ = 0;
+    for (auto& [source, lifted] : lifted_.all()) {
+        const PlacedShot* placed = find_source(wall.shots, source);
+        if (placed == nullptr) continue;
+        if (lifted.state == State::returning && !rules_.is_calm)
+            lifted.picture.move_goal(drifting_placement(*placed, now_));
+        if (lifted.state == State::gone && now_ - lifted.since >= offer_time) {
+            lifted.state = State::dismissed;
+            needs_.dismissed.push_back(source);
+        }
+        const bool is_back = lifted.state == State::returning && lifted.picture.progress(now_) >= 1;
+        if (is_back) needs_.requests.push_back(request_of(*placed));
+    }
+    std::erase_if(lifted_.all(), [&](const auto& entry) {
+        return find_source(wall.shots, entry.first) == nullptr ||
+               (entry.second.state == State::returning && entry.second.picture.progress(now_) >= 1);
+    });
+    if (whole_ != 0 && lifted_.find(whole_) == nullptr) whole_ = tapped_ = 0;
+    if (!is_active()) homes_.clear();
+    const bool changes = may_flash && (whole_ != 0 ? tapped_ == 0 : tapped_ != 0 && !lifted_.is_held());
+    if (changes) change_whole(wall);
+    return changes;
+}
+
+/// Lets the tapped shot become as large as the screen, or the large one return.
+void WallTouch::change_whole(const TouchedWall& wall) {
+    if (whole_ != 0) {
+        bring_back(*lifted_.find(std::exchange(whole_, 0)));
+        return;
+    }
+    Lifted* lifted = lift(tapped_, 0, State::whole, wall);
+    if (lifted == nullptr) {
+        tapped_ = 0;
+        return;
+    }
+    whole_ = tapped_;
+    show_large(*lifted, fitting(lifted->picture.placed().shot, wall.canvas, 1, wall.canvas * 0.5),
+               1 - waiting_light);
+}
+
+/// Wishes for shots that fingers drag, then for those that were let go, then for one that is large in its
+/// place.
+std::vector<Wish> WallTouch::wishes(const TouchedWall& wall) const {
+    std::vector<Wish> wishes;
+    const auto number_of = [&](const PlacedShot* placed) {
+        return static_cast<std::size_t>(placed - wall.shots.data());
+    };
+    for (const State state : {State::held, State::let_go})
+        for (const auto& [source, lifted] : lifted_.all())
+            if (const PlacedShot* placed = find_source(wall.shots, source);
+                lifted.state == state && placed != nullptr)
+                wishes.push_back({.item = number_of(placed),
+                                  .at = lifted.picture.goal().at,
+                                  .is_let_go = state == State::let_go});
+    const PlacedShot* placed = find_source(wall.shots, tapped_);
+    const auto home = homes_.find(tapped_);
+    if (placed == nullptr || whole_ != 0 || !lifted_.is_held() || home == homes_.end() ||
+        lifted_.find(tapped_) != nullptr)
+        return wishes;
+    PlacedShot at_home = *placed;
+    at_home.placement = home->second;
+    const Vec2 middle = seat_of(at_home.shot.item, at_home.placement).centre;
+    wishes.push_back(
+        {number_of(placed), scaled_about_point(at_home.placement, middle, growth_of(at_home, wall.canvas))});
+    return wishes;
+}
+
+std::optional<TouchedWay> WallTouch::next_way(const TouchedWall& wall) {
+    if (homes_.empty()) return std::nullopt;
+    std::vector<Wish> wished = wishes(wall);
+    if (are_alike(wished, asked_)) return std::nullopt;
+    TouchedWay way{.request = {.wall = {.canvas = wall.canvas}, .cells = rules_.cells, .rules = rules_.edits},
+                   .duration = wished.empty() || wished.back().is_let_go ? home_time : drag_time};
+    std::map<int, LayoutGroup> groups;
+    for (const PlacedShot& placed : wall.shots) {
+        const auto home = homes_.find(placed.shot.source);
+        if (placed.group != PlanItem::no_group)
+            groups[placed.group].items.push_back(way.request.wall.items.size());
+        way.request.wall.items.push_back(placed.shot.item);
+        way.request.wall.placements.push_back(placed.placement);
+        way.request.wall.homes.push_back(home == homes_.end() ? placed.placement : home->second);
+        way.request.wall.pinned.push_back(false);
+        way.request.pictures.push_back(placed.shot.picture);
+    }
+    for (auto& [number, group] : groups)
+        way.request.groups.push_back(std::move(group));
+    way.request.rules.max_scale *= softness;
+    way.request.keys = static_cast<std::size_t>(way.duration / key_time);
+    way.request.wishes = asked_ = std::move(wished);
+    return way;
+}
+
+void WallTouch::way_taken(const WallWay& way, const TouchedWall& wall) {
+    for (std::size_t i = 0; i < wall.shots.size(); ++i)
+        homes_[wall.shots[i].shot.source] = way.homes[i];
+    for (const Wish& wish : asked_) {
+        Lifted* lifted = lifted_.find(wall.shots[wish.item].shot.source);
+        if (!wish.is_let_go || lifted == nullptr || lifted->state != State::let_go) continue;
+        bring_back(*lifted);
+        lifted->picture.move_goal(way.keys.back().placements[wish.item]);
+    }
+    std::erase_if(asked_, &Wish::is_let_go);
+}
+
+const PlacedShot* WallTouch::shot_at(Vec2 point, const TouchedWall& wall) const {
+    if (const PlacedShot* above = lifted_.shot_at(point, now_)) return above;
+    if (whole_ != 0) return nullptr;
+    const PlacedShot* below = find_shot_at(wall.shots, point);
+    return below != nullptr && lifted_.is_away(below->shot.source) ? nullptr : below;
 }
 
 }  // namespace vitrine::player

@@ -1,60 +1,103 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
-#include "player/layout/edit/wall_state.hpp"
-#include "player/scene/drag.hpp"
-#include "player/scene/enlargement.hpp"
+#include "player/layout/edit/make_way.hpp"
+#include "player/scene/lifted_shots.hpp"
+#include "player/scene/shot_request.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
 
-/// A small change of the wall that follows a touch.
+/// The rules of touches on a wall.
+struct TouchRules {
+    EditRules edits;
+    CellStyle cells;
+    std::chrono::nanoseconds idle = std::chrono::seconds(30);  // then what was enlarged returns
+    bool is_calm = false;                                      // nothing moves: a shot fades in large
+};
+
+/// The wall that is touched, as it is now.
 struct TouchedWall {
-    std::vector<PlacedShot> wall;                  // with outdated cells
-    std::optional<std::chrono::nanoseconds> pace;  // duration of the change; none: the usual one
+    std::span<const PlacedShot> shots;  // with cells
+    Vec2 canvas;                        // px
 };
 
-/// A shot that was flicked out of the canvas.
-struct DismissedShot {
-    SourceId source = 0;
-    int slot = 0;
-    Seat seat;         // the place that it had
-    TouchedWall rest;  // the wall without it
+/// A change of the wall that touches ask for.
+struct TouchedWay {
+    WayRequest request;
+    std::chrono::nanoseconds duration{0};
 };
 
-/// Visitors' touches on the shots of a wall: they drag, enlarge or dismiss a shot (docs/technician.md,
-/// "Touch").
+/// The needs that follow from touches, besides changes of the wall.
+struct TouchNeeds {
+    std::vector<ShotRequest> requests;  // sources in other sizes
+    std::vector<SourceId> dismissed;    // shots that were flicked out, and nobody has undone that in time
+};
+
+/// Visitors' touches on the shots of a wall, several at once (docs/technician.md, "Touch"). A touched shot is
+/// lifted: it is drawn above the wall and follows its finger at once. Its place on the wall follows later,
+/// and the others make way. Source: Dynamic Media Assemblage, chapter 4 and fig. 4.1; the rest is ours.
 class WallTouch {
   public:
-    /// @param idle  time after which a tapped shot returns
-    WallTouch(const EditRules& rules, std::chrono::nanoseconds idle)
-        : drag_(rules), enlargement_(rules, idle) {}
+    explicit WallTouch(const TouchRules& rules) : rules_(rules) {}
 
-    /// @param wall  the present wall, with cells
-    void handle_gesture(const Gesture& gesture, std::span<const PlacedShot> wall, Vec2 canvas);
+    void handle_gesture(const Gesture& gesture, const TouchedWall& wall);
 
-    /// Ends the enlargement, because the wall has changed otherwise.
-    void end_enlargement() { enlargement_.end(); }
+    /// Goes on to a time. Forgets what has ended, and shots that are not on the wall any more.
+    /// @param may_flash  false: so soon after another change no shot becomes as large as the screen
+    /// @return true: a shot begins to become as large as the screen, or to return
+    bool advance(std::chrono::nanoseconds now, const TouchedWall& wall, bool may_flash);
 
-    /// True while a finger moves a shot, a shot is large, or one is being dismissed.
-    bool is_active() const { return drag_.is_active() || enlargement_.is_on() || dismissed_ != 0; }
+    /// Puts all shots down where they are, because the wall changes.
+    void put_all_down();
 
-    /// Removes and returns the dismissed shot. None: nobody has flicked a shot that is on the wall.
-    std::optional<DismissedShot> take_dismissed(std::span<const PlacedShot> wall);
+    /// True while anything is not as it was, or is offered.
+    bool is_active() const { return lifted_.is_active() || tapped_ != 0 || !asked_.empty(); }
 
-    /// The next small change of the wall. None: nothing moves.
-    std::optional<TouchedWall> next_wall(std::span<const PlacedShot> wall, Vec2 canvas,
-                                         std::chrono::nanoseconds now);
+    /// The next change of the wall. None: the wall is as is wished.
+    std::optional<TouchedWay> next_way(const TouchedWall& wall);
+
+    /// Call when the wall has taken the way that was asked for.
+    void way_taken(const WallWay& way, const TouchedWall& wall);
+
+    /// The shot that a finger at this point would touch. nullptr: there is none.
+    const PlacedShot* shot_at(Vec2 point, const TouchedWall& wall) const;
+
+    /// Draws the lifted shots above the wall, and dims what waits.
+    void draw(Frame& frame) const { lifted_.draw(frame); }
+
+    /// The needs since the last call.
+    TouchNeeds take_needs() { return std::exchange(needs_, {}); }
 
   private:
-    Drag drag_;
-    Enlargement enlargement_;
-    SourceId dismissed_ = 0;  // 0: none
+    void tap(SourceId source, const TouchedWall& wall);
+    void drag(const Gesture& gesture, SourceId source, const TouchedWall& wall);
+    bool is_for_shot(SourceId source);
+    void hold(const Gesture& gesture, SourceId source, const TouchedWall& wall);
+    void show_large(Lifted& lifted, const Placement& at, double dims);
+    void end_drag(const Gesture& gesture, const TouchedWall& wall);
+    Lifted* lift(SourceId source, std::uint64_t touch, LiftedState state, const TouchedWall& wall);
+    void bring_back(Lifted& lifted);
+    void change_whole(const TouchedWall& wall);
+    std::vector<Wish> wishes(const TouchedWall& wall) const;
+
+    TouchRules rules_;
+    LiftedShots lifted_;
+    SourceId tapped_ = 0;  // shall be as large as the screen; large in its place while others hold shots
+    std::chrono::nanoseconds tapped_at_{0};
+    SourceId whole_ = 0;                   // is as large as the screen
+    std::map<SourceId, Placement> homes_;  // where all stood before the first touch; empty: as they are
+    std::vector<Wish> asked_;              // wishes of the last way
+    std::chrono::nanoseconds now_{0};
+    TouchNeeds needs_;
 };
 
 }  // namespace vitrine::player

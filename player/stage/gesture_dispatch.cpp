@@ -79,7 +79,9 @@ bool GestureDispatch::open_or_close_folder(const Gesture& gesture) {
     const bool is_tap = gesture.kind == Gesture::Kind::tap;
     const bool is_key = gesture.kind == Gesture::Kind::key;
     if (!is_tap && !(is_key && files_.has_open_folder())) return false;
-    look_into(files_.has_open_folder() ? "" : top_folder(shows_.wall().shot_at(gesture.at)));
+    const std::string folder = top_folder(shows_.wall().shot_at(gesture.at));
+    if (!files_.has_open_folder() && folder.empty()) return false;
+    look_into(files_.has_open_folder() ? "" : folder);
     return true;
 }
 

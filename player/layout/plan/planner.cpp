@@ -18,10 +18,15 @@ Planner::~Planner() {
 }
 
 void Planner::request_layout(PlanRequest request, std::uint64_t generation) {
+    request_layout([request = std::move(request)](const PlanWatch& watch) { return plan(request, watch); },
+                   generation);
+}
+
+void Planner::request_layout(Making make, std::uint64_t generation) {
     {
         const std::lock_guard lock(mutex_);
         newest_ = generation;
-        jobs_.put({std::move(request), generation});
+        jobs_.put({std::move(make), generation});
         has_news_ = true;
     }
     wake_.notify_one();
@@ -58,7 +63,7 @@ void Planner::plan_job(const Job& job) {
     };
     const PlanWatch watch{.on_better = [&](const Layout& layout) { put(layout, false); },
                           .should_stop = [&] { return is_obsolete(job.generation); }};
-    put(plan(job.request, watch), true);
+    put(job.make(watch), true);
 }
 
 }  // namespace vitrine::player

@@ -28,8 +28,14 @@ class Planner {
     /// Gives up the plan in the making, and joins the thread.
     ~Planner();
 
+    /// Makes a layout. @return the final one; better and better ones before it are told to the watch
+    using Making = std::function<Layout(const PlanWatch& watch)>;
+
     /// @param generation  a number for the request's layouts, chosen by the caller: greater than all before
     void request_layout(PlanRequest request, std::uint64_t generation);
+
+    /// The same for another way to make a layout. @param make  called on the planner's thread
+    void request_layout(Making make, std::uint64_t generation);
 
     /// Removes and returns the best layout of the newest request. None: there is no new one since the last
     /// call. The last layout of a request is marked `is_final`. The layouts before it are free of overlap
@@ -38,7 +44,7 @@ class Planner {
 
   private:
     struct Job {
-        PlanRequest request;
+        Making make;
         std::uint64_t generation = 0;
     };
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "player/layout/edit/make_way.hpp"
 #include "player/layout/plan/plan.hpp"
-#include "player/scene/drag.hpp"
 #include "player/scene/wall_cells.hpp"
 #include "tests/player/layout/instances.hpp"
 
@@ -70,19 +70,26 @@ class ChangingWall {
     /// @param on_step  gets each step before it is shown
     void drag(const std::function<void(const Shots& next)>& on_step) {
         constexpr int steps = 8;
-        const PlacedShot& held = shown_[uniform_index(random_, shown_.size())];
-        const Vec2 from = seat_of(held.shot.item, held.placement).centre;
+        const std::size_t held = uniform_index(random_, shown_.size());
+        const Placement home = shown_[held].placement;
+        const Vec2 from = seat_of(shown_[held].shot.item, home).centre;
         const double x = uniform(random_);
         const Vec2 to{canvas_.x * x, canvas_.y * uniform(random_)};
-        Drag drag({.seed = seed_++, .budget = 20'000});
+        WallState wall{.canvas = canvas_};
+        for (const PlacedShot& placed : shown_) {
+            wall.items.push_back(placed.shot.item);
+            wall.homes.push_back(placed.placement);
+            wall.pinned.push_back(false);
+        }
+        wall.placements = wall.homes;
         for (int k = 1; k <= steps + 1; ++k) {
-            drag.follow_finger(from + (to - from) * (k / double{steps}), from);
-            if (k > steps) drag.lift_finger();
-            const auto placements = drag.next_placements(shown_, canvas_);
-            if (!placements) continue;
+            const Vec2 finger = from + (to - from) * (k / double{steps});
+            const Placement at{home.scale * 0.75, finger - (from - home.offset) * 0.75};
+            const std::vector<Wish> wishes{{.item = held, .at = at, .is_let_go = k > steps}};
+            wall = made_way(wall, wishes, {.seed = seed_++, .budget = 20'000});
             Shots next = shown_;
             for (std::size_t i = 0; i < next.size(); ++i)
-                next[i].placement = (*placements)[i];
+                next[i].placement = wall.placements[i];
             give_cells(next, canvas_, {});
             on_step(next);
             show(std::move(next));

@@ -21,7 +21,10 @@ inline std::vector<PlacedShot> packed_wall(int count) {
     const Layout layout = plan(request);
     std::vector<PlacedShot> wall;
     for (std::size_t i = 0; i < layout.placements.size(); ++i)
-        wall.push_back({.shot = {.source = i + 1, .slot = static_cast<int>(i), .item = request.items[i].item},
+        wall.push_back({.shot = {.source = i + 1,
+                                 .slot = static_cast<int>(i),
+                                 .picture = request.items[i].item.core.max,
+                                 .item = request.items[i].item},
                         .placement = layout.placements[i]});
     give_cells(wall, packed_canvas, {});
     return wall;

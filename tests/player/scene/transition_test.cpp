@@ -136,8 +136,7 @@ TEST_CASE("no frame of a drag covers an I-Region, is bare, or has new filler") {
     ChangingWall changing({960, 540}, 8, 5);
     int steps = 0;
     changing.drag([&](const std::vector<PlacedShot>& next) {
-        const Transition made =
-            transition(changing.canvas(), changing.shown(), next, {.duration = 120ms, .is_even = true});
+        const Transition made = transition(changing.canvas(), changing.shown(), next, {.duration = 120ms});
         for (int k = 0; k <= 4; ++k) {
             const FrameFaults faults = faults_of(made, k / 4.0);
             CHECK(faults.covered < 0.05);

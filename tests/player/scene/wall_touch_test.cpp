@@ -1,7 +1,6 @@
 #include "player/scene/wall_touch.hpp"
 
-#include "player/scene/wall_cells.hpp"
-#include "tests/player/scene/packed_wall.hpp"
+#include "tests/player/scene/touched_house.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,168 +12,191 @@ using namespace std::chrono_literals;
 
 namespace {
 
-using Kind = Gesture::Kind;
+using Kind = Contact::Kind;
 
-constexpr Vec2 beside_all{-50, -50};
+/// The canvas point of a lifted shot that was at this place when a finger took it there.
+bool is_about(const DrawItem& item, const PlacedShot& home, Vec2 from, Vec2 finger) {
+    const Vec2 on_picture = (from - home.placement.offset) * (1 / home.placement.scale);
+    return length(on_picture * item.placement.scale + item.placement.offset - finger) < 1e-6;
+}
 
-/// A wall that visitors touch.
-struct TouchedHouse {
-    std::vector<PlacedShot> wall = packed_wall(6);
-    WallTouch touch{{.budget = 20'000}, 10s};
-
-    void handle(const Gesture& gesture) { touch.handle_gesture(gesture, wall, packed_canvas); }
-
-    void handle(Kind kind, Vec2 at) { handle({.kind = kind, .at = at, .from = at}); }
-
-    /// Takes the next change of the wall. None: nothing moves.
-    std::optional<TouchedWall> move_on(std::chrono::nanoseconds now) {
-        std::optional<TouchedWall> next = touch.next_wall(wall, packed_canvas, now);
-        if (!next) return next;
-        wall = next->wall;
-        give_cells(wall, packed_canvas, {});
-        return next;
-    }
-
-    std::vector<Placement> placements() const {
-        std::vector<Placement> all;
-        for (const PlacedShot& placed : wall)
-            all.push_back(placed.placement);
-        return all;
-    }
-};
+Box drawn_box(const DrawItem& item) {
+    Box box = bounding_box(item.cell->parts[0]);
+    for (const Polygon& part : item.cell->parts)
+        box = united(box, bounding_box(part));
+    return box;
+}
 
 }  // namespace
 
-TEST_CASE("a tap enlarges a shot, and a second tap returns all shots to their places") {
+TEST_CASE("two hands drag two shots at once; each is under its finger in the very next frame") {
+    TouchedHouse house;
+    const std::vector<PlacedShot> before = house.wall;
+    const Vec2 from[] = {centre_of(before[1]), centre_of(before[4])};
+    const Vec2 to[] = {{500, 100}, {120, 260}};
+    int dragged = 0;
+    for (const int k : {0, 1})
+        house.put(Kind::down, k, from[k]);
+    for (int step = 1; step <= 40; ++step) {
+        Vec2 at[2];
+        for (const int k : {0, 1})
+            house.put(Kind::move, k, at[k] = from[k] + (to[k] - from[k]) * (step / 40.0));
+        const Frame frame = house.frame();
+        if (frame.items.size() < 8) continue;  // a finger trembles before it drags
+        ++dragged;
+        CHECK(is_about(TouchedHouse::top_of(frame, 2), before[1], from[0], at[0]));
+        CHECK(is_about(TouchedHouse::top_of(frame, 5), before[4], from[1], at[1]));
+        CHECK(covered_by_others(frame, house.wall) < 1);
+    }
+    for (const int k : {0, 1})
+        house.put(Kind::up, k);
+    house.run(2s);
+    CHECK(dragged > 20);
+    CHECK_FALSE(house.touch.is_active());
+    CHECK(length(centre_of(house.wall[1]) - to[0]) < 0.2 * length(packed_canvas));
+    CHECK(length(centre_of(house.wall[4]) - to[1]) < 0.2 * length(packed_canvas));
+    CHECK(house.placements()[1] != before[1].placement);
+}
+
+TEST_CASE(
+    "a tapped shot is seen whole and as large as the screen, the rest dim; tapped again all is as it was") {
     TouchedHouse house;
     const std::vector<Placement> before = house.placements();
-    house.handle(Kind::tap, centre_of(house.wall[2]));
-    CHECK(house.touch.is_active());
-    const std::optional<TouchedWall> larger = house.move_on(0s);
-    REQUIRE(larger);
-    CHECK_FALSE(larger->pace);
-    CHECK(house.wall[2].placement.scale > 1.2 * before[2].scale);
-    CHECK_FALSE(house.move_on(1s));
+    house.tap(centre_of(house.wall[2]));
+    Frame frame = house.run(1s);
+    const DrawItem& large = TouchedHouse::top_of(frame, 3);
+    CHECK(&large == &frame.items.back());
+    CHECK(large.alpha == 1);
+    const Box box = drawn_box(large);
+    CHECK(length(box.min - Vec2{0, 0}) < 1e-6);  // the picture has the canvas' shape
+    CHECK(length(box.max - packed_canvas) < 1e-6);
+    for (std::size_t i = 0; i < 6; ++i)
+        CHECK(frame.items[i].alpha == doctest::Approx(waiting_light));
+    CHECK(house.touch.take_needs().requests.empty());  // asked for when it grew
 
-    house.handle(Kind::tap, centre_of(house.wall[2]));
-    CHECK(house.move_on(2s));
+    house.tap({30, 30});
+    frame = house.run(1s);
+    CHECK(frame.items.size() == 6);
+    for (const DrawItem& item : frame.items)
+        CHECK(item.alpha == 1);
     CHECK(house.placements() == before);
     CHECK_FALSE(house.touch.is_active());
 }
 
-TEST_CASE("a tapped shot returns after its time; a held one when the finger is lifted") {
+TEST_CASE("a tapped shot returns by itself after a while, or with a key") {
+    for (const bool by_key : {false, true}) {
+        TouchedHouse house;
+        house.tap(centre_of(house.wall[0]));
+        CHECK(house.run(9s).items.size() == 7);
+        if (by_key) house.gestures.handle_input(KeyPress{.key = Key::back, .time = house.now});
+        CHECK(house.run(by_key ? 500ms : 2s).items.size() == 6);
+    }
+}
+
+TEST_CASE(
+    "while another hand drags, a tap enlarges in place, and to the whole screen when the hand has gone") {
+    TouchedHouse house;
+    const std::vector<PlacedShot> before = house.wall;
+    house.drag(0, centre_of(before[5]), centre_of(before[5]) + Vec2{20, 0});
+    house.tap(centre_of(house.wall[0]));
+    Frame frame = house.run(1s);
+    CHECK(frame.items.size() == 7);  // the dragged one is lifted, the tapped one is not
+    CHECK(house.wall[0].placement.scale > 1.1 * before[0].placement.scale);
+    CHECK(covered_by_others(frame, house.wall) < 1);
+    house.put(Kind::up, 0);
+    frame = house.run(1500ms);
+    REQUIRE(frame.items.size() == 7);
+    CHECK(frame.items.back().source == 1);
+    CHECK(drawn_box(frame.items.back()).width() == doctest::Approx(packed_canvas.x));
+    house.tap({320, 180});
+    house.run(1s);
+    CHECK_FALSE(house.touch.is_active());
+    CHECK(house.wall[0].placement.scale < 1.2 * before[0].placement.scale);
+}
+
+TEST_CASE("a shot is large while a finger rests on it, and is back in its place afterwards") {
     TouchedHouse house;
     const std::vector<Placement> before = house.placements();
-    house.handle(Kind::tap, centre_of(house.wall[1]));
-    REQUIRE(house.move_on(5s));
-    CHECK_FALSE(house.move_on(14999ms));
-    CHECK(house.move_on(15s));
-    CHECK(house.placements() == before);
-
-    house.handle(Kind::hold, centre_of(house.wall[1]));
-    REQUIRE(house.move_on(20s));
-    CHECK_FALSE(house.move_on(500s));
-    house.handle(Kind::release, centre_of(house.wall[1]));
-    CHECK(house.move_on(501s));
+    house.put(Kind::down, 0, centre_of(house.wall[3]));
+    Frame frame = house.run(20s);
+    REQUIRE(frame.items.size() == 7);
+    CHECK(drawn_box(frame.items.back()).width() == doctest::Approx(0.62 * packed_canvas.x));
+    house.put(Kind::up, 0);
+    frame = house.run(1s);
+    CHECK(frame.items.size() == 6);
     CHECK(house.placements() == before);
 }
 
-TEST_CASE("a tap beside all shots, a key, or another change of the wall ends the enlargement") {
-    for (const int way : {0, 1, 2}) {
-        CAPTURE(way);
+TEST_CASE("a contact that is lost, or rests too long, leaves all as it was") {
+    for (const bool is_cancelled : {true, false}) {
         TouchedHouse house;
         const std::vector<Placement> before = house.placements();
-        house.handle(Kind::tap, centre_of(house.wall[0]));
-        REQUIRE(house.move_on(0s));
-        if (way == 0) house.handle(Kind::tap, beside_all);
-        if (way == 1) house.handle({.kind = Kind::key, .key = Key::back});
-        if (way == 2) house.touch.end_enlargement();
-        CHECK(house.move_on(1s));
+        house.drag(0, centre_of(house.wall[1]), {600, 300});
+        if (is_cancelled) house.put(Kind::cancel, 0);
+        house.run(is_cancelled ? 2s : 62s);
+        CHECK_FALSE(house.touch.is_active());
         CHECK(house.placements() == before);
     }
 }
 
-TEST_CASE("a drag first returns a large shot to its place, then moves a shot in short steps") {
-    TouchedHouse house;
-    const std::vector<Placement> before = house.placements();
-    house.handle(Kind::tap, centre_of(house.wall[0]));
-    REQUIRE(house.move_on(0s));
-    const Vec2 from = centre_of(house.wall[3]);
-    house.handle({.kind = Kind::drag, .at = packed_canvas * 0.5, .from = from});
-    const std::optional<TouchedWall> back = house.move_on(1s);
-    REQUIRE(back);
-    CHECK_FALSE(back->pace);
-    CHECK(house.placements() == before);
-
-    const Vec2 start = centre_of(house.wall[3]);
-    const Vec2 to{packed_canvas.x - start.x, packed_canvas.y - start.y};
-    house.handle(Kind::drop, to);
-    house.handle({.kind = Kind::drag, .at = to, .from = start});
-    const std::optional<TouchedWall> step = house.move_on(2s);
-    REQUIRE(step);
-    REQUIRE(step->pace);
-    CHECK(*step->pace < 500ms);
-    CHECK(house.wall[3].placement != before[3]);
-    CHECK(house.touch.is_active());
-
-    house.handle(Kind::drop, to);
-    for (auto now = 3s; now < 10s && house.touch.is_active(); now += 1s)
-        house.move_on(now);
-    CHECK_FALSE(house.touch.is_active());
-}
-
-TEST_CASE("a flick beyond the edge dismisses a shot: the others stay, and its seat is free") {
-    TouchedHouse house;
-    const std::vector<Placement> before = house.placements();
-    const Vec2 at = centre_of(house.wall[4]);
-    house.handle({.kind = Kind::flick, .at = at, .from = at, .velocity = {-10'000, 0}});
-    CHECK(house.touch.is_active());
-    const std::optional<DismissedShot> dismissed = house.touch.take_dismissed(house.wall);
-    REQUIRE(dismissed);
-    CHECK(dismissed->source == 5);
-    CHECK(dismissed->slot == 4);
-    CHECK(length(dismissed->seat.centre - at) < 1e-9);
-    CHECK(dismissed->seat.area > 0);
-    REQUIRE(dismissed->rest.wall.size() == 5);
-    for (const PlacedShot& placed : dismissed->rest.wall)
-        CHECK(placed.placement == before[placed.shot.source - 1]);
-    CHECK(dismissed->rest.pace);
-    CHECK_FALSE(house.touch.take_dismissed(house.wall));
-    CHECK_FALSE(house.touch.is_active());
-}
-
-TEST_CASE("a flick that ends on the canvas, or begins beside all shots, dismisses none") {
-    TouchedHouse house;
-    const Vec2 at = packed_canvas * 0.5;
-    house.handle({.kind = Kind::flick, .at = at, .from = at, .velocity = {200, -100}});
-    CHECK_FALSE(house.touch.take_dismissed(house.wall));
-    house.handle({.kind = Kind::flick, .at = at, .from = beside_all, .velocity = {10'000, 0}});
-    CHECK_FALSE(house.touch.take_dismissed(house.wall));
-    CHECK_FALSE(house.touch.is_active());
-}
-
-TEST_CASE("a shot that was dragged and then flicked away leaves the seat from which it was dragged") {
-    TouchedHouse house;
-    const Vec2 home = centre_of(house.wall[0]);
-    const Vec2 to{packed_canvas.x - home.x, packed_canvas.y - home.y};
-    for (auto now = 0s; now < 4s; now += 1s) {
-        house.handle({.kind = Kind::drag, .at = to, .from = home});
-        house.move_on(now);
+TEST_CASE("a shot that is flicked out is offered in its place for a moment; a tap there has it back") {
+    for (const int way : {0, 1, 2}) {
+        CAPTURE(way);
+        TouchedHouse house;
+        const std::vector<Placement> before = house.placements();
+        const Vec2 at = centre_of(house.wall[4]);
+        house.put(Kind::down, 0, at);
+        for (int k = 1; k <= 8; ++k) {
+            house.now += 5ms;
+            house.put(Kind::move, 0, at + Vec2{60.0 * k, 0});
+        }
+        house.put(Kind::up, 0);
+        Frame frame = house.run(2s);
+        CHECK(house.placements() == before);
+        CHECK(frame.items[4].alpha == doctest::Approx(waiting_light));
+        CHECK(house.dismissed.empty());
+        if (way == 0) house.tap(at);
+        if (way == 1) house.gestures.handle_input(KeyPress{.key = Key::undo, .time = house.now});
+        frame = house.run(3s);
+        CHECK(house.dismissed.contains(5) == (way == 2));
+        CHECK(house.touch.is_active() == false);
+        CHECK((frame.items[4].alpha == 1) == (way != 2));
+        CHECK(frame.items.size() == (way == 2 ? 6 : 6));
     }
-    REQUIRE(length(centre_of(house.wall[0]) - home) > 20);
-    // no shot is where the finger came down any more, or another one
-    house.handle({.kind = Kind::flick, .at = to, .from = home, .velocity = {0, 10'000}});
-    const std::optional<DismissedShot> dismissed = house.touch.take_dismissed(house.wall);
-    REQUIRE(dismissed);
-    CHECK(dismissed->source == 1);
-    CHECK(length(dismissed->seat.centre - home) < 1e-9);
 }
 
-TEST_CASE("a flicked shot that has left the wall meanwhile is not dismissed again") {
+TEST_CASE("a shot that is dropped beside the canvas returns to its place") {
     TouchedHouse house;
-    const Vec2 at = centre_of(house.wall[5]);
-    house.handle({.kind = Kind::flick, .at = at, .from = at, .velocity = {0, 10'000}});
-    house.wall.pop_back();
-    CHECK_FALSE(house.touch.take_dismissed(house.wall));
-    CHECK_FALSE(house.touch.is_active());
+    const std::vector<Placement> before = house.placements();
+    house.drag(0, centre_of(house.wall[1]), {-40, 100});
+    house.run(500ms);
+    house.put(Kind::up, 0);
+    house.run(2s);
+    CHECK(house.placements() == before);
+}
+
+TEST_CASE("a second finger on a shot in another hand does not take it; the shot of a hand is no other's") {
+    TouchedHouse house;
+    house.drag(0, centre_of(house.wall[1]), {320, 180});
+    const PlacedShot* under = house.touch.shot_at({320, 180}, house.touched());
+    REQUIRE(under != nullptr);
+    CHECK(under->shot.source == 2);
+    house.put(Kind::down, 1, {320, 180});  // with the first finger it makes a pinch
+    house.frame();
+    CHECK(house.recognised.size() == 1);
+    CHECK(house.recognised[0].kind == Gesture::Kind::drop);
+}
+
+TEST_CASE("shots of a calm wall are not dragged, and fade in large") {
+    TouchedHouse house;
+    house.touch = WallTouch({.idle = 10s, .is_calm = true});
+    const std::vector<Placement> before = house.placements();
+    house.drag(0, centre_of(house.wall[1]), {600, 300});
+    CHECK(house.frame().items.size() == 6);
+    house.put(Kind::up, 0);
+    house.tap(centre_of(house.wall[2]));
+    const Frame first = house.frame();
+    CHECK(drawn_box(TouchedHouse::top_of(house.frame(), 3)).width() == doctest::Approx(packed_canvas.x));
+    CHECK(house.run(1s).items.back().alpha == 1);
+    CHECK(house.placements() == before);
 }

@@ -1,0 +1,289 @@
+#include "player/layout/edit/make_way.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+#include "player/layout/cells/bleeding_edge.hpp"
+#include "player/layout/edit/edit_window.hpp"
+#include "player/layout/edit/motion.hpp"
+#include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/plan_request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double farthest = 0.25;  // share of the canvas' diagonal that an item moves for another at most
+constexpr double smaller = 0.85;   // factor of a wish's scale without room
+constexpr int tries = 8;           // sizes of the wishes
+
+Vec2 place_of(const LayoutItem& item, const Placement& at) {
+    return seat_of(item, at).centre;
+}
+
+/// The placement at this scale whose centroid is that of another placement.
+Placement scaled_about(const LayoutItem& item, const Placement& at, double scale) {
+    const Vec2 place = place_of(item, at);
+    return {scale, place - (place - at.offset) * (scale / at.scale)};
+}
+
+/// The placement, moved so that its region lies inside the canvas, and smaller if it is too large.
+Placement kept_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
+    const Box whole = box_of(item, at);
+    const double fits =
+        std::min((canvas.x - 2 * margin) / whole.width(), (canvas.y - 2 * margin) / whole.height());
+    if (fits < 1) at = scaled_about(item, at, at.scale * fits);
+    const Box box = box_of(item, at);
+    const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
+    const Vec2 high{std::max(0.0, box.max.x + margin - canvas.x),
+                    std::max(0.0, box.max.y + margin - canvas.y)};
+    at.offset = at.offset + low - high;
+    return at;
+}
+
+bool is_on_one_of(const std::vector<Wish>& wishes, const WallState& wall, const Wish& wish,
+                  double clearance) {
+    const LayoutItem& item = wall.items[wish.item];
+    return std::ranges::any_of(wishes, [&](const Wish& other) {
+        return !overlap_interval({item, wish.at, wish.at}, {wall.items[other.item], other.at, other.at},
+                                 clearance)
+                    .is_empty();
+    });
+}
+
+/// The wishes that can be heard together, at a share of their sizes. One that is on an earlier one becomes
+/// smaller.
+std::vector<Wish> heard(const WallState& wall, std::span<const Wish> wishes, double size,
+                        const EditRules& rules) {
+    constexpr double sizes[] = {1, 0.9, 0.8, 0.65, 0.5};
+    std::vector<Wish> all;
+    for (const Wish& wish : wishes) {
+        const LayoutItem& item = wall.items[wish.item];
+        for (const double own : sizes) {
+            Wish given = wish;
+            given.at = kept_inside(item, scaled_about(item, wish.at, wish.at.scale * size * own), wall.canvas,
+                                   rules.margin);
+            if (is_on_one_of(all, wall, given, rules.clearance)) continue;
+            all.push_back(given);
+            break;
+        }
+    }
+    return all;
+}
+
+/// The wall with all items at home but those with wishes, as a request in which those are pinned.
+PlanRequest request_of(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
+    PlanRequest request{.canvas = wall.canvas,
+                        .seed = rules.seed,
+                        .budget = rules.budget,
+                        .clearance = rules.clearance,
+                        .margin = rules.margin,
+                        .max_scale = rules.max_scale,
+                        .is_coarse = true};  // fine steps at every step of a finger would make items tremble
+    for (std::size_t i = 0; i < wall.items.size(); ++i)
+        request.items.push_back({.item = wall.items[i], .previous = wall.homes[i], .home = wall.homes[i]});
+    for (const Wish& wish : wishes) {
+        PlanItem& item = request.items[wish.item];
+        item.previous = item.home = wish.at;
+        item.is_pinned = true;
+    }
+    return request;
+}
+
+Box window_of(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
+    Box window;
+    for (const Wish& wish : wishes) {
+        const LayoutItem& item = wall.items[wish.item];
+        const Box both = united(window_at(wall, place_of(item, wish.at), rules),
+                                window_at(wall, place_of(item, wall.homes[wish.item]), rules));
+        window = window.is_empty() ? both : united(window, both);
+    }
+    return window;
+}
+
+bool is_sound(const WallState& wall, const Layout& layout) {
+    const Measure measure = measured(wall.items, layout.placements);
+    return measure.hidden == 0 && is_box_within(measure.bounds, {{0, 0}, layout.canvas});
+}
+
+bool is_local(const WallState& wall, const Layout& layout, std::span<const Wish> wishes) {
+    const double limit = farthest * length(wall.canvas);
+    for (std::size_t i = 0; i < wall.items.size(); ++i) {
+        if (std::ranges::find(wishes, i, &Wish::item) != wishes.end()) continue;
+        const Vec2 way =
+            place_of(wall.items[i], layout.placements[i]) - place_of(wall.items[i], wall.homes[i]);
+        if (length(way) > limit) return false;
+    }
+    return true;
+}
+
+/// What a plan makes of the wishes. None: there is no room for them. On a wall with much empty room, filling
+/// would take the others far away: they stay as large as they are, or where they are.
+std::optional<Layout> planned(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
+    PlanRequest request = request_of(wall, wishes, rules);
+    for (const bool fills : {true, false}) {
+        request.fills = fills;
+        auto layout = planned_in(window_of(wall, wishes, rules), request, {.should_stop = rules.should_stop});
+        if (layout && is_sound(wall, *layout) && is_local(wall, *layout, wishes)) return layout;
+    }
+    Layout unmoved{.canvas = wall.canvas, .placements = wall.homes};
+    for (const Wish& wish : wishes)
+        unmoved.placements[wish.item] = wish.at;
+    return is_sound(wall, unmoved) ? std::optional(unmoved) : std::nullopt;
+}
+
+/// Lets the items that were let go grow to the size that they had at home.
+std::optional<Layout> settled(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
+                              const EditRules& rules) {
+    WallState now = wall;
+    now.homes = layout.placements;
+    PlanRequest request = request_of(now, {}, rules);
+    request.is_coarse = false;
+    for (std::size_t i = 0; i < wall.items.size(); ++i)
+        request.items[i].home = scaled_about(wall.items[i], layout.placements[i], wall.homes[i].scale);
+    for (const Wish& wish : wishes)
+        request.items[wish.item].is_pinned = !wish.is_let_go;
+    auto grown = planned_in(window_of(now, wishes, rules), request, {.should_stop = rules.should_stop});
+    if (!grown || !is_sound(wall, *grown) || !is_local(wall, *grown, wishes)) return std::nullopt;
+    return grown;
+}
+
+/// A wall in which each group of another wall's items is one item.
+struct Bodies {
+    WallState wall;
+    std::vector<std::vector<std::size_t>> members;  // of each body; several: a group, placed from its home
+};
+
+Placement composed(const Placement& inner, const Placement& outer) {
+    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
+}
+
+/// The placement that takes one placement to another.
+Placement change_between(const Placement& from, const Placement& to) {
+    const double scale = to.scale / from.scale;
+    return {scale, to.offset - from.offset * scale};
+}
+
+/// The hull of a group at home.
+LayoutItem hull_of(const std::vector<std::size_t>& members, const WallState& wall) {
+    LayoutItem body;
+    Polygon points;
+    for (const std::size_t i : members) {
+        const Placement& home = wall.homes[i];
+        const Polygon region = placed_region(wall.items[i], home);
+        points.insert(points.end(), region.begin(), region.end());
+        const Box core{wall.items[i].core.min * home.scale + home.offset,
+                       wall.items[i].core.max * home.scale + home.offset};
+        body.core = body.core.is_empty() ? core : united(body.core, core);
+    }
+    body.region = convex_hull(points);
+    return body;
+}
+
+std::vector<std::vector<std::size_t>> members_of(const WayRequest& request) {
+    std::vector<std::vector<std::size_t>> members;
+    std::vector<bool> is_grouped(request.wall.items.size(), false);
+    for (const LayoutGroup& group : request.groups) {
+        if (group.items.size() < 2) continue;
+        members.push_back(group.items);
+        for (const std::size_t item : group.items)
+            is_grouped[item] = true;
+    }
+    for (std::size_t i = 0; i < is_grouped.size(); ++i)
+        if (!is_grouped[i]) members.push_back({i});
+    return members;
+}
+
+Bodies bodies_of(const WayRequest& request) {
+    Bodies bodies{.wall = {.canvas = request.wall.canvas}, .members = members_of(request)};
+    for (const std::vector<std::size_t>& members : bodies.members) {
+        const std::size_t first = members.front();
+        const bool is_group = members.size() > 1;
+        const Placement& home = request.wall.homes[first];
+        const Placement& now = request.wall.placements[first];
+        bodies.wall.items.push_back(is_group ? hull_of(members, request.wall) : request.wall.items[first]);
+        bodies.wall.placements.push_back(is_group ? change_between(home, now) : now);
+        bodies.wall.homes.push_back(is_group ? Placement{} : home);
+        bodies.wall.pinned.push_back(false);
+    }
+    return bodies;
+}
+
+/// The wishes for the bodies: a group goes where its first wished member shall be.
+std::vector<Wish> wishes_of(const Bodies& bodies, const WayRequest& request) {
+    std::vector<Wish> wishes;
+    for (const Wish& wish : request.wishes)
+        for (std::size_t k = 0; k < bodies.members.size(); ++k) {
+            const auto& members = bodies.members[k];
+            if (std::ranges::find(members, wish.item) == members.end()) continue;
+            if (std::ranges::find(wishes, k, &Wish::item) != wishes.end()) continue;
+            const Placement at =
+                members.size() > 1 ? change_between(request.wall.homes[wish.item], wish.at) : wish.at;
+            wishes.push_back({.item = k, .at = at, .is_let_go = wish.is_let_go});
+        }
+    return wishes;
+}
+
+/// The placements of all items, where the bodies are at these.
+std::vector<Placement> unfolded(const Bodies& bodies, const WayRequest& request,
+                                std::span<const Placement> placements) {
+    std::vector<Placement> all(request.wall.items.size());
+    for (std::size_t k = 0; k < bodies.members.size(); ++k)
+        for (const std::size_t i : bodies.members[k])
+            all[i] =
+                bodies.members[k].size() > 1 ? composed(request.wall.homes[i], placements[k]) : placements[k];
+    return all;
+}
+
+WallKey key_at(const WayRequest& request, std::vector<Placement> placements) {
+    std::vector<LayoutItem> items;
+    for (std::size_t i = 0; i < placements.size(); ++i)
+        items.push_back(without_bleeding_edge(request.wall.items[i], request.pictures[i], placements[i]));
+    Layout layout{.canvas = request.wall.canvas, .placements = std::move(placements), .groups = {}};
+    for (const LayoutGroup& group : request.groups)
+        if (group.items.size() > 1) layout.groups.push_back(group);
+    WallKey key;
+    for (Cell& cell : cells(items, layout, request.cells))
+        key.cells.push_back(std::make_shared<const Cell>(std::move(cell)));
+    key.placements = std::move(layout.placements);
+    return key;
+}
+
+}  // namespace
+
+WallState made_way(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
+    WallState next = wall;
+    next.placements = wall.homes;
+    if (wishes.empty()) return next;
+    double size = 1;
+    for (int k = 0; k < tries; ++k, size *= smaller) {
+        const std::vector<Wish> given = heard(wall, wishes, size, rules);
+        const auto layout = planned(wall, given, rules);
+        if (!layout) continue;
+        next.placements = layout->placements;
+        if (std::ranges::none_of(given, &Wish::is_let_go)) return next;
+        if (const auto grown = settled(wall, *layout, given, rules)) next.placements = grown->placements;
+        next.homes = next.placements;
+        return next;
+    }
+    return next;
+}
+
+WallWay way_to(const WayRequest& request) {
+    const Bodies bodies = bodies_of(request);
+    const WallState next = made_way(bodies.wall, wishes_of(bodies, request), request.rules);
+    const auto motion =
+        motion_between(next.items, bodies.wall.placements, next.placements, request.wall.canvas);
+    WallWay way{.keys = {}, .homes = unfolded(bodies, request, next.homes), .is_free = motion.has_value()};
+    const auto keys = static_cast<double>(request.keys);
+    for (std::size_t k = 1; motion && k < request.keys; ++k)
+        way.keys.push_back(key_at(
+            request, unfolded(bodies, request, placements_at(*motion, static_cast<double>(k) / keys))));
+    way.keys.push_back(key_at(request, unfolded(bodies, request, next.placements)));
+    return way;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "player/scene/lifted_shot.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+
+namespace vitrine::player {
+
+/// Light of a place whose shot is lifted, and of the wall behind a shot that is as large as the screen.
+constexpr double waiting_light = 0.35;
+
+enum class LiftedState {
+    held,       // under a finger that drags
+    large,      // under a finger that rests
+    whole,      // as large as the screen
+    let_go,     // dropped; waits for its place
+    returning,  // on the way to its place on the wall
+    gone,       // flicked out; its return is offered in its place
+    dismissed,  // and that time is over
+};
+
+struct Lifted {
+    LiftedShot picture;
+    LiftedState state = LiftedState::held;
+    std::uint64_t touch = 0;            // of the hand that has it
+    std::chrono::nanoseconds since{0};  // of the state
+};
+
+/// The shots that are lifted off a wall, each at most once.
+class LiftedShots {
+  public:
+    /// Lifts a shot, or takes it again. nullptr: it is in another hand.
+    Lifted* lift(const PlacedShot& placed, std::uint64_t touch, LiftedState state,
+                 std::chrono::nanoseconds now);
+
+    std::map<SourceId, Lifted>& all() { return all_; }
+
+    const std::map<SourceId, Lifted>& all() const { return all_; }
+
+    /// nullptr: the shot is not lifted.
+    Lifted* find(SourceId source);
+    const Lifted* find(SourceId source) const;
+
+    /// The shot in the hand of a touch. nullptr: none.
+    Lifted* of_touch(std::uint64_t touch);
+
+    /// True if a finger holds or drags a shot.
+    bool is_held() const;
+
+    /// True if a shot is lifted, and its time is not over.
+    bool is_active() const;
+
+    /// True: the shot is not in its place. One that has been flicked out is touched there to have it back.
+    bool is_away(SourceId source) const;
+
+    /// The shot that is seen above the wall at a canvas point. nullptr: none.
+    const PlacedShot* shot_at(Vec2 point, std::chrono::nanoseconds now) const;
+
+    /// Draws the shots above the wall in a frame, and dims what waits.
+    void draw(Frame& frame) const;
+
+  private:
+    std::map<SourceId, Lifted> all_;
+};
+
+}  // namespace vitrine::player
