@@ -88,6 +88,9 @@ LiftedShot::LiftedShot(const PlacedShot& placed, std::chrono::nanoseconds now)
     : placed_(placed), from_{.at = placed.placement}, to_{.at = placed.placement} {
     follow(drift_at(placed, now));
     placed_.drift = {};
+    if (placed.cell->parts.empty()) return;
+    const Polygon& main = placed.cell->parts.front();  // what lies apart from it stays behind
+    placed_.cell = std::make_shared<const Cell>(without_filler(inside_part(*placed.cell, {&main, 1})));
 }
 
 void LiftedShot::aim(const LiftedPose& to, std::chrono::nanoseconds now, std::chrono::nanoseconds duration) {

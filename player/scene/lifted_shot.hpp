@@ -19,7 +19,7 @@ struct LiftedPose {
 /// to pose. Knows no clock.
 class LiftedShot {
   public:
-    /// @param placed  its place on the wall, with its cell
+    /// @param placed  its place on the wall, with its cell; the filler and parts apart of that stay behind
     LiftedShot(const PlacedShot& placed, std::chrono::nanoseconds now);
 
     /// Begins the way to a pose.

@@ -45,9 +45,8 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
         return;
     case Gesture::Kind::drop:
     case Gesture::Kind::lost:
-        return settle(gesture.at.x);
     case Gesture::Kind::flick:
-        speed_ = gesture.velocity.x;
+        if (gesture.kind == Gesture::Kind::flick) speed_ = gesture.velocity.x;
         return settle(gesture.at.x);
     case Gesture::Kind::pinch:
         speed_ = 0;

@@ -83,6 +83,20 @@ TEST_CASE(
     CHECK_FALSE(house.touch.is_active());
 }
 
+TEST_CASE("a lifted shot leaves behind what lies apart from its cell, and its filler") {
+    TouchedHouse house;
+    Cell cell = *house.wall[1].cell;
+    const Polygon apart = to_polygon({{600, 340}, {610, 350}});
+    cell.parts.push_back(apart);
+    cell.filler.push_back(apart);
+    house.wall[1].cell = std::make_shared<const Cell>(cell);
+    house.drag(0, centre_of(house.wall[1]), {320, 180});
+    const Frame frame = house.frame();
+    REQUIRE(frame.items.size() == 7);
+    CHECK(frame.items.back().cell->parts.size() == 1);
+    CHECK(frame.items.back().cell->filler.empty());
+}
+
 TEST_CASE("a tapped shot returns by itself after a while, or with a key") {
     for (const bool by_key : {false, true}) {
         TouchedHouse house;
