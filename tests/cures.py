@@ -167,7 +167,7 @@ CURES = [
          "        if (!overlap.is_empty()) share = std::min(share, overlap.begin);\n", "        (void)overlap;\n",
          "scene_test.transition_test"),
     Cure("slivers of bars", "player/scene/wall_cells.cpp",
-         "        items.push_back(without_bleeding_edge(placed));\n",
+         "        items.push_back(without_bleeding_edge(placed.shot.item, placed.shot.picture, placed.placement));\n",
          "        items.push_back(placed.shot.item);\n        (void)without_bleeding_edge;\n", "moving_frames_test.moving_frames_test"),
     Cure("a tiny newcomer", "player/layout/pack/filling.cpp",
          " + tininess_weight * lacks_ / count;", ";", "layout_test.plan_test"),

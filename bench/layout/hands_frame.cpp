@@ -103,8 +103,9 @@ void measure(std::size_t count, int frames) {
     const auto at = [&](double share) {
         return spent[static_cast<std::size_t>(share * static_cast<double>(spent.size() - 1))];
     };
-    fmt::print("{:3} shots: a frame median {:.2f} ms, 95 % {:.2f} ms, most {:.2f} ms\n", count, at(0.5),
-               at(0.95), at(1));
+    const std::size_t drawn = wall.step(now).frame.items.size();
+    fmt::print("{:3} shots, {} pictures: a frame median {:.3f} ms, 95 % {:.2f} ms, most {:.2f} ms\n", count,
+               drawn, at(0.5), at(0.95), at(1));
 }
 
 }  // namespace

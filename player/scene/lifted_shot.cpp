@@ -44,6 +44,7 @@ double reach_of(const Polygon& outline, Vec2 point, Vec2 direction) {
 /// The directions from a point to evenly spaced places and to the corners of both outlines.
 std::vector<double> angles_of(const Polygon& small, const Polygon& large, Vec2 point) {
     std::vector<double> angles;
+    angles.reserve(rays + small.size() + large.size());
     for (int k = 0; k < rays; ++k)
         angles.push_back((2.0 * k / rays - 1) * std::numbers::pi);
     for (const Polygon* outline : {&small, &large})
