@@ -88,6 +88,7 @@ class HandScript {
             const bool is_on_shot = gesture.subject != no_subject && !taps_;
             if (gesture.kind == Kind::drag || gesture.kind == Kind::hold)
                 in_hand_[gesture.touch] = gesture.subject;
+            if (gesture.kind == Kind::drag) under_finger_[gesture.subject] = house_.now;
             if (gesture.kind == Kind::drop || gesture.kind == Kind::flick || gesture.kind == Kind::lost ||
                 gesture.kind == Kind::release)
                 in_hand_.erase(gesture.touch);
