@@ -22,6 +22,13 @@ if(VITRINE_SANITIZE)
   target_compile_options(vitrine_options INTERFACE
     -fsanitize=${VITRINE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(vitrine_options INTERFACE -fsanitize=${VITRINE_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # GCC defines these macros itself
+    if(VITRINE_SANITIZE MATCHES address)
+      target_compile_definitions(vitrine_options INTERFACE __SANITIZE_ADDRESS__)
+    elseif(VITRINE_SANITIZE MATCHES thread)
+      target_compile_definitions(vitrine_options INTERFACE __SANITIZE_THREAD__)
+    endif()
+  endif()
 endif()
 
 if(VITRINE_FUZZ)

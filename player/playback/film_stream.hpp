@@ -42,7 +42,7 @@ class FilmStream {
 
   private:
     struct alignas(8) Size {  // both are read and written at once, without a lock
-        int width = 0;  // px
+        int width = 0;        // px
         int height = 0;
     };
 

@@ -105,9 +105,9 @@ TEST_CASE("an index is read as it was written") {
 TEST_CASE("an index that says what cannot be is refused, and named") {
     const TemporaryDirectory folder;
     for (const auto& [from, into] : {std::pair{"\"version\":1", "\"version\":9"},
-                                   {"tiles-1", "../etc"},
-                                   {"\"tile_width\":512", "\"tile_width\":0"},
-                                   {"20000000000", "90000000000"}}) {
+                                     {"tiles-1", "../etc"},
+                                     {"\"tile_width\":512", "\"tile_width\":0"},
+                                     {"20000000000", "90000000000"}}) {
         std::string json = to_json(drawn());
         const std::size_t place = json.find(from);
         REQUIRE(place != std::string::npos);
