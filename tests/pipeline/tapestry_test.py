@@ -143,7 +143,10 @@ class Tapestry(unittest.TestCase):
         self.assertIsNone(self.index("film.mp4"))
         script = self.state.parent / "script.txt"
         # Again and again, as the wall may not stand yet; on a tapestry it does nothing but zoom.
-        script.write_text("".join(f"{at} pinch {WIDTH // 2} {HEIGHT // 2} 2 0.5\n" for at in range(3, PATIENCE, 4)))
+        # Both fingers come down on one shot.
+        x, y = 0.42 * WIDTH, 0.7 * HEIGHT
+        script.write_text("".join(f"{at} down 0 {x - 10} {y}\n{at} down 1 {x + 10} {y}\n{at}.2 move 0 {x - 40} {y}\n{at}.2 move 1 {x + 40} {y}\n"
+                                  f"{at}.4 up 0\n{at}.4 up 1\n" for at in range(3, PATIENCE, 4)))
         film = self.state.parent / "wall.mp4"
         said = self.state.parent / "player"
         with open(said, "wb") as log:
