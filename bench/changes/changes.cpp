@@ -175,7 +175,7 @@ class ChangedWalls {
             sizes_.edges.push_back(dark_edge_share(next));
             wall.show(std::move(next));
         }
-        const TransitionStyle follows{.duration = 120ms, .is_even = true};  // as wall_touch
+        const TransitionStyle follows{.duration = 120ms};
         wall.drag([&](const std::vector<PlacedShot>& next) {
             add("drag, a step", wall, next, follows);
             add_drag_step(drags_, wall.shown(), next);

@@ -141,7 +141,7 @@ class DrawnChanges {
                 transition(wall.canvas(), wall.shown(), next, {}), seed);
             wall.show(std::move(next));
         }
-        const TransitionStyle follows{.duration = 120ms, .is_even = true};  // as wall_touch
+        const TransitionStyle follows{.duration = 120ms};
         wall.drag([&](const std::vector<PlacedShot>& next) {
             add("drag, a step", transition(wall.canvas(), wall.shown(), next, follows), seed);
         });

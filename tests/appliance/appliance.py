@@ -27,7 +27,10 @@ UPPER, LOWER = (0, 220, 220), (240, 220, 0)  # the halves of the red photo's box
 
 
 def draw_media(folder):
-    """A box on one saturated colour each: the box is what matters, the colour tells the file."""
+    """A box on one saturated colour each: the box is what matters, the colour tells the file.
+
+    The rig draws a picture a second. A film of a whole number of seconds would show the same moment in each.
+    """
     for name, rgb in COLOURS.items():
         colour = f"color=0x{bytes(rgb).hex()}:size=320x180:rate=10"
         if name in STILLS:
@@ -37,7 +40,7 @@ def draw_media(folder):
                 "-frames:v", 1, folder / f"{name}.png")
         else:
             run("ffmpeg", "-v", "error", "-y", "-f", "lavfi", "-i", colour, "-f", "lavfi", "-i", "color=white:size=60x60:rate=10",
-                "-filter_complex", "overlay=x=20+220*t:y=60", "-t", 1, "-pix_fmt", "yuv420p", "-c:v", "libx264",
+                "-filter_complex", "overlay=x=20+160*t:y=60", "-t", 1.3, "-pix_fmt", "yuv420p", "-c:v", "libx264",
                 folder / f"{name}.mp4")
 
 

@@ -28,7 +28,6 @@ struct TileId {
     int tile = 0;
 
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
-    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     auto operator<=>(const TileId&) const = default;
 };
 
