@@ -88,16 +88,6 @@ bool is_on_pinned(const WallState& wall, std::size_t item, const Placement& at, 
     return false;
 }
 
-/// The placement, moved so that its region lies inside the canvas, if the region is small enough.
-Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
-    const Box box = box_of(item, at);
-    const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
-    const Vec2 high{std::max(0.0, box.max.x + margin - canvas.x),
-                    std::max(0.0, box.max.y + margin - canvas.y)};
-    at.offset = at.offset + low - high;
-    return at;
-}
-
 /// Puts an item down at a place; the others make room.
 std::optional<WallState> put_down(const WallState& wall, std::size_t item, const Placement& at,
                                   const Box& window, const EditRules& rules) {

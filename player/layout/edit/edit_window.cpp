@@ -51,6 +51,15 @@ Box box_of(const LayoutItem& item, const Placement& at) {
     return {shape.extent.min * at.scale + place, shape.extent.max * at.scale + place};
 }
 
+Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
+    const Box box = box_of(item, at);
+    const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
+    const Vec2 high{std::max(0.0, box.max.x + margin - canvas.x),
+                    std::max(0.0, box.max.y + margin - canvas.y)};
+    at.offset = at.offset + low - high;
+    return at;
+}
+
 Box window_at(const WallState& wall, Vec2 place, const EditRules& rules) {
     const double edge = std::min(rules.margin, std::min(wall.canvas.x, wall.canvas.y) / 4);
     const Box field{{edge, edge}, wall.canvas - Vec2{edge, edge}};

@@ -17,6 +17,10 @@ bool is_box_within(const Box& inner, const Box& outer, double tolerance = 0);
 /// The box of a placed item's region, canvas px.
 Box box_of(const LayoutItem& item, const Placement& at);
 
+/// The placement, moved so that its region lies inside the canvas, if the region is small enough.
+/// @param margin  canvas px between the region and the canvas' edge
+Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin);
+
 /// The window of an edit at a place, canvas px: the whole wall if it is small, else large enough that some
 /// items can make room.
 Box window_at(const WallState& wall, Vec2 place, const EditRules& rules);

@@ -36,12 +36,7 @@ Placement kept_inside(const LayoutItem& item, Placement at, Vec2 canvas, double 
     const double fits =
         std::min((canvas.x - 2 * margin) / whole.width(), (canvas.y - 2 * margin) / whole.height());
     if (fits < 1) at = scaled_about(item, at, at.scale * fits);
-    const Box box = box_of(item, at);
-    const Vec2 low{std::max(0.0, margin - box.min.x), std::max(0.0, margin - box.min.y)};
-    const Vec2 high{std::max(0.0, box.max.x + margin - canvas.x),
-                    std::max(0.0, box.max.y + margin - canvas.y)};
-    at.offset = at.offset + low - high;
-    return at;
+    return moved_inside(item, at, canvas, margin);
 }
 
 bool is_on_one_of(const std::vector<Wish>& wishes, const WallState& wall, const Wish& wish,
@@ -120,8 +115,9 @@ bool is_local(const WallState& wall, const Layout& layout, std::span<const Wish>
     return true;
 }
 
-/// What a plan makes of the wishes. None: there is no room for them. On a wall with much empty room, filling
-/// would take the others far away: they stay as large as they are, or where they are.
+/// The layout that a plan finds for the wishes. None: there is no room for them. On a wall with much empty
+/// room a plan that fills it takes the others too far away. Then one that keeps their sizes is tried, and at
+/// last the others stay where they are.
 std::optional<Layout> planned(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
     PlanRequest request = request_of(wall, wishes, rules);
     for (const bool fills : {true, false}) {
