@@ -26,7 +26,8 @@ double cross_of(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// How far the outline lies from a point inside it in this direction; the farthest crossing counts.
+/// The distance from a point inside an outline to the outline in a direction. A ray may cross it more than
+/// once: the farthest crossing counts.
 double reach_of(const Polygon& outline, Vec2 point, Vec2 direction) {
     double reach = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace vitrine::player {
 
-/// How a lifted shot stands.
+/// The place and the look of a lifted shot at a moment.
 struct LiftedPose {
     Placement at;
     double open = 0;   // 0: the outline of its cell, carried along; 1: the whole picture

@@ -32,7 +32,7 @@ struct WallKey {
     std::vector<std::shared_ptr<const Cell>> cells;  // one for each item
 };
 
-/// How a wall becomes another: keys at equal intervals of time. The last one is the other wall.
+/// The way from one wall to another, as keys at equal intervals of time. The last key is the other wall.
 struct WallWay {
     std::vector<WallKey> keys;     // at least one
     std::vector<Placement> homes;  // of the wall after it
