@@ -28,14 +28,14 @@ std::vector<Gesture> Gestures::next_gestures(std::chrono::nanoseconds now) {
 void Gestures::handle(const Contact& contact, Subject subject) {
     advance(contact.time);
     if (contact.kind == Contact::Kind::down) return put_down(contact, subject);
-    const auto owner = owners_.find(contact.finger);
-    if (owner == owners_.end()) return;
-    TouchRecogniser& touch = touches_.at(owner->second);
+    const auto found = fingers_.find(contact.finger);
+    if (found == fingers_.end()) return;
+    TouchRecogniser& touch = touches_.at(found->second.owner);
     if (contact.kind == Contact::Kind::move) return touch.move(contact, gestures_);
     const std::size_t before = gestures_.size();
     touch.lift(contact, gestures_);
     if (gestures_.size() > before && gestures_.back().kind == Gesture::Kind::tap)
-        find_double_tap(since_[contact.finger], contact.time);
+        find_double_tap(found->second.since, contact.time);
     drop_lifted();
 }
 
@@ -52,10 +52,10 @@ void Gestures::handle(const KeyPress& press, Subject /*subject*/) {
 }
 
 void Gestures::put_down(const Contact& contact, Subject subject) {
-    if (owners_.contains(contact.finger))  // its release was lost
+    if (fingers_.contains(contact.finger))  // its release was lost
         handle(Contact{.kind = Contact::Kind::cancel, .finger = contact.finger, .time = contact.time},
                subject);
-    if (owners_.size() >= max_contacts) return;
+    if (fingers_.size() >= max_contacts) return;
     const Owner owner{subject, subject == no_subject ? contact.finger : 0};
     const auto found = touches_.find(owner);
     TouchRecogniser& touch =
@@ -63,9 +63,7 @@ void Gestures::put_down(const Contact& contact, Subject subject) {
             ? found->second
             : touches_.emplace(owner, TouchRecogniser(rules_, subject, ++last_touch_)).first->second;
     touch.put_down(contact, gestures_);
-    if (!touch.has_finger(contact.finger)) return;
-    owners_[contact.finger] = owner;
-    since_[contact.finger] = contact.time;
+    if (touch.has_finger(contact.finger)) fingers_[contact.finger] = {owner, contact.time};
 }
 
 /// Notes a tap that was just recognised, and adds a double tap if it is the second one.
@@ -88,9 +86,9 @@ void Gestures::advance(std::chrono::nanoseconds now) {
 }
 
 void Gestures::drop_lifted() {
-    std::erase_if(owners_,
-                  [&](const auto& entry) { return !touches_.at(entry.second).has_finger(entry.first); });
-    std::erase_if(since_, [&](const auto& entry) { return !owners_.contains(entry.first); });
+    std::erase_if(fingers_, [&](const auto& entry) {
+        return !touches_.at(entry.second.owner).has_finger(entry.first);
+    });
     std::erase_if(touches_, [](const auto& entry) { return !entry.second.has_fingers(); });
 }
 

@@ -33,10 +33,16 @@ class Gestures {
     bool is_touched() const { return !touches_.empty(); }
 
     /// Number of contacts that are followed.
-    std::size_t count() const { return owners_.size(); }
+    std::size_t count() const { return fingers_.size(); }
 
   private:
     using Owner = std::pair<Subject, int>;  // a finger on no subject has a recogniser of its own
+
+    /// A finger that is followed.
+    struct FollowedFinger {
+        Owner owner;
+        std::chrono::nanoseconds since{0};  // when it came down
+    };
 
     struct Tap {
         Vec2 at;
@@ -54,9 +60,8 @@ class Gestures {
     GestureRules rules_;
     std::uint64_t last_touch_ = 0;
     std::map<Owner, TouchRecogniser> touches_;
-    std::map<int, Owner> owners_;                    // finger -> its recogniser
-    std::map<int, std::chrono::nanoseconds> since_;  // finger -> when it came down
-    std::vector<Tap> taps_;                          // the last ones, if they may become double taps
+    std::map<int, FollowedFinger> fingers_;
+    std::vector<Tap> taps_;  // the last ones, if they may become double taps
     std::vector<Gesture> gestures_;
 };
 

@@ -22,10 +22,6 @@ Placement between(const Placement& a, const Placement& b, double share) {
     return {a.scale + (b.scale - a.scale) * share, a.offset + (b.offset - a.offset) * share};
 }
 
-double cross_of(Vec2 a, Vec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// The distance from a point inside an outline to the outline in a direction. A ray may cross it more than
 /// once: the farthest crossing counts.
 double reach_of(const Polygon& outline, Vec2 point, Vec2 direction) {
@@ -33,11 +29,11 @@ double reach_of(const Polygon& outline, Vec2 point, Vec2 direction) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec2 a = outline[i] - point;
         const Vec2 side = outline[(i + 1) % outline.size()] - outline[i];
-        const double slope = cross_of(direction, side);
+        const double slope = cross(direction, side);
         if (std::abs(slope) < std::numeric_limits<double>::epsilon()) continue;
-        const double along_side = cross_of(a, direction) / slope;
+        const double along_side = cross(a, direction) / slope;
         if (along_side < 0 || along_side > 1) continue;
-        reach = std::max(reach, cross_of(a, side) / slope);
+        reach = std::max(reach, cross(a, side) / slope);
     }
     return reach;
 }
