@@ -59,13 +59,6 @@ bool is_in(const Polygon& outline, Vec2 point) {
     return is_inside;
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-    const Vec2 along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-    return length(p - (a + along * t));
-}
-
 /// True if a point lies in an outline, or so near to it that the border of filler reaches it.
 bool is_at(const Polygon& outline, Vec2 point) {
     if (is_in(outline, point)) return true;

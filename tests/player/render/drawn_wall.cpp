@@ -1,5 +1,6 @@
 #include "tests/player/render/drawn_wall.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -20,6 +21,13 @@ Still plain(Colour colour) {
 
 Polygon box(double x0, double y0, double x1, double y1) {
     return to_polygon(Box{{x0, y0}, {x1, y1}});
+}
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double square = dot(along, along);
+    const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
+    return length(p - (a + along * t));
 }
 
 std::shared_ptr<const Cell> cell(const Polygon& quad) {

@@ -42,6 +42,9 @@ Polygon box(double x0, double y0, double x1, double y1);
 std::shared_ptr<const Cell> cell(const Polygon& quad);
 std::shared_ptr<const Cell> filler(const Polygon& quad);
 
+/// The distance from a point to the segment between two others, px.
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b);
+
 Colour at(const Picture& picture, int x, int y);
 bool is_near(Colour a, Colour b, int tolerance = 3);
 

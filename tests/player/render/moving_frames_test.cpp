@@ -18,13 +18,6 @@ namespace {
 constexpr Colour light{200, 200, 200};
 constexpr Vec2 canvas{640, 360};
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-    const Vec2 along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-    return length(p - (a + along * t));
-}
-
 /// True if a point lies in filler or at its edge.
 bool is_near_filler(const Frame& frame, Vec2 p) {
     constexpr double edge = 1.5;  // px
