@@ -174,6 +174,19 @@ constexpr HintWord sound_word{
 
 constexpr std::array table{period_word, hours_word, seconds_word, repeat_word, sound_word};
 
+/// Removes the hints that a name begins with, and returns them.
+Hints read_hints(NameWords& words) {
+    Hints hints;
+    for (NameWords after = words; !after.rest.empty(); words = after) {
+        const std::string_view word = after.next();
+        const bool is_hint = !word.empty() && std::ranges::any_of(table, [&](const HintWord& one) {
+            return one.read(hints, word, after);
+        });
+        if (!is_hint) break;
+    }
+    return hints;
+}
+
 }  // namespace
 
 std::string_view NameWords::next() {
@@ -189,14 +202,18 @@ std::span<const HintWord> hint_words() {
 
 Hints hints_in_name(std::string_view name, NamePart part) {
     NameWords words{.rest = part == NamePart::file ? without_extension(name) : name, .part = part};
-    Hints hints;
-    const auto reads = [&](std::string_view word) {
-        return std::any_of(table.begin(), table.end(),
-                           [&](const HintWord& one) { return one.read(hints, word, words); });
-    };
-    for (std::string_view word = words.next(); !word.empty(); word = words.next())
-        if (!reads(word)) break;
-    return hints;
+    return read_hints(words);
+}
+
+std::string shown_folder_name(std::string_view path) {
+    const std::size_t slash = path.rfind('/');
+    const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    NameWords words{.rest = name, .part = NamePart::folder};
+    read_hints(words);
+    const std::size_t begin = words.rest.find_first_not_of(separators);
+    std::string shown(begin == std::string_view::npos ? name : words.rest.substr(begin));
+    std::ranges::replace(shown, '_', ' ');
+    return shown;
 }
 
 Hints merged(const Hints& outer, const Hints& inner) {

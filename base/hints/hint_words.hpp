@@ -51,6 +51,11 @@ std::span<const HintWord> hint_words();
 /// @param name  one folder or file without its path, any bytes
 Hints hints_in_name(std::string_view name, NamePart part);
 
+/// The name of a folder as people read it: the last part of its path, without the hints that it begins with,
+/// and with spaces where '_' stands. A name of hints only is shown as it is.
+/// @param path  below the media folder, any bytes
+std::string shown_folder_name(std::string_view path);
+
 /// The hints of something inside something else: an inner hint replaces the outer one.
 Hints merged(const Hints& outer, const Hints& inner);
 

@@ -132,3 +132,12 @@ TEST_CASE("whatever bytes a name has, what is taken of it can be written and rea
     }
     CHECK(taken > 100);
 }
+
+TEST_CASE("a folder's name is shown without its hints") {
+    CHECK(shown_folder_name("Italy/2026_summer") == "2026 summer");
+    CHECK(shown_folder_name("08-18 20s Day_at the sea") == "Day at the sea");
+    CHECK(shown_folder_name("a/from 2026-12-01 until 2026-12-24 Advent") == "Advent");
+    CHECK(shown_folder_name("until lunch") == "until lunch");
+    CHECK(shown_folder_name("08-18") == "08-18");
+    CHECK(shown_folder_name("\xff") == "\xff");
+}
