@@ -1,3 +1,4 @@
+#include "analyzer/lettering/set_words.hpp"
 #include "analyzer/one_file/file_analysis.hpp"
 #include "analyzer/tapestry/weave_file.hpp"
 #include "analyzer/watch/watch_command.hpp"
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace vitrine::analyzer {
 
@@ -23,6 +25,7 @@ struct CommandLine {
     bool leaves_tapestries = false;
     AnalysisOutputs outputs;
     WeaveRequest weave;
+    std::vector<std::string> words;
 };
 
 int run_analyze(const CommandLine& line, const Settings& settings) {
@@ -55,6 +58,11 @@ int run_watch(const CommandLine& line, const Settings& settings) {
     const WatchEnd once = line.leaves_tapestries ? WatchEnd::analysed : WatchEnd::woven;
     return watch_media(
         settings, [&line] { return line.options.settings(); }, line.is_once ? once : WatchEnd::never);
+}
+
+int run_set_words(const CommandLine& line, const Settings& settings) {
+    set_words(line.words, settings);
+    return EXIT_SUCCESS;
 }
 
 void add_analyze(CLI::App& command, CommandLine& line) {
@@ -108,6 +116,10 @@ void add_weave(CLI::App& command, CommandLine& line) {
         ->check(CLI::Range(0, 256));
 }
 
+void add_set_words(CLI::App& command, CommandLine& line) {
+    command.add_option("TEXT", line.words, "A line each")->required();
+}
+
 void add_watch(CLI::App& command, CommandLine& line) {
     CLI::Option* once = command.add_flag(
         "--once", line.is_once, "Ends as soon as the catalogue is up to date and all tapestries are woven");
@@ -128,6 +140,7 @@ constexpr std::array commands{
             run_thumbnail},
     Command{"explain", "Draws how the regions of one file came about", add_explain, run_explain},
     Command{"weave", "Weaves the tapestry of one film", add_weave, run_weave},
+    Command{"set-words", "Sets words as pictures, which the wall shows", add_set_words, run_set_words},
     Command{"watch", "Keeps the catalogue up to date with the media folder", add_watch, run_watch},
 };
 

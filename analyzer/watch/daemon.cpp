@@ -1,5 +1,6 @@
 #include "analyzer/watch/daemon.hpp"
 
+#include "analyzer/lettering/folder_words.hpp"
 #include "analyzer/status/plain_text.hpp"
 #include "analyzer/status/status_text.hpp"
 #include "analyzer/watch/fault_record.hpp"
@@ -13,6 +14,7 @@
 #include <sys/epoll.h>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +28,8 @@ namespace {
 constexpr auto remote_rescan = 10s;    // the kernel reports nothing of a network share
 constexpr auto offline_rescan = 5s;    // until the media folder is there
 constexpr auto unreachable_rest = 1s;  // until an unreachable file is looked at again
-constexpr auto weave_patience = 48h;   // a level may take hours without a sign of progress
+constexpr std::size_t words_a_child = 50;
+constexpr auto weave_patience = 48h;  // a level may take hours without a sign of progress
 
 constexpr const char* next_rescan = "rescan of the media folder";
 constexpr const char* next_look = "look at a settling file";
@@ -102,6 +105,23 @@ bool read_outdated_file(const FileStates& states, Schedule& schedule) {
                                [&](const std::string& path) { return schedule.analyse_again(path); });
 }
 
+std::vector<std::string> extended(std::vector<std::string> command, std::span<const std::string> arguments) {
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return command;
+}
+
+/// Has the names of these files' folders set as pictures, some at a time.
+void request_words(MissingPictures& pictures, const WatchOptions& options,
+                   std::span<const std::string> paths) {
+    if (options.words_child.empty()) return;
+    const std::vector<std::string> words = lacking_folder_names(paths, options.state);
+    for (std::span<const std::string> rest(words); !rest.empty();) {
+        const auto now_set = rest.first(std::min(rest.size(), words_a_child));
+        pictures.request(extended(options.words_child, now_set));
+        rest = rest.subspan(now_set.size());
+    }
+}
+
 /// True if the network has seen the photo as it is.
 bool is_refined(const std::optional<MediaRecord>& known, const FileFacts& facts) {
     return known && known->bytes == facts.bytes && known->mtime_ns == facts.mtime_ns &&
@@ -141,7 +161,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
                  .ended = [this](const FileFacts& facts,
                                  const AnalysisOutcome& outcome) { finish_analysis(facts, outcome); }}),
       status_(loop, options.root, options.status_folder, options.state, [this] { return report(); }),
-      thumbnails_(loop, options.thumbnail_child, options.analysis.limits, [this] { status_.touch(); }) {
+      pictures_(loop, options.analysis.limits, [this] { wake_.arm(0s); }) {
     events_ = loop_.watch(follower_.fd(), EPOLLIN, [this](std::uint32_t) {
         attempt([this] {
             if (follower_.read_events(now())) rescan();
@@ -188,7 +208,10 @@ void Daemon::rescan() {
     book_.retry_writes();
     quarantine_suspects();
     end_quarantines();
-    book_.sweep(schedule_.paths_below(""));
+    const std::vector<std::string> paths = schedule_.paths_below("");
+    book_.sweep(paths);
+    if (is_online()) remove_other_words(paths, options_.state);
+    request_words(pictures_, options_, paths);
     follow_hints();
     std::chrono::milliseconds interval = options_.rescan;
     if (follower_.folder().is_remote())
@@ -266,6 +289,7 @@ void Daemon::advance() {
     if (!schedule_.is_idle()) return;
     if (!options_.is_once) return request_thumbnails();
     if (is_online() && (refiner_.backlog() > 0 || (options_.weaves && !weaver_.is_idle()))) return;
+    if (!pictures_.is_idle()) return;
     book_.sweep(schedule_.paths_below(""));
     status_.write();
     loop_.quit();
@@ -293,6 +317,7 @@ void Daemon::perform(const Action& action) {
         if (!book_.move(action.from, action.path))
             return log::warning("renamed, but its record is missing: '{}'", action.path);
         hint_files_.read_soon();  // the new name may say something else
+        request_words(pictures_, options_, std::array{action.path});
         return log::info("renamed: '{}' to '{}'", action.from, action.path);
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
@@ -315,6 +340,7 @@ void Daemon::start_analysis(const Action& action) {
     outputs.network = !options_.refine.empty() && is_refined(book_.record(action.path), action.facts);
     std::vector<std::string> arguments = arguments_for(outputs);
     arguments.push_back(follower_.folder().absolute(action.path).string());
+    request_words(pictures_, options_, std::array{action.path});
     book_.begin_analysis(action.path, action.facts);
     try {
         analyses_.start(action.path, action.facts, arguments);
@@ -386,10 +412,10 @@ void Daemon::log_record(const MediaRecord& record) {
 }
 
 void Daemon::request_thumbnails() {
-    std::vector<std::string> files;
+    if (!is_online() || options_.thumbnail_child.empty()) return;
     for (const std::string& path : status_.lacking())
-        files.push_back(follower_.folder().absolute(path).string());
-    if (is_online()) thumbnails_.request(files);
+        pictures_.request_once(
+            extended(options_.thumbnail_child, std::array{follower_.folder().absolute(path).string()}));
 }
 
 std::string Daemon::status() const {

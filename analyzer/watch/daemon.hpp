@@ -6,7 +6,7 @@
 #include "analyzer/watch/folder_follower.hpp"
 #include "analyzer/watch/hint_files.hpp"
 #include "analyzer/watch/liveness.hpp"
-#include "analyzer/watch/missing_thumbnails.hpp"
+#include "analyzer/watch/missing_pictures.hpp"
 #include "analyzer/watch/schedule.hpp"
 #include "analyzer/watch/watch_options.hpp"
 #include "analyzer/watch/weaver.hpp"
@@ -71,7 +71,7 @@ class Daemon {
     FileBook book_;
     Analyses analyses_;
     StatusWriter status_;
-    MissingThumbnails thumbnails_;
+    MissingPictures pictures_;
     EventLoop::Source events_, wake_, rescan_;
 };
 

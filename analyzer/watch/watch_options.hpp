@@ -18,8 +18,9 @@ struct WatchOptions {
     std::filesystem::path root;       // the media folder
     std::filesystem::path catalogue;  // the directory of records
     std::filesystem::path store;
-    std::filesystem::path state;               // hints.json, status.json, thumbnails/ and wall.jpg
-    std::vector<std::string> thumbnail_child;  // see MissingThumbnails
+    std::filesystem::path state;               // hints.json, status.json, thumbnails/, words/ and wall.jpg
+    std::vector<std::string> thumbnail_child;  // makes a thumbnail; the file is appended. Empty: none is made
+    std::vector<std::string> words_child;      // sets words; they are appended. Empty: none are set
     std::string status_folder;                 // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;

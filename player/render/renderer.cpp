@@ -63,6 +63,8 @@ void Renderer::draw(const Frame& frame) {
         else
             cells_.draw(run, moved, is_on_pixels);
     }
+    if (!words_ && !frame.words.empty()) words_.emplace();
+    if (words_) words_->draw(frame.words, moved);
     glBindVertexArray(0);
     cells_.drop_old();
     if (zooms_) zooms_->drop_old();

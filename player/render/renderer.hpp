@@ -5,6 +5,7 @@
 #include "player/render/idle_picture.hpp"
 #include "player/render/uploaded_pictures.hpp"
 #include "player/render/view.hpp"
+#include "player/render/word_layer.hpp"
 #include "player/render/zoom_layer.hpp"
 #include "player/scene/frame.hpp"
 
@@ -59,6 +60,7 @@ class Renderer {
     IdlePicture idle_;
     CellLayer cells_;
     std::optional<ZoomLayer> zooms_;  // made when first needed
+    std::optional<WordLayer> words_;  // made when first needed
 };
 
 }  // namespace vitrine::player

@@ -2,6 +2,7 @@
 
 #include "base/geometry/box.hpp"
 #include "player/layout/cells/cells.hpp"
+#include "player/words/word_item.hpp"
 #include "player/scene/zoom_mesh.hpp"
 
 #include <chrono>
@@ -32,8 +33,9 @@ struct Frame {
     Vec2 canvas;  // px
     Vec2 view;    // canvas point at the top left, px; moves if the wall is wider than the screen
     std::vector<DrawItem> items;
-    std::vector<Box> covered;  // canvas px: boxes that the items cover completely, if all can be drawn
-    double idle = 0;           // opacity of the idle picture drawn first, in [0, 1]
+    std::vector<WordItem> words;  // above all items
+    std::vector<Box> covered;     // canvas px: boxes that the items cover completely, if all can be drawn
+    double idle = 0;              // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };
 

@@ -774,6 +774,31 @@ TEST_CASE("thumbnails that the status page lacks are made when nothing else is t
     CHECK(tried() == "a.jpg\n");
 }
 
+TEST_CASE("names of folders are set as pictures, also for folders that come later, and once before the end") {
+    House house;
+    const fs::path setter =
+        house.home.write("set.sh", "for text; do printf '%s;' \"$text\" >> \"$0.log\"; done\n");
+    const auto set = [&] {
+        std::ifstream log(setter.string() + ".log");
+        return std::string(std::istreambuf_iterator<char>(log), {});
+    };
+    house.drop("Trips/Rome/a.jpg");
+    WatchOptions options = house.options();
+    options.words_child = {"/bin/sh", setter.string()};
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    CHECK(house.comes_true([&] { return set() == "Rome;Trips;"; }));
+    house.drop("Oslo/a.jpg");
+    CHECK(house.comes_true([&] { return set() == "Rome;Trips;Oslo;"; }));
+    house.daemon.reset();
+
+    options.is_once = true;
+    options.words_child = {"/bin/sh", house.home.write("again.sh", "sleep 0.3; touch \"$0.log\"\n").string()};
+    house.daemon.reset();
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    house.loop.run();
+    CHECK(fs::exists(house.home.path / "again.sh.log"));
+}
+
 TEST_CASE("a film is asked for its sound where names or folders say so, be it afterwards") {
     House house;
     house.max_stored = 1000;

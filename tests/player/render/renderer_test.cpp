@@ -73,6 +73,32 @@ TEST_CASE("blue first is drawn as red first, pixel for pixel, in another size, s
     }
 }
 
+TEST_CASE("words lie over the pictures, with their own opacity and the whole's") {
+    DrawnWall wall;
+    wall.add_two();
+    const auto half_white = [] {
+        WordPicture words{.width = 8, .height = 4, .rgba = {}};
+        for (int pixel = 0; pixel < 32; ++pixel)
+            for (const int channel : {255, 255, 255, pixel % 8 < 4 ? 255 : 0})
+                words.rgba.push_back(static_cast<std::byte>(channel));
+        return std::make_shared<const WordPicture>(words);
+    }();
+    wall.frame.words = {{.picture = half_white, .place = {{20, 20}, {60, 40}}},
+                        {.picture = half_white, .place = {{120, 20}, {160, 40}}, .alpha = 0.5}};
+
+    const Picture picture = wall.shown();
+
+    CHECK(is_near(at(picture, 30, 30), {255, 255, 255}));
+    CHECK(is_near(at(picture, 50, 30), red));
+    CHECK(is_near(at(picture, 30, 10), red));
+    CHECK(is_near(at(picture, 130, 30), {137, 137, 227}));
+    CHECK(is_near(at(picture, 150, 30), blue));
+
+    wall.frame.words.clear();
+
+    CHECK(is_near(at(wall.shown(), 30, 30), red));
+}
+
 TEST_CASE("a drifting film moves against its drift under its cell") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});

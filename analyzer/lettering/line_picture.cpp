@@ -1,0 +1,132 @@
+#include "analyzer/lettering/line_picture.hpp"
+
+#include "base/system/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <glib.h>
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace vitrine::analyzer {
+
+namespace {
+
+struct CairoFree {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+};
+
+struct PangoFree {
+    void operator()(PangoLayout* layout) const { g_object_unref(layout); }
+
+    void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
+
+    void operator()(char* text) const { g_free(text); }
+};
+
+using Surface = std::unique_ptr<cairo_surface_t, CairoFree>;
+using Cairo = std::unique_ptr<cairo_t, CairoFree>;
+using LinePtr = std::unique_ptr<PangoLayout, PangoFree>;
+
+Surface new_surface(int width, int height) {
+    return Surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+}
+
+std::string one_line(std::string_view text) {
+    const std::unique_ptr<char, PangoFree> valid(
+        g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
+    std::string line = valid.get();
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+    std::ranges::replace_if(line, is_control, ' ');
+    return line;
+}
+
+LinePtr line_of(cairo_t* cairo, const std::string& text, const LineStyle& style) {
+    LinePtr line(pango_cairo_create_layout(cairo));
+    const std::unique_ptr<PangoFontDescription, PangoFree> font(pango_font_description_from_string("Sans"));
+    pango_font_description_set_absolute_size(font.get(), style.letters * PANGO_SCALE);
+    pango_layout_set_font_description(line.get(), font.get());
+    pango_layout_set_single_paragraph_mode(line.get(), TRUE);
+    pango_layout_set_text(line.get(), text.c_str(), static_cast<int>(text.size()));
+    return line;
+}
+
+/// The width of the letters, px. A line that is too long gets an ellipsis.
+int fit(PangoLayout* line, int max_width) {
+    int width = 0;
+    pango_layout_get_pixel_size(line, &width, nullptr);
+    if (width <= max_width) return width;
+    pango_layout_set_ellipsize(line, PANGO_ELLIPSIZE_END);
+    pango_layout_set_width(line, max_width * PANGO_SCALE);
+    pango_layout_get_pixel_size(line, &width, nullptr);
+    return width;
+}
+
+void draw_plate(cairo_t* cairo, double width, const LineStyle& style) {
+    using std::numbers::pi;
+    const double high = style.height;
+    const double corner = high / 4;
+    cairo_new_sub_path(cairo);
+    cairo_arc(cairo, width - corner, corner, corner, -pi / 2, 0);
+    cairo_arc(cairo, width - corner, high - corner, corner, 0, pi / 2);
+    cairo_arc(cairo, corner, high - corner, corner, pi / 2, pi);
+    cairo_arc(cairo, corner, corner, corner, pi, 3 * pi / 2);
+    cairo_close_path(cairo);
+    cairo_set_source_rgba(cairo, 0, 0, 0, style.shade);
+    cairo_fill(cairo);
+}
+
+/// Writes the line with its ink in the plate's middle: letters of all scripts stand inside.
+void draw_letters(cairo_t* cairo, PangoLayout* line, const LineStyle& style) {
+    PangoRectangle logical;
+    pango_layout_get_pixel_extents(line, nullptr, &logical);
+    const double room = style.height;
+    const double shrink = std::min(1.0, room / std::max(1, logical.height));
+    cairo_translate(cairo, style.side, (room - logical.height * shrink) / 2);
+    cairo_scale(cairo, shrink, shrink);
+    cairo_translate(cairo, -logical.x, -logical.y);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    pango_cairo_show_layout(cairo, line);
+}
+
+/// Cairo calls this with each part of a PNG.
+cairo_status_t append(void* content, const unsigned char* bytes, unsigned length) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): PNG's bytes as text
+    static_cast<std::string*>(content)->append(reinterpret_cast<const char*>(bytes), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+std::string png_of(cairo_surface_t* surface, const std::filesystem::path& file) {
+    std::string content;
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface, &append, &content);
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error(
+            fmt::format("draw the words of '{}': {}", file.string(), cairo_status_to_string(status)));
+    return content;
+}
+
+}  // namespace
+
+void write_line_picture(std::string_view text, const std::filesystem::path& file, const LineStyle& style) {
+    const std::string shown = one_line(text);
+    const Surface probe = new_surface(1, 1);
+    const Cairo measure(cairo_create(probe.get()));
+    const int letters = fit(line_of(measure.get(), shown, style).get(), style.max_width);
+    const int width = letters + 2 * style.side;
+    const Surface surface = new_surface(width, style.height);
+    const Cairo cairo(cairo_create(surface.get()));
+    draw_plate(cairo.get(), width, style);
+    const LinePtr line = line_of(cairo.get(), shown, style);
+    fit(line.get(), style.max_width);
+    draw_letters(cairo.get(), line.get(), style);
+    cairo_surface_flush(surface.get());
+    replace_file(file, png_of(surface.get(), file));
+}
+
+}  // namespace vitrine::analyzer

@@ -1,0 +1,53 @@
+#include "analyzer/lettering/set_words.hpp"
+
+#include "analyzer/lettering/line_picture.hpp"
+#include "base/state/word_picture.hpp"
+#include "base/system/error.hpp"
+#include "base/system/sandbox.hpp"
+#include "base/system/unique_fd.hpp"
+
+#include <fcntl.h>
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+namespace vitrine::analyzer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Fonts, what tells where they are, and where Thai words end.
+constexpr std::array readable_folders{"/etc/fonts",
+                                      "/usr/share/fontconfig",
+                                      "/usr/share/fonts",
+                                      "/usr/local/share/fonts",
+                                      "/var/cache/fontconfig",
+                                      "/usr/share/libthai"};
+
+void enter_font_sandbox(const fs::path& folder) {
+    const UniqueFd written(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!written.is_open()) throw_errno("open '{}'", folder.string());
+    std::vector<UniqueFd> held;
+    SandboxRules rules{.readable = {}, .writable = {written.get()}};
+    for (const char* name : readable_folders) {
+        UniqueFd fonts(::open(name, O_PATH | O_DIRECTORY | O_CLOEXEC));
+        if (!fonts.is_open()) continue;
+        rules.readable.push_back(fonts.get());
+        held.push_back(std::move(fonts));
+    }
+    enter_sandbox(rules);
+}
+
+}  // namespace
+
+void set_words(std::span<const std::string> texts, const Settings& settings) {
+    const fs::path state = settings.state.directory;
+    fs::create_directories(word_folder(state));
+    enter_font_sandbox(word_folder(state));
+    for (const std::string& text : texts)
+        write_line_picture(text, word_picture(state, text));
+}
+
+}  // namespace vitrine::analyzer

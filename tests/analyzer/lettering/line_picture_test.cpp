@@ -1,0 +1,128 @@
+#include "analyzer/lettering/line_picture.hpp"
+
+#include "analyzer/lettering/set_words.hpp"
+#include "base/state/word_picture.hpp"
+#include "tests/temporary_directory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cairo/cairo.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <string>
+
+using namespace vitrine;
+using namespace vitrine::analyzer;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A picture of words as it lies on a white picture: the hardest ground for white letters.
+struct OnWhite {
+    explicit OnWhite(const fs::path& file)
+        : surface(cairo_image_surface_create_from_png(file.c_str()), &cairo_surface_destroy),
+          width(cairo_image_surface_get_width(surface.get())),
+          height(cairo_image_surface_get_height(surface.get())) {
+        REQUIRE(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS);
+    }
+
+    /// In [0, 1].
+    double grey(int x, int y) const {
+        std::uint32_t argb = 0;
+        std::memcpy(&argb,
+                    cairo_image_surface_get_data(surface.get()) +
+                        static_cast<std::ptrdiff_t>(y) * cairo_image_surface_get_stride(surface.get()) +
+                        4L * x,
+                    sizeof(argb));
+        return ((argb & 0xFFU) + (255 - (argb >> 24U))) / 255.0;
+    }
+
+    std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface;
+    int width;
+    int height;
+};
+
+/// WCAG 2.1, relative luminance of a grey.
+double luminance(double grey) {
+    return grey <= 0.04045 ? grey / 12.92 : std::pow((grey + 0.055) / 1.055, 2.4);
+}
+
+/// The columns in which letters are seen.
+std::set<int> inked_columns(const OnWhite& words) {
+    std::set<int> inked;
+    for (int x = words.height / 4; x < words.width - words.height / 4; ++x)
+        for (int y = 0; y < words.height; ++y)
+            if (words.grey(x, y) > 0.9) inked.insert(x);
+    return inked;
+}
+
+OnWhite set(const TemporaryDirectory& home, std::string_view text) {
+    const fs::path file = home.path / "words.png";
+    write_line_picture(text, file);
+    return OnWhite(file);
+}
+
+}  // namespace
+
+TEST_CASE("letters on the plate have a contrast of 4.5 : 1 over white") {
+    const TemporaryDirectory home;
+    const OnWhite words = set(home, "Holidays");
+    double lightest = 0;
+    double darkest = 1;
+    for (int x = words.height / 2; x < words.width - words.height / 2; ++x)
+        for (int y = words.height / 8; y < words.height * 7 / 8; ++y) {
+            lightest = std::max(lightest, words.grey(x, y));
+            darkest = std::min(darkest, words.grey(x, y));
+        }
+    CHECK((luminance(lightest) + 0.05) / (luminance(darkest) + 0.05) >= 4.5);
+    CHECK(inked_columns(words).size() > 100);
+}
+
+TEST_CASE("letters keep clear of the plate's edges, and long lines end in time") {
+    const TemporaryDirectory home;
+    const OnWhite high = set(home, "ÅÇgjpqy|");
+    for (int x = high.height / 4; x < high.width - high.height / 4; ++x) {
+        CHECK(high.grey(x, 0) < 0.9);
+        CHECK(high.grey(x, high.height - 1) < 0.9);
+    }
+    const OnWhite wide = set(home, std::string(200, 'W'));
+    CHECK(wide.width <= LineStyle{}.max_width + 2 * LineStyle{}.side);
+    CHECK(wide.width > LineStyle{}.max_width / 2);
+}
+
+TEST_CASE("any bytes can be set") {
+    const TemporaryDirectory home;
+    for (const std::string_view text : {"\xff\xfe", "a\nb", "", "<b>&amp;", "ܫܠܡܐ", "שלום", "日本", "🎉"}) {
+        CAPTURE(text);
+        CHECK(set(home, text).height == LineStyle{}.height);
+    }
+    CHECK(inked_columns(set(home, "a\nb")).size() == inked_columns(set(home, "a b")).size());
+    CHECK(inked_columns(set(home, "<b>")).size() > 40);
+}
+
+TEST_CASE("words are set in a sandbox that reads fonts and writes pictures only") {
+    const TemporaryDirectory home;
+    Settings settings;
+    settings.state.directory = (home.path / "state").string();
+    const fs::path secret = home.write("secret", "x");
+    const pid_t child = fork();
+    if (child == 0) {
+        set_words(std::array<std::string, 2>{"Holidays", "שלום"}, settings);
+        const bool reaches = ::access(secret.c_str(), F_OK) == 0 && fopen(secret.c_str(), "r") != nullptr;
+        const bool starts = fork() >= 0;
+        _exit(reaches ? 3 : starts ? 4 : 0);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WEXITSTATUS(status) == 0);
+    const OnWhite words(word_picture(home.path / "state", "Holidays"));
+    CHECK(inked_columns(words).size() > 100);
+    CHECK(fs::exists(word_picture(home.path / "state", "שלום")));
+}
