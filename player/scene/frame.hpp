@@ -2,8 +2,8 @@
 
 #include "base/geometry/box.hpp"
 #include "player/layout/cells/cells.hpp"
-#include "player/words/word_item.hpp"
 #include "player/scene/zoom_mesh.hpp"
+#include "player/words/word_item.hpp"
 
 #include <chrono>
 #include <cstdint>
