@@ -43,11 +43,6 @@ void drop_shot_before(std::vector<Sample>& samples, std::chrono::nanoseconds beg
     }
 }
 
-double overlap(const Box& a, const Box& b) {
-    const double both = intersection(a, b).area();
-    return both > 0 ? both / (a.area() + b.area() - both) : 0;
-}
-
 bool has_face_at(std::span<const Face> faces, const Box& box) {
     return std::any_of(faces.begin(), faces.end(),
                        [&](const Face& face) { return overlap(face.box, box) >= same_face; });

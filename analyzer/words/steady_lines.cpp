@@ -8,12 +8,6 @@ namespace {
 
 constexpr double same_line = 0.5;  // intersection over union of one line in two searches
 
-double overlap(const Box& a, const Box& b) {
-    const Box both = intersection(a, b);
-    if (both.is_empty()) return 0;
-    return both.area() / (a.area() + b.area() - both.area());
-}
-
 bool has_line(const LineSearch& search, const Box& line) {
     return std::ranges::any_of(search.lines,
                                [&](const Box& other) { return overlap(line, other) >= same_line; });

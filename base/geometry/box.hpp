@@ -29,6 +29,12 @@ inline Box intersection(const Box& a, const Box& b) {
             {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
+/// Intersection over union, in [0, 1].
+inline double overlap(const Box& a, const Box& b) {
+    const double both = intersection(a, b).area();
+    return both > 0 ? both / (a.area() + b.area() - both) : 0;
+}
+
 inline Box united(const Box& a, const Box& b) {
     return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
             {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};

@@ -39,18 +39,9 @@ std::string fault_in(std::string_view key, const toml::node& node, Hints& hints)
 
 HintFile read_hints(std::string_view toml, const std::string& source) {
     HintFile file;
-    const auto add_fault = [&](unsigned line, const std::string& what) {
-        if (!what.empty()) file.faults.push_back(fmt::format("{}:{}: {}", source, line, what));
-    };
-    toml::table root;
-    try {
-        root = toml_table(toml, source);
-    } catch (const TomlError& error) {
-        add_fault(error.line, error.what());
-        return file;
-    }
-    for (const auto& [key, node] : root)
-        add_fault(node.source().begin.line, fault_in(key, node, file.hints));
+    file.faults = faults_in_keys(toml, source, [&](std::string_view key, const toml::node& node) {
+        return fault_in(key, node, file.hints);
+    });
     return file;
 }
 

@@ -101,20 +101,11 @@ bool is_struck(const KeyframeChoice& choice, nanoseconds moment) {
 
 KeyframeFile read_keyframe_choice(std::string_view toml, const std::string& source) {
     KeyframeFile file;
-    const auto add_fault = [&](unsigned line, const std::string& what) {
-        if (!what.empty()) file.faults.push_back(fmt::format("{}:{}: {}", source, line, what));
-    };
-    toml::table root;
-    try {
-        root = toml_table(toml, source);
-    } catch (const TomlError& error) {
-        add_fault(error.line, error.what());
-        return file;
-    }
-    for (const auto& [key, node] : root)
-        add_fault(node.source().begin.line, fault_in_choice(key, node, file.choice));
+    file.faults = faults_in_keys(toml, source, [&](std::string_view key, const toml::node& node) {
+        return fault_in_choice(key, node, file.choice);
+    });
     if (file.choice.is_only && file.choice.keyframes.empty()) {
-        add_fault(1, "'only' needs keyframes");
+        file.faults.push_back(source + ":1: 'only' needs keyframes");
         file.choice.is_only = false;
     }
     return file;

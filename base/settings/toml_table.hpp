@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Texts like "[=show]" break conditions that the parser asserts. Here such a broken assertion becomes an
 // error about the text. With NDEBUG the parser ignores TOML_ASSERT and assumes that these cases are
@@ -35,5 +37,13 @@ struct TomlError : std::runtime_error {
 /// Parses TOML. Nothing else calls toml++. @param source  name of the text in toml++'s places
 /// @throws TomlError
 toml::table toml_table(std::string_view text, const std::string& source);
+
+/// Reads each key of a TOML text by itself, so that a fault in one does not affect the others.
+/// @param source  name of the text
+/// @param read    reads one key and returns its fault; empty: it has none
+/// @return        the faults, each with source and line; one if the text is no TOML
+std::vector<std::string>
+faults_in_keys(std::string_view text, const std::string& source,
+               const std::function<std::string(std::string_view key, const toml::node& node)>& read);
 
 }  // namespace vitrine
