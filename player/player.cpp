@@ -1,6 +1,7 @@
 #include "player/player.hpp"
 
 #include "base/media/still_picture.hpp"
+#include "base/settings/dates.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -70,7 +71,8 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     make_display();
     const std::filesystem::path state = settings.state.directory;
     const Rehearsal* rehearsal = options_.rehearsal ? &*options_.rehearsal : nullptr;
-    files_ = std::make_unique<VisibleFiles>(loop_, state, rehearsal, [this] { give_files(); });
+    files_ = std::make_unique<VisibleFiles>(loop_, state, *dates_named(settings.show.holidays), rehearsal,
+                                            [this] { give_files(); });
     make_sources();
     stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures());
     if (!is_paced_by_pictures() && !settings.output.sound.empty())

@@ -1,5 +1,7 @@
 #include "base/hints/hint_times.hpp"
 
+#include "base/settings/dates.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,16 +11,6 @@ namespace vitrine {
 namespace {
 
 constexpr int minutes_of_day = 24 * 60;
-
-/// Parses exactly `digits` digits.
-std::optional<int> digits_named(std::string_view text, std::size_t digits) {
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    if (text.size() != digits || !std::all_of(text.begin(), text.end(), is_digit)) return std::nullopt;
-    int value = 0;
-    for (const char c : text)
-        value = value * 10 + (c - '0');
-    return value;
-}
 
 struct DayTime {
     int minutes = 0;
@@ -38,19 +30,6 @@ std::optional<DayTime> time_named(std::string_view text) {
 }
 
 }  // namespace
-
-std::optional<std::chrono::local_days> date_named(std::string_view text) {
-    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
-    const auto year = digits_named(text.substr(0, 4), 4);
-    const auto month = digits_named(text.substr(5, 2), 2);
-    const auto day = digits_named(text.substr(8, 2), 2);
-    if (!year || !month || !day) return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(*year),
-                                           std::chrono::month(static_cast<unsigned>(*month)),
-                                           std::chrono::day(static_cast<unsigned>(*day))};
-    if (!date.ok()) return std::nullopt;
-    return std::chrono::local_days(date);
-}
 
 std::optional<Period> period_named(std::string_view text) {
     const std::size_t dots = text.find("..");

@@ -9,9 +9,6 @@ namespace vitrine {
 
 // Periods and hours as text.
 
-/// Parses "2026-12-24". @return  none: there is no such date
-std::optional<std::chrono::local_days> date_named(std::string_view text);
-
 /// Parses "2026-12-01..2026-12-24", "2026-12-01.." or "..2026-12-24".
 /// @return  none: another text, a date that does not exist, or the first date is after the last
 std::optional<Period> period_named(std::string_view text);

@@ -1,6 +1,7 @@
 #include "base/hints/hint_words.hpp"
 
 #include "base/hints/hint_times.hpp"
+#include "base/settings/dates.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,32 @@ constexpr HintWord hours_word{
         [](const Hints& h) { return "from " + to_text(h.hours->from) + " to " + to_text(h.hours->to); },
     .merge = &merge<&Hints::hours>};
 
+/// Days are a hint if they cannot be a part of the name: "Mo-Fr", "Sat,Sun". A single day is one if a period
+/// or hours follow, and also, with its whole name, as the whole name of a folder.
+bool read_weekdays(Hints& hints, std::string_view word, NameWords& words) {
+    if (words.part == NamePart::file && is_digit(word.front())) return false;
+    if (is_doubtful_weekday(word)) {
+        constexpr std::size_t whole_name = 6;  // letters of the shortest
+        NameWords after = words;
+        const std::string_view next = after.next();
+        const bool is_timed = period_named(next) || hours_named(next);
+        const bool is_all = next.empty() && words.part == NamePart::folder && word.size() >= whole_name;
+        if (!is_timed && !is_all) return false;
+    }
+    return said(hints.weekdays, weekdays_named(word));
+}
+
+constexpr HintWord weekdays_word{
+    .key = "weekdays",
+    .allowed = R"(days like "Mo-Fr", "Sat,Sun" or "1-5")",
+    .assign = [](Hints& h, const HintValue& v) { return assigned(h.weekdays, weekdays_named(text_in(v))); },
+    .value = [](const Hints& h) -> std::optional<HintValue> {
+        return h.weekdays ? std::optional(to_text(*h.weekdays)) : std::nullopt;
+    },
+    .read = &read_weekdays,
+    .in_words = [](const Hints& h) { return "on " + in_words(*h.weekdays); },
+    .merge = &merge<&Hints::weekdays>};
+
 std::optional<std::chrono::seconds> seconds_of(std::optional<int> number) {
     return number ? std::optional(std::chrono::seconds(*number)) : std::nullopt;
 }
@@ -172,7 +199,7 @@ constexpr HintWord sound_word{
     .in_words = [](const Hints& h) { return std::string(*h.sound ? "with sound" : "without sound"); },
     .merge = &merge<&Hints::sound>};
 
-constexpr std::array table{period_word, hours_word, seconds_word, repeat_word, sound_word};
+constexpr std::array table{period_word, weekdays_word, hours_word, seconds_word, repeat_word, sound_word};
 
 /// Removes the hints that a name begins with, and returns them.
 Hints read_hints(NameWords& words) {

@@ -16,16 +16,22 @@ std::optional<std::chrono::local_days> day_of(const std::optional<Hours>& hours,
     return std::nullopt;
 }
 
+bool is_within(const Period& period, std::chrono::local_days day) {
+    return (!period.first || day >= *period.first) && (!period.last || day <= *period.last);
+}
+
+bool is_on(Weekdays weekdays, std::chrono::local_days day, const Holidays& holidays) {
+    return weekdays.contains(holidays.contains(day) ? std::chrono::Sunday : std::chrono::weekday(day));
+}
+
 }  // namespace
 
-bool is_open(const Hints& hints, std::optional<std::chrono::local_seconds> now) {
+bool is_open(const Hints& hints, std::optional<std::chrono::local_seconds> now, const Holidays& holidays) {
     if (!hints.is_scheduled()) return true;
     if (!now) return false;
     const auto day = day_of(hints.hours, *now);
-    if (!day) return false;
-    if (!hints.period) return true;
-    return (!hints.period->first || *day >= *hints.period->first) &&
-           (!hints.period->last || *day <= *hints.period->last);
+    return day && (!hints.period || is_within(*hints.period, *day)) &&
+           (!hints.weekdays || is_on(*hints.weekdays, *day, holidays));
 }
 
 }  // namespace vitrine

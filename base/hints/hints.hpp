@@ -1,7 +1,10 @@
 #pragma once
 
+#include "base/hints/weekdays.hpp"
+
 #include <chrono>
 #include <optional>
+#include <set>
 
 namespace vitrine {
 
@@ -27,19 +30,24 @@ struct Hours {
 struct Hints {
     std::optional<Period> period;
     std::optional<Hours> hours;
+    std::optional<Weekdays> weekdays;
     std::optional<std::chrono::seconds> dwell;  // time on the wall
     std::optional<int> repeat;                  // turns in a round, compared with other files
     std::optional<bool> sound;
 
     bool operator==(const Hints&) const = default;
 
-    bool is_scheduled() const { return period || hours; }
+    bool is_scheduled() const { return period || hours || weekdays; }
 };
+
+/// Days that count as Sundays.
+using Holidays = std::set<std::chrono::local_days>;
 
 /// Tells if a file with these hints may be shown now. All times are local civil time: hours that daylight
 /// saving repeats count twice, and hours that it skips never come. Hours over midnight belong to the day on
 /// which they start.
 /// @param now  none: the time is not known; then no file with a schedule may be shown
-bool is_open(const Hints& hints, std::optional<std::chrono::local_seconds> now);
+bool is_open(const Hints& hints, std::optional<std::chrono::local_seconds> now,
+             const Holidays& holidays = {});
 
 }  // namespace vitrine

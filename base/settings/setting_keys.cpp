@@ -1,6 +1,7 @@
 #include "base/settings/setting_keys.hpp"
 
 #include "base/media/colour.hpp"
+#include "base/settings/dates.hpp"
 #include "base/settings/output_words.hpp"
 
 #include <algorithm>
@@ -276,6 +277,14 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Speed of a wall with layout.mode = \"pan\", in screen pixels a second."},
     {"show.background", text<&S::show, &S::Show::background>("a colour like \"#101014\"", is_colour),
      SettingEffect::restart, "Colour behind pictures that have transparent parts."},
+    {"show.holidays",
+     text<&S::show, &S::Show::holidays>(
+         "dates like \"2026-12-25, 2026-12-26\", or nothing",
+         [](const std::string& value) { return dates_named(value).has_value(); }),
+     SettingEffect::restart,
+     "Dates that count as Sundays for hints of weekdays: on a holiday, what is hinted \"Mo-Fr\" is not "
+     "shown, "
+     "and what is hinted \"Sat,Sun\" is. \"2026-12-25, 2026-12-26\": these two."},
     {"input.devices",
      text<&S::input, &S::Input::devices>(
          "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",

@@ -90,6 +90,7 @@ struct Settings {
         bool photo_drift = false;  // photos move slowly inside their cells
         double pan_speed = 30;     // canvas px a second
         std::string background = "#101014";
+        std::string holidays;  // dates_named()
     } show;
 
     struct Input {

@@ -40,7 +40,7 @@ constexpr std::array words{
     Words{Visibility::dismissed, "dismissed", "removed by vitrinectl",
           "It was removed from the wall by vitrinectl, until the player restarts or the file changes", ": "},
     Words{Visibility::no_clock, "no_clock", "waiting for a plausible clock",
-          "It has a period or hours, and the machine's clock is not plausible yet", ": it is shown "},
+          "It has days or hours, and the machine's clock is not plausible yet", ": it is shown "},
     Words{Visibility::out_of_hours, "out_of_hours", "out of hours", "It is out of its hours",
           ": it is shown "},
     Words{Visibility::other_folder, "other_folder", "in the folder of another screen",

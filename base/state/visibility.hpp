@@ -21,8 +21,8 @@ enum class Visibility {
     not_rehearsed,   // the rehearsal says that it is absent
     held_back,       // it made the player crash, or is a suspect
     dismissed,       // vitrinectl took it off the wall
-    no_clock,        // it has a period or hours, but the clock is not plausible yet
-    out_of_hours,    // it has a period or hours, and now is outside
+    no_clock,        // it has days or hours, but the clock is not plausible yet
+    out_of_hours,    // it has days or hours, and now is outside
     other_folder,    // no connected screen shows its folder
     closed_folder,   // a visitor looks into another folder
     avoided,         // left out for a minute: it could not be played, or a visitor flicked it away

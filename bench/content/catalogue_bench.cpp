@@ -116,7 +116,8 @@ struct Figures {
 /// The main thread of a player.
 class MainThread {
   public:
-    explicit MainThread(const State& state) : files_(loop_, state.path(), nullptr, [this] { give_files(); }) {
+    explicit MainThread(const State& state)
+        : files_(loop_, state.path(), {}, nullptr, [this] { give_files(); }) {
         is_made_ = true;
         give_files();
     }

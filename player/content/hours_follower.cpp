@@ -5,13 +5,14 @@
 #include "base/system/log.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine::player {
 
 namespace fs = std::filesystem;
 
-HoursFollower::HoursFollower(const fs::path& state)
-    : file_(state / "hints.json"), calendar_(state / "catalogue") {}
+HoursFollower::HoursFollower(const fs::path& state, Holidays holidays)
+    : file_(state / "hints.json"), hours_(std::move(holidays)), calendar_(state / "catalogue") {}
 
 bool HoursFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {
     read_folders();
@@ -25,7 +26,11 @@ bool HoursFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {
 std::string HoursFollower::hours_of(const std::string& path) const {
     const ShowHints::Entry file = hours_.hints().find(path);
     if (!file) return {};
-    return in_words(Hints{.period = file->hints.period, .hours = file->hints.hours});
+    Hints times;
+    times.period = file->hints.period;
+    times.hours = file->hints.hours;
+    times.weekdays = file->hints.weekdays;
+    return in_words(times);
 }
 
 /// Reads the folders' hints; the analyzer replaces the file as a whole. If the file cannot be read, the hints
@@ -47,9 +52,9 @@ void HoursFollower::read_folders() {
 void HoursFollower::log_clock() {
     if (logged_time_ == has_time_) return;
     if (!has_time_)
-        log::warning("the clock is not plausible yet: files with a period or hours are not shown");
+        log::warning("the clock is not plausible yet: files with days or hours are not shown");
     else if (logged_time_)
-        log::info("the clock is plausible: files with a period or hours are shown at their time");
+        log::info("the clock is plausible: files with days or hours are shown at their time");
     logged_time_ = has_time_;
 }
 

@@ -17,8 +17,9 @@ namespace vitrine::player {
 /// files may be shown now. Logs.
 class HoursFollower {
   public:
-    /// @param state  the state directory
-    explicit HoursFollower(const std::filesystem::path& state);
+    /// @param state     the state directory
+    /// @param holidays  count as Sundays
+    HoursFollower(const std::filesystem::path& state, Holidays holidays);
 
     void set_files(const RecordList& files) { hours_.set_files(files); }
 
@@ -36,7 +37,7 @@ class HoursFollower {
     /// False: the clock is not plausible yet.
     bool has_time() const { return has_time_; }
 
-    /// "from 20:00 to 21:00"; empty: the file has neither a period nor hours.
+    /// "from 20:00 to 21:00"; empty: the file has no times.
     std::string hours_of(const std::string& path) const;
 
     const ShowHints& hints() const { return hours_.hints(); }

@@ -50,7 +50,7 @@ bool OpeningHours::advance(std::optional<std::chrono::local_seconds> now) {
             changed_.insert(path);
     std::set<std::string> closed;
     for (const auto& [path, hints] : scheduled_)
-        if (!vitrine::is_open(hints, now)) closed.insert(path);
+        if (!vitrine::is_open(hints, now, holidays_)) closed.insert(path);
     const bool is_other = is_new || is_time_other || closed != closed_;
     std::ranges::set_symmetric_difference(closed, closed_, std::inserter(changed_, changed_.end()));
     closed_ = std::move(closed);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -15,6 +16,9 @@ namespace vitrine::player {
 /// clock: the time is passed in.
 class OpeningHours {
   public:
+    /// @param holidays  count as Sundays
+    explicit OpeningHours(Holidays holidays = {}) : holidays_(std::move(holidays)) {}
+
     /// Reads the hints of files that came since the last call.
     void set_files(const RecordList& files);
 
@@ -34,16 +38,17 @@ class OpeningHours {
     /// The hints of the files that were set.
     const ShowHints& hints() const { return hints_; }
 
-    /// True: a file has a period or hours.
+    /// True: a file has days or hours.
     bool has_hours() const { return !scheduled_.empty(); }
 
   private:
     void set_hints(const std::string& path, const Hints& hints, ShowHints::Changes& changes);
 
+    Holidays holidays_;
     FolderHints folders_;
     RecordList files_;
     ShowHints hints_;
-    std::map<std::string, Hints> scheduled_;  // the files with a period or hours
+    std::map<std::string, Hints> scheduled_;  // the files with days or hours
     std::set<std::string> closed_;            // paths of the files that may not be shown now
     std::set<std::string> changed_;
     bool has_time_ = false;

@@ -68,12 +68,12 @@ void log_change(const CatalogueChange& change) {
 
 }  // namespace
 
-VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Rehearsal* rehearsal,
-                           std::function<void()> on_change)
+VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Holidays& holidays,
+                           const Rehearsal* rehearsal, std::function<void()> on_change)
     : rehearsal_(rehearsal),
       on_change_(std::move(on_change)),
       crash_note_(state),
-      hours_(state),
+      hours_(state, holidays),
       judged_([this](const MediaRecord& file) {
           FileVisibility judged = judge_file(file);
           if (may_be_shown(judged.visibility)) judged.visibility = judge_folder(content_, file.path);

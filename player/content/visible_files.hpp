@@ -47,10 +47,11 @@ class VisibleFiles {
     using Time = CrashNote::Time;
 
     /// @param state      the state directory
+    /// @param holidays   count as Sundays
     /// @param rehearsal  outlives this; none: there is no rehearsal
     /// @param on_change  called when other files may be shown; the first time by this constructor
-    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Rehearsal* rehearsal,
-                 std::function<void()> on_change);
+    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Holidays& holidays,
+                 const Rehearsal* rehearsal, std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
     const RecordList& records() const { return judged_.visible(); }

@@ -22,7 +22,7 @@ TEST_CASE("a fault names file, line and what is allowed, and what is right count
     for (const std::string& fault : file.faults)
         all += fault + "\n";
     CHECK(
-        all.find("summer/.vitrine.toml:2: there is no key 'huors'; there are period, hours, seconds, repeat, "
+        all.find("summer/.vitrine.toml:2: there is no key 'huors'; there are period, weekdays, hours, seconds, repeat, "
                  "sound\n") != std::string::npos);
     CHECK(
         all.find(

@@ -50,6 +50,37 @@ TEST_CASE("hours go over midnight and to the minute, with a point where a share 
     CHECK(file("12.00-14.00.jpg").hours == Hours{12h, 14h});
 }
 
+TEST_CASE("weekdays have English and German names, or numbers") {
+    const auto days = [](std::string_view name) { return folder(name).weekdays.value_or(Weekdays{}).days; };
+    CHECK(days("Mo-Fr menu") == 0b0011111);
+    CHECK(days("mon-fri_menu") == 0b0011111);
+    CHECK(days("Montag-Freitag") == 0b0011111);
+    CHECK(days("1-5 menu") == 0b0011111);
+    CHECK(days("Fr-Mo long weekend") == 0b1110001);
+    CHECK(days("Di,Do,Sonnabend market") == 0b0101010);
+    CHECK(days("Tu,Thu,Saturday market") == 0b0101010);
+    CHECK(days("Mo-Mi,Sa-So x") == 0b1100111);
+    CHECK(days("Mo-Fr 08-18 menu") == 0b0011111);
+    CHECK(folder("Mo-Fr 08-18 menu").hours == Hours{8h, 18h});
+    CHECK(file("Mo-Fr menu.jpg").weekdays == Weekdays{0b0011111});
+}
+
+TEST_CASE("a single day is a hint only where a time follows, or as the whole name of a folder") {
+    CHECK(folder("Sunday").weekdays == Weekdays{0b1000000});
+    CHECK(folder("Sun 10-18 brunch").weekdays == Weekdays{0b1000000});
+    CHECK(folder("So 2026-12-01..2026-12-24 market").weekdays == Weekdays{0b1000000});
+    CHECK(folder("Sun") == nothing);
+    CHECK(folder("Sunday in the park") == nothing);
+    CHECK(folder("Do it yourself") == nothing);
+    CHECK(folder("Mo-Mo x") == nothing);
+    CHECK(folder("Mo-Fri-Sa x") == nothing);
+    CHECK(folder("Mo, x") == nothing);
+    CHECK(folder("0-5 x") == nothing);
+    CHECK(folder("1,2 x") == nothing);
+    CHECK(file("Sunday.jpg") == nothing);
+    CHECK(file("1-5 menu.jpg") == nothing);
+}
+
 TEST_CASE("seconds, repetition and sound are words of their own") {
     CHECK(file("20s name.jpg").dwell == 20s);
     CHECK(file("3x_name.jpg").repeat == 3);

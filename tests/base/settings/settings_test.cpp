@@ -67,6 +67,9 @@ TEST_CASE("a wrong value names file, line and what is allowed") {
     CHECK(error_of("[output]\nscreen = \"offscreen:big\"\n").find("wall.toml:2") == 0);
     CHECK(error_of("[output]\nrotation = 45\n").find("0, 90, 180 or 270") != std::string::npos);
     CHECK(error_of("[show]\nbackground = \"black\"\n").find("#101014") != std::string::npos);
+    CHECK(error_of("[show]\nholidays = \"2026-12-25, 2026-02-30\"\n").find("2026-12-25") !=
+          std::string::npos);
+    CHECK(error_of("[show]\nholidays = \"2026-12-25, 2026-12-26\"\n").empty());
 }
 
 TEST_CASE("a section without a name is an error of the file, not of the program") {

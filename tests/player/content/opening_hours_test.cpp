@@ -55,6 +55,19 @@ TEST_CASE("files come and go at their hours, and the choice is new only then") {
     CHECK_FALSE(house.hours.is_open("18-08 night/b"));
 }
 
+TEST_CASE("files of weekdays come and go at midnight, and a holiday is a Sunday") {
+    House house;
+    house.hours = OpeningHours({std::chrono::local_days(std::chrono::year(2026) / 12 / 25)});
+    house.set_files({"Mo-Fr menu/a", "Sat,Sun brunch/b"});
+    CHECK(house.hours.advance(at(24, 23h)));  // a Thursday
+    CHECK(house.open() == Paths{"Mo-Fr menu/a"});
+    CHECK(house.hours.advance(at(25, 0h)));
+    CHECK(house.open() == Paths{"Sat,Sun brunch/b"});
+    CHECK_FALSE(house.hours.advance(at(26, 12h)));
+    CHECK(house.hours.advance(at(28, 0h)));
+    CHECK(house.open() == Paths{"Mo-Fr menu/a"});
+}
+
 TEST_CASE("without a clock only what is shown at any time is shown") {
     House house;
     house.set_files({"2020-01-01.. a", "b"});

@@ -34,7 +34,7 @@ struct House {
     }
 
     void open(const Rehearsal* rehearsal = nullptr) {
-        files.emplace(loop, state.path, rehearsal, [this] { ++changes; });
+        files.emplace(loop, state.path, Holidays{}, rehearsal, [this] { ++changes; });
     }
 
     /// Lets the player look a second later than the last time.
