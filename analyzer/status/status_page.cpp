@@ -102,6 +102,10 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
     if (files.size() < report.files.size())
         html += fmt::format("<p class=\"note\">{} of {} files are here; status.txt has all of them.</p>\n",
                             files.size(), report.files.size());
+    if (!report.inbox.empty()) html += fmt::format("<h2>{}</h2>\n<ul>\n", what_inbox_is);
+    for (const std::string& path : report.inbox)
+        html += fmt::format("<li class=\"wait\"><b>{}</b></li>\n", html_text(path));
+    if (!report.inbox.empty()) html += "</ul>\n";
     return html + "</body></html>\n";
 }
 

@@ -24,6 +24,7 @@ std::string status_json(const StatusReport& report) {
     return Json{{"version", version},
                 {"online", report.is_online},
                 {"remarks", report.remarks},
+                {"inbox", report.inbox},
                 {"files", std::move(files)}}
                .dump(-1, ' ', false, Json::error_handler_t::replace) +
            "\n";

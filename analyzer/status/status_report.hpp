@@ -26,11 +26,13 @@ struct StatusEntry {
 struct StatusReport {
     std::vector<StatusEntry> files;    // ordered by path
     std::vector<std::string> remarks;  // mistakes in files of hints, folders that cannot be read
+    std::vector<std::string> inbox{};  // files that are not shown until somebody moves them
     bool is_online = true;             // the media folder is there
     bool is_player_running = true;
 };
 
 constexpr const char* player_is_off = "The player is not running.";
+constexpr const char* what_inbox_is = "In the inbox, not shown until somebody moves it out";
 
 /// STATE/status.json (docs/catalogue.md).
 std::string status_json(const StatusReport& report);

@@ -77,6 +77,8 @@ std::string status_text(const StatusReport& report, const ClockText& clock) {
     text += "\n";
     for (const StatusEntry& entry : report.files)
         text += plain_text(entry.file.path) + ": " + in_words(entry, clock) + "\n";
+    for (const std::string& path : report.inbox)
+        text += fmt::format("{}: {}\n", plain_text(path), what_inbox_is);
     return text;
 }
 

@@ -440,7 +440,8 @@ std::vector<FileState> Daemon::files() const {
 }
 
 StatusReport Daemon::report() const {
-    StatusReport report{.remarks = hint_files_.faults(), .is_online = is_online()};
+    StatusReport report{
+        .remarks = hint_files_.faults(), .inbox = follower_.inbox(), .is_online = is_online()};
     report.remarks.insert(report.remarks.end(), follower_.remarks().begin(), follower_.remarks().end());
     for (FileState& file : files()) {
         Hints hints = hint_files_.hints_for(file.path);

@@ -53,6 +53,8 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     std::erase_if(keyframe_files_, [&](const std::string& file) { return !listing.is_unread(file); });
     compare(listing, "", now);
     remarks_ = listing.remarks;
+    inbox_ = listing.inbox;
+    std::ranges::sort(inbox_);
     if (unwatched_ > 0)
         remarks_.push_back(fmt::format("{} folders are not watched, only read now and then: {}", unwatched_,
                                        unwatched_because_ == ENOSPC ? "fs.inotify.max_user_watches is too low"

@@ -36,6 +36,9 @@ class FolderFollower {
     /// Parts of the folder that the last rescan could not read, in plain words.
     const std::vector<std::string>& remarks() const { return remarks_; }
 
+    /// The files that lay in the inbox at the last rescan, in order.
+    const std::vector<std::string>& inbox() const { return inbox_; }
+
     /// Something failed while the folder was followed: that is a remark until the next rescan.
     /// @return whether it was none before
     bool note_failure(const std::string& failure);
@@ -79,6 +82,7 @@ class FolderFollower {
     std::size_t unwatched_ = 0;  // folders that the kernel refused to watch in this rescan
     int unwatched_because_ = 0;  // errno of the last of them
     std::vector<std::string> remarks_;
+    std::vector<std::string> inbox_;
     bool is_online_ = false;
     bool has_hint_news_ = false;
     std::set<std::string> keyframe_files_;

@@ -107,7 +107,7 @@ struct Walk {
         (void)fd.release();  // closedir closes it
         errno = 0;
         while (const dirent* entry = ::readdir(directory.get())) {
-            if (is_keyframe_file(entry->d_name))
+            if (is_keyframe_file(entry->d_name) && !is_in_inbox(folder))
                 note_keyframe_file(folder, entry->d_name);
             else if (!is_junk_name(entry->d_name))
                 visit(::dirfd(directory.get()), folder, entry->d_name, depth);
@@ -134,6 +134,10 @@ struct Walk {
         }
         if (S_ISDIR(status.st_mode)) return descend(parent, name, path, depth);
         if (!S_ISREG(status.st_mode)) return;
+        if (is_in_inbox(path)) {
+            if (listing.inbox.size() < MediaFolder::max_inbox) listing.inbox.push_back(path);
+            return;
+        }
         if (listing.files.size() >= MediaFolder::max_files) {
             if (!std::exchange(is_full_told, true))
                 listing.remarks.push_back(fmt::format("'{}': too many files; the rest is ignored", path));
@@ -143,7 +147,7 @@ struct Walk {
     }
 
     void descend(int parent, const char* name, const std::string& path, int depth) {
-        if (enter) enter(path);
+        if (enter && !is_in_inbox(path)) enter(path);
         UniqueFd fd(::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
         if (fd.is_open()) return read(std::move(fd), path, depth + 1);
         if (!is_absence(errno)) remark(path, std::strerror(errno));
@@ -159,6 +163,10 @@ bool is_junk_name(std::string_view name) {
            std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
            std::any_of(junk_endings.begin(), junk_endings.end(),
                        [&](const char* ending) { return lower.ends_with(ending); });
+}
+
+bool is_in_inbox(std::string_view path) {
+    return lower_case(path.substr(0, path.find('/'))) == "_inbox";
 }
 
 /// Opens folder by folder, so that no link below the root is followed. openat2() would do that at once, but a
@@ -193,7 +201,7 @@ std::optional<std::string> MediaFolder::content(const std::string& path, std::si
 }
 
 MediaFolder::LookResult MediaFolder::look_at(const std::string& path) const {
-    if (has_junk_part(path) || is_passed_over(path)) return {};
+    if (has_junk_part(path) || is_passed_over(path) || is_in_inbox(path)) return {};
     if (!device()) return {.presence = Presence::unreachable, .file = {}};
     const UniqueFd file = open(path, O_PATH);
     if (!file.is_open())
@@ -215,7 +223,7 @@ bool MediaFolder::Listing::is_unread(const std::string& path) const {
 MediaFolder::Listing MediaFolder::list(const std::string& folder, const Enter& enter,
                                        const Attend& attend) const {
     Walk walk{.enter = enter, .attend = attend, .passed_over = passed_over_, .listing = {}};
-    if (has_junk_part(folder) || is_passed_over(folder)) return walk.listing;
+    if (has_junk_part(folder) || is_passed_over(folder) || is_in_inbox(folder)) return walk.listing;
     if (enter) enter(folder);
     UniqueFd fd = open(folder, O_RDONLY | O_DIRECTORY);
     const int depth =

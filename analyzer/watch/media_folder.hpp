@@ -16,12 +16,17 @@ namespace vitrine::analyzer {
 /// thumbnails, halves of downloads, wastebaskets, our own status folder.
 bool is_junk_name(std::string_view name);
 
+/// True for the path of the inbox, a folder at the root whose files are never shown, and of all that lies in
+/// it: "_INBOX", in upper or lower case.
+bool is_in_inbox(std::string_view path);
+
 /// The folder whose photos and films are shown, as it is now. Links are skipped: none leads out of it. Paths
 /// are relative to it, with '/' between folders and any bytes in names.
 class MediaFolder {
   public:
     static constexpr int max_depth = 32;
     static constexpr std::size_t max_files = 100'000;
+    static constexpr std::size_t max_inbox = 1000;
 
     /// @param passed_over  folders in it that are skipped: the status folder, our own state; relative to it
     explicit MediaFolder(std::filesystem::path root, std::vector<std::string> passed_over = {})
@@ -53,6 +58,7 @@ class MediaFolder {
     struct Listing {
         std::vector<File> files;
         std::vector<std::string> keyframe_files;  // see is_keyframe_file(); they are no media
+        std::vector<std::string> inbox;           // files that wait there to be moved out, at most max_inbox
         std::vector<std::string> unread;          // files and folders that could not be read
         std::vector<std::string> remarks;         // unreadable folders and exceeded limits, in plain words
 

@@ -39,6 +39,19 @@ int count(const std::string& text, const std::string& part) {
 
 }  // namespace
 
+TEST_CASE("files in the inbox have a list of their own") {
+    StatusReport report;
+    report.files = {entry("a.jpg", State::ready)};
+    report.inbox = {"_INBOX/b<.jpg", "_INBOX/c.jpg"};
+    const std::string text = status_text(report, moment);
+    CHECK(text.find("_INBOX/c.jpg: In the inbox, not shown until somebody moves it out\n") !=
+          std::string::npos);
+    CHECK(text.starts_with("1 file: 1 ready\n"));
+    CHECK(count(page(report), "_INBOX/") == 2);
+    CHECK(page(report).find("b&lt;.jpg") != std::string::npos);
+    CHECK(status_json(report).find(R"("inbox":["_INBOX/b<.jpg","_INBOX/c.jpg"])") != std::string::npos);
+}
+
 TEST_CASE("each file has a line that says where it stands and why") {
     StatusReport report;
     report.files = {entry("a.jpg", State::ready),
@@ -128,7 +141,7 @@ TEST_CASE("machines read the same as JSON, exact names in hex") {
                     entry("\xff.jpg", State::waiting, "half of it is missing", 7s)};
     report.files[0].hints = hints_in_name("3x", NamePart::folder);
     CHECK(status_json(report) ==
-          "{\"version\":1,\"online\":false,\"remarks\":[\"\xef\xbf\xbd\"],\"files\":["
+          "{\"version\":1,\"online\":false,\"remarks\":[\"\xef\xbf\xbd\"],\"inbox\":[],\"files\":["
           "{\"path\":\"a.jpg\",\"state\":\"ready\",\"since\":5,\"shown\":\"3 times as often\"},"
           "{\"path\":\"\xef\xbf\xbd.jpg\",\"state\":\"waiting\",\"since\":7,\"path_hex\":\"ff2e6a7067\","
           "\"reason\":\"half of it is missing\"}]}\n");

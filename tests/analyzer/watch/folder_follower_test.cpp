@@ -9,7 +9,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <ctime>
+#include <fstream>
+#include <random>
 
 using namespace vitrine;
 using namespace vitrine::analyzer;
@@ -66,6 +70,47 @@ TEST_CASE("of 50,000 files none is missed, though the kernel's queue of events o
     CHECK(due == 50'000);
     MESSAGE("events and rescan: ", end - begin, " s of the processor; ",
             max_resident_mebibytes() - resident_before, " MiB more resident");
+}
+
+TEST_CASE("in 3,000 orders of events no file of the inbox is ever noticed, and one that leaves it is") {
+    namespace fs = std::filesystem;
+    const TemporaryDirectory home;
+    const std::array<std::string, 4> folders_of{"_INBOX", "_INBOX/new", "hall", "hall/deep"};
+    for (const std::string& folder : folders_of)
+        fs::create_directories(home.path / folder);
+    home.write("first.jpg", "1");
+    Schedule schedule(Pace{});
+    FolderFollower follower(MediaFolder(home.path), schedule);
+    Schedule::Time now{1h};
+    follower.rescan(now);
+    std::mt19937 random(21);
+    const auto chance = [&](std::size_t of) {
+        return std::uniform_int_distribution<std::size_t>(0, of - 1)(random);
+    };
+    const auto place = [&] {
+        return home.path / folders_of.at(chance(4)) / fmt::format("{}.jpg", chance(6));
+    };
+    std::error_code ignored;
+    std::size_t noticed = 0;
+    for (int order = 0; order < 3000; ++order) {
+        for (std::size_t events = 1 + chance(4); events > 0; --events) {
+            const std::size_t kind = chance(6);
+            if (kind < 2) std::ofstream(place()) << order;
+            if (kind == 2 || kind == 3) fs::rename(place(), place(), ignored);
+            if (kind == 4) fs::remove(place(), ignored);
+            if (kind == 5 && chance(2) == 0) fs::rename(home.path / "_INBOX", home.path / "taken", ignored);
+            if (kind == 5) fs::rename(home.path / "taken", home.path / "_INBOX", ignored);
+        }
+        now += 1s;
+        if (follower.read_events(now) || chance(20) == 0) follower.rescan(now);
+        follower.look_at(schedule.files_to_look_at(now), now);
+        const std::vector<std::string> known = schedule.paths_below("");
+        REQUIRE(std::ranges::none_of(known, is_in_inbox));
+        noticed += known.size();
+        for (const std::string& path : known)
+            REQUIRE_MESSAGE((fs::exists(home.path / path) || !follower.is_online()), path);
+    }
+    CHECK(noticed > 6000);
 }
 
 TEST_CASE("a folder whose path is too long to be watched is read now and then, and ends nothing") {

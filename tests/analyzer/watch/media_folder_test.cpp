@@ -34,6 +34,29 @@ TEST_CASE("what programs leave behind is junk, what people name their files is n
         CHECK_MESSAGE(!is_junk_name(name), name);
 }
 
+TEST_CASE("files in the inbox at the root are listed apart, and are no media") {
+    const TemporaryDirectory directory;
+    for (const char* name :
+         {"_INBOX/a.jpg", "_INBOX/b/c.jpg", "_INBOX/c.mp4.tapestry.toml", "d.jpg", "e/_INBOX/f.jpg"})
+        directory.write(name, "1");
+    const MediaFolder folder(directory.path);
+    std::vector<std::string> entered;
+
+    auto listing = folder.list("", [&](const std::string& name) { entered.push_back(name); });
+
+    CHECK(paths(listing) == std::vector<std::string>{"d.jpg", "e/_INBOX/f.jpg"});
+    std::sort(listing.inbox.begin(), listing.inbox.end());
+    CHECK(listing.inbox == std::vector<std::string>{"_INBOX/a.jpg", "_INBOX/b/c.jpg"});
+    CHECK(listing.keyframe_files.empty());
+    CHECK(std::find(entered.begin(), entered.end(), "_INBOX") == entered.end());
+    CHECK(folder.list("_INBOX/b").files.empty());
+    CHECK(folder.look_at("_INBOX/a.jpg").presence == Presence::gone);
+    CHECK(folder.look_at("_inbox/a.jpg").presence == Presence::gone);
+    CHECK(is_in_inbox("_Inbox/a.jpg"));
+    CHECK_FALSE(is_in_inbox("_INBOX2/a.jpg"));
+    CHECK_FALSE(is_in_inbox("a/_INBOX/a.jpg"));
+}
+
 TEST_CASE(
     "all files below the folder are listed whatever their names, each folder announced before it is read") {
     const TemporaryDirectory directory;
