@@ -7,8 +7,7 @@
 #include "player/layout/plan/plan.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "player/layout/plan/ribbon.hpp"
-#include "player/scene/wall.hpp"
-#include "player/scene/wall_slots.hpp"
+#include "player/scene/wall_entries.hpp"
 #include "player/stage/stage_settings.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +16,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <stdexcept>
 
 namespace vitrine::player {
@@ -38,15 +36,13 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
         });
     SlotSettings wanted = slot_settings(settings);
     wanted.count *= screens;
-    WallSlots slots(wanted);
+    WallEntries slots(wanted, settings.layout.folders == FolderMode::nested);
     slots.set_catalogue(records);
     FirstWall wall;
-    std::map<std::string, int> folders;
     for (const WallShot& shot : slots.shots()) {
         wall.items.push_back(
             {.path = shot.key.path, .shot = static_cast<std::size_t>(shot.key.shot), .item = shot.item});
-        const bool nests = settings.layout.folders == FolderMode::nested;
-        wall.groups.push_back(nests ? folder_number(shot.key.path, folders) : PlanItem::no_group);
+        wall.groups.push_back(group_of(shot));
     }
     return wall;
 }

@@ -52,7 +52,7 @@ WallContent content_of(const Stages& stages, const SourcePool& sources) {
     for (const auto& stage : stages.all()) {
         if (stage->screens().empty()) continue;
         content.folders.push_back({.folder = stage->files().folder(),
-                                   .opened = stage->files().opened_folder(),
+                                   .opened = stage->wall().opened_folder(),
                                    .avoided = stage->wall().avoided_files()});
         for (const SlotShot& shot : stage->wall().standing())
             content.files.insert(shot.key.path);

@@ -220,7 +220,7 @@ CURES = [
          targets=("vitrine-analyzer", "gstvitrinetakeover")),
     Cure("only the files that changed are judged", "player/content/visible_files.cpp",
          ": judged_.judge(*paths, records_);", ": judged_.judge_all(records_);", "content_test.visible_files_test"),
-    Cure("a change copies one block of a list", "player/scene/shared_list.hpp",
+    Cure("a change copies one block of a list", "player/scene/files/shared_list.hpp",
          "            if (change == end)\n", "            if (change == end && changes.empty())\n", "scene_test.shared_list_test"),
     Cure("a stack that is used up", "player/content/crash_signal.cpp",
          "    if (::sigaltstack(nullptr, &stack) < 0 || (stack.ss_flags & SS_DISABLE) == 0) return;\n", "    return;\n",

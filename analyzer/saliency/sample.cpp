@@ -57,6 +57,23 @@ std::vector<Face> scaled(std::span<const Face> faces, double scale) {
     return result;
 }
 
+/// The signature by which shots are compared.
+ShotLook signature_of(const cv::Mat& bgr) {
+    ShotLook look;
+    const cv::Mat shades = resized(grey(bgr), {ShotLook::hash_side + 1, ShotLook::hash_side});
+    for (int y = 0; y < ShotLook::hash_side; ++y)
+        for (int x = 0; x < ShotLook::hash_side; ++x)
+            look.hash = look.hash << 1U | static_cast<unsigned>(shades.at<std::uint8_t>(y, x) >
+                                                                shades.at<std::uint8_t>(y, x + 1));
+    const cv::Mat fields = resized(bgr, {ShotLook::grid, ShotLook::grid});
+    std::size_t i = 0;
+    for (int y = 0; y < ShotLook::grid; ++y)
+        for (int x = 0; x < ShotLook::grid; ++x)
+            for (const int channel : {2, 1, 0})
+                look.colours[i++] = fields.at<cv::Vec3b>(y, x)[channel];
+    return look;
+}
+
 /// Searches a frame without bars.
 Sample searched(const FramePair& pair, const AnalysisSettings& settings, std::span<const Face> faces,
                 ImageSaliencyStage* stage) {
@@ -65,6 +82,7 @@ Sample searched(const FramePair& pair, const AnalysisSettings& settings, std::sp
     const cv::Size map = map_size(frame.size());
     const cv::Mat now = resized(frame, size);
     Sample sample;
+    sample.signature = signature_of(now);
     const std::vector<Face> placed = scaled(faces, static_cast<double>(size.width) / map.width);
     const std::unique_ptr<ImageSaliencyStage> own =
         stage == nullptr ? image_saliency_stage(settings.image) : nullptr;

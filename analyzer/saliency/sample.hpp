@@ -7,6 +7,7 @@
 #include "analyzer/saliency/saliency_network.hpp"
 #include "analyzer/words/line_detector.hpp"
 #include "base/geometry/vec2.hpp"
+#include "base/state/shot_look.hpp"
 
 #include <chrono>
 #include <span>
@@ -28,6 +29,7 @@ struct Sample {
     std::vector<Box> lines;                  // of text, found in this frame or in an earlier one
     std::chrono::nanoseconds lines_time{0};  // time of the frame they were found in
     PictureLook look;                        // of a film's frame
+    ShotLook signature;                      // of the picture within its bars
     double changed_share = 0;                // of the picture, since the sample before
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
 };

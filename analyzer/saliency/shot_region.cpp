@@ -244,6 +244,7 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
         corner = corner + Vec2{static_cast<double>(part.x), static_cast<double>(part.y)};
     shot.region = to_source(region, drift, map, source);
     if (shot.picture) shot.region.polygon = clipped(shot.region.polygon, *shot.picture);
+    if (!samples.empty()) shot.look = samples[samples.size() / 2].signature;
     evidence.shot = std::move(shot);
     if (!samples.empty()) show_middle(evidence, samples, frames, settings.has_bodies);
     if (part.size() != map) place(evidence, part, map);

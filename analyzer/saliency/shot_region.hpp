@@ -37,7 +37,8 @@ struct ShotEvidence {
 ///
 /// @param samples   the shot's, in time order; motion measured across the shot's begin, and faces and lines
 ///                  of text found before it are left out
-/// @param shot      begin, end, ends_with and picture; its region, which lies in the picture, is filled
+/// @param shot      begin, end, ends_with and picture; its region, which lies in the picture, and its look
+/// are filled
 /// @param map       the size of the samples' maps, for a shot without any
 /// @param source    px of the upright picture
 /// Source: Dynamic Media Assemblage 3.2 and 3.3.

@@ -201,17 +201,27 @@ constexpr HintWord sound_word{
 
 constexpr std::array table{period_word, weekdays_word, hours_word, seconds_word, repeat_word, sound_word};
 
-/// Removes the hints that a name begins with, and returns them.
-Hints read_hints(NameWords& words) {
+/// A name taken apart: the hints that it begins with, and what follows them.
+struct NamedHints {
     Hints hints;
-    for (NameWords after = words; !after.rest.empty(); words = after) {
-        const std::string_view word = after.next();
-        const bool is_hint = !word.empty() && std::ranges::any_of(table, [&](const HintWord& one) {
-            return one.read(hints, word, after);
-        });
-        if (!is_hint) break;
+    std::string_view name;  // without separators around it; empty: the name has only hints
+};
+
+NamedHints named_hints(std::string_view name, NamePart part) {
+    NameWords words{.rest = part == NamePart::file ? without_extension(name) : name, .part = part};
+    NamedHints named;
+    const auto reads = [&](std::string_view word) {
+        return std::any_of(table.begin(), table.end(),
+                           [&](const HintWord& one) { return one.read(named.hints, word, words); });
+    };
+    while (true) {
+        const std::string_view before = words.rest;
+        const std::string_view word = words.next();
+        if (!word.empty() && reads(word)) continue;
+        named.name = before.substr(0, before.find_last_not_of(separators) + 1);
+        named.name.remove_prefix(std::min(named.name.find_first_not_of(separators), named.name.size()));
+        return named;
     }
-    return hints;
 }
 
 }  // namespace
@@ -228,19 +238,28 @@ std::span<const HintWord> hint_words() {
 }
 
 Hints hints_in_name(std::string_view name, NamePart part) {
-    NameWords words{.rest = part == NamePart::file ? without_extension(name) : name, .part = part};
-    return read_hints(words);
+    return named_hints(name, part).hints;
+}
+
+std::string plain_name(std::string_view name, NamePart part) {
+    std::string_view rest = named_hints(name, part).name;
+    std::size_t digits = 0;
+    while (digits < rest.size() && is_digit(rest[digits]))
+        ++digits;
+    constexpr std::size_t max_digits = 3;  // of a number for ordering; a year is a part of the name
+    const std::size_t begin = rest.find_first_not_of(" _.-", digits);
+    if (digits > 0 && digits <= max_digits && begin > digits && begin < rest.size())
+        rest.remove_prefix(begin);
+    std::string text(rest);
+    std::ranges::replace(text, '_', ' ');
+    return text;
 }
 
 std::string shown_folder_name(std::string_view path) {
     const std::size_t slash = path.rfind('/');
     const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
-    NameWords words{.rest = name, .part = NamePart::folder};
-    read_hints(words);
-    const std::size_t begin = words.rest.find_first_not_of(separators);
-    std::string shown(begin == std::string_view::npos ? name : words.rest.substr(begin));
-    std::ranges::replace(shown, '_', ' ');
-    return shown;
+    const std::string plain = plain_name(name, NamePart::folder);
+    return plain.empty() ? std::string(name) : plain;
 }
 
 Hints merged(const Hints& outer, const Hints& inner) {

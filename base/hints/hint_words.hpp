@@ -51,8 +51,12 @@ std::span<const HintWord> hint_words();
 /// @param name  one folder or file without its path, any bytes
 Hints hints_in_name(std::string_view name, NamePart part);
 
-/// The name of a folder as people read it: the last part of its path, without the hints that it begins with,
-/// and with spaces where '_' stands. A name of hints only is shown as it is.
+/// A name for visitors: without the hints that it begins with, a number for ordering, and a file's extension;
+/// '_' becomes a space. "2026-12-01 01_Summer" is "Summer". May be empty.
+std::string plain_name(std::string_view name, NamePart part);
+
+/// The name of a folder as visitors read it: the plain name of the last part of its path, or that part as it
+/// is where nothing of it is plain.
 /// @param path  below the media folder, any bytes
 std::string shown_folder_name(std::string_view path);
 

@@ -3,6 +3,7 @@
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
 #include "base/state/fault.hpp"
+#include "base/state/shot_look.hpp"
 #include "base/state/stored_shot.hpp"
 
 #include <chrono>
@@ -62,6 +63,7 @@ struct Shot {
     IRegion region;
     bool is_title = false;             // words on a plain ground; its region holds all of them
     std::optional<double> certainty;   // [0, 1], of the network that knows things; none: it was not asked
+    std::optional<ShotLook> look;      // of a picture in its middle; none: an earlier analysis found it
     std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
     std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
     int analysis = current_analysis;   // the version of the analysis that found it

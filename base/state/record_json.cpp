@@ -144,6 +144,7 @@ Json to_object(const Shot& shot) {
     json["analysis"] = shot.analysis;
     if (shot.is_title) json["title"] = true;
     if (shot.certainty) json["certainty"] = rounded(*shot.certainty);
+    if (shot.look) json["look"] = text_of(*shot.look);
     if (shot.picture)
         json["picture"] = Json::array({to_array(shot.picture->min), to_array(shot.picture->max)});
     if (shot.stored) json["stored"] = to_object(*shot.stored);
@@ -163,6 +164,7 @@ Shot to_shot(const Json& json) {
     shot.analysis = json.contains("analysis") ? whole<int>(json, "analysis") : first_analysis;
     if (json.contains("title")) shot.is_title = json["title"].get<bool>();
     if (json.contains("certainty")) shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
+    if (json.contains("look")) shot.look = look_from_text(json["look"].get<std::string>());
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <string>
 #include <vector>

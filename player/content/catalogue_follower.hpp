@@ -6,7 +6,7 @@
 #include "base/system/unique_fd.hpp"
 #include "player/content/catalogue_change.hpp"
 #include "player/content/catalogue_reader.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <functional>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "base/state/catalogue.hpp"
 #include "player/content/catalogue_change.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <condition_variable>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/state/visibility.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <cstddef>
 #include <functional>

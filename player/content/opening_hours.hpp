@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/hints/folder_hints.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <chrono>
 #include <map>

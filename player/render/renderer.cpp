@@ -54,8 +54,10 @@ void Renderer::draw(const Frame& frame) {
     const ToNdc moved = seen_from(view, frame.view);
     const std::span<const DrawItem> items = frame.items;
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
+        draw_plates(frame, begin, moved);
         while (end < items.size() && items[end].alpha == items[begin].alpha &&
-               !items[end].zoom == !items[begin].zoom)
+               !items[end].zoom == !items[begin].zoom &&
+               (end == begin || std::ranges::find(frame.plates, end, &Plate::below) == frame.plates.end()))
             ++end;
         const auto run = items.subspan(begin, end - begin);
         if (run.front().zoom)
@@ -112,6 +114,16 @@ void Renderer::draw_idle(const Frame& frame, const ToNdc& view) {
         idle_.draw(frame.canvas, view, frame.time, opacity, part);
     }
     set_scissor(all, view);
+}
+
+void Renderer::draw_plates(const Frame& frame, std::size_t below, const ToNdc& view) const {
+    for (const Plate& plate : frame.plates) {
+        if (plate.below != below) continue;
+        set_scissor(plate.box, view);
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        set_scissor({{0, 0}, frame.canvas}, view);
+    }
 }
 
 /// Limits drawing to all pixels that the part of the canvas touches.

@@ -49,6 +49,7 @@ class Renderer {
     void clear() const;
     bool leaves_holes(const Frame& frame) const;
     void draw_idle(const Frame& frame, const ToNdc& view);
+    void draw_plates(const Frame& frame, std::size_t below, const ToNdc& view) const;
     void set_scissor(const Box& part, const ToNdc& view) const;
     void draw_zooms(std::span<const DrawItem> items, const ToNdc& view);
 

@@ -6,6 +6,7 @@
 #include "player/words/word_item.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,11 +29,20 @@ struct DrawItem {
     double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
 };
 
+/// A plain white box, for the rim of something above the wall.
+struct Plate {
+    Box box;                // canvas px
+    std::size_t below = 0;  // it is drawn before the item with this number
+
+    bool operator==(const Plate&) const = default;
+};
+
 /// The content of one refresh of a screen, in the order of drawing; testable without GL.
 struct Frame {
     Vec2 canvas;  // px
     Vec2 view;    // canvas point at the top left, px; moves if the wall is wider than the screen
     std::vector<DrawItem> items;
+    std::vector<Plate> plates;
     std::vector<WordItem> words;  // above all items
     std::vector<Box> covered;     // canvas px: boxes that the items cover completely, if all can be drawn
     double idle = 0;              // opacity of the idle picture drawn first, in [0, 1]

@@ -3,11 +3,11 @@
 #include "player/input/gesture.hpp"
 #include "player/layout/edit/make_way.hpp"
 #include "player/layout/plan/plan_request.hpp"
+#include "player/scene/files/shot_rotation.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
-#include "player/scene/shot_rotation.hpp"
 #include "player/scene/show_controls.hpp"
-#include "player/scene/show_files.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -94,6 +94,9 @@ class Show {
     /// The pace of the show's changes, for what changes the picture besides. nullptr: the show only moves
     /// slowly.
     virtual ChangePace* pace() { return nullptr; }
+
+    /// The folder that a visitor looks into; empty: none.
+    virtual std::string opened_folder() const { return {}; }
 
     /// The shots on the screen.
     virtual std::vector<SlotShot> standing() const = 0;

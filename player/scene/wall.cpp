@@ -33,15 +33,48 @@ std::set<SourceId> sources_of(std::span<const PlacedShot> shown, std::span<const
     return sources;
 }
 
-/// A shot that stays keeps its place; a new one takes over the seat of its slot's last shot.
-/// Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
-PlanItem plan_item(const WallShot& shot, std::span<const PlacedShot> shown) {
-    PlanItem item{.item = shot.item};
-    if (const PlacedShot* same = find_source(shown, shot.source))
-        item.previous = same->placement;
-    else if (const PlacedShot* before = find_slot(shown, shot.slot))
-        item.seat = seat_of(before->shot.item, before->placement);
-    return item;
+bool is_in(std::span<const WallShot> wanted, SourceId source) {
+    return std::ranges::find(wanted, source, &WallShot::source) != wanted.end();
+}
+
+/// The seat of all these shots together: the middle of their I-Regions, and the sum of the areas.
+std::optional<Seat> common_seat(std::span<const PlacedShot* const> shots) {
+    if (shots.empty()) return std::nullopt;
+    Seat all;
+    for (const PlacedShot* placed : shots) {
+        const Seat seat = seat_of(placed->shot.item, placed->placement);
+        all.centre = all.centre + seat.centre * seat.area;
+        all.area += seat.area;
+    }
+    all.centre = all.centre * (1 / all.area);
+    return all;
+}
+
+/// The items of the new wall. A shot that stays keeps its place. In a slot that holds another entry, all
+/// shots take over the seat of the last one; in a folder that stays, a new shot takes over that of one that
+/// leaves. Source: Dynamic Media Assemblage, chapter 4: the new shot in the same position.
+std::vector<PlanItem> plan_items(std::span<const WallShot> wanted, std::span<const PlacedShot> shown) {
+    std::map<int, std::vector<const PlacedShot*>> leaving;  // by slot
+    std::set<int> staying;                                  // slots
+    for (const PlacedShot& placed : shown) {
+        if (is_in(wanted, placed.shot.source))
+            staying.insert(placed.shot.slot);
+        else
+            leaving[placed.shot.slot].push_back(&placed);
+    }
+    std::map<int, std::size_t> used;  // of those that leave, by slot
+    std::vector<PlanItem> items;
+    for (const WallShot& shot : wanted) {
+        PlanItem& item = items.emplace_back(PlanItem{.item = shot.item, .group = group_of(shot)});
+        const std::vector<const PlacedShot*>& left = leaving[shot.slot];
+        if (const PlacedShot* same = find_source(shown, shot.source))
+            item.previous = same->placement;
+        else if (!staying.contains(shot.slot))
+            item.seat = common_seat(left);
+        else if (const std::size_t next = used[shot.slot]++; next < left.size())
+            item.seat = seat_of(left[next]->shot.item, left[next]->placement);
+    }
+    return items;
 }
 
 /// Where most shots are new, keeping to old places would only leave gaps: the wall is planned anew.
@@ -70,23 +103,32 @@ TouchedWall touched_wall(const std::optional<WallChange>& change, std::span<cons
 }
 
 /// Starts the time of the shots that have appeared or are about to appear.
-void tell_appeared(const WallChange& change, WallSlots& slots) {
+void tell_appeared(const WallChange& change, WallEntries& slots) {
     for (const PlacedShot& placed : change.wall)
         if (placed.began != never) slots.shot_appeared(placed.shot.source, placed.began);
 }
 
-}  // namespace
-
-int folder_number(const std::string& path, std::map<std::string, int>& folders) {
-    const std::size_t slash = path.find('/');
-    if (slash == std::string::npos) return PlanItem::no_group;
-    return folders.emplace(path.substr(0, slash), static_cast<int>(folders.size())).first->second;
+void give_up_pending(const WallChange& change, WallSources& sources, WallEntries& slots,
+                     std::chrono::nanoseconds now) {
+    for (const SourceId source : sources.pending(change.wall)) {
+        sources.set_failed(source);
+        slots.source_failed(source, now);
+    }
 }
+
+/// Shows the shots of the first wall whose sources are ready.
+void show_arrived(WallChange& change, const WallSources& sources, WallEntries& slots,
+                  std::chrono::nanoseconds now) {
+    let_arrive(change, sources, now);
+    tell_appeared(change, slots);
+}
+
+}  // namespace
 
 Wall::Wall(Vec2 canvas, const WallSettings& settings)
     : settings_(settings),
       canvas_(canvas),
-      slots_(settings.slots),
+      slots_(settings.slots, settings.nests),
       touch_({.edits = settings.touch,
               .cells = settings.transition.cells,
               .idle = settings.idle,
@@ -138,7 +180,7 @@ void Wall::set_layout(const Layout& layout) {
     if (is_fresh) {
         usual_waste_ = waste;
         choose_layout(*change_, worth_replanning);
-    } else if (!settings_.nests && waste > usual_waste_ + worth_replanning) {
+    } else if (waste > usual_waste_ + worth_replanning) {
         reject_layout(*change_);
     }
 }
@@ -146,6 +188,11 @@ void Wall::set_layout(const Layout& layout) {
 void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
     sources_.set_failed(source);
     slots_.source_failed(source, now);
+}
+
+void Wall::set_controls(const ShowControls& controls) {
+    is_held_ = controls.is_held;
+    slots_.set_controls(controls);
 }
 
 std::vector<SlotShot> Wall::standing() const {
@@ -158,7 +205,7 @@ std::vector<SlotShot> Wall::standing() const {
 WallStep Wall::step(std::chrono::nanoseconds now) {
     WallStep step{.requests = std::exchange(restored_, {})};
     if (change_ && change_->is_fading()) end_change(now);
-    const bool is_touched = touch_.is_active();
+    const bool is_touched = touch_.is_active() || is_held_;
     if (is_touched && change_ && !change_->is_fading() && !change_->is_by_touch && !shown_.empty())
         change_.reset();  // the change is planned once nobody touches the wall
     follow_touch(now, step);
@@ -185,8 +232,14 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
 
 /// Makes the new wall the shown one once its fade has ended.
 void Wall::end_change(std::chrono::nanoseconds now) {
-    if (change_->phase == Phase::arriving) advance_arrival(now);
-    if (!has_ended(*change_, sources_, settings_.transition.duration, now)) return;
+    if (change_->phase == Phase::arriving) {
+        show_arrived(*change_, sources_, slots_, now);
+        if (now - *change_->waiting_since >= settings_.patience)
+            give_up_pending(*change_, sources_, slots_, now);
+    }
+    const auto arrival =
+        settings_.comes_at_once ? std::chrono::nanoseconds(0) : settings_.transition.duration;
+    if (!has_ended(*change_, sources_, arrival, now)) return;
     shown_canvas_ = change_->canvas;
     shown_ = std::move(change_->wall);
     change_.reset();
@@ -230,23 +283,20 @@ std::optional<WallPlan> Wall::follow_slots() {
                          .generation = ++generation_,
                          .canvas = canvas_,
                          .is_final = wanted.empty()};
-    WallPlan plan{.generation = generation_, .canvas = canvas_};
-    std::map<std::string, int> folders;
-    for (const WallShot& shot : wanted) {
-        const int group = settings_.nests ? folder_number(shot.key.path, folders) : PlanItem::no_group;
-        change_->wall.push_back({.shot = shot, .group = group});
-        plan.items.push_back(plan_item(shot, shown_));
-        plan.items.back().group = group;
-    }
-    if (plan.items.empty()) return std::nullopt;
+    for (const WallShot& shot : wanted)
+        change_->wall.push_back({.shot = shot, .group = group_of(shot)});
+    if (wanted.empty()) return std::nullopt;
+    WallPlan plan{.generation = generation_, .canvas = canvas_, .items = plan_items(wanted, shown_)};
     forget_places_of_few(plan.items);
     return plan;
 }
 
 /// Starts the fade when everything is ready and the time has come. Gives up on sources that are too late.
 void Wall::wait_for_sources(std::chrono::nanoseconds now) {
-    if (!is_ready(*change_, sources_, shown_.empty() && !settings_.is_calm)) {
-        if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
+    const bool can_arrive_singly = shown_.empty() && !settings_.is_calm && !settings_.comes_at_once;
+    if (!is_ready(*change_, sources_, can_arrive_singly)) {
+        if (now - *change_->waiting_since >= settings_.patience)
+            give_up_pending(*change_, sources_, slots_, now);
         return;
     }
     TransitionStyle style = settings_.transition;
@@ -260,20 +310,8 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
     else
         begin_transition(*change_, shown_, style, now);
-    if (change_->phase == Phase::arriving) return advance_arrival(now);
+    if (change_->phase == Phase::arriving) return show_arrived(*change_, sources_, slots_, now);
     tell_appeared(*change_, slots_);
-}
-
-/// Shows the shots of the first wall whose sources are ready, and gives up on those that are too late.
-void Wall::advance_arrival(std::chrono::nanoseconds now) {
-    let_arrive(*change_, sources_, now);
-    tell_appeared(*change_, slots_);
-    if (now - *change_->waiting_since >= settings_.patience) give_up_pending(now);
-}
-
-void Wall::give_up_pending(std::chrono::nanoseconds now) {
-    for (const SourceId source : sources_.pending(change_->wall))
-        source_failed(source, now);
 }
 
 }  // namespace vitrine::player

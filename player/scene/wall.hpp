@@ -3,12 +3,11 @@
 #include "player/scene/change_pace.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/wall_change.hpp"
-#include "player/scene/wall_slots.hpp"
+#include "player/scene/wall_entries.hpp"
 #include "player/scene/wall_sources.hpp"
 #include "player/scene/wall_touch.hpp"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -20,21 +19,18 @@ namespace vitrine::player {
 struct WallSettings {
     SlotSettings slots;
     TransitionStyle transition;
-    bool nests = false;                                            // the files of a folder are grouped
-    bool is_calm = false;                                          // nothing moves, and changes are rare
-    bool photos_drift = false;                                     // photos move slowly inside their cells
+    bool nests = false;          // the slots hold the entries of a level of the folder tree
+    bool is_calm = false;        // nothing moves, and changes are rare
+    bool comes_at_once = false;  // the first wall is shown when all its sources are ready, without a fade
+    bool photos_drift = false;   // photos move slowly inside their cells
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // time to wait for a late source
     EditRules touch;                                               // rules by which a finger moves shots
     std::chrono::nanoseconds idle = std::chrono::seconds(30);      // then a tapped shot returns to its place
 };
 
-/// The number of a file's top folder in the media folder, as PlanItem::group.
-/// @param folders  the folders known so far; a new one is added
-int folder_number(const std::string& path, std::map<std::string, int>& folders);
-
-/// The wall on the screen over time. WallSlots decides which shots are shown. The wall requests a layout and
-/// the sources. When the sources are ready and the leaving shot has had its time, it moves and fades from the
-/// old wall, which continues to play, to the new one. Then it retires the sources that are not needed any
+/// The wall on the screen over time. WallEntries decides which shots are shown. The wall requests a layout
+/// and the sources. When the sources are ready and the leaving shot has had its time, it moves and fades from
+/// the old wall, which continues to play, to the new one. Then it retires the sources that are not needed any
 /// more. There is one change at a time (WallChange). If the slots change again before its fade has started,
 /// the change is replaced. The first wall waits for its first source only; its shots fade in over the idle
 /// picture, each when it is ready.
@@ -55,7 +51,7 @@ class Wall final : public Show {
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
     /// Lifts, moves, enlarges or dismisses the touched shot (WallTouch). No other change starts until the
-    /// wall has settled. A folder whose files are grouped moves as a whole. Shots of a calm wall are not
+    /// wall has settled. A folder moves as a whole. Shots of a calm wall are not
     /// dragged.
     void handle_gesture(const Gesture& gesture) override;
 
@@ -72,7 +68,7 @@ class Wall final : public Show {
     /// Replaces the source's file by another. Its shots stay on the wall until the others are ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
-    void set_controls(const ShowControls& controls) override { slots_.set_controls(controls); }
+    void set_controls(const ShowControls& controls) override;
 
     /// @param now  since the player's start; never goes back
     WallStep step(std::chrono::nanoseconds now) override;
@@ -83,6 +79,12 @@ class Wall final : public Show {
 
     std::set<std::string> avoided_files() const override { return slots_.avoided_files(); }
 
+    /// True while a visitor touches the wall, and until all is back in its place.
+    bool is_touched() const { return touch_.is_active() || (change_ && change_->is_by_touch); }
+
+    /// True while a change of the wall is seen.
+    bool is_changing() const { return change_ && change_->is_fading(); }
+
     /// The shots on the wall, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }
 
@@ -91,18 +93,17 @@ class Wall final : public Show {
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     std::optional<WallPlan> follow_slots();
     void wait_for_sources(std::chrono::nanoseconds now);
-    void advance_arrival(std::chrono::nanoseconds now);
-    void give_up_pending(std::chrono::nanoseconds now);
 
     WallSettings settings_;
     Vec2 canvas_;
-    WallSlots slots_;
+    WallEntries slots_;
     WallTouch touch_;
     WallSources sources_;
     std::vector<PlacedShot> shown_;
     Vec2 shown_canvas_;  // the canvas of shown_'s layout
     std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
+    bool is_held_ = false;    // no change begins
     double usual_waste_ = 1;  // waste of the last new layout, as a share of the canvas
     std::uint64_t generation_ = 0;
     ChangePace pace_;

@@ -48,7 +48,7 @@ Frame way_frame(const WallChange& change, std::span<const PlacedShot> shown, nan
 }  // namespace
 
 void lay_out(WallChange& change, const Layout& layout, const CellStyle& style) {
-    assert(layout.placements.size() == change.wall.size());
+    assert(layout.placements.size() >= change.wall.size());
     for (std::size_t i = 0; i < change.wall.size(); ++i)
         change.wall[i].placement = layout.placements[i];
     give_cells(change.wall, change.canvas, style);
@@ -75,7 +75,7 @@ WallPlan plan_anew(WallChange& change, std::uint64_t generation) {
     change.generation = generation;
     WallPlan plan{.generation = generation, .canvas = change.canvas};
     for (const PlacedShot& placed : change.calm)
-        plan.items.push_back({.item = placed.shot.item});
+        plan.items.push_back({.item = placed.shot.item, .group = placed.group});
     return plan;
 }
 

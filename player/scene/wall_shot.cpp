@@ -16,7 +16,8 @@ WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId sourc
             .picture = {static_cast<double>(record.width), static_cast<double>(record.height)},
             .active = active_picture(record, shot),
             .item = layout_item(record, shot),
-            .shot = shot};
+            .shot = shot,
+            .folder = {}};
 }
 
 ShotRequest request_of(const PlacedShot& placed) {

@@ -3,13 +3,14 @@
 #include "base/state/record.hpp"
 #include "player/layout/cells/cells.hpp"
 #include "player/layout/plan/plan_request.hpp"
+#include "player/scene/files/shot_rotation.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
-#include "player/scene/shot_rotation.hpp"
 
 #include <chrono>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -24,12 +25,18 @@ struct WallShot {
     Box active;    // its part within its bars, source px
     LayoutItem item;
     Shot shot;
+    std::string folder;  // the folder whose entry it stands for, with others; empty: it is an entry itself
 
     bool operator==(const WallShot&) const = default;
 };
 
 /// @param key  a shot of this record
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
+
+/// The group of a shot in a layout, by its slot: the shots of one folder are placed together.
+inline int group_of(const WallShot& shot) {
+    return shot.folder.empty() ? PlanItem::no_group : shot.slot;
+}
 
 /// The way on which a photo moves slowly inside its cell, from `from` through its place to `to` and back.
 /// Canvas px, relative to the place of its layout. Both are 0 where it does not move.

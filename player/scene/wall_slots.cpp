@@ -34,7 +34,7 @@ WallSlots::WallSlots(const SlotSettings& settings)
     : settings_(settings),
       chooser_(settings.order, settings.seed, settings.film),
       slots_(static_cast<std::size_t>(std::max(1, settings.count))),
-      last_source_(settings.last_source) {}
+      numbers_(settings.numbers ? settings.numbers : std::make_shared<SourceId>(settings.last_source)) {}
 
 void WallSlots::set_catalogue(const RecordList& records, const ShowHints& hints) {
     hints_ = hints;
@@ -218,7 +218,7 @@ void WallSlots::put_shot(Slot& slot, const ShotKey& key) {
     slot.shown.reset();
     slot.ahead = {};
     slot.shot =
-        wall_shot(*files_.all().find(key.path), key, ++last_source_, static_cast<int>(&slot - slots_.data()));
+        wall_shot(*files_.all().find(key.path), key, ++*numbers_, static_cast<int>(&slot - slots_.data()));
 }
 
 long WallSlots::count_on_wall(const std::string& path) const {

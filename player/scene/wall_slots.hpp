@@ -2,15 +2,16 @@
 
 #include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
+#include "player/scene/files/shot_chooser.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
-#include "player/scene/shot_chooser.hpp"
 #include "player/scene/show_controls.hpp"
-#include "player/scene/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -30,6 +31,8 @@ struct SlotSettings {
     std::chrono::nanoseconds lead = std::chrono::seconds(4);          // the next shot is chosen so early
     std::chrono::nanoseconds retry_after = std::chrono::seconds(60);  // time to avoid a file that failed
     SourceId last_source = 0;  // its sources are numbered from here on, apart from those of other walls
+    std::shared_ptr<SourceId>
+        numbers;  // the last number, shared with other walls; none: `last_source` counts
 };
 
 /// The shots on a wall: a fixed number of slots. After its time, the shot in a slot is replaced by the next
@@ -103,7 +106,7 @@ class WallSlots {
     ShowHints hints_;
     ShotChooser chooser_;
     std::vector<Slot> slots_;
-    SourceId last_source_;
+    std::shared_ptr<SourceId> numbers_;  // the last source's number; shared with other walls
     ShowControls controls_;
     std::uint64_t turns_taken_ = 0;          // number of the requested turns that were taken
     std::chrono::nanoseconds next_turn_{0};  // no turn comes before

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "player/scene/chosen_sound.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
-#include "player/scene/show_files.hpp"
 
 #include <map>
 #include <vector>

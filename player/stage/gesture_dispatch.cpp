@@ -11,12 +11,6 @@ namespace {
 
 constexpr double parted_enough = 1.25;  // factor of a pinch that opens a tapestry
 
-/// The folder below the media folder that a shot lies in; empty: none.
-std::string top_folder(const std::optional<SeenShot>& shot) {
-    const std::size_t slash = shot ? shot->key.path.find('/') : std::string::npos;
-    return slash == std::string::npos ? "" : shot->key.path.substr(0, slash);
-}
-
 }  // namespace
 
 void GestureDispatch::handle_input(const InputEvent& event) {
@@ -42,16 +36,12 @@ Subject GestureDispatch::subject_of(const InputEvent& event) const {
 void GestureDispatch::dispatch(std::chrono::nanoseconds now) {
     using Handler = bool (GestureDispatch::*)(const Gesture&);
     // The handlers are asked in this order. The first one that handles the gesture ends the search.
-    static constexpr std::array<Handler, 4> handlers{
-        &GestureDispatch::give_to_tapestry, &GestureDispatch::open_tapestry,
-        &GestureDispatch::open_or_close_folder, &GestureDispatch::give_to_wall};
-    if (gestures_.is_touched()) touched_ = now;
+    static constexpr std::array<Handler, 3> handlers{
+        &GestureDispatch::give_to_tapestry, &GestureDispatch::open_tapestry, &GestureDispatch::give_to_wall};
     for (const Gesture& gesture : gestures_.next_gestures(now)) {
-        touched_ = now;
         for (const Handler handler : handlers)
             if ((this->*handler)(gesture)) break;
     }
-    if (files_.has_open_folder() && now - touched_ >= settings_.input.idle) look_into("");
 }
 
 bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
@@ -73,26 +63,9 @@ bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->key.shot));
 }
 
-/// A tap on a grouped folder opens it; a tap into an open folder, or a key, closes it.
-bool GestureDispatch::open_or_close_folder(const Gesture& gesture) {
-    if (settings_.layout.folders != FolderMode::nested) return false;
-    const bool is_tap = gesture.kind == Gesture::Kind::tap;
-    const bool is_key = gesture.kind == Gesture::Kind::key;
-    if (!is_tap && !(is_key && files_.has_open_folder())) return false;
-    const std::string folder = top_folder(shows_.wall().shot_at(gesture.at));
-    if (!files_.has_open_folder() && folder.empty()) return false;
-    look_into(files_.has_open_folder() ? "" : folder);
-    return true;
-}
-
 bool GestureDispatch::give_to_wall(const Gesture& gesture) {
     shows_.wall().handle_gesture(gesture);
     return true;
-}
-
-void GestureDispatch::look_into(const std::string& folder) {
-    files_.open(folder);
-    shows_.set_files(files_);
 }
 
 }  // namespace vitrine::player

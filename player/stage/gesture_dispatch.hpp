@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/settings/settings.hpp"
 #include "player/input/gestures.hpp"
 #include "player/stage/show_switch.hpp"
 #include "player/stage/stage_files.hpp"
@@ -12,35 +11,30 @@
 namespace vitrine::player {
 
 /// Passes each gesture of a visitor to the part of the stage that handles it: the tapestry, the opening of a
-/// tapestry or a folder, or the wall.
+/// tapestry, or the wall.
 class GestureDispatch {
   public:
-    /// @param settings, shows, files  outlive this
-    GestureDispatch(const Settings& settings, ShowSwitch& shows, StageFiles& files)
-        : settings_(settings), shows_(shows), files_(files) {}
+    /// @param shows, files  outlive this
+    GestureDispatch(ShowSwitch& shows, const StageFiles& files) : shows_(shows), files_(files) {}
 
     void set_canvas(Vec2 canvas) { gestures_.set_rules(gesture_rules(canvas)); }
 
     /// @param event  canvas px; its time is since the player's start
     void handle_input(const InputEvent& event);
 
-    /// Dispatches the gestures since the last call, and closes a folder that nobody has touched for long.
+    /// Dispatches the gestures since the last call.
     void dispatch(std::chrono::nanoseconds now);
 
   private:
     Subject subject_of(const InputEvent& event) const;
     bool give_to_tapestry(const Gesture& gesture);
     bool open_tapestry(const Gesture& gesture);
-    bool open_or_close_folder(const Gesture& gesture);
     bool give_to_wall(const Gesture& gesture);
-    void look_into(const std::string& folder);
 
-    const Settings& settings_;  // outlive this
-    ShowSwitch& shows_;         // outlives this
-    StageFiles& files_;         // outlive this
+    ShowSwitch& shows_;        // outlives this
+    const StageFiles& files_;  // outlive this
     Gestures gestures_;
     std::map<std::uint64_t, double> parted_;  // touch -> factor of its pinch so far
-    std::chrono::nanoseconds touched_{0};
 };
 
 }  // namespace vitrine::player

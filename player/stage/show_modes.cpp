@@ -1,5 +1,6 @@
 #include "player/stage/show_modes.hpp"
 
+#include "player/scene/folders/folder_wall.hpp"
 #include "player/scene/pan/panning_wall.hpp"
 #include "player/scene/wall.hpp"
 #include "player/stage/stage_settings.hpp"
@@ -22,6 +23,7 @@ std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId 
                                 .max_scale = settings.layout.max_enlargement},
                       .idle = settings.input.idle};
     wall.slots.last_source = last_source;
+    if (wall.nests) return std::make_unique<FolderWall>(canvas, wall);
     return std::make_unique<Wall>(canvas, wall);
 }
 

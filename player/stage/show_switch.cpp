@@ -55,7 +55,7 @@ void ShowSwitch::set_canvas(Vec2 canvas) {
 }
 
 void ShowSwitch::set_files(const StageFiles& files) {
-    wall_->set_catalogue(files.shown(), files.hints());
+    wall_->set_catalogue(files.all(), files.hints());
     if (tapestry_) tapestry_->set_catalogue(files.all());
 }
 

@@ -31,7 +31,7 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       sources_(sources),
       files_(std::move(options.folder)),
       shows_(std::make_unique<ShowSwitch>(settings, options.number, awaits_sources_)),
-      gestures_(std::make_unique<GestureDispatch>(settings, *shows_, files_)),
+      gestures_(std::make_unique<GestureDispatch>(*shows_, files_)),
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
       painter_(std::make_unique<ScreenPainter>(settings, sources)),
       films_(std::make_unique<AudibleFilms>()),

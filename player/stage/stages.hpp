@@ -1,8 +1,8 @@
 #pragma once
 
 #include "player/scene/change_pace.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/show_controls.hpp"
-#include "player/scene/show_files.hpp"
 #include "player/stage/stage.hpp"
 
 #include <chrono>

@@ -4,14 +4,79 @@
 #include "player/layout/plan/nesting.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::player {
 
-Layout plan(const PlanRequest& request, const PlanWatch& watch) {
+namespace {
+
+bool is_pinned(const PlanItem& item) {
+    return item.is_pinned && item.previous;
+}
+
+Layout planned(const PlanRequest& request, const PlanWatch& watch) {
     const bool has_groups = std::any_of(request.items.begin(), request.items.end(), [](const PlanItem& item) {
         return item.group != PlanItem::no_group;
     });
     return has_groups ? plan_nested(request, watch) : plan_flat(request, watch);
+}
+
+/// True if pinned items are the only ones that have a place.
+bool is_new_around_pinned(const PlanRequest& request) {
+    const auto is_placed = [](const PlanItem& item) { return item.previous.has_value(); };
+    return std::ranges::any_of(request.items, is_pinned) &&
+           std::ranges::all_of(request.items,
+                               [&](const auto& item) { return is_pinned(item) || !is_placed(item); });
+}
+
+/// The area of other items' I-Regions under a pinned item at a place, canvas px^2.
+double covered_area(const PlanItem& item, const Placement& at, const PlanRequest& request) {
+    const Box box = bounding_box(placed_region(item.item, at));
+    const Vec2 around{request.clearance, request.clearance};
+    double covered = 0;
+    for (const PlanItem& other : request.items)
+        if (&other != &item && other.previous)
+            covered += std::abs(signed_area(
+                clipped(placed_region(other.item, *other.previous), {box.min - around, box.max + around})));
+    return covered;
+}
+
+/// Puts a pinned item where it covers least. @return  true: it covers no I-Region
+bool take_best_place(PlanItem& item, const PlanRequest& request) {
+    Placement best = *item.previous;
+    double least = covered_area(item, best, request);
+    for (const Vec2& way : item.instead) {
+        const Placement other{item.previous->scale, item.previous->offset + way};
+        const double covered = covered_area(item, other, request);
+        if (covered >= least) continue;
+        least = covered;
+        best = other;
+    }
+    item.previous = best;
+    return least <= 0;
+}
+
+}  // namespace
+
+Layout plan(const PlanRequest& request, const PlanWatch& watch) {
+    if (!is_new_around_pinned(request)) return planned(request, watch);
+    PlanRequest without = request;
+    std::erase_if(without.items, is_pinned);
+    if (without.items.empty()) return planned(request, watch);
+    const Layout free = planned(without, {.should_stop = watch.should_stop});
+    PlanRequest around = request;
+    auto placement = free.placements.begin();
+    for (PlanItem& item : around.items)
+        if (!is_pinned(item)) item.previous = *placement++;
+    bool is_clear = true;
+    for (PlanItem& item : around.items)
+        if (is_pinned(item)) is_clear = take_best_place(item, around) && is_clear;
+    if (!is_clear) return planned(around, watch);
+    Layout layout = free;
+    layout.placements.clear();
+    for (const PlanItem& item : around.items)
+        layout.placements.push_back(*item.previous);
+    return layout;
 }
 
 }  // namespace vitrine::player

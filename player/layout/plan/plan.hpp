@@ -7,12 +7,15 @@ namespace vitrine::player {
 // The door to all packing: items and a canvas go in, a layout comes out. plan() chooses one of four ways:
 //
 //   request                    module      way
-//   items have groups          nesting     the canvas is divided among the groups, each part is planned alone
+//   items have groups          nesting     each group is one body; its items are packed in the body
 //   energy = paper             flat_plan   eq. 3.4-3.7: pack/initial_packing, then pack/descent, down the
 //                                          paper_energy() of pack/energy
 //   placed items may move      warm_start  newcomers are let in, the others move as little as possible
 //   else (the default path)    flat_plan   pack/initial_packing, pack/line_packing for a reading order, or
 //                                          pack/separation round pinned items; then pack/optimizer
+//
+// Where pinned items are the only placed ones, the others are planned without them, and then make room for
+// them: that fills the canvas better than to pack around them.
 //
 // All ways but the paper's end with pack/filling, which moves and resizes items so that pictures fill the
 // canvas. Other entries: `planner` makes plans on a thread of its own; `ribbon` plans a panning wall screen

@@ -23,7 +23,9 @@ struct PlanItem {
     std::optional<Placement> home;      // the item returns to it as far as possible; none: to `previous`
     std::optional<Seat> seat;           // the item is new and takes over a seat; ignored with `previous`
     bool is_pinned = false;             // the item keeps `previous` exactly, even if pinned items overlap
-    int group = no_group;               // items of one group are placed together, see plan/nesting.hpp
+    std::vector<Vec2> instead;  // of a pinned item: ways from `previous` to other places that it may take
+                                // while no other item is placed; canvas px
+    int group = no_group;       // items of one group are placed together, see plan/nesting.hpp
 
     static constexpr int no_group = -1;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "player/scene/shot_chooser.hpp"
-#include "player/scene/shot_rotation.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/shot_chooser.hpp"
+#include "player/scene/files/shot_rotation.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "player/layout/plan/ribbon.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/pan/panning_shots.hpp"
 #include "player/scene/show.hpp"
-#include "player/scene/show_files.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <vector>

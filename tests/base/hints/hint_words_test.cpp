@@ -170,5 +170,6 @@ TEST_CASE("a folder's name is shown without its hints") {
     CHECK(shown_folder_name("a/from 2026-12-01 until 2026-12-24 Advent") == "Advent");
     CHECK(shown_folder_name("until lunch") == "until lunch");
     CHECK(shown_folder_name("08-18") == "08-18");
+    CHECK(shown_folder_name("x/01_Rooms") == "Rooms");
     CHECK(shown_folder_name("\xff") == "\xff");
 }

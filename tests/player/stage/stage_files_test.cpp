@@ -27,33 +27,15 @@ Paths paths(const RecordList& records) {
 
 }  // namespace
 
-TEST_CASE("a stage shows its screens' folder, and of it the folder that a visitor looks into") {
+TEST_CASE("a stage shows the files of its screens' folder") {
     StageFiles files("hall");
     files.set(records({"a", "hall/b", "hall/c/d", "halls/e"}), {});
-    CHECK(paths(files.shown()) == Paths{"hall/b", "hall/c/d"});
-
-    files.open("hall/c");
-
-    CHECK(files.has_open_folder());
-    CHECK(paths(files.shown()) == Paths{"hall/c/d"});
     CHECK(paths(files.all()) == Paths{"hall/b", "hall/c/d"});
-    CHECK(files.opened_folder() == "hall/c");
-}
-
-TEST_CASE("a folder is closed when its last file goes, and not opened where it has none") {
-    StageFiles files("");
-    files.set(records({"a/b", "c"}), {});
-    files.open("a");
-    files.set(records({"c"}), {});
-    CHECK_FALSE(files.has_open_folder());
-    CHECK(paths(files.shown()) == Paths{"c"});
-    files.open("d");
-    CHECK_FALSE(files.has_open_folder());
 }
 
 TEST_CASE("the records of the catalogue are shared by all lists") {
     const RecordList all = records({"a/b", "c"});
     StageFiles files("a");
     files.set(all, {});
-    CHECK(files.shown().find("a/b") == all.find("a/b"));
+    CHECK(files.all().find("a/b") == all.find("a/b"));
 }

@@ -116,6 +116,9 @@ template <typename Item> class SharedList {
 
     bool contains(const std::string& path) const { return find(path) != nullptr; }
 
+    /// @pre not empty
+    const Entry& last() const { return blocks_.back()->back(); }
+
     /// The entries whose paths are not before `first`, and before `end`.
     SharedList between(const std::string& first, const std::string& end) const {
         SharedList part;

@@ -1,4 +1,4 @@
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 namespace vitrine::player {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
-#include "player/scene/shot_rotation.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/shot_rotation.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <chrono>
 #include <cstddef>

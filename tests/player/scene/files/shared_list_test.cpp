@@ -1,4 +1,4 @@
-#include "player/scene/shared_list.hpp"
+#include "player/scene/files/shared_list.hpp"
 
 #include <doctest/doctest.h>
 

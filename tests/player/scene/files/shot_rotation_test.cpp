@@ -1,4 +1,4 @@
-#include "player/scene/shot_rotation.hpp"
+#include "player/scene/files/shot_rotation.hpp"
 
 #include "tests/player/scene/scene_media.hpp"
 

@@ -1,4 +1,4 @@
-#include "player/scene/shot_chooser.hpp"
+#include "player/scene/files/shot_chooser.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "base/hints/hints.hpp"
 #include "base/state/record.hpp"
-#include "player/scene/shared_list.hpp"
+#include "player/scene/files/shared_list.hpp"
 
 #include <initializer_list>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "base/settings/choices.hpp"
 #include "base/state/record.hpp"
-#include "player/scene/show_files.hpp"
+#include "player/scene/files/show_files.hpp"
 
 #include <algorithm>
 #include <compare>

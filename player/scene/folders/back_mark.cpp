@@ -1,0 +1,49 @@
+#include "player/scene/folders/back_mark.hpp"
+
+#include "player/scene/folders/folder_zoom.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double min_height = 57;      // canvas px
+constexpr double height_share = 0.11;  // of the canvas' shorter side
+constexpr double gap_share = 0.02;     // of the canvas' shorter side, to its edges
+constexpr double rim_share = 0.04;     // of the mark's height
+constexpr double max_blended = 0.999;  // nearly opaque: an opaque item would be drawn with those below
+
+}  // namespace
+
+Box back_mark(Vec2 canvas) {
+    const double side = std::min(canvas.x, canvas.y);
+    const double height = std::min(side / 2, std::max(min_height, side * height_share));
+    const double gap = side * gap_share;
+    return {{gap, canvas.y - gap - height}, {gap + height * canvas.x / canvas.y, canvas.y - gap}};
+}
+
+PlanItem back_mark_item(Vec2 canvas, const Placement& at) {
+    const Box box = back_mark(canvas);
+    PlanItem item{.item = {.region = to_polygon(box), .core = box}, .previous = at, .is_pinned = true};
+    const Vec2 across{canvas.x - box.min.x - box.max.x, 0};
+    const Vec2 up{0, canvas.y - box.min.y - box.max.y};
+    item.instead = {up, across, across + up};
+    return item;
+}
+
+void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double alpha) {
+    if (alpha <= 0) return;
+    const double rim = box.height() * rim_share;
+    const double share = (box.height() - 2 * rim) / frame.canvas.y;
+    const Vec2 size = frame.canvas * share;
+    const Frame small = placed_frame(outer, {share, box.centre() - size * 0.5});
+    frame.plates.push_back({.box = box, .below = frame.items.size()});
+    for (DrawItem item : small.items) {
+        item.alpha = std::min(item.alpha * alpha, max_blended);
+        frame.items.push_back(std::move(item));
+    }
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "player/layout/plan/plan_request.hpp"
+#include "player/scene/frame.hpp"
+
+namespace vitrine::player {
+
+/// The first place of the way back on the wall of an opened folder: a small picture of the wall that it was
+/// opened on. At least 57 px high, which is 15 mm at 96 dpi. Canvas px.
+Box back_mark(Vec2 canvas);
+
+/// The way back as an item of a plan: no I-Region comes under it. It stands in the corner at the bottom left
+/// if a new plan has room there; else in another one, which the offset of its placement tells.
+/// @param at  its place in a plan that changes a wall
+PlanItem back_mark_item(Vec2 canvas, const Placement& at);
+
+/// Draws the way back above a frame.
+/// @param box    its place, canvas px
+/// @param outer  of the wall behind
+/// @param alpha  opacity
+void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double alpha);
+
+}  // namespace vitrine::player

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "player/scene/change_pace.hpp"
+#include "player/scene/folders/open_folder.hpp"
+#include "player/scene/show.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// A wall of folders and files side by side. A tap on a folder opens it: its place grows until its own wall
+/// is on the screen, with its sub-folders and files side by side, and so on to any depth. A tap on the way
+/// back (back_mark), the key Back, or a while without a touch lets that wall shrink into its place again. The
+/// wall behind stands still meanwhile, so all is where it was. All other gestures are those of a Wall.
+/// Source: Dynamic Media Assemblage, chapter 4 and fig. 4.6; the zoom and the way back are ours.
+class FolderWall final : public Show {
+  public:
+    FolderWall(Vec2 canvas, const WallSettings& settings);
+
+    /// Closes all folders at once.
+    void set_canvas(Vec2 canvas) override;
+
+    using Show::set_catalogue;
+
+    /// A folder without files is closed.
+    void set_catalogue(const RecordList& records, const ShowHints& hints) override;
+
+    void handle_gesture(const Gesture& gesture) override;
+    std::optional<SeenShot> shot_at(Vec2 point) const override;
+    void set_layout(const Layout& layout) override;
+    void source_ready(SourceId source) override;
+    void source_failed(SourceId source, std::chrono::nanoseconds now) override;
+    void set_controls(const ShowControls& controls) override;
+    WallStep step(std::chrono::nanoseconds now) override;
+
+    ChangePace* pace() override { return top().wall().pace(); }
+
+    std::string opened_folder() const override { return top().folder(); }
+
+    std::vector<SlotShot> standing() const override { return top().wall().standing(); }
+
+    std::set<std::string> avoided_files() const override { return top().wall().avoided_files(); }
+
+    /// The place of the way back, canvas px. Empty: no folder is open.
+    Box way_back() const { return levels_.size() > 1 ? top().way_back() : Box{}; }
+
+  private:
+    using Time = std::chrono::nanoseconds;
+
+    /// The way between the last two walls.
+    struct Zoom {
+        bool is_opening = true;
+        Time asked{0};              // when it was asked for
+        std::optional<Time> began;  // none: it waits for sources
+        Box box;                    // of the folder on the outer wall, canvas px
+    };
+
+    OpenFolder& top() { return levels_.back(); }
+
+    const OpenFolder& top() const { return levels_.back(); }
+
+    OpenFolder& outer() { return levels_[levels_.size() - 2]; }
+
+    void open(const std::string& folder);
+    void begin_closing(WallStep& step);
+    void advance_zoom(WallStep& step);
+    void end_zoom(WallStep& step);
+    void step_top(WallStep& step);
+    double opened_share() const;
+    Frame composed_frame() const;
+
+    WallSettings settings_;
+    Vec2 canvas_;
+    RecordList records_;
+    ShowHints hints_;
+    ShowControls controls_;
+    std::vector<OpenFolder> levels_;  // the first is the wall of all; each further one is of a folder of it
+    std::optional<Zoom> zoom_;
+    std::string wanted_;        // the folder that was tapped; empty: none
+    std::size_t wished_depth_;  // number of walls that shall stay open
+    Time touched_{0};
+    Time now_{0};
+    std::uint64_t generation_ = 0;  // of the last plan, whichever wall asked for it
+    std::uint64_t inner_ = 0;       // the same on the counter of that wall
+};
+
+}  // namespace vitrine::player
