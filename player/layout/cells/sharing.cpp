@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -184,6 +185,23 @@ CanvasShares shared_among(std::span<const Polygon> regions, const std::vector<Lo
     return shares;
 }
 
+/// Gives places where no item of a group has pixels to other items that have some there.
+void share_filler(CanvasShares& shares, const ItemAreas& sites, const Box& canvas, const VoronoiSites& how) {
+    LeftoverSharing sharing(sites.regions, canvas, how);
+    for (Loops& filler : shares.filler) {
+        const Loops area = std::exchange(filler, {});
+        for (const Leftover& leftover : split_by_takers(area, sites.cores)) {
+            if (leftover.takers.empty())
+                append(filler, leftover.area);
+            else
+                sharing.give(leftover, shares.shown);
+        }
+    }
+    for (std::vector<Loops>* some : {&shares.shown, &shares.filler})
+        for (Loops& loops : *some)
+            loops = joined(std::move(loops));
+}
+
 /// Adds a group as one item: the hull of its regions, and the box around its cores.
 void add_as_one(ItemAreas& units, const ItemAreas& sites, const LayoutGroup& group) {
     std::vector<Vec2> corners;
@@ -243,6 +261,7 @@ CanvasShares share_canvas(const ItemAreas& sites, const std::vector<LayoutGroup>
             all.filler[units[u].items[k]] = std::move(some.filler[k]);
         }
     }
+    share_filler(all, sites, canvas, how);
     return all;
 }
 

@@ -24,7 +24,8 @@ double distance_to(const Polygon& region, Vec2 point);
 
 /// Divides the canvas among the groups and the items without a group, then each group's share among its
 /// items. Every place goes to the nearest region whose item has pixels there. A small area whose nearest item
-/// has no pixels there goes to one other item as a whole.
+/// has no pixels there goes to one other item as a whole. Where no item of a group has pixels, items outside
+/// that group come in.
 CanvasShares share_canvas(const ItemAreas& items, const std::vector<LayoutGroup>& groups, const Box& canvas,
                           const VoronoiSites& how);
 

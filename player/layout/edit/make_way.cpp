@@ -79,7 +79,10 @@ PlanRequest request_of(const WallState& wall, std::span<const Wish> wishes, cons
                         .max_scale = rules.max_scale,
                         .is_coarse = true};  // fine steps at every step of a finger would make items tremble
     for (std::size_t i = 0; i < wall.items.size(); ++i)
-        request.items.push_back({.item = wall.items[i], .previous = wall.homes[i], .home = wall.homes[i]});
+        request.items.push_back({.item = wall.items[i],
+                                 .previous = wall.homes[i],
+                                 .home = wall.homes[i],
+                                 .is_pinned = wall.pinned[i]});
     for (const Wish& wish : wishes) {
         PlanItem& item = request.items[wish.item];
         item.previous = item.home = wish.at;
@@ -203,7 +206,7 @@ Bodies bodies_of(const WayRequest& request) {
         bodies.wall.items.push_back(is_group ? hull_of(members, request.wall) : request.wall.items[first]);
         bodies.wall.placements.push_back(is_group ? change_between(home, now) : now);
         bodies.wall.homes.push_back(is_group ? Placement{} : home);
-        bodies.wall.pinned.push_back(false);
+        bodies.wall.pinned.push_back(!is_group && request.wall.pinned[first]);
     }
     return bodies;
 }

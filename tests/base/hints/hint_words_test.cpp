@@ -173,3 +173,14 @@ TEST_CASE("a folder's name is shown without its hints") {
     CHECK(shown_folder_name("x/01_Rooms") == "Rooms");
     CHECK(shown_folder_name("\xff") == "\xff");
 }
+
+TEST_CASE("the plain name of a folder or file has no hints, no number for ordering and no extension") {
+    CHECK(plain_name("20s 3x 01_Summer in_the city", NamePart::folder) == "Summer in the city");
+    CHECK(plain_name("007. bond.jpg", NamePart::file) == "bond");
+    CHECK(plain_name("1987", NamePart::folder) == "1987");
+    CHECK(plain_name("2019", NamePart::folder) == "2019");
+    CHECK(plain_name("2019 winter", NamePart::folder) == "2019 winter");
+    CHECK(plain_name("12", NamePart::folder) == "12");
+    CHECK(plain_name("20s", NamePart::folder).empty());
+    CHECK(plain_name("sound_", NamePart::folder).empty());
+}

@@ -169,3 +169,26 @@ TEST_CASE("the core of a drifting shot is what every aligned frame shows") {
     const Box expected{{0, 10}, {620, 360}};
     CHECK(core(record, record.shots[0]) == expected);
 }
+
+TEST_CASE("the look of a shot survives the way to JSON, and one of another length is no record") {
+    MediaRecord record = film();
+    CHECK_FALSE(record_from_json(to_json(record)).shots[0].look);
+    ShotLook look{.hash = 0x8123456789abcdefU};
+    look.colours[0] = 255;
+    look.colours[26] = 7;
+    record.shots[0].look = look;
+    const std::string text = to_json(record);
+    CHECK(record_from_json(text).shots[0].look == look);
+    CHECK(is_grown_from(record, record_from_json(to_json(film()))));
+    CHECK_THROWS_AS(static_cast<void>(look_from_text("8123")), std::runtime_error);
+}
+
+TEST_CASE("looks are as far apart as their colours and hashes, and no farther than 1") {
+    ShotLook dark;
+    ShotLook bright{.hash = ~std::uint64_t{0}};
+    bright.colours.fill(255);
+    CHECK(distance_between(dark, dark) == 0);
+    CHECK(distance_between(dark, bright) == 1);
+    bright.hash = 0;
+    CHECK(distance_between(dark, bright) == doctest::Approx(0.5));
+}
