@@ -67,12 +67,13 @@ struct Sizes {
     std::vector<double> moves;     // mean of the others' ways, shares of the diagonal, of each turn
 };
 
-/// The shares of the canvas that no picture reaches while a finger drags.
+/// The shares of the canvas that no picture reaches in drags.
 struct DragFigures {
-    std::vector<double> held;     // at each step of the finger
+    std::vector<double> held;     // in each frame, behind what is in hands
     std::vector<double> dropped;  // after each drop
     std::vector<double> edges;    // after each drop: share of the canvas' edge
-    std::vector<double> resized;  // at each step: mean change of ln(scale) of the others
+    int ways = 0;
+    int with_wayless = 0;  // ways on which a shot fades from place to place
 };
 
 double filler_share(const std::vector<PlacedShot>& wall) {
@@ -105,13 +106,24 @@ double dark_edge_share(const std::vector<PlacedShot>& wall) {
     return dark / (4.0 * points);
 }
 
-void add_drag_step(DragFigures& figures, const std::vector<PlacedShot>& before,
-                   const std::vector<PlacedShot>& after) {
-    figures.held.push_back(filler_share(after));
-    double resized = 0;
-    for (std::size_t i = 0; i < after.size(); ++i)
-        resized += std::abs(std::log(after[i].placement.scale / before[i].placement.scale));
-    figures.resized.push_back(resized / static_cast<double>(after.size()));
+/// Notes the frames of a drag by some hands. The wall after it becomes the shown one.
+void look_at_drag(DragFigures& figures, ChangingWall& wall, int hands) {
+    const WallWay* last = nullptr;
+    wall.drag(hands, [&](const TouchedHouse& house, const Frame& frame) {
+        double filler = 0;
+        for (std::size_t i = 0; i < house.wall.size(); ++i)
+            for (const Polygon& outline : frame.items[i].cell->filler)
+                if (frame.items[i].alpha >= 1) filler += signed_area(outline);
+        figures.held.push_back(filler / (canvas.x * canvas.y));
+        const WallWay* way = house.change ? house.change->way.get() : nullptr;
+        if (way != nullptr && way != last) {
+            ++figures.ways;
+            if (way->wayless > 0) ++figures.with_wayless;
+        }
+        last = way;
+    });
+    figures.dropped.push_back(filler_share(wall.shown()));
+    figures.edges.push_back(dark_edge_share(wall.shown()));
 }
 
 void add_sizes(Sizes& sizes, const std::vector<PlacedShot>& before, const std::vector<PlacedShot>& after) {
@@ -175,13 +187,8 @@ class ChangedWalls {
             sizes_.edges.push_back(dark_edge_share(next));
             wall.show(std::move(next));
         }
-        const TransitionStyle follows{.duration = 120ms};
-        wall.drag([&](const std::vector<PlacedShot>& next) {
-            add("drag, a step", wall, next, follows);
-            add_drag_step(drags_, wall.shown(), next);
-        });
-        drags_.dropped.push_back(filler_share(wall.shown()));
-        drags_.edges.push_back(dark_edge_share(wall.shown()));
+        for (const int hands : {1, 2})
+            look_at_drag(drags_.at(static_cast<std::size_t>(hands - 1)), wall, hands);
     }
 
     void print() const {
@@ -204,10 +211,14 @@ class ChangedWalls {
                        quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1));
         };
         print_most("no picture at the edge after another change", sizes_.edges);
-        print_most("no picture while a finger drags", drags_.held);
-        print_most("no picture after a drop", drags_.dropped);
-        print_most("no picture at the edge after a drop", drags_.edges);
-        print_most("others resized in a step of a drag, ln(scale)", drags_.resized);
+        for (std::size_t k = 0; k < drags_.size(); ++k) {
+            const DragFigures& figures = drags_.at(k);
+            fmt::print("drags by {} hands: {} ways, {} on which a shot fades from place to place\n", k + 1,
+                       figures.ways, figures.with_wayless);
+            print_most("no picture behind the hands", figures.held);
+            print_most("no picture after a drop", figures.dropped);
+            print_most("no picture at the edge after a drop", figures.edges);
+        }
         std::fflush(stdout);
     }
 
@@ -224,7 +235,7 @@ class ChangedWalls {
     int frames_;
     std::map<std::string, ChangeRow> rows_;
     Sizes sizes_;
-    DragFigures drags_;
+    std::array<DragFigures, 2> drags_;  // by one hand and by two
 };
 
 /// Prints the CPU time of frames during changes and between them. All shots are films of 640 x 360.

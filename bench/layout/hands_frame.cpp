@@ -4,7 +4,7 @@
 // on the planner's thread. A frame is the gesture and Wall::step(), without drawing.
 
 #include "base/geometry/vec2.hpp"
-#include "player/layout/edit/make_way.hpp"
+#include "player/layout/edit/wall_way.hpp"
 #include "player/layout/plan/plan.hpp"
 #include "player/scene/wall.hpp"
 #include "tests/player/layout/instances.hpp"

@@ -6,7 +6,7 @@
 
 #include "bench/packing/bench.hpp"
 #include "player/layout/cells/cells.hpp"
-#include "player/layout/edit/edit.hpp"
+#include "player/layout/edit/make_way.hpp"
 #include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/energy.hpp"
 #include "player/layout/plan/plan_output.hpp"
@@ -115,6 +115,34 @@ std::vector<std::pair<std::size_t, std::size_t>> others_than(std::size_t item, s
 
 using Rows = std::map<std::string, Row>;
 
+/// A change of a wall in which all stay, as the player asks for it.
+PlanRequest request_of(const WallState& wall, std::uint64_t seed) {
+    PlanRequest request{.canvas = wall.canvas, .seed = seed};
+    for (std::size_t i = 0; i < wall.items.size(); ++i)
+        request.items.push_back({.item = wall.items[i], .previous = wall.placements[i]});
+    return request;
+}
+
+WallState changed(const PlanRequest& request) {
+    return wall_state(items_of(request), plan(request));
+}
+
+WallState replaced(const WallState& wall, std::size_t item, const LayoutItem& newcomer, std::uint64_t seed) {
+    PlanRequest request = request_of(wall, seed);
+    request.items[item] = {.item = newcomer, .seat = seat_of(wall.items[item], wall.placements[item])};
+    return changed(request);
+}
+
+/// The wish of a finger that takes an item to a place.
+Wish wish_at(const WallState& wall, std::size_t item, Vec2 to, bool is_let_go) {
+    constexpr double lifted_size = 0.75;
+    const Placement& home = wall.homes[item];
+    return {
+        .item = item,
+        .at = {home.scale * lifted_size, to - (place(wall.items[item], home) - home.offset) * lifted_size},
+        .is_let_go = is_let_go};
+}
+
 /// The edits of one wall, timed.
 class TimedEdits {
   public:
@@ -128,19 +156,19 @@ class TimedEdits {
         add(rows_[name], wall_, after, cpu_ms() - start, others_than(but, wall_.items.size(), is_gone));
     }
 
-    /// Fifteen steps of a finger. @return the wall at the last one
-    WallState drag(std::size_t item, Vec2 to, const EditRules& rules) {
+    /// Fifteen steps of a finger, then it lets go.
+    void drag(std::size_t item, Vec2 to, const EditRules& rules) {
         constexpr int steps = 15;
         const Vec2 from = place(wall_.items[item], wall_.placements[item]);
-        WallState on_the_way = wall_;
-        for (int k = 1; k <= steps; ++k) {
+        WallState now = wall_;
+        for (int k = 1; k <= steps + 1; ++k) {
+            const Vec2 finger = from + (to - from) * (std::min(k, steps) / double{steps});
             const double start = cpu_ms();
-            const WallState next = dragged(on_the_way, item, from + (to - from) * (k / double{steps}), rules);
-            add(rows_["drag, a step"], on_the_way, next, cpu_ms() - start,
+            const WallState next = made_way(now, std::vector{wish_at(wall_, item, finger, k > steps)}, rules);
+            add(rows_[k > steps ? "drag, drop" : "drag, a step"], now, next, cpu_ms() - start,
                 others_than(item, wall_.items.size(), false));
-            on_the_way = next;
+            now = next;
         }
-        return on_the_way;
     }
 
   private:
@@ -152,26 +180,26 @@ void measure_edits(Rows& rows, const Supply& supply, std::size_t count, std::uin
     Random random(seed);
     const Items items = supply.next(count, random);
     const WallState wall = wall_state(items, planned(items, canvas, seed));
-    const EditRules rules{.seed = seed};
     const std::size_t item = uniform_index(random, count);
     TimedEdits edits(rows, wall);
     const LayoutItem newcomer = supply.next(random);
-    edits.run("insert", count, [&] { return inserted(wall, newcomer, rules); });
-    edits.run(
-        "delete", item, [&] { return deleted(wall, item, rules); }, true);
-    edits.run("replace", item, [&] { return replaced(wall, item, newcomer, rules); });
-    edits.run("resize x1.3", item, [&] { return resized(wall, item, 1.3, rules); });
-    const Vec2 to{canvas.x * uniform(random), canvas.y * uniform(random)};
-    edits.run("drag, at once", item, [&] { return dragged(wall, item, to, rules); });
-    const WallState on_the_way = edits.drag(item, to, rules);
-    edits.run("drag, 15 steps + drop", item, [&] { return settled(on_the_way, rules); });
-    WallState pinned = wall;
-    for (std::size_t i = 0; i < count; i += 3)
-        pinned.pinned[i] = i != item;
-    edits.run("replace, third pinned", item, [&] { return replaced(pinned, item, newcomer, rules); });
+    edits.run("insert", count, [&] {
+        PlanRequest request = request_of(wall, seed);
+        request.items.push_back({.item = newcomer});
+        return changed(request);
+    });
+    const auto deleted = [&] {
+        PlanRequest request = request_of(wall, seed);
+        request.items.erase(request.items.begin() + static_cast<std::ptrdiff_t>(item));
+        return changed(request);
+    };
+    edits.run("delete", item, deleted, true);
+    edits.run("replace", item, [&] { return replaced(wall, item, newcomer, seed); });
+    const double x = canvas.x * uniform(random);
+    edits.drag(item, {x, canvas.y * uniform(random)}, {.seed = seed});
     WallState changing = wall;
-    for (int k = 0; k < 30; ++k)
-        changing = replaced(changing, uniform_index(random, count), supply.next(random), rules);
+    for (std::uint64_t k = 0; k < 30; ++k)
+        changing = replaced(changing, uniform_index(random, count), supply.next(random), seed + k);
     const WallState anew = wall_state(changing.items, planned(changing.items, canvas, seed));
     add(rows["30 replaced, before: packed anew"], anew, changing, 0, others_than(count, count, false));
 }

@@ -36,6 +36,7 @@ PictureProgram::PictureProgram(const std::string& fragment_shader)
       blur_(program_.uniform("blur")),
       level_(program_.uniform("level")),
       mirrors_(program_.uniform("mirrors")),
+      light_(program_.uniform("light")),
       alpha_(program_.uniform("alpha")),
       to_rgb_(program_.uniform("to_rgb")),
       zero_(program_.uniform("zero")) {
@@ -77,6 +78,7 @@ void PictureProgram::set_texels(const DrawItem& item, const DrawnPicture& pictur
 void PictureProgram::set_blur(const DrawItem& item, const PictureTexture& texture) const {
     const double radius = filler_blur * std::min(texture.width(), texture.height());  // texels
     set(blur_, {radius / texture.width(), radius / texture.height()});
+    glUniform1f(light_, static_cast<float>(item.filler_light));
     glUniform1f(level_, static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius a texel
     const Box part = within_bars(item, {radius / 2 / texture.width(), radius / 2 / texture.height()});
     glUniform4f(mirrors_, static_cast<float>(part.min.x / item.picture.x),

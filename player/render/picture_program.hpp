@@ -41,6 +41,7 @@ class PictureProgram {
     GLint blur_;     // -1: the program draws sharp
     GLint level_;    // -1: the program draws sharp
     GLint mirrors_;  // -1: the program draws sharp
+    GLint light_;    // -1: the program draws sharp
     GLint alpha_;    // -1: the program draws opaque
     GLint to_rgb_;   // -1: the picture is in RGB
     GLint zero_;     // -1: the picture is in RGB

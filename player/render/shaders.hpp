@@ -116,9 +116,9 @@ void main() {
 }
 )";
 
-// The picture, mirrored at its edges or at its bars, dark and so blurred that nothing in it is recognised: a
-// frame, not a second picture.
-// The taps lie on a sunflower's spiral and are the same for each pixel, so that still pictures stand still.
+// The picture, mirrored at its edges or at its bars, mostly dark, and so blurred that nothing in it is
+// recognised: a frame, not a second picture. The taps lie on a sunflower's spiral and are the same for each
+// pixel, so that still pictures stand still.
 inline constexpr const char* filler_shader = R"(
 in highp vec2 uv;
 in mediump float coverage;
@@ -126,10 +126,10 @@ uniform highp vec2 blur;     // radius, as a share of the picture
 uniform highp float level;   // the smaller copy that is read
 uniform highp vec4 mirrors;  // place and size of what is mirrored, as shares of the picture
 uniform float alpha;
+uniform float light;         // share of the picture's brightness
 out vec4 pixel;
 
 const int taps = 16;
-const float light = 0.3;
 const highp mat2 golden_turn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
 
 highp vec2 mirrored(highp vec2 place) {

@@ -10,9 +10,6 @@ namespace vitrine::player {
 
 namespace {
 
-/// Nearly opaque: the renderer may leave out items below an opaque one, and here they must be drawn.
-constexpr double max_blended = 0.999;
-
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
     const auto local = std::max(std::chrono::nanoseconds(0), now - placed.began);
     return {.source = placed.shot.source,
@@ -21,7 +18,7 @@ DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds 
             .picture = placed.shot.picture,
             .active = placed.shot.active,
             .local = local,
-            .alpha = alpha};
+            .alpha = placed.is_above ? std::min(alpha, max_blended) : alpha};
 }
 
 void draw(Frame& frame, std::span<const PlacedShot> wall, double alpha) {

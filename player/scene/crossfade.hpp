@@ -11,10 +11,14 @@ namespace vitrine::player {
 // All crossfades: from a wall to the next, of the first wall over the idle picture, and between a wall and a
 // tapestry.
 
+/// The opacity of what seems opaque: below an opaque item the renderer may leave others out.
+inline constexpr double max_blended = 0.999;
+
 /// Eases a progress in [0, 1] in and out; clamps.
 double eased(double progress);
 
-/// The frame of a wall that does not change. A wall without shots is the idle picture.
+/// The frame of a wall that does not change. A wall without shots is the idle picture. Cells above the others
+/// are a little less than opaque; they are to be drawn last.
 Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
 
 /// A frame of the crossfade from one wall to the next: the old wall opaque and the new one over it, or one of

@@ -16,6 +16,9 @@ namespace vitrine::player {
 /// The number of a playing shot for as long as it is on the wall. Never used twice.
 using SourceId = std::uint64_t;
 
+/// The brightness of filler on a wall that stands: a frame, not a second picture.
+inline constexpr double usual_filler_light = 0.3;
+
 /// One cell of a frame, plain data.
 struct DrawItem {
     SourceId source = 0;
@@ -27,6 +30,7 @@ struct DrawItem {
     Box active;                            // its part within its bars, source px; empty: all of it
     std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
     double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
+    double filler_light = usual_filler_light;  // brightness of the cell's filler, as a share of the picture's
 };
 
 /// A plain white box, for the rim of something above the wall.

@@ -1,5 +1,7 @@
 #include "player/scene/lifted_shots.hpp"
 
+#include "player/scene/crossfade.hpp"
+
 #include <algorithm>
 
 namespace vitrine::player {
@@ -8,11 +10,27 @@ namespace {
 
 using State = LiftedState;
 
+constexpr double bright_filler = 0.9;  // share of the picture's brightness, while hands move shots
+constexpr auto lighting_time = std::chrono::milliseconds(60);    // before the others make way
+constexpr auto darkening_time = std::chrono::milliseconds(200);  // once all stand
+
 bool is_in_hand(const Lifted& lifted) {
     return lifted.state == State::held || lifted.state == State::large;
 }
 
+/// The share to which a shot is away from its place on the wall: large, or flicked out.
+double absence(const Lifted& lifted, std::chrono::nanoseconds now) {
+    const LiftedPose pose = lifted.picture.pose(now);
+    return pose.open > 0 ? pose.open * pose.alpha : 1 - pose.alpha;
+}
+
 }  // namespace
+
+double Fading::at(std::chrono::nanoseconds now) const {
+    if (now - began >= duration) return to;
+    const double share = std::chrono::duration<double>(now - began) / std::chrono::duration<double>(duration);
+    return from + (to - from) * eased(share);
+}
 
 Lifted* LiftedShots::lift(const PlacedShot& placed, std::uint64_t touch, LiftedState state,
                           std::chrono::nanoseconds now) {
@@ -63,20 +81,35 @@ const PlacedShot* LiftedShots::shot_at(Vec2 point, std::chrono::nanoseconds now)
     return nullptr;
 }
 
+void LiftedShots::light_filler(std::chrono::nanoseconds now) {
+    const bool moves = std::ranges::any_of(all_, [&](const auto& entry) {
+        const State state = entry.second.state;
+        return state == State::held || state == State::let_go ||
+               (state == State::returning && entry.second.picture.pose(now).open <= 0);
+    });
+    const double wanted = moves ? bright_filler : usual_filler_light;
+    if (wanted == filler_light_.to) return;
+    filler_light_ = {.from = filler_light_.at(now),
+                     .to = wanted,
+                     .began = now,
+                     .duration = moves ? lighting_time : darkening_time};
+}
+
 void LiftedShots::draw(Frame& frame) const {
-    if (all_.empty()) return;
+    std::stable_partition(frame.items.begin(), frame.items.end(),
+                          [](const DrawItem& item) { return item.alpha >= 1; });
     double dims = 0;
-    std::map<SourceId, double> lights;
-    for (const auto& [source, lifted] : all_) {
-        const double back = lifted.state == State::returning ? lifted.picture.progress(frame.time) : 0;
-        const LiftedPose pose = lifted.picture.pose(frame.time);
-        const double above = lifted.state < State::gone ? pose.alpha : 1;
-        lights[source] = 1 - (1 - waiting_light) * (1 - back) * above;
-        dims = std::max(dims, pose.dims);
-    }
+    for (const auto& [source, lifted] : all_)
+        dims = std::max(dims, lifted.picture.pose(frame.time).dims);
     for (DrawItem& item : frame.items) {
-        const auto light = lights.find(item.source);
-        item.alpha *= light == lights.end() ? 1 - dims : std::min(1 - dims, light->second);
+        const Lifted* lifted = find(item.source);
+        item.filler_light = filler_light_.at(frame.time);
+        if (lifted == nullptr)
+            item.alpha *= 1 - dims;
+        else if (item.alpha < 1)
+            item.alpha *= lifted->seat.at(frame.time) * (1 - dims);
+        else
+            item.alpha = std::min(1 - dims, 1 - (1 - waiting_light) * absence(*lifted, frame.time));
     }
     for (const State state :
          {State::returning, State::let_go, State::gone, State::large, State::held, State::whole})

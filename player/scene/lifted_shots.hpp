@@ -21,11 +21,22 @@ enum class LiftedState {
     dismissed,  // and that time is over
 };
 
+/// A number that goes from one value to another in time.
+struct Fading {
+    double from = 1;
+    double to = 1;
+    std::chrono::nanoseconds began{0};
+    std::chrono::nanoseconds duration{0};
+
+    double at(std::chrono::nanoseconds now) const;
+};
+
 struct Lifted {
     LiftedShot picture;
     LiftedState state = LiftedState::held;
     std::uint64_t touch = 0;            // of the hand that has it
     std::chrono::nanoseconds since{0};  // of the state
+    Fading seat = {};                   // opacity of the place that it leaves, above the others' cells
 };
 
 /// The shots that are lifted off a wall, each at most once.
@@ -58,11 +69,17 @@ class LiftedShots {
     /// The shot that is seen above the wall at a canvas point. nullptr: none.
     const PlacedShot* shot_at(Vec2 point, std::chrono::nanoseconds now) const;
 
-    /// Draws the shots above the wall in a frame, and dims what waits.
+    /// Filler becomes bright while hands move shots, and dark again afterwards: it moves, and a dark patch
+    /// that moves is seen.
+    void light_filler(std::chrono::nanoseconds now);
+
+    /// Draws the shots above the wall in a frame, and dims what waits. Cells of the wall that lie above the
+    /// others come after them.
     void draw(Frame& frame) const;
 
   private:
     std::map<SourceId, Lifted> all_;
+    Fading filler_light_{.from = usual_filler_light, .to = usual_filler_light};
 };
 
 }  // namespace vitrine::player

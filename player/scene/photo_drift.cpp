@@ -19,6 +19,9 @@ constexpr double max_way_share = 0.06;          // longest way to one side, as a
 constexpr double min_seen_way = 2;              // canvas px: nobody sees a shorter one
 constexpr double keeps_direction = 0.5;         // share of the longest way
 constexpr auto drift_period = std::chrono::seconds(60);
+constexpr auto drift_step =
+    std::chrono::milliseconds(100);  // between two places on a way: nobody sees a fifth
+                                     // of a px, and a wall that stands is not drawn
 
 struct Side {
     Vec2 a;
@@ -126,7 +129,8 @@ PhotoDrift longest_drift(const PlacedShot& placed, const PlacedShot* before) {
 /// The place on a way at a time.
 Vec2 place_on(const PhotoDrift& way, SourceId source, nanoseconds now) {
     constexpr double apart = 2.399963;  // the golden angle: no two photos go together
-    const double turns = std::chrono::duration<double>(now) / std::chrono::duration<double>(drift_period);
+    const double turns = std::chrono::duration<double>(now / drift_step * drift_step) /
+                         std::chrono::duration<double>(drift_period);
     const double wave =
         std::sin(2 * std::numbers::pi * turns + apart * static_cast<double>(source % 1'000'000));
     return (wave > 0 ? way.to : way.from) * (wave * wave);  // it rests for a moment in the middle

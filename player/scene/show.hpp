@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
-#include "player/layout/edit/make_way.hpp"
+#include "player/layout/edit/wall_way.hpp"
 #include "player/layout/plan/plan_request.hpp"
 #include "player/scene/files/shot_rotation.hpp"
 #include "player/scene/files/show_files.hpp"

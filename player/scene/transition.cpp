@@ -100,22 +100,32 @@ class TransitionSearch {
         }
     }
 
-    /// The motion of the shots that stay and of the guards, which do not move. None: there is no free way.
-    std::optional<Motion> motion_of() const {
+    /// The shots that stay, then the guards, which do not move.
+    struct Movable {
         std::vector<LayoutItem> items;
         std::vector<Placement> from;
         std::vector<Placement> to;
+    };
+
+    Movable movable() const {
+        Movable all;
         for (const Staying& staying : staying_) {
-            items.push_back(before(staying).shot.item);
-            from.push_back(before(staying).placement);
-            to.push_back(after(staying).placement);
+            all.items.push_back(before(staying).shot.item);
+            all.from.push_back(before(staying).placement);
+            all.to.push_back(after(staying).placement);
         }
         for (const Guard& guard : guards_) {
-            items.push_back(guard.item);
-            from.emplace_back();
-            to.emplace_back();
+            all.items.push_back(guard.item);
+            all.from.emplace_back();
+            all.to.emplace_back();
         }
-        return motion_between(items, from, to, found_.canvas);
+        return all;
+    }
+
+    /// None: there is no free way.
+    std::optional<Motion> motion_of() const {
+        const Movable all = movable();
+        return motion_between(all.items, all.from, all.to, found_.canvas);
     }
 
     void take(const Motion& motion) {
@@ -188,19 +198,9 @@ class TransitionSearch {
 
     /// For each shot that stays: the number of others that it meets on the straight way.
     std::vector<int> conflicts() const {
-        std::vector<int> counts(staying_.size(), 0);
-        const auto moving = [&](std::size_t k) {
-            return MovingItem{before(staying_[k]).shot.item, before(staying_[k]).placement,
-                              after(staying_[k]).placement};
-        };
-        for (std::size_t k = 0; k < staying_.size(); ++k) {
-            if (!moves(k)) continue;
-            for (std::size_t other = 0; other < staying_.size(); ++other)
-                if (other != k && !overlap_interval(moving(k), moving(other), clearance).is_empty())
-                    ++counts[k];
-            for (const Guard& guard : guards_)
-                if (!overlap_interval(moving(k), {guard.item, {}, {}}, clearance).is_empty()) ++counts[k];
-        }
+        const Movable all = movable();
+        std::vector<int> counts = meetings(all.items, all.from, all.to);
+        counts.resize(staying_.size());
         return counts;
     }
 

@@ -141,6 +141,10 @@ void Wall::set_canvas(Vec2 canvas) {
     canvas_ = canvas;
     touch_.put_all_down();
     if (change_ && change_->is_by_touch) change_.reset();
+    if (std::ranges::none_of(shown_, &PlacedShot::is_above)) return;
+    for (PlacedShot& placed : shown_)
+        placed.is_above = false;
+    give_cells(shown_, shown_canvas_, settings_.transition.cells);
 }
 
 void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {

@@ -72,10 +72,4 @@ bool is_at(const PlacedShot& placed, Vec2 point) {
     return placed.cell && (is_in_one(placed.cell->parts) || is_in_one(placed.cell->filler));
 }
 
-const PlacedShot* find_shot_at(std::span<const PlacedShot> wall, Vec2 point) {
-    const auto found =
-        std::ranges::find_if(wall, [&](const PlacedShot& placed) { return is_at(placed, point); });
-    return found == wall.end() ? nullptr : &*found;
-}
-
 }  // namespace vitrine::player

@@ -21,7 +21,4 @@ std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 o
 /// True if the shot's cell contains this canvas point.
 bool is_at(const PlacedShot& placed, Vec2 point);
 
-/// The shot that is seen at a canvas point; nullptr if there is none.
-const PlacedShot* find_shot_at(std::span<const PlacedShot> wall, Vec2 point);
-
 }  // namespace vitrine::player

@@ -20,27 +20,33 @@ bool is_drifting(const PlacedShot& placed) {
     return placed.drift.from != placed.drift.to;
 }
 
-/// The moment of a way that is nearest to this time; before the first one it is the old wall.
+/// Puts a photo that drifts on the wall before or after a way to its place on the way. @param share  of it
+void let_drift(DrawItem& item, const PlacedShot& before, PlacedShot after, double share, nanoseconds now) {
+    const bool begins = is_drifting(after);
+    if (!begins && !is_drifting(before)) return;
+    after.placement = item.placement;
+    after.cell = item.cell;
+    const PhotoDrift& drift = begins ? after.drift : before.drift;
+    item.placement.offset =
+        after.placement.offset + drift_within_cell(after, drift, begins ? share : 1 - share, now);
+}
+
+/// The next moment of a way. A shot in a hand is still seen in the place that it leaves.
 Frame way_frame(const WallChange& change, std::span<const PlacedShot> shown, nanoseconds now) {
-    const double share =
-        std::chrono::duration<double>(now - change.began) / std::chrono::duration<double>(change.duration);
-    if (!change.way->is_free) return crossfade(change.canvas, shown, change.wall, share, now);
-    const auto count = static_cast<double>(change.way->keys.size());
-    const auto passed = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * count);
-    if (passed == 0) return standing_frame(change.canvas, shown, now);
-    const WallKey& key = change.way->keys[passed - 1];
+    const std::vector<WallKey>& keys = change.way->keys;
+    const double share = std::clamp(std::chrono::duration<double>(now - change.began) /
+                                        std::chrono::duration<double>(change.duration),
+                                    0.0, 1.0);
+    const auto passed = static_cast<std::size_t>(share * static_cast<double>(keys.size()));
+    const WallKey& key = keys[std::min(passed, keys.size() - 1)];
     Frame frame = standing_frame(change.canvas, change.wall, now);
     for (std::size_t i = 0; i < frame.items.size(); ++i) {
-        frame.items[i].placement = key.placements[i];
-        frame.items[i].cell = key.cells[i];
-        const bool begins = is_drifting(change.wall[i]);
-        if (!begins && !is_drifting(shown[i])) continue;
-        PlacedShot placed = change.wall[i];
-        placed.placement = key.placements[i];
-        placed.cell = key.cells[i];
-        const PhotoDrift& drift = begins ? placed.drift : shown[i].drift;
-        frame.items[i].placement.offset =
-            placed.placement.offset + drift_within_cell(placed, drift, begins ? share : 1 - share, now);
+        DrawItem& item = frame.items[i];
+        item.alpha = std::min(key.alphas[i], key.alphas[i] < 1 ? max_blended : 1);
+        const bool is_in_hand = change.wall[i].is_above;
+        item.placement = is_in_hand ? shown[i].placement : key.placements[i];
+        item.cell = is_in_hand ? shown[i].cell : key.cells[i];
+        if (!is_in_hand) let_drift(item, shown[i], change.wall[i], share, now);
     }
     return frame;
 }
@@ -96,6 +102,7 @@ TouchedWall take_way(WallChange& change, std::shared_ptr<const WallWay> way) {
     for (std::size_t i = 0; i < change.wall.size(); ++i) {
         change.wall[i].placement = last.placements[i];
         change.wall[i].cell = last.cells[i];
+        change.wall[i].is_above = last.alphas[i] < 1;
     }
     change.way = std::move(way);
     return {.shots = change.wall, .canvas = change.canvas};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/layout/edit/make_way.hpp"
+#include "player/layout/edit/wall_way.hpp"
 #include "player/layout/layout.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/transition.hpp"

@@ -53,6 +53,7 @@ struct PlacedShot {
     std::chrono::nanoseconds began{0};  // time of its first appearance; `never`: not yet
     int group = PlanItem::no_group;     // shots of one group are placed together
     PhotoDrift drift = {};
+    bool is_above = false;  // its cell lies above those of the others, as the shot is in a hand
 };
 
 constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();

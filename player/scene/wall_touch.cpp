@@ -178,12 +178,22 @@ void WallTouch::put_all_down() {
     lifted_.all().clear();
     homes_.clear();
     asked_.clear();
+    above_.clear();
     tapped_ = whole_ = 0;
 }
 
 bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, bool may_flash) {
     now_ = now;
     if (tapped_ != 0 && now_ - tapped_at_ >= rules_.idle) tapped_ = 0;
+    const auto is_back = [&](const Lifted& lifted) {  // its place on the wall is its own, and is seen
+        const SourceId source = lifted.picture.placed().shot.source;
+        const auto above = above_.find(source);
+        return lifted.state == State::returning && lifted.picture.progress(now_) >= 1 &&
+               (above == above_.end() || above->second <= now_) &&
+               std::ranges::none_of(asked_, [&](const Wish& wish) {
+                   return wish.item < wall.shots.size() && wall.shots[wish.item].shot.source == source;
+               });
+    };
     for (auto& [source, lifted] : lifted_.all()) {
         const PlacedShot* placed = find_source(wall.shots, source);
         if (placed == nullptr) continue;
@@ -193,14 +203,13 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
             lifted.state = State::dismissed;
             needs_.dismissed.push_back(source);
         }
-        const bool is_back = lifted.state == State::returning && lifted.picture.progress(now_) >= 1;
-        if (is_back) needs_.requests.push_back(request_of(*placed));
+        if (is_back(lifted)) needs_.requests.push_back(request_of(*placed));
     }
     std::erase_if(lifted_.all(), [&](const auto& entry) {
-        return find_source(wall.shots, entry.first) == nullptr ||
-               (entry.second.state == State::returning && entry.second.picture.progress(now_) >= 1);
+        return find_source(wall.shots, entry.first) == nullptr || is_back(entry.second);
     });
     if (whole_ != 0 && lifted_.find(whole_) == nullptr) whole_ = tapped_ = 0;
+    lifted_.light_filler(now_);
     if (!is_active()) homes_.clear();
     const bool changes = may_flash && (whole_ != 0 ? tapped_ == 0 : tapped_ != 0 && !lifted_.is_held());
     if (changes) change_whole(wall);
@@ -264,25 +273,45 @@ std::optional<TouchedWay> WallTouch::next_way(const TouchedWall& wall) {
         way.request.wall.items.push_back(placed.shot.item);
         way.request.wall.placements.push_back(placed.placement);
         way.request.wall.homes.push_back(home == homes_.end() ? placed.placement : home->second);
-        way.request.wall.pinned.push_back(false);
         way.request.pictures.push_back(placed.shot.picture);
+        const Lifted* lifted = lifted_.find(placed.shot.source);
+        if (lifted == nullptr) continue;
+        const bool is_moved = lifted->state == State::held || lifted->state == State::let_go;
+        if (is_moved || (lifted->state == State::returning && placed.is_above))
+            way.request.lifted.push_back({way.request.wall.items.size() - 1, !placed.is_above});
     }
     for (auto& [number, group] : groups)
         way.request.groups.push_back(std::move(group));
     way.request.rules.max_scale *= softness;
     way.request.keys = static_cast<std::size_t>(way.duration / key_time);
+    takes_ = way.duration;
     way.request.wishes = asked_ = std::move(wished);
     return way;
 }
 
 void WallTouch::way_taken(const WallWay& way, const TouchedWall& wall) {
-    for (std::size_t i = 0; i < wall.shots.size(); ++i)
-        homes_[wall.shots[i].shot.source] = way.homes[i];
+    const WallKey& last = way.keys.back();
+    for (std::size_t i = 0; i < wall.shots.size(); ++i) {
+        const SourceId source = wall.shots[i].shot.source;
+        homes_[source] = way.homes[i];
+        const bool is_above = last.alphas[i] < 1;
+        Lifted* lifted = lifted_.find(source);
+        if (lifted != nullptr && !is_above) lifted->seat = {};
+        const auto before = above_.find(source);
+        const bool was_held = before != above_.end() && before->second == std::chrono::nanoseconds::max();
+        if (lifted != nullptr && is_above && !was_held)
+            lifted->seat = {.from = 1, .to = 0, .began = now_, .duration = drag_time};
+        above_.erase(source);
+        if (is_above)
+            above_[source] = std::chrono::nanoseconds::max();
+        else if (way.keys.front().alphas[i] < 1)
+            above_[source] = now_ + takes_ + 2 * key_time;
+    }
     for (const Wish& wish : asked_) {
         Lifted* lifted = lifted_.find(wall.shots[wish.item].shot.source);
         if (!wish.is_let_go || lifted == nullptr || lifted->state != State::let_go) continue;
         bring_back(*lifted);
-        lifted->picture.move_goal(way.keys.back().placements[wish.item]);
+        lifted->picture.move_goal(last.placements[wish.item]);
     }
     std::erase_if(asked_, &Wish::is_let_go);
 }
@@ -290,8 +319,9 @@ void WallTouch::way_taken(const WallWay& way, const TouchedWall& wall) {
 const PlacedShot* WallTouch::shot_at(Vec2 point, const TouchedWall& wall) const {
     if (const PlacedShot* above = lifted_.shot_at(point, now_)) return above;
     if (whole_ != 0) return nullptr;
-    const PlacedShot* below = find_shot_at(wall.shots, point);
-    return below != nullptr && lifted_.is_away(below->shot.source) ? nullptr : below;
+    for (const PlacedShot& placed : wall.shots)
+        if (!lifted_.is_away(placed.shot.source) && is_at(placed, point)) return &placed;
+    return nullptr;
 }
 
 }  // namespace vitrine::player

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
-#include "player/layout/edit/make_way.hpp"
+#include "player/layout/edit/wall_way.hpp"
 #include "player/scene/lifted_shots.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/wall_shot.hpp"
@@ -96,6 +96,8 @@ class WallTouch {
     SourceId whole_ = 0;                   // is as large as the screen
     std::map<SourceId, Placement> homes_;  // where all stood before the first touch; empty: as they are
     std::vector<Wish> asked_;              // wishes of the last way
+    std::chrono::nanoseconds takes_{0};    // of the last way
+    std::map<SourceId, std::chrono::nanoseconds> above_;  // until when shots' cells lie above the others'
     std::chrono::nanoseconds now_{0};
     TouchNeeds needs_;
 };

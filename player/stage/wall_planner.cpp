@@ -1,6 +1,6 @@
 #include "player/stage/wall_planner.hpp"
 
-#include "player/layout/edit/make_way.hpp"
+#include "player/layout/edit/wall_way.hpp"
 #include "player/layout/plan/plan.hpp"
 #include "player/stage/stage_settings.hpp"
 

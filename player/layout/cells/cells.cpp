@@ -1,5 +1,6 @@
 #include "player/layout/cells/cells.hpp"
 
+#include "player/layout/cells/far_parts.hpp"
 #include "player/layout/cells/seam_bends.hpp"
 #include "player/layout/cells/sharing.hpp"
 #include "player/layout/cells/taut.hpp"
@@ -177,6 +178,7 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
     }
     CanvasShares shares = share_canvas(sites, layout.groups, canvas,
                                        {.spacing = style.sample_spacing, .inset = style.sample_inset});
+    give_far_parts(shares.shown, sites);
     // The hulls of two groups may be nearer to each other than any two regions are.
     const double margin = layout.groups.empty() ? style.gutter / 2 + 1 : 0;
     if (style.is_taut) straighten(shares, sites, canvas, {.margin = margin, .radius = style.corner_radius});

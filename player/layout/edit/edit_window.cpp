@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t large_wall = 40;  // items, from which edits are local
 constexpr double window_items = 14;     // about as many are in a window
-constexpr double stood_still = 1e-9;    // canvas px
 constexpr double at_the_edge = 0.01;    // canvas px beyond a window that count as in it
 
 /// The part of a request that lies in a window, in the window's coordinates. @param inside  out: its items
@@ -69,34 +68,6 @@ Box window_at(const WallState& wall, Vec2 place, const EditRules& rules) {
     const Vec2 middle{std::clamp(place.x, field.min.x + half.x, field.max.x - half.x),
                       std::clamp(place.y, field.min.y + half.y, field.max.y - half.y)};
     return intersection(field, {middle - half, middle + half});
-}
-
-Box with_displaced(const WallState& wall, Box window) {
-    if (wall.items.size() <= large_wall) return window;
-    for (std::size_t i = 0; i < wall.items.size(); ++i)
-        if (length(wall.placements[i].offset - wall.homes[i].offset) > stood_still)
-            window = united(window, united(box_of(wall.items[i], wall.placements[i]),
-                                           box_of(wall.items[i], wall.homes[i])));
-    return window;
-}
-
-Vec2 emptiest_place(const WallState& wall, const EditRules& rules) {
-    constexpr int steps = 8;
-    if (wall.items.size() <= large_wall) return wall.canvas * 0.5;
-    Vec2 best;
-    double least = -1;
-    for (int y = 0; y < steps; ++y)
-        for (int x = 0; x < steps; ++x) {
-            const Vec2 place{wall.canvas.x * (x + 0.5) / steps, wall.canvas.y * (y + 0.5) / steps};
-            const Box window = window_at(wall, place, rules);
-            double covered = 0;
-            for (std::size_t i = 0; i < wall.items.size(); ++i)
-                covered += intersection(box_of(wall.items[i], wall.placements[i]), window).area();
-            if (least >= 0 && covered >= least) continue;
-            least = covered;
-            best = place;
-        }
-    return best;
 }
 
 std::optional<Layout> planned_in(const Box& window, const PlanRequest& request, const PlanWatch& watch) {

@@ -25,12 +25,6 @@ Placement moved_inside(const LayoutItem& item, Placement at, Vec2 canvas, double
 /// items can make room.
 Box window_at(const WallState& wall, Vec2 place, const EditRules& rules);
 
-/// The window extended to the items that a drag has displaced, and to their homes.
-Box with_displaced(const WallState& wall, Box window);
-
-/// The emptiest place of a wall, for a newcomer without a wished place, canvas px.
-Vec2 emptiest_place(const WallState& wall, const EditRules& rules);
-
 /// Plans the items in the window; all others stay.
 /// @return none: there is no room
 std::optional<Layout> planned_in(const Box& window, const PlanRequest& request, const PlanWatch& watch);

@@ -1,7 +1,5 @@
 #include "player/layout/edit/make_way.hpp"
 
-#include "base/geometry/convex_hull.hpp"
-#include "player/layout/cells/bleeding_edge.hpp"
 #include "player/layout/edit/edit_window.hpp"
 #include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/energy.hpp"
@@ -69,7 +67,8 @@ std::vector<Wish> heard(const WallState& wall, std::span<const Wish> wishes, dou
     return all;
 }
 
-/// The wall with all items at home but those with wishes, as a request in which those are pinned.
+/// The wall with all items at home but those with wishes, as a request in which those are pinned. The picture
+/// of one in a hand is drawn above the wall: the others shall fill the canvas without it.
 PlanRequest request_of(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
     PlanRequest request{.canvas = wall.canvas,
                         .seed = rules.seed,
@@ -79,14 +78,14 @@ PlanRequest request_of(const WallState& wall, std::span<const Wish> wishes, cons
                         .max_scale = rules.max_scale,
                         .is_coarse = true};  // fine steps at every step of a finger would make items tremble
     for (std::size_t i = 0; i < wall.items.size(); ++i)
-        request.items.push_back({.item = wall.items[i],
-                                 .previous = wall.homes[i],
-                                 .home = wall.homes[i],
-                                 .is_pinned = wall.pinned[i]});
+        request.items.push_back({.item = wall.items[i], .previous = wall.homes[i], .home = wall.homes[i]});
+    for (const std::size_t pinned : wall.pinned)
+        request.items[pinned].is_pinned = true;
     for (const Wish& wish : wishes) {
         PlanItem& item = request.items[wish.item];
         item.previous = item.home = wish.at;
         item.is_pinned = true;
+        if (!wish.is_let_go) item.item.core = bounding_box(item.item.region);
     }
     return request;
 }
@@ -150,107 +149,6 @@ std::optional<Layout> settled(const WallState& wall, const Layout& layout, std::
     return grown;
 }
 
-/// A wall in which each group of another wall's items is one item.
-struct Bodies {
-    WallState wall;
-    std::vector<std::vector<std::size_t>> members;  // of each body; several: a group, placed from its home
-};
-
-Placement composed(const Placement& inner, const Placement& outer) {
-    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
-}
-
-/// The placement that takes one placement to another.
-Placement change_between(const Placement& from, const Placement& to) {
-    const double scale = to.scale / from.scale;
-    return {scale, to.offset - from.offset * scale};
-}
-
-/// The hull of a group at home.
-LayoutItem hull_of(const std::vector<std::size_t>& members, const WallState& wall) {
-    LayoutItem body;
-    Polygon points;
-    for (const std::size_t i : members) {
-        const Placement& home = wall.homes[i];
-        const Polygon region = placed_region(wall.items[i], home);
-        points.insert(points.end(), region.begin(), region.end());
-        const Box core{wall.items[i].core.min * home.scale + home.offset,
-                       wall.items[i].core.max * home.scale + home.offset};
-        body.core = body.core.is_empty() ? core : united(body.core, core);
-    }
-    body.region = convex_hull(points);
-    return body;
-}
-
-std::vector<std::vector<std::size_t>> members_of(const WayRequest& request) {
-    std::vector<std::vector<std::size_t>> members;
-    std::vector<bool> is_grouped(request.wall.items.size(), false);
-    for (const LayoutGroup& group : request.groups) {
-        if (group.items.size() < 2) continue;
-        members.push_back(group.items);
-        for (const std::size_t item : group.items)
-            is_grouped[item] = true;
-    }
-    for (std::size_t i = 0; i < is_grouped.size(); ++i)
-        if (!is_grouped[i]) members.push_back({i});
-    return members;
-}
-
-Bodies bodies_of(const WayRequest& request) {
-    Bodies bodies{.wall = {.canvas = request.wall.canvas}, .members = members_of(request)};
-    for (const std::vector<std::size_t>& members : bodies.members) {
-        const std::size_t first = members.front();
-        const bool is_group = members.size() > 1;
-        const Placement& home = request.wall.homes[first];
-        const Placement& now = request.wall.placements[first];
-        bodies.wall.items.push_back(is_group ? hull_of(members, request.wall) : request.wall.items[first]);
-        bodies.wall.placements.push_back(is_group ? change_between(home, now) : now);
-        bodies.wall.homes.push_back(is_group ? Placement{} : home);
-        bodies.wall.pinned.push_back(!is_group && request.wall.pinned[first]);
-    }
-    return bodies;
-}
-
-/// The wishes for the bodies: a group goes where its first wished member shall be.
-std::vector<Wish> wishes_of(const Bodies& bodies, const WayRequest& request) {
-    std::vector<Wish> wishes;
-    for (const Wish& wish : request.wishes)
-        for (std::size_t k = 0; k < bodies.members.size(); ++k) {
-            const auto& members = bodies.members[k];
-            if (std::ranges::find(members, wish.item) == members.end()) continue;
-            if (std::ranges::find(wishes, k, &Wish::item) != wishes.end()) continue;
-            const Placement at =
-                members.size() > 1 ? change_between(request.wall.homes[wish.item], wish.at) : wish.at;
-            wishes.push_back({.item = k, .at = at, .is_let_go = wish.is_let_go});
-        }
-    return wishes;
-}
-
-/// The placements of all items, where the bodies are at these.
-std::vector<Placement> unfolded(const Bodies& bodies, const WayRequest& request,
-                                std::span<const Placement> placements) {
-    std::vector<Placement> all(request.wall.items.size());
-    for (std::size_t k = 0; k < bodies.members.size(); ++k)
-        for (const std::size_t i : bodies.members[k])
-            all[i] =
-                bodies.members[k].size() > 1 ? composed(request.wall.homes[i], placements[k]) : placements[k];
-    return all;
-}
-
-WallKey key_at(const WayRequest& request, std::vector<Placement> placements) {
-    std::vector<LayoutItem> items;
-    for (std::size_t i = 0; i < placements.size(); ++i)
-        items.push_back(without_bleeding_edge(request.wall.items[i], request.pictures[i], placements[i]));
-    Layout layout{.canvas = request.wall.canvas, .placements = std::move(placements), .groups = {}};
-    for (const LayoutGroup& group : request.groups)
-        if (group.items.size() > 1) layout.groups.push_back(group);
-    WallKey key;
-    for (Cell& cell : cells(items, layout, request.cells))
-        key.cells.push_back(std::make_shared<const Cell>(std::move(cell)));
-    key.placements = std::move(layout.placements);
-    return key;
-}
-
 }  // namespace
 
 WallState made_way(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules) {
@@ -269,20 +167,6 @@ WallState made_way(const WallState& wall, std::span<const Wish> wishes, const Ed
         return next;
     }
     return next;
-}
-
-WallWay way_to(const WayRequest& request) {
-    const Bodies bodies = bodies_of(request);
-    const WallState next = made_way(bodies.wall, wishes_of(bodies, request), request.rules);
-    const auto motion =
-        motion_between(next.items, bodies.wall.placements, next.placements, request.wall.canvas);
-    WallWay way{.keys = {}, .homes = unfolded(bodies, request, next.homes), .is_free = motion.has_value()};
-    const auto keys = static_cast<double>(request.keys);
-    for (std::size_t k = 1; motion && k < request.keys; ++k)
-        way.keys.push_back(key_at(
-            request, unfolded(bodies, request, placements_at(*motion, static_cast<double>(k) / keys))));
-    way.keys.push_back(key_at(request, unfolded(bodies, request, next.placements)));
-    return way;
 }
 
 }  // namespace vitrine::player

@@ -256,6 +256,21 @@ OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, doubl
     return overlap_of({a.item.region, a.from, a.to}, {b.item.region, b.from, b.to}, clearance);
 }
 
+std::vector<int> meetings(std::span<const LayoutItem> items, std::span<const Placement> from,
+                          std::span<const Placement> to) {
+    constexpr double clearance = 1.0 / 64;  // canvas px
+    std::vector<int> counts(items.size(), -1);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (from[i] == to[i]) continue;
+        counts[i] = 0;
+        for (std::size_t j = 0; j < items.size(); ++j)
+            if (j != i && !overlap_interval({items[i], from[i], to[i]}, {items[j], from[j], to[j]}, clearance)
+                               .is_empty())
+                ++counts[i];
+    }
+    return counts;
+}
+
 std::optional<Motion> motion_between(std::span<const LayoutItem> items, std::span<const Placement> from,
                                      std::span<const Placement> to, Vec2 canvas) {
     assert(items.size() == from.size() && items.size() == to.size());

@@ -46,6 +46,11 @@ struct MovingItem {
 /// @param clearance  canvas px that the regions keep between them, >= 0
 OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, double clearance);
 
+/// For each item that moves: the number of others that it meets on the straight way. For one that stands: -1.
+/// @param from, to  one placement for each item
+std::vector<int> meetings(std::span<const LayoutItem> items, std::span<const Placement> from,
+                          std::span<const Placement> to);
+
 /// A motion of all items from one layout to another in which no I-Region ever covers another. Tries in turn:
 /// all items at once, some after others, some smaller during the motion, by way of a halfway layout. None:
 /// none of these works, and only a crossfade is left.

@@ -1,20 +1,18 @@
 #include "player/layout/edit/wall_state.hpp"
 
-#include "player/layout/pack/filling.hpp"
 #include "player/layout/plan/plan_request.hpp"
 
 #include <cassert>
+#include <utility>
 
 namespace vitrine::player {
 
 WallState wall_state(std::vector<LayoutItem> items, const Layout& layout) {
     assert(items.size() == layout.placements.size());
-    const std::size_t count = items.size();
     return {.canvas = layout.canvas,
             .items = std::move(items),
             .placements = layout.placements,
-            .homes = layout.placements,
-            .pinned = std::vector<bool>(count, false)};
+            .homes = layout.placements};
 }
 
 Layout layout_of(const WallState& wall) {
@@ -25,10 +23,6 @@ Layout layout_of(const WallState& wall) {
             .placements = wall.placements,
             .energy = 1 - covered / (wall.canvas.x * wall.canvas.y),
             .is_final = true};
-}
-
-double empty_share(const WallState& wall) {
-    return unfilled_share(wall.items, wall.placements, wall.canvas);
 }
 
 }  // namespace vitrine::player

@@ -2,39 +2,37 @@
 
 #include "player/layout/layout.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace vitrine::player {
 
-/// A wall for edits: the place of every item, and the home to which an item returns after making room for
-/// another. A value; each edit (edit.hpp) gives a new one.
+/// A wall that is touched: the place of every item, and the home to which an item returns after making room
+/// for another. A value.
 struct WallState {
     Vec2 canvas;  // px
     std::vector<LayoutItem> items;
     std::vector<Placement> placements;  // one for each item
     std::vector<Placement> homes;       // one for each item: it returns there when it can
-    std::vector<bool> pinned;           // one for each item: true: only its own edit moves it
+    std::vector<std::size_t> pinned;    // items that keep their places and show nothing
 };
 
-/// The settings common to the edits of a wall.
+/// The settings of the ways of a wall.
 struct EditRules {
     std::uint64_t seed = 1;
-    std::int64_t budget = 100'000;      // evaluated moves in one edit at most
+    std::int64_t budget = 100'000;      // evaluated moves of one way at most
     double clearance = 1.5;             // canvas px between I-Regions
     double margin = 0;                  // canvas px between I-Regions and the canvas' edge
     double max_scale = 1.5;             // canvas px per source px
     std::function<bool()> should_stop;  // true: the best layout so far is completed and returned
 };
 
-/// The state of a layout without pins. @pre one placement for each item
+/// The state of a layout. @pre one placement for each item
 WallState wall_state(std::vector<LayoutItem> items, const Layout& layout);
 
 /// The layout of the wall.
 Layout layout_of(const WallState& wall);
-
-/// The share of the canvas that no picture reaches, sampled.
-double empty_share(const WallState& wall);
 
 }  // namespace vitrine::player

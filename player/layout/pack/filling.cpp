@@ -312,15 +312,6 @@ double unfilled_share(const PackingProblem& problem, std::span<const Box> frames
     return samples.missing_share();
 }
 
-double unfilled_share(std::span<const LayoutItem> items, std::span<const Placement> placements, Vec2 canvas) {
-    FramedSamples samples({{0, 0}, canvas});
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Placement& at = placements[i];
-        samples.add({items[i].core.min * at.scale + at.offset, items[i].core.max * at.scale + at.offset});
-    }
-    return samples.missing_share();
-}
-
 double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                             const Arrangement& arrangement) {
     std::vector<Box> boxes;

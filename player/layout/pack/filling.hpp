@@ -12,9 +12,6 @@ namespace vitrine::player {
 double unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                       const Arrangement& arrangement);
 
-/// The same for items on a canvas.
-double unfilled_share(std::span<const LayoutItem> items, std::span<const Placement> placements, Vec2 canvas);
-
 /// The same for few items, exact.
 double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                             const Arrangement& arrangement);

@@ -46,7 +46,7 @@ void OpenFolder::keep_way_back_free(WallPlan& plan) const {
     request.wall.items.push_back(mark.item);
     request.wall.placements.push_back(way_back_);
     request.wall.homes.push_back(way_back_);
-    request.wall.pinned.push_back(true);
+    request.wall.pinned.push_back(request.wall.items.size() - 1);
     request.pictures.push_back(mark.item.core.max);
     plan.way = std::make_shared<const WayRequest>(std::move(request));
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace vitrine::player {
@@ -25,7 +24,7 @@ class Search {
                 const bool is_edge = expected_.is_edge[expected_.index(x, y)];
                 if (is_edge)
                     for (std::size_t i = 0; i < 3; ++i)
-                        note(found_.at_edges, from_near(x, y, i), {x, y});
+                        note(found_.at_edges, from_near(x, y, i) - roundings(x, y), {x, y});
                 else
                     look_at_pixel(x, y);
             }
@@ -41,16 +40,18 @@ class Search {
     Deviation found() const { return found_; }
 
   private:
-    /// Notes a pixel, or the one that it puts in second place.
     void look_at_pixel(int x, int y) {
-        Pixel pixel{.place = {x, y}};
+        double colour = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            pixel.colour = std::max(pixel.colour, std::abs(off(x, y, i)));
-        pixel.grey = std::abs(0.299 * off(x, y, 0) + 0.587 * off(x, y, 1) + 0.114 * off(x, y, 2));
-        if (pixel.colour > stray_.colour) std::swap(pixel, stray_);
-        found_.stray = stray_.colour;
-        note(found_.colour, pixel.colour, pixel.place);
-        note(found_.grey, pixel.grey, pixel.place);
+            colour = std::max(colour, std::abs(off(x, y, i)));
+        const double grey = std::abs(0.299 * off(x, y, 0) + 0.587 * off(x, y, 1) + 0.114 * off(x, y, 2));
+        note(found_.colour, colour - roundings(x, y), {x, y});
+        note(found_.grey, grey - roundings(x, y), {x, y});
+    }
+
+    /// The steps that blends after the first one may be off.
+    double roundings(int x, int y) const {
+        return std::max(0, static_cast<int>(expected_.blends[expected_.index(x, y)]) - 1);
     }
 
     void note(double& largest, double value, std::array<int, 2> place) {
@@ -82,39 +83,22 @@ class Search {
 
     double block(int left, int top, std::size_t channel) const {
         double sum = 0;
+        double rounded = 0;
         int count = 0;
         for (int y = top; y < std::min(top + block_side, expected_.height); ++y)
             for (int x = left; x < std::min(left + block_side, expected_.width); ++x) {
                 if (expected_.is_edge[expected_.index(x, y)]) continue;
                 sum += off(x, y, channel);
+                rounded += roundings(x, y);
                 ++count;
             }
-        return count < min_counted ? 0 : std::abs(sum) / count;
+        return count < min_counted ? 0 : (std::abs(sum) - rounded) / count;
     }
-
-    struct Pixel {
-        std::array<int, 2> place{};
-        double grey = 0;
-        double colour = 0;
-    };
 
     const Picture& drawn_;            // outlives this
     const ReferenceImage& expected_;  // outlives this
     Deviation found_;
-    Pixel stray_;  // the one that is off most
 };
-
-/// The number of translucent pictures that lie over one another. Those of one wall lie beside one another.
-int blends_of(const Frame& frame) {
-    constexpr SourceId sources_a_wall = 100;  // of random frames
-    std::set<SourceId> layers;
-    for (const DrawItem& item : frame.items)
-        if (item.zoom)
-            layers.insert(item.source);
-        else if (item.alpha < 1)
-            layers.insert(sources_a_wall * (1 + item.source / sources_a_wall));
-    return static_cast<int>(layers.size());
-}
 
 }  // namespace
 
@@ -131,7 +115,7 @@ Deviation deviation(const Picture& drawn, const ReferenceImage& expected, bool i
 
 Deviation ComparedFrames::compare(std::uint64_t seed, int max_side) {
     const RandomFrame made = random_frame(seed, max_side);
-    kind_ = {made.has_planes, blends_of(made.frame)};
+    has_planes_ = made.has_planes;
     OffscreenScreen screen({.width = made.width, .height = made.height}, egl_);
     ReferenceCompositor reference(made.width, made.height, made.view);
     renderer_.aim(made.width, made.height, made.view);

@@ -44,6 +44,21 @@ std::optional<std::array<double, 3>> shares_at(const Triangle& triangle, Vec2 po
     return shares;
 }
 
+/// True if a point lies on a side of a triangle, as exactly as GL knows: it puts corners on a grid of
+/// 1/256 px, so that such a pixel may belong to none of two triangles, or to both.
+template <typename Triangle> bool is_on_side(const Triangle& triangle, Vec2 point) {
+    constexpr double grid = 1.0 / 256;  // px
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 from = triangle[k].at;
+        const Vec2 side = triangle[(k + 1) % 3].at - from;
+        const double squared = dot(side, side);
+        if (squared <= 0) continue;
+        const double share = std::clamp(dot(point - from, side) / squared, 0.0, 1.0);
+        if (length(point - from - side * share) <= 2 * grid) return true;
+    }
+    return false;
+}
+
 /// A point between the corners of a triangle.
 template <typename Corner>
 Corner mixed(const std::array<Corner, 3>& triangle, const std::array<double, 3>& shares) {
@@ -79,6 +94,7 @@ ReferenceImage ReferenceCompositor::drawn(const Frame& frame) {
     image_ = {.width = width_,
               .height = height_,
               .pixels = std::vector<Rgb>(count, Rgb{}),
+              .blends = std::vector<std::uint16_t>(count, 0),
               .is_edge = std::vector<bool>(count, false),
               .low = std::vector<std::array<float, 3>>(count),
               .high = std::vector<std::array<float, 3>>(count)};
@@ -147,7 +163,9 @@ ReferenceCompositor::Shade ReferenceCompositor::shade_of(const DrawItem& item, b
         Box active = item.active.is_empty() ? Box{{0, 0}, item.picture} : item.active;
         for (Vec2* corner : {&active.min, &active.max})
             *corner = {corner->x / item.picture.x, corner->y / item.picture.y};
-        return [&picture, active](const Corner& at) { return picture.filler_at(at.place, active); };
+        return [&picture, active, light = item.filler_light](const Corner& at) {
+            return picture.filler_at(at.place, active, light);
+        };
     }
     const Vec2 across = on_screen({1, 0}) - on_screen({0, 0});
     const Vec2 down = on_screen({0, 1}) - on_screen({0, 0});
@@ -276,16 +294,22 @@ void ReferenceCompositor::draw_row(const Triangle& triangle, int y, const Shade&
     const double whole = side_of(triangle[0].at, triangle[1].at, triangle[2].at);
     const int first = std::max(view_.left, static_cast<int>(std::floor(left)) - 1);
     const int last = std::min(width_ - view_.right - 1, static_cast<int>(std::ceil(right)) + 1);
-    for (int x = first; x <= last && whole > 0; ++x)
+    for (int x = first; x <= last && whole > 0; ++x) {
+        if (is_on_side(triangle, {x + 0.5, y + 0.5})) image_.is_edge[image_.index(x, y)] = true;
         if (const auto shares = shares_at(triangle, {x + 0.5, y + 0.5}, whole)) {
             const Corner at = mixed(triangle, *shares);
             blend(x, y, shade(at), at.opacity);
         }
+    }
 }
 
 void ReferenceCompositor::blend(int x, int y, const Rgb& colour, double opacity) {
     const std::size_t index = image_.index(x, y);
     Rgb& pixel = image_.pixels[index];
+    if (opacity >= 1)
+        image_.blends[index] = 0;
+    else if (opacity > 0)
+        ++image_.blends[index];
     for (std::size_t i = 0; i < 3; ++i) {
         const double own = std::clamp(colour[i], 0.0, 1.0);
         pixel[i] = std::round((own * opacity + pixel[i] * (1 - opacity)) * 255) / 255;

@@ -4,6 +4,7 @@
 #include "player/scene/frame.hpp"
 #include "tests/player/render/reference_picture.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -15,8 +16,9 @@ namespace vitrine::player {
 struct ReferenceImage {
     int width = 0;  // px
     int height = 0;
-    std::vector<Rgb> pixels;                 // of the screen, rounded to 8 bits a channel
-    std::vector<bool> is_edge;               // within 1.5 px of the edge of something drawn
+    std::vector<Rgb> pixels;            // of the screen, rounded to 8 bits a channel
+    std::vector<std::uint16_t> blends;  // translucent triangles that were drawn over one another
+    std::vector<bool> is_edge;  // within 1.5 px of the edge of something drawn, or on a triangle's side
     std::vector<std::array<float, 3>> low;   // the least that was ever drawn on a pixel, or was there
     std::vector<std::array<float, 3>> high;  // the most
 

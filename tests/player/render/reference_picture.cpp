@@ -137,9 +137,8 @@ Rgb ReferencePicture::at(Vec2 place) const {
     return colour_of(coded);
 }
 
-Rgb ReferencePicture::filler_at(Vec2 place, const Box& active) const {
+Rgb ReferencePicture::filler_at(Vec2 place, const Box& active, double light) const {
     constexpr int taps = 16;
-    constexpr double light = 0.3;
     constexpr double turn = 2.39996323;  // the golden angle
     const double radius = 0.25 * std::min(width_, height_);
     const double level = std::max(0.0, std::ceil(std::log2(radius) - 1 + 0.5) - 1);

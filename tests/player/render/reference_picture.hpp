@@ -36,9 +36,10 @@ class ReferencePicture {
     /// The colour at a place, as shares of the picture's width and height.
     Rgb at(Vec2 place) const;
 
-    /// The dark, blurred colour of the filler at a place; the picture is mirrored at its edges or its bars.
+    /// The blurred colour of the filler at a place; the picture is mirrored at its edges or its bars.
     /// @param active  DrawItem::active, as shares of the picture's width and height
-    Rgb filler_at(Vec2 place, const Box& active) const;
+    /// @param light   DrawItem::filler_light
+    Rgb filler_at(Vec2 place, const Box& active, double light) const;
 
   private:
     /// A plane in one size; its values are in [0, 1].

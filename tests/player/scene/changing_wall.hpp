@@ -1,10 +1,11 @@
 #pragma once
 
-#include "player/layout/edit/make_way.hpp"
 #include "player/layout/plan/plan.hpp"
 #include "player/scene/wall_cells.hpp"
 #include "tests/player/layout/instances.hpp"
+#include "tests/player/scene/touched_house.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -66,34 +67,37 @@ class ChangingWall {
         return laid_out(std::move(next), std::move(request));
     }
 
-    /// A finger takes a shot to any place and drops it there. Each step of the wall becomes the shown one.
-    /// @param on_step  gets each step before it is shown
-    void drag(const std::function<void(const Shots& next)>& on_step) {
-        constexpr int steps = 8;
-        const std::size_t held = uniform_index(random_, shown_.size());
-        const Placement home = shown_[held].placement;
-        const Vec2 from = seat_of(shown_[held].shot.item, home).centre;
-        const double x = uniform(random_);
-        const Vec2 to{canvas_.x * x, canvas_.y * uniform(random_)};
-        WallState wall{.canvas = canvas_};
-        for (const PlacedShot& placed : shown_) {
-            wall.items.push_back(placed.shot.item);
-            wall.homes.push_back(placed.placement);
-            wall.pinned.push_back(false);
+    /// Fingers take shots to any places and drop them there, all at once. The wall at the end becomes the
+    /// shown one.
+    /// @param on_frame  gets each frame until all is in its place
+    void drag(int hands, const std::function<void(const TouchedHouse& house, const Frame& frame)>& on_frame) {
+        constexpr int moving = 12;   // frames
+        constexpr int resting = 10;  // frames
+        constexpr int longest = 200;
+        TouchedHouse house(shown_, canvas_);
+        house.touch = WallTouch({.edits = {.seed = seed_++, .budget = 20'000}, .cells = style_});
+        std::vector<Vec2> from;
+        std::vector<Vec2> to;
+        for (int hand = 0; hand < hands; ++hand) {
+            const PlacedShot& held = shown_[uniform_index(random_, shown_.size())];
+            from.push_back(player::seat_of(held.shot.item, held.placement).centre);
+            const double x = uniform(random_);
+            to.push_back({canvas_.x * x, canvas_.y * uniform(random_)});
+            house.put(Contact::Kind::down, hand, from.back());
         }
-        wall.placements = wall.homes;
-        for (int k = 1; k <= steps + 1; ++k) {
-            const Vec2 finger = from + (to - from) * (k / double{steps});
-            const Placement at{home.scale * 0.75, finger - (from - home.offset) * 0.75};
-            const std::vector<Wish> wishes{{.item = held, .at = at, .is_let_go = k > steps}};
-            wall = made_way(wall, wishes, {.seed = seed_++, .budget = 20'000});
-            Shots next = shown_;
-            for (std::size_t i = 0; i < next.size(); ++i)
-                next[i].placement = wall.placements[i];
-            give_cells(next, canvas_, {});
-            on_step(next);
-            show(std::move(next));
+        for (int k = 1; k <= moving + resting; ++k) {
+            const double share = std::min(1.0, k / double{moving});
+            for (int hand = 0; hand < hands && k <= moving; ++hand) {
+                const auto number = static_cast<std::size_t>(hand);
+                house.put(Contact::Kind::move, hand, from[number] + (to[number] - from[number]) * share);
+            }
+            on_frame(house, house.frame());
         }
+        for (int hand = 0; hand < hands; ++hand)
+            house.put(Contact::Kind::up, hand);
+        for (int k = 0; k < longest && (k == 0 || house.touch.is_active() || house.change || house.next); ++k)
+            on_frame(house, house.frame());
+        shown_ = house.wall;
     }
 
   private:

@@ -3,6 +3,7 @@
 #include "player/input/gestures.hpp"
 #include "player/layout/cells/grid.hpp"
 #include "player/scene/crossfade.hpp"
+#include "player/scene/wall_change.hpp"
 #include "player/scene/wall_touch.hpp"
 #include "tests/player/scene/packed_wall.hpp"
 
@@ -11,26 +12,32 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
 
-/// A wall of shots that fingers touch, frame by frame. Ways are made at once and take their time.
+/// A wall of shots that fingers touch, frame by frame. It takes a moment until a way is made.
 struct TouchedHouse {
-    std::vector<PlacedShot> wall;
+    std::vector<PlacedShot> wall;  // as it is, or will be at the end of the way
+    Vec2 canvas;
     WallTouch touch{{.edits = {.budget = 10'000}, .idle = std::chrono::seconds(10)}};
-    Gestures gestures{gesture_rules(packed_canvas)};
+    Gestures gestures;
     std::chrono::nanoseconds now{0};
-    std::shared_ptr<const WallWay> way = {};  // that the wall goes now
-    std::vector<PlacedShot> before = {};      // the wall at its begin
-    std::chrono::nanoseconds way_begins{0};
-    std::chrono::nanoseconds way_takes{0};
+    std::optional<WallChange> change = {};  // the way that the wall goes now
+    std::vector<PlacedShot> before = {};    // the wall at its begin
+    std::optional<TouchedWay> next = {};    // the way that is made now
+    std::chrono::nanoseconds next_is_made{0};
     std::vector<Gesture> recognised = {};
     std::set<SourceId> dismissed = {};
 
-    explicit TouchedHouse(int count = 6) : wall(packed_wall(count)) {}
+    explicit TouchedHouse(int count = 6) : TouchedHouse(packed_wall(count), packed_canvas) {}
 
-    TouchedWall touched() const { return {.shots = wall, .canvas = packed_canvas}; }
+    TouchedHouse(std::vector<PlacedShot> shots, Vec2 size)
+        : wall(std::move(shots)), canvas(size), gestures(gesture_rules(size)) {}
+
+    TouchedWall touched() const { return {.shots = wall, .canvas = canvas}; }
 
     void put(Contact::Kind kind, int finger, Vec2 at = {}) {
         Subject subject = no_subject;
@@ -59,13 +66,13 @@ struct TouchedHouse {
         recognised = gestures.next_gestures(now);
         for (const Gesture& gesture : recognised)
             touch.handle_gesture(gesture, touched());
-        if (way && now - way_begins >= way_takes) way.reset();
+        if (change && now - change->began >= change->duration) change.reset();
         touch.advance(now, touched(), true);
         for (const SourceId source : touch.take_needs().dismissed)
             dismissed.insert(source);
-        if (!way) begin_way();
-        Frame frame = standing_frame(packed_canvas, wall, now);
-        show_way(frame);
+        if (!change && !next) ask_for_way();
+        if (next && now >= next_is_made) begin_change();
+        Frame frame = change ? change_frame(*change, before, {}, now) : standing_frame(canvas, wall, now);
         touch.draw(frame);
         return frame;
     }
@@ -84,6 +91,11 @@ struct TouchedHouse {
         return all;
     }
 
+    /// The shot's cell on the wall.
+    static const DrawItem& below_of(const Frame& frame, SourceId source) {
+        return *std::ranges::find(frame.items, source, &DrawItem::source);
+    }
+
     /// The picture that is drawn last of a shot.
     static const DrawItem& top_of(const Frame& frame, SourceId source) {
         const auto found = std::find_if(frame.items.rbegin(), frame.items.rend(),
@@ -92,44 +104,43 @@ struct TouchedHouse {
     }
 
   private:
-    void begin_way() {
-        const auto next = touch.next_way(touched());
-        if (!next) return;
-        before = wall;
-        way = std::make_shared<const WallWay>(way_to(next->request));
-        way_begins = now;
-        way_takes = next->duration;
-        for (std::size_t i = 0; i < wall.size(); ++i) {
-            wall[i].placement = way->keys.back().placements[i];
-            wall[i].cell = way->keys.back().cells[i];
-        }
-        touch.way_taken(*way, touched());
+    void ask_for_way() {
+        next = touch.next_way(touched());
+        next_is_made = now + std::chrono::milliseconds(50);
     }
 
-    void show_way(Frame& frame) const {
-        if (!way) return;
-        const double share =
-            std::chrono::duration<double>(now - way_begins) / std::chrono::duration<double>(way_takes);
-        const auto passed = static_cast<std::size_t>(share * static_cast<double>(way->keys.size()));
-        for (std::size_t i = 0; i < wall.size(); ++i) {
-            const bool is_old = passed == 0 || !way->is_free;
-            frame.items[i].placement = is_old ? before[i].placement : way->keys[passed - 1].placements[i];
-            frame.items[i].cell = is_old ? before[i].cell : way->keys[passed - 1].cells[i];
-        }
+    void begin_change() {
+        before = wall;
+        change = WallChange{.canvas = canvas, .wall = wall, .is_by_touch = true, .duration = next->duration};
+        const auto way = std::make_shared<const WallWay>(way_to(next->request));
+        touch.way_taken(*way, take_way(*change, way));
+        begin_way(*change, before, false, now);
+        wall = change->wall;
+        next.reset();
     }
 };
 
 /// The part of the I-Regions that cells of other shots on the wall cover, canvas px^2. Lifted shots are not
-/// counted: they are drawn after the wall's.
+/// counted: they are drawn after the wall's. Neither are those that fade from place to place.
 inline double covered_by_others(const Frame& frame, const std::vector<PlacedShot>& wall) {
+    const std::span<const DrawItem> lifted = std::span(frame.items).subspan(wall.size());
+    std::vector<const DrawItem*> seats;
+    std::vector<bool> is_lifted;
+    double light = 0;
+    for (const PlacedShot& placed : wall) {
+        seats.push_back(&TouchedHouse::below_of(frame, placed.shot.source));
+        is_lifted.push_back(std::ranges::find(lifted, placed.shot.source, &DrawItem::source) != lifted.end());
+        if (!is_lifted.back()) light = std::max(light, seats.back()->alpha);
+    }
     double covered = 0;
     for (std::size_t i = 0; i < wall.size(); ++i) {
-        const Loops region{to_grid(placed_region(wall[i].shot.item, frame.items[i].placement))};
+        if (is_lifted[i] || seats[i]->alpha < light) continue;
+        const Loops region{to_grid(placed_region(wall[i].shot.item, seats[i]->placement))};
         for (std::size_t j = 0; j < wall.size(); ++j) {
             Loops parts;
-            for (const Polygon& part : frame.items[j].cell->parts)
+            for (const Polygon& part : seats[j]->cell->parts)
                 parts.push_back(to_grid(part));
-            if (j != i) covered += area_of(intersection_of(region, parts));
+            if (j != i && seats[j]->alpha > 0) covered += area_of(intersection_of(region, parts));
         }
     }
     return covered;

@@ -132,18 +132,35 @@ TEST_CASE("no frame of a change with taut seams covers an I-Region that stays, i
     CHECK(check_changes(1, {.is_taut = true, .corner_radius = 24}) <= 2);
 }
 
-TEST_CASE("no frame of a drag covers an I-Region, is bare, or has new filler") {
-    ChangingWall changing({960, 540}, 8, 5);
-    int steps = 0;
-    changing.drag([&](const std::vector<PlacedShot>& next) {
-        const Transition made = transition(changing.canvas(), changing.shown(), next, {.duration = 120ms});
-        for (int k = 0; k <= 4; ++k) {
-            const FrameFaults faults = faults_of(made, k / 4.0);
-            CHECK(faults.covered < 0.05);
-            CHECK(faults.bare < 0.5);
-            CHECK(faults.dark < 0.5);
-        }
-        ++steps;
-    });
-    CHECK(steps > 4);
+namespace {
+
+/// The part of the canvas where no cell is opaque, canvas px^2.
+double bare_area(const Frame& frame) {
+    Loops drawn;
+    for (const DrawItem& item : frame.items)
+        if (item.alpha >= 1)
+            drawn = union_of(union_of(drawn, grid_loops(item.cell->parts)), grid_loops(item.cell->filler));
+    return frame.canvas.x * frame.canvas.y - area_of(drawn);
+}
+
+}  // namespace
+
+TEST_CASE("no frame of a drag of one hand or two covers an I-Region or is dark, and all ends in its place") {
+    for (const int hands : {1, 2}) {
+        CAPTURE(hands);
+        ChangingWall changing({960, 540}, 8, 5);
+        int frames = 0;
+        changing.drag(hands, [&](const TouchedHouse& house, const Frame& frame) {
+            CAPTURE(frames);
+            CHECK(covered_by_others(frame, house.wall) < 0.05);
+            CHECK(bare_area(frame) < 0.5);
+            const bool is_dragged = frame.items.size() > house.wall.size() && frames > 12 && frames < 20;
+            for (std::size_t i = 0; is_dragged && i < house.wall.size(); ++i)
+                CHECK(frame.items[i].filler_light > 0.8);
+            ++frames;
+        });
+        CHECK(frames > 25);
+        CHECK(frames < 100);
+        CHECK(std::ranges::none_of(changing.shown(), &PlacedShot::is_above));
+    }
 }

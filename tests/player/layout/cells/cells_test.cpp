@@ -108,6 +108,40 @@ TEST_CASE("what the nearest cannot show goes to the next who can") {
     CHECK(all[0].filler.empty());
 }
 
+namespace {
+
+/// The length of the border of two areas, px.
+double touch_of(const Loops& one, const Loops& other) {
+    return area_of(intersection_of(grown(one, 0.5), other)) / 0.5;
+}
+
+}  // namespace
+
+TEST_CASE("a cell is one piece, but for what no neighbour has pixels for") {
+    int apart = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        CAPTURE(seed);
+        PlanRequest request = random_request(7, seed);
+        request.budget = 20'000;
+        const std::vector<LayoutItem> items = items_of(request);
+        const Layout layout = plan(request);
+        const std::vector<Cell> all = cells(items, layout);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (std::size_t k = 1; k < all[i].parts.size(); ++k) {
+                const Loops far{to_grid(all[i].parts[k])};
+                if (touch_of(far, {to_grid(all[i].parts[0])}) > 1) continue;  // joined, it would have a hole
+                for (std::size_t j = 0; j < all.size(); ++j) {
+                    const Placement& at = layout.placements[j];
+                    const Loops core{to_grid(transformed(to_polygon(items[j].core), at.scale, at.offset))};
+                    if (j != i && touch_of(far, loops_of(all[j].parts)) > 1)
+                        CHECK(area_of(intersection_of(far, core)) < 0.1 * area_of(far));
+                }
+                ++apart;
+            }
+    }
+    CHECK(apart <= 1);
+}
+
 TEST_CASE("a gutter takes half its width from each side and nothing from a region or the canvas' edge") {
     const LayoutItem item{.region = to_polygon({{40, 40}, {60, 60}}), .core = {{-500, -500}, {500, 500}}};
     const std::vector<LayoutItem> items{item, item};

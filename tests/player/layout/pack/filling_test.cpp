@@ -1,6 +1,6 @@
 #include "player/layout/pack/filling.hpp"
 
-#include "player/layout/edit/edit.hpp"
+#include "player/layout/edit/make_way.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/instances.hpp"
 #include "tests/player/layout/inversions.hpp"
@@ -114,7 +114,9 @@ TEST_CASE("a drag makes those smaller that are in its way, and not all") {
     PlanRequest request = random_request(14, 5);
     const WallState wall = wall_state(items_of(request), plan(request));
     const EditRules rules{.budget = 30'000, .max_scale = 4};
-    const WallState after = dragged(wall, 3, {960, 540}, rules);
+    const Vec2 way = Vec2{960, 540} - seat_of(wall.items[3], wall.homes[3]).centre;
+    const Wish wish{.item = 3, .at = {wall.homes[3].scale, wall.homes[3].offset + way}};
+    const WallState after = made_way(wall, std::vector{wish}, rules);
     std::size_t as_large = 0;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
         if (after.placements[i].scale >= 0.98 * wall.placements[i].scale) ++as_large;
@@ -125,9 +127,15 @@ TEST_CASE("a wall does not wear out, however many shots follow each other") {
     PlanRequest request = random_request(8, 6);
     WallState wall = wall_state(items_of(request), plan(request));
     Random random(8);
-    for (std::uint64_t k = 1; k <= 25; ++k)
-        wall = replaced(wall, uniform_index(random, 8), random_item(random),
-                        {.seed = k, .budget = 40'000, .max_scale = 4});
+    for (std::uint64_t k = 1; k <= 25; ++k) {
+        PlanRequest change{.canvas = wall.canvas, .seed = k, .budget = 40'000, .max_scale = 4};
+        for (std::size_t i = 0; i < 8; ++i)
+            change.items.push_back({.item = wall.items[i], .previous = wall.placements[i]});
+        const std::size_t item = uniform_index(random, 8);
+        change.items[item] = {.item = random_item(random),
+                              .seat = seat_of(wall.items[item], wall.placements[item])};
+        wall = wall_state(items_of(change), plan(change));
+    }
     CHECK(is_sound(wall.items, layout_of(wall), "after_many"));
     request.items.clear();
     for (const LayoutItem& item : wall.items)
