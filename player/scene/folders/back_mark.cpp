@@ -1,5 +1,6 @@
 #include "player/scene/folders/back_mark.hpp"
 
+#include "player/scene/crossfade.hpp"
 #include "player/scene/folders/folder_zoom.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ constexpr double min_height = 57;      // canvas px
 constexpr double height_share = 0.11;  // of the canvas' shorter side
 constexpr double gap_share = 0.02;     // of the canvas' shorter side, to its edges
 constexpr double rim_share = 0.04;     // of the mark's height
-constexpr double max_blended = 0.999;  // nearly opaque: an opaque item would be drawn with those below
 
 }  // namespace
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int fields = 96;             // of the canvas, across and down, that are looked at
 constexpr double faded_in = 0.6;       // share of the way after which only the inner wall is seen in the box
-constexpr double max_blended = 0.999;  // nearly opaque: an opaque item would be drawn with those below
 
 /// The sides of the largest square of fields that ends at each field, in fields.
 std::vector<int> square_sizes(const std::vector<char>& is_inside) {
