@@ -51,7 +51,7 @@ enum class WallMode {
 /// The role of folders in a layout (layout.folders).
 enum class FolderMode {
     flat,    // ignored
-    nested,  // the items of one folder are placed together
+    nested,  // each folder is one place on the wall, and opens
 };
 
 /// The order in which shots come to the wall (show.order). The shots of one film always come in time order.

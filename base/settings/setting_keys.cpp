@@ -240,7 +240,9 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"layout.folders",
      choice<&S::layout, &S::Layout::folders>({{{"flat", FolderMode::flat}, {"nested", FolderMode::nested}}}),
      SettingEffect::new_walls,
-     "\"nested\": the files of each folder are placed together as one group. \"flat\": folders are ignored."},
+     "\"nested\": each folder is one place with several of its shots, beside loose files, and opens by a "
+     "touch; "
+     "layout.slots counts folders and files. \"flat\": folders are ignored."},
     {"show.order",
      choice<&S::show, &S::Show::order>(
          {{{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}}),

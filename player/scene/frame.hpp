@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -41,15 +42,25 @@ struct Plate {
     bool operator==(const Plate&) const = default;
 };
 
+/// A name above the wall. Once there is a picture of it, it is drawn as a word.
+struct FrameName {
+    std::string text;
+    Box box;  // canvas px: its line, where nothing matters
+    double alpha = 1;
+
+    bool operator==(const FrameName&) const = default;
+};
+
 /// The content of one refresh of a screen, in the order of drawing; testable without GL.
 struct Frame {
     Vec2 canvas;  // px
     Vec2 view;    // canvas point at the top left, px; moves if the wall is wider than the screen
     std::vector<DrawItem> items;
     std::vector<Plate> plates;
-    std::vector<WordItem> words;  // above all items
-    std::vector<Box> covered;     // canvas px: boxes that the items cover completely, if all can be drawn
-    double idle = 0;              // opacity of the idle picture drawn first, in [0, 1]
+    std::vector<WordItem> words;   // above all items
+    std::vector<FrameName> names;  // whose pictures become `words`
+    std::vector<Box> covered;      // canvas px: boxes that the items cover completely, if all can be drawn
+    double idle = 0;               // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };
 

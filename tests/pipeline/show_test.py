@@ -132,6 +132,27 @@ class Show(unittest.TestCase):
         self.assertGreater(min(red[2], blue[2]), 100)
         self.assertGreater(max(abs(red[0] - blue[0]) / WIDTH, abs(red[1] - blue[1]) / HEIGHT), 0.3, "they stand apart on the wall")
 
+    def test_a_folder_opens_by_a_touch_and_closes_into_its_place(self):
+        for i in range(6):
+            folder = self.root / ("left" if i % 2 else "right")
+            folder.mkdir(exist_ok=True)
+            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2], 320, 240)
+        self.analyse()
+        before = self.play("--duration", "3s", "--layout.folders", "nested")[-1]
+        x, y, _ = middle_of(before, COLOURS[0])
+        script = Path(self.folder.name) / "script.txt"
+        script.write_text(f"3 tap {x} {y}\n7 key back\n")
+
+        pictures = self.play("--duration", "11s", "--layout.folders", "nested", "--rehearse", script)
+
+        opened, after = pictures[6 * RATE], pictures[-1]
+        self.assertGreater(middle_of(opened, COLOURS[0])[2], 1.2 * middle_of(before, COLOURS[0])[2])
+        self.assertLess(middle_of(opened, COLOURS[2])[2], 0.2 * middle_of(before, COLOURS[2])[2], "only in the small picture")
+        self.assertLess(sum(abs(a - b) > 24 for a, b in zip(before, after)), len(before) // 500, "all is where it was")
+        for picture in pictures[2 * RATE:]:
+            dark = sum(max(picture[at:at + 3]) < 60 for at in range(0, len(picture), 3 * 7))
+            self.assertLess(dark, len(picture) // (3 * 7) // 10, "nothing becomes dark on the way")
+
     def test_a_plans_film_shows_how_the_packing_became_denser(self):
         for i, colour in enumerate(COLOURS):
             disc(self.root / f"{i}.png", colour, 120 + 15 * i, 150 - 8 * i)

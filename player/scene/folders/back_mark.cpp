@@ -33,15 +33,13 @@ PlanItem back_mark_item(Vec2 canvas, const Placement& at) {
     return item;
 }
 
-void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double alpha) {
-    if (alpha <= 0) return;
-    const double rim = box.height() * rim_share;
-    const double share = (box.height() - 2 * rim) / frame.canvas.y;
-    const Vec2 size = frame.canvas * share;
-    const Frame small = placed_frame(outer, {share, box.centre() - size * 0.5});
-    frame.plates.push_back({.box = box, .below = frame.items.size()});
-    for (DrawItem item : small.items) {
-        item.alpha = std::min(item.alpha * alpha, max_blended);
+void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double size) {
+    if (size <= 0) return;
+    const Vec2 half = (box.max - box.min) * (size / 2);
+    const double share = 2 * half.y * (1 - 2 * rim_share) / frame.canvas.y;
+    frame.plates.push_back({.box = {box.centre() - half, box.centre() + half}, .below = frame.items.size()});
+    for (DrawItem item : placed_frame(outer, {share, box.centre() - outer.canvas * (share / 2)}).items) {
+        item.alpha = std::min(item.alpha, max_blended);
         frame.items.push_back(std::move(item));
     }
 }

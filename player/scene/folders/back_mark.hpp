@@ -17,7 +17,7 @@ PlanItem back_mark_item(Vec2 canvas, const Placement& at);
 /// Draws the way back above a frame.
 /// @param box    its place, canvas px
 /// @param outer  of the wall behind
-/// @param alpha  opacity
-void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double alpha);
+/// @param size   share of its size, as it appears
+void draw_back_mark(Frame& frame, const Box& box, const Frame& outer, double size);
 
 }  // namespace vitrine::player

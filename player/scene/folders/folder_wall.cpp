@@ -18,7 +18,8 @@ using namespace std::chrono_literals;
 constexpr std::size_t max_depth = 64;   // walls that are open behind one another
 constexpr auto opening_patience = 12s;  // for the wall of a folder; then it is not opened
 constexpr auto source_patience = 3s;    // for one of its sources, and for those of the wall behind
-constexpr double mark_from = 0.7;       // share of the way from which on the way back appears
+constexpr double mark_from = 0.3;  // share of the way from which on the way back appears on the inner wall
+constexpr double mark_time = 0.3;  // share of the way in which it appears
 
 bool is_inside(const Box& box, Vec2 point) {
     return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
@@ -224,13 +225,16 @@ double FolderWall::opened_share() const {
 Frame FolderWall::composed_frame() const {
     if (levels_.size() < 2) return top().frame();
     const Frame& behind = levels_[levels_.size() - 2].frame();
-    const double share = opened_share();
+    const double progress = eased(opened_share());
     const Box box = zoom_ && !settings_.is_calm ? zoom_->box : Box{{0, 0}, behind.canvas};
-    Frame frame = zoom_frame(behind, top().frame(), box, eased(share));
+    Frame frame = zoom_frame(behind, top().frame(), box, progress);
     if (levels_.size() > 2)
         draw_back_mark(frame, levels_[levels_.size() - 2].way_back(), levels_[levels_.size() - 3].frame(),
-                       eased(1 - share / (1 - mark_from)));
-    draw_back_mark(frame, top().way_back(), behind, eased((share - mark_from) / (1 - mark_from)));
+                       eased(1 - progress / mark_from));
+    const Placement at = inner_placement(behind.canvas, box, progress);
+    const Box mark = top().way_back();
+    draw_back_mark(frame, {mark.min * at.scale + at.offset, mark.max * at.scale + at.offset}, behind,
+                   eased((progress - mark_from) / mark_time));
     return frame;
 }
 

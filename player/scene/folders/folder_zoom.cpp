@@ -43,6 +43,14 @@ Placement composed(const Placement& inner, const Placement& outer) {
     return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
 }
 
+/// The place of the outer wall's canvas: it becomes larger about one point, until the box is the canvas.
+Placement outer_placement(Vec2 canvas, const Box& box, double progress) {
+    const double largest = canvas.x / box.width();
+    const double scale = std::pow(largest, progress);
+    const Vec2 fixed = largest > 1 ? box.min * (largest / (largest - 1)) : Vec2{};
+    return {scale, fixed * (1 - scale)};
+}
+
 }  // namespace
 
 Box box_of_folder(std::span<const PlacedShot> wall, const std::string& folder, Vec2 canvas) {
@@ -77,17 +85,16 @@ Frame placed_frame(const Frame& frame, const Placement& to) {
     return placed;
 }
 
+Placement inner_placement(Vec2 canvas, const Box& box, double progress) {
+    return composed({box.width() / canvas.x, box.min}, outer_placement(canvas, box, progress));
+}
+
 Frame zoom_frame(const Frame& outer, const Frame& inner, const Box& box, double progress) {
     if (progress <= 0) return outer;
     if (progress >= 1) return inner;
-    const double largest = outer.canvas.x / box.width();
-    const double scale = std::pow(largest, progress);
-    const Vec2 fixed = largest > 1 ? box.min * (largest / (largest - 1)) : Vec2{};
-    const Placement zoom{scale, fixed * (1 - scale)};
-    Frame frame = placed_frame(outer, zoom);
+    Frame frame = placed_frame(outer, outer_placement(outer.canvas, box, progress));
     const double alpha = eased(progress / faded_in);
-    const Frame within = placed_frame(inner, composed({1 / largest, box.min}, zoom));
-    for (DrawItem item : within.items) {
+    for (DrawItem item : placed_frame(inner, inner_placement(outer.canvas, box, progress)).items) {
         item.alpha = std::min(item.alpha * alpha, max_blended);
         frame.items.push_back(std::move(item));
     }

@@ -20,6 +20,9 @@ Box box_of_folder(std::span<const PlacedShot> wall, const std::string& folder, V
 /// @param progress  0: only the outer wall, 1: only the inner one
 Frame zoom_frame(const Frame& outer, const Frame& inner, const Box& box, double progress);
 
+/// The place of the inner wall's canvas on the screen on that way.
+Placement inner_placement(Vec2 canvas, const Box& box, double progress);
+
 /// The same frame on another canvas: every point p becomes p * to.scale + to.offset. Items outside the canvas
 /// are left out.
 Frame placed_frame(const Frame& frame, const Placement& to);

@@ -36,8 +36,6 @@ class OpenFolder {
     /// The clock goes on.
     void uncover(std::chrono::nanoseconds now);
 
-    bool is_covered() const { return covered_.has_value(); }
-
     /// The next step; while it is covered, the frame of the last one.
     WallStep step(std::chrono::nanoseconds now);
 
@@ -71,6 +69,14 @@ class OpenFolder {
     bool has_sources() const { return missing_.empty(); }
 
   private:
+    /// The names of the sub-folders while the wall stands.
+    struct Names {
+        std::vector<FrameName> all;
+        std::chrono::nanoseconds since{0};  // on the clock of this wall
+    };
+
+    void name_folders(std::chrono::nanoseconds local);
+
     std::string folder_;
     Vec2 canvas_;
     Placement way_back_;  // moves it from its first place
@@ -78,6 +84,7 @@ class OpenFolder {
     ShowControls controls_;
     bool is_held_ = false;
     Frame frame_;
+    std::optional<Names> names_;
     std::chrono::nanoseconds away_{0};                 // for which the clock has stood still
     std::optional<std::chrono::nanoseconds> covered_;  // since then the clock stands still
     std::set<SourceId> sources_;                       // that were asked for
