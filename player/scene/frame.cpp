@@ -16,7 +16,7 @@ bool is_alike(const DrawItem& a, const DrawItem& b) {
 
 bool looks_alike(const Frame& a, const Frame& b) {
     return a.canvas == b.canvas && a.view == b.view && a.idle == b.idle && a.plates == b.plates &&
-           a.words == b.words && std::ranges::equal(a.items, b.items, is_alike);
+           a.words == b.words && a.names == b.names && std::ranges::equal(a.items, b.items, is_alike);
 }
 
 }  // namespace vitrine::player

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "player/scene/change_pace.hpp"
-#include "player/scene/folders/open_folder.hpp"
+#include "player/scene/folders/folder_stack.hpp"
 #include "player/scene/show.hpp"
 
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,55 +38,34 @@ class FolderWall final : public Show {
     void set_controls(const ShowControls& controls) override;
     WallStep step(std::chrono::nanoseconds now) override;
 
-    ChangePace* pace() override { return top().wall().pace(); }
+    ChangePace* pace() override { return wall().pace(); }
 
-    std::string opened_folder() const override { return top().folder(); }
+    std::string opened_folder() const override { return folders_.top().folder(); }
 
-    std::vector<SlotShot> standing() const override { return top().wall().standing(); }
+    std::vector<SlotShot> standing() const override { return wall().standing(); }
 
-    std::set<std::string> avoided_files() const override { return top().wall().avoided_files(); }
+    std::set<std::string> avoided_files() const override { return wall().avoided_files(); }
 
     /// The place of the way back, canvas px. Empty: no folder is open.
-    Box way_back() const { return levels_.size() > 1 ? top().way_back() : Box{}; }
+    Box way_back() const { return folders_.depth() > 1 ? folders_.top().way_back() : Box{}; }
 
   private:
     using Time = std::chrono::nanoseconds;
 
-    /// The way between the last two walls.
-    struct Zoom {
-        bool is_opening = true;
-        Time asked{0};              // when it was asked for
-        std::optional<Time> began;  // none: it waits for sources
-        Box box;                    // of the folder on the outer wall, canvas px
-    };
+    const Wall& wall() const { return folders_.top().wall(); }
 
-    OpenFolder& top() { return levels_.back(); }
+    Wall& wall() { return folders_.top().wall(); }
 
-    const OpenFolder& top() const { return levels_.back(); }
-
-    OpenFolder& outer() { return levels_[levels_.size() - 2]; }
-
-    void open(const std::string& folder);
-    void begin_closing(WallStep& step);
-    void advance_zoom(WallStep& step);
-    void end_zoom(WallStep& step);
-    void step_top(WallStep& step);
-    double opened_share() const;
-    Frame composed_frame() const;
-
-    WallSettings settings_;
+    Time idle_;
     Vec2 canvas_;
     RecordList records_;
     ShowHints hints_;
     ShowControls controls_;
-    std::vector<OpenFolder> levels_;  // the first is the wall of all; each further one is of a folder of it
-    std::optional<Zoom> zoom_;
+    FolderStack folders_;
     std::string wanted_;        // the folder that was tapped; empty: none
     std::size_t wished_depth_;  // number of walls that shall stay open
     Time touched_{0};
     Time now_{0};
-    std::uint64_t generation_ = 0;  // of the last plan, whichever wall asked for it
-    std::uint64_t inner_ = 0;       // the same on the counter of that wall
 };
 
 }  // namespace vitrine::player

@@ -25,6 +25,11 @@ class OpenFolder {
 
     const Wall& wall() const { return *wall_; }
 
+    void set_canvas(Vec2 canvas) {
+        canvas_ = canvas;
+        wall_->set_canvas(canvas);
+    }
+
     /// Lets no change of the wall begin, or lets them begin again.
     void hold(bool is_held);
 

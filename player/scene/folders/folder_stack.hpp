@@ -1,0 +1,75 @@
+#pragma once
+
+#include "player/scene/folders/open_folder.hpp"
+#include "player/scene/show.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// The walls of folders that are open behind one another, and the way between the last two. The wall on top
+/// is seen and changes. The one behind it stands still, the others do without their sources.
+class FolderStack {
+  public:
+    FolderStack(Vec2 canvas, const WallSettings& settings);
+
+    OpenFolder& top() { return levels_.back(); }
+
+    const OpenFolder& top() const { return levels_.back(); }
+
+    /// All walls; the first is that of all files, each further one of a folder of the one before.
+    std::vector<OpenFolder>& levels() { return levels_; }
+
+    /// The number of walls.
+    std::size_t depth() const { return levels_.size(); }
+
+    /// True from the wish for another wall until it is there.
+    bool is_on_way() const { return zoom_.has_value(); }
+
+    /// Begins to open a folder of the wall on top.
+    /// @param files  those of the folder; at least one
+    void open(const std::string& folder, const RecordList& files, const ShowHints& hints,
+              const ShowControls& controls);
+
+    /// Begins to close the folder on top. @pre more than one wall
+    void close();
+
+    void set_layout(const Layout& layout);
+
+    WallStep step(std::chrono::nanoseconds now);
+
+  private:
+    using Time = std::chrono::nanoseconds;
+
+    /// The way between the last two walls.
+    struct Zoom {
+        bool is_opening = true;
+        Time asked{0};              // when it was asked for
+        std::optional<Time> began;  // none: it waits for sources
+        Box box;                    // of the folder on the outer wall, canvas px
+    };
+
+    OpenFolder& outer() { return levels_[levels_.size() - 2]; }
+
+    void step_top(WallStep& step);
+    void advance_zoom(WallStep& step);
+    void end_zoom(WallStep& step);
+    double opened_share() const;
+    Frame composed_frame() const;
+
+    WallSettings settings_;
+    Vec2 canvas_;
+    std::vector<OpenFolder> levels_;
+    std::optional<Zoom> zoom_;
+    Time now_{0};
+    std::uint64_t generation_ = 0;       // of the last plan, whichever wall asked for it
+    std::uint64_t inner_ = 0;            // the same on the counter of that wall
+    std::vector<ShotRequest> requests_;  // since the last step
+};
+
+}  // namespace vitrine::player
