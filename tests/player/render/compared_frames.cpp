@@ -24,7 +24,7 @@ class Search {
                 const bool is_edge = expected_.is_edge[expected_.index(x, y)];
                 if (is_edge)
                     for (std::size_t i = 0; i < 3; ++i)
-                        note(found_.at_edges, from_near(x, y, i) - roundings(x, y), {x, y});
+                        note(found_.at_edges, from_near(x, y, i) - blends(x, y), {x, y});
                 else
                     look_at_pixel(x, y);
             }
@@ -45,14 +45,11 @@ class Search {
         for (std::size_t i = 0; i < 3; ++i)
             colour = std::max(colour, std::abs(off(x, y, i)));
         const double grey = std::abs(0.299 * off(x, y, 0) + 0.587 * off(x, y, 1) + 0.114 * off(x, y, 2));
-        note(found_.colour, colour - roundings(x, y), {x, y});
-        note(found_.grey, grey - roundings(x, y), {x, y});
+        note(found_.colour, colour - blends(x, y), {x, y});
+        note(found_.grey, grey - blends(x, y), {x, y});
     }
 
-    /// The steps that blends after the first one may be off.
-    double roundings(int x, int y) const {
-        return std::max(0, static_cast<int>(expected_.blends[expected_.index(x, y)]) - 1);
-    }
+    int blends(int x, int y) const { return expected_.blends[expected_.index(x, y)]; }
 
     void note(double& largest, double value, std::array<int, 2> place) {
         if (value > found_.worst()) found_.place = fmt::format("at {}, {}", place[0], place[1]);
@@ -89,7 +86,7 @@ class Search {
             for (int x = left; x < std::min(left + block_side, expected_.width); ++x) {
                 if (expected_.is_edge[expected_.index(x, y)]) continue;
                 sum += off(x, y, channel);
-                rounded += roundings(x, y);
+                rounded += std::max(0, blends(x, y) - 1);
                 ++count;
             }
         return count < min_counted ? 0 : (std::abs(sum) - rounded) / count;

@@ -14,8 +14,9 @@ namespace vitrine::player {
 /// The largest differences between a frame of the renderer and the same frame of the reference, in steps of
 /// 8 bits. Those of single pixels count for smooth pictures only.
 ///
-/// One step is taken off for each translucent triangle after the first on a pixel: GL rounds colour and
-/// opacity to 8 bits at each, as the reference cannot know.
+/// One step is taken off for each translucent triangle on a pixel, in the mean of a block for each after the
+/// first: GL rounds the colour that a sampler reads, and at each blend colour and opacity again. The
+/// reference cannot know which way.
 struct Deviation {
     double grey = 0;      // of the brightness of a pixel that is not at an edge
     double colour = 0;    // of a channel of such a pixel
@@ -25,11 +26,12 @@ struct Deviation {
 
     double worst() const;
 
-    /// True if the renderer draws as it should. Planes may be further off: a sampler reads each in steps of
-    /// 8 bits, and one step of a colour difference is two of blue, one of brightness 1.2 of all.
+    /// True if the renderer draws as it should. Half a step is for smaller copies, each of which is rounded
+    /// to 8 bits. Planes may be further off: a sampler reads each in steps of 8 bits, and one step of a
+    /// colour difference is two of blue, one of brightness 1.2 of all.
     bool is_good(bool has_planes) const {
-        const double channel = has_planes ? 6 : 4;
-        return grey <= (has_planes ? 3.5 : 2) && colour <= channel && at_edges <= channel &&
+        const double channel = has_planes ? 6 : 3;
+        return grey <= (has_planes ? 3.5 : 2.5) && colour <= channel && at_edges <= channel &&
                blocks <= (has_planes ? 3 : 2);
     }
 };

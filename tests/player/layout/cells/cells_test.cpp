@@ -119,10 +119,11 @@ double touch_of(const Loops& one, const Loops& other) {
 
 TEST_CASE("a cell is one piece, but for what no neighbour has pixels for") {
     int apart = 0;
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         CAPTURE(seed);
-        PlanRequest request = random_request(7, seed);
-        request.budget = 20'000;
+        PlanRequest request = random_request(9, seed);
+        request.budget = 2'000;
+        request.fills = false;
         const std::vector<LayoutItem> items = items_of(request);
         const Layout layout = plan(request);
         const std::vector<Cell> all = cells(items, layout);
@@ -139,7 +140,7 @@ TEST_CASE("a cell is one piece, but for what no neighbour has pixels for") {
                 ++apart;
             }
     }
-    CHECK(apart <= 1);
+    CHECK(apart <= 16);
 }
 
 TEST_CASE("a gutter takes half its width from each side and nothing from a region or the canvas' edge") {
