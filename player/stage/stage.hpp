@@ -22,6 +22,7 @@ struct Settings;
 namespace vitrine::player {
 
 class AudibleFilms;
+class FolderWords;
 class GestureDispatch;
 class Renderer;
 class Screen;
@@ -114,6 +115,7 @@ class Stage {
     std::unique_ptr<WallPlanner> planner_;
     std::unique_ptr<ScreenPainter> painter_;
     std::unique_ptr<AudibleFilms> films_;
+    std::unique_ptr<FolderWords> words_;
     bool is_paused_ = false;
     Frame frame_;                         // the last frame
     std::chrono::nanoseconds hidden_{0};  // total time in which no screen showed this stage

@@ -1,7 +1,5 @@
 #include "player/scene/files/folder_level.hpp"
 
-#include "base/hints/hint_words.hpp"
-
 #include <algorithm>
 #include <string_view>
 
@@ -46,11 +44,6 @@ std::vector<FolderEntry> level_entries(const RecordList& files) {
         entries.push_back({.path = path});
     }
     return entries;
-}
-
-std::string display_name(const FolderEntry& entry) {
-    const std::string last = entry.path.substr(entry.path.rfind('/') + 1);
-    return plain_name(last, entry.is_folder ? NamePart::folder : NamePart::file);
 }
 
 }  // namespace vitrine::player

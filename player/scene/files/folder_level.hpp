@@ -22,8 +22,4 @@ std::string common_folder(const RecordList& files);
 /// of its sub-folders is that sub-folder.
 std::vector<FolderEntry> level_entries(const RecordList& files);
 
-/// The name of an entry for visitors: the last part of its path, without numbers for ordering, hint words and
-/// a file's ending.
-std::string display_name(const FolderEntry& entry);
-
 }  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #include "player/scene/folders/folder_names.hpp"
 
-#include "player/scene/files/folder_level.hpp"
+#include "base/hints/hint_words.hpp"
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ std::vector<FrameName> folder_names(std::span<const PlacedShot> wall, Vec2 canva
     if (folders.empty()) return names;
     const std::vector<int> seen = seen_fields(wall, {canvas.x / columns, canvas.y / rows});
     for (const std::string& folder : folders) {
-        const std::string text = display_name({.path = folder, .is_folder = true});
+        const std::string text = shown_folder_name(folder);
         if (text.empty()) continue;
         FreeFields free(wall, folder, seen);
         if (const auto box = text_box(free, wall, canvas, aspect_of(text), taken))

@@ -15,8 +15,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int fields = 96;             // of the canvas, across and down, that are looked at
-constexpr double faded_in = 0.6;       // share of the way after which only the inner wall is seen in the box
+constexpr int fields = 96;        // of the canvas, across and down, that are looked at
+constexpr double faded_in = 0.6;  // share of the way after which only the inner wall is seen in the box
 
 /// The sides of the largest square of fields that ends at each field, in fields.
 std::vector<int> square_sizes(const std::vector<char>& is_inside) {

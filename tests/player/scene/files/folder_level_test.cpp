@@ -53,10 +53,3 @@ TEST_CASE("a level begins where the files part") {
 TEST_CASE("a level without files has no entry") {
     CHECK(level_of({}).empty());
 }
-
-TEST_CASE("the name of an entry has no path, no number for ordering and no hint") {
-    CHECK(display_name({.path = "a/20s 02_Our summer", .is_folder = true}) == "Our summer");
-    CHECK(display_name({.path = "1987", .is_folder = true}) == "1987");
-    CHECK(display_name({.path = "x/03. cat_and_dog.jpg"}) == "cat and dog");
-    CHECK(display_name({.path = "10s", .is_folder = true}).empty());
-}

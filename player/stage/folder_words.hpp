@@ -1,0 +1,32 @@
+#pragma once
+
+#include "player/scene/frame.hpp"
+#include "player/words/word_loader.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace vitrine::player {
+
+/// Draws the names of a frame: asks for their pictures, and adds those that are there as words.
+class FolderWords {
+  public:
+    explicit FolderWords(std::filesystem::path state) : state_(std::move(state)) {}
+
+    void draw(Frame& frame);
+
+  private:
+    std::filesystem::path state_;
+    std::optional<WordLoader> loader_;  // made when a name is first seen
+    std::set<std::string> wanted_;
+    std::map<std::string, std::shared_ptr<const WordPicture>> pictures_;  // of wanted texts
+};
+
+/// The place of a picture in the box for its text: as large as it fits, in the middle.
+Box word_place(const Box& box, const WordPicture& picture);
+
+}  // namespace vitrine::player
