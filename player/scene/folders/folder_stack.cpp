@@ -48,6 +48,12 @@ FolderStack::FolderStack(Vec2 canvas, const WallSettings& settings)
     levels_.emplace_back("", canvas, settings_);
 }
 
+void FolderStack::set_canvas(Vec2 canvas) {
+    canvas_ = canvas;
+    for (OpenFolder& level : levels_)
+        level.set_canvas(canvas);
+}
+
 void FolderStack::set_layout(const Layout& layout) {
     if (layout.generation != generation_) return;
     Layout inner = layout;

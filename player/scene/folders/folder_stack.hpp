@@ -28,6 +28,8 @@ class FolderStack {
     /// The number of walls.
     std::size_t depth() const { return levels_.size(); }
 
+    void set_canvas(Vec2 canvas);
+
     /// True from the wish for another wall until it is there.
     bool is_on_way() const { return zoom_.has_value(); }
 

@@ -23,8 +23,7 @@ void FolderWall::set_canvas(Vec2 canvas) {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     wished_depth_ = 1;
-    for (OpenFolder& level : folders_.levels())
-        level.set_canvas(canvas);
+    folders_.set_canvas(canvas);
 }
 
 void FolderWall::set_catalogue(const RecordList& records, const ShowHints& hints) {

@@ -223,3 +223,13 @@ TEST_CASE("every folder of a level comes onto the wall, from two to two hundred"
         CHECK(std::ssize(seen) == count);
     }
 }
+
+TEST_CASE("a folder opens on the canvas that the screen has now") {
+    FolderHouse house(three_folders());
+    house.wall->set_canvas({640, 480});
+    house.run(3s);
+    REQUIRE(house.tap("b"));
+    house.run(3s);
+    CHECK(house.wall->opened_folder() == "b");
+    CHECK(house.last.frame.canvas == Vec2{640, 480});
+}
