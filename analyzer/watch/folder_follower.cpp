@@ -41,7 +41,9 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     unwatched_ = 0;
     const MediaFolder::Listing listing = folder_.list(
         "", [this](const std::string& folder) { watch_folder(folder); }, attend);
-    is_online_ = folder_.device().has_value() && !is_unmounted(listing);
+    // An empty folder on another file system than before is the place where a share was mounted.
+    const bool is_unmounted = listing.files.empty() && is_elsewhere(folder_, device_);
+    is_online_ = folder_.device().has_value() && !is_unmounted && !is_suspiciously_empty(listing);
     if (!is_online_) {
         watch_.remove(folder_.root());
         remarks_ = {fmt::format("the media folder '{}' {}", folder_.root().string(),
@@ -59,12 +61,6 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
         remarks_.push_back(fmt::format("{} folders are not watched, only read now and then: {}", unwatched_,
                                        unwatched_because_ == ENOSPC ? "fs.inotify.max_user_watches is too low"
                                                                     : std::strerror(unwatched_because_)));
-}
-
-/// An empty folder on another file system than before is the place where a share was mounted.
-bool FolderFollower::is_unmounted(const MediaFolder::Listing& listing) const {
-    return is_suspiciously_empty(listing) ||
-           (listing.files.empty() && device_ && device_ != folder_.device());
 }
 
 /// The rule of the empty folder: where a catalogue has files, a folder in which this run has seen none says

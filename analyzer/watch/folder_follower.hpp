@@ -73,7 +73,6 @@ class FolderFollower {
     void see_file(const MediaFolder::File& file, Schedule::Time now, bool is_closed = false);
     void look_at_changed(const Changes& changes, Schedule::Time now);
     void lose_missing(const std::vector<std::string>& missing, Schedule::Time now);
-    bool is_unmounted(const MediaFolder::Listing& listing) const;
     bool is_suspiciously_empty(const MediaFolder::Listing& listing) const;
 
     MediaFolder folder_;
