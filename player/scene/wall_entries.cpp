@@ -35,6 +35,7 @@ RecordList::Record stand_in(const std::string& folder, std::int64_t mtime_ns) {
 
 std::vector<ShotKey> keys_of(const std::vector<WallShot>& shots) {
     std::vector<ShotKey> keys;
+    keys.reserve(shots.size());
     for (const WallShot& shot : shots)
         keys.push_back(shot.key);
     return keys;

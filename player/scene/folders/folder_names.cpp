@@ -20,6 +20,11 @@ constexpr std::array heights{0.045, 0.04, 0.035, 0.03,
 constexpr double letter_width = 0.55;  // mean, as a share of a line's height
 constexpr double least_letters = 3;    // a shorter name has this width
 
+/// The number of a field.
+std::size_t field_at(int x, int y) {
+    return static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x);
+}
+
 /// The fields of a canvas, each with the number of the shot that is seen there outside its I-Region; none:
 /// -1.
 std::vector<int> seen_fields(std::span<const PlacedShot> wall, Vec2 field) {
@@ -35,7 +40,7 @@ std::vector<int> seen_fields(std::span<const PlacedShot> wall, Vec2 field) {
                 for (int x = left; x < columns && x * field.x < bounds.max.x; ++x) {
                     const Vec2 middle{(x + 0.5) * field.x, (y + 0.5) * field.y};
                     if (!is_inside_convex(region, middle) && is_at(wall[i], middle))
-                        seen[static_cast<std::size_t>(y * columns + x)] = static_cast<int>(i);
+                        seen[field_at(x, y)] = static_cast<int>(i);
                 }
         }
     }
@@ -49,7 +54,7 @@ class FreeFields {
         : sums_(std::size_t{columns + 1} * (rows + 1), 0) {
         for (int y = 0; y < rows; ++y)
             for (int x = 0; x < columns; ++x) {
-                const int shot = seen[static_cast<std::size_t>(y * columns + x)];
+                const int shot = seen[field_at(x, y)];
                 const bool is_free = shot >= 0 && wall[static_cast<std::size_t>(shot)].shot.folder == folder;
                 at(x + 1, y + 1) = at(x, y + 1) + at(x + 1, y) - at(x, y) + (is_free ? 1 : 0);
             }
@@ -60,7 +65,9 @@ class FreeFields {
     }
 
   private:
-    int& at(int x, int y) { return sums_[static_cast<std::size_t>(y * (columns + 1) + x)]; }
+    int& at(int x, int y) {
+        return sums_[static_cast<std::size_t>(y) * (columns + 1) + static_cast<std::size_t>(x)];
+    }
 
     std::vector<int> sums_;
 };

@@ -18,13 +18,17 @@ namespace {
 constexpr int fields = 96;        // of the canvas, across and down, that are looked at
 constexpr double faded_in = 0.6;  // share of the way after which only the inner wall is seen in the box
 
+std::size_t number_at(int x, int y) {
+    return static_cast<std::size_t>(y) * fields + static_cast<std::size_t>(x);
+}
+
 /// The sides of the largest square of fields that ends at each field, in fields.
 std::vector<int> square_sizes(const std::vector<char>& is_inside) {
     std::vector<int> sizes(is_inside.size(), 0);
-    const auto at = [&](int x, int y) -> int& { return sizes[static_cast<std::size_t>(y * fields + x)]; };
+    const auto at = [&](int x, int y) -> int& { return sizes[number_at(x, y)]; };
     for (int y = 0; y < fields; ++y)
         for (int x = 0; x < fields; ++x) {
-            if (!is_inside[static_cast<std::size_t>(y * fields + x)]) continue;
+            if (!is_inside[number_at(x, y)]) continue;
             const bool is_at_edge = x == 0 || y == 0;
             at(x, y) = is_at_edge ? 1 : 1 + std::min({at(x - 1, y), at(x, y - 1), at(x - 1, y - 1)});
         }
@@ -59,8 +63,9 @@ Box box_of_folder(std::span<const PlacedShot> wall, const std::string& folder, V
     for (const PlacedShot& placed : wall) {
         if (placed.shot.folder != folder || !placed.cell) continue;
         for (std::size_t k = 0; k < is_inside.size(); ++k) {
+            const std::size_t row = k / fields;
             const Vec2 middle{(static_cast<double>(k % fields) + 0.5) * field.x,
-                              (static_cast<double>(k / fields) + 0.5) * field.y};
+                              (static_cast<double>(row) + 0.5) * field.y};
             if (is_inside[k] == 0 && is_at(placed, middle)) is_inside[k] = 1;
         }
     }
@@ -68,8 +73,8 @@ Box box_of_folder(std::span<const PlacedShot> wall, const std::string& folder, V
     const auto largest = std::ranges::max_element(sizes);
     if (*largest == 0) return {canvas * 0.45, canvas * 0.55};
     const auto last = static_cast<std::size_t>(largest - sizes.begin());
-    const Vec2 end{static_cast<double>(last % fields + 1) * field.x,
-                   static_cast<double>(last / fields + 1) * field.y};
+    const std::size_t row = last / fields;
+    const Vec2 end{static_cast<double>(last % fields + 1) * field.x, static_cast<double>(row + 1) * field.y};
     return {end - field * *largest, end};
 }
 
