@@ -43,7 +43,9 @@ target_precompile_headers(vitrine_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmak
 # of (CCACHE_PCH_EXTSUM in CMakePresets.json), so that a build in another folder finds what this one has compiled.
 file(SHA256 ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp precompiled_sum)
 string(APPEND precompiled_sum " ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} fmt ${fmt_VERSION}\n")
-file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_precompiled.dir/cmake_pch.hxx.gch.sum "${precompiled_sum}")
+foreach(ending gch pch)  # of gcc's and of clang's precompiled headers
+  file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_precompiled.dir/cmake_pch.hxx.${ending}.sum "${precompiled_sum}")
+endforeach()
 
 # The outermost sources: tests, benchmarks, the command lines of the programs. In builds with sanitizers their own code
 # is not optimised and is without UBSan: defects are looked for in the modules, which keep both. It compiles in a fifth
@@ -57,7 +59,10 @@ if(VITRINE_SANITIZE)
   add_library(vitrine_quick_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(vitrine_quick_precompiled PRIVATE vitrine_quick_options)
   target_precompile_headers(vitrine_quick_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
-  file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_quick_precompiled.dir/cmake_pch.hxx.gch.sum "${precompiled_sum}")
+  foreach(ending gch pch)
+    file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/vitrine_quick_precompiled.dir/cmake_pch.hxx.${ending}.sum
+      "${precompiled_sum}")
+  endforeach()
 endif()
 
 # A module is an object-like static library of one folder, named vitrine_<folder>.
