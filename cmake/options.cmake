@@ -40,7 +40,8 @@ add_library(vitrine_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.c
 target_link_libraries(vitrine_precompiled PRIVATE vitrine_options)
 target_precompile_headers(vitrine_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp)
 # Two builds of the same header differ in their bytes. With this file beside it ccache tells them by what they are made
-# of (CCACHE_PCH_EXTSUM in CMakePresets.json), so that a build in another folder finds what this one has compiled.
+# of (CCACHE_PCH_EXTSUM in CMakePresets.json), so that a build in another folder finds what this one has compiled. Of
+# clang's builds only one in a folder of the same path does: its arguments name the header by its absolute path.
 file(SHA256 ${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp precompiled_sum)
 string(APPEND precompiled_sum " ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} fmt ${fmt_VERSION}\n")
 foreach(ending gch pch)  # of gcc's and of clang's precompiled headers
