@@ -65,4 +65,21 @@ inline Polygon placed_region(const LayoutItem& item, const Placement& placement)
     return transformed(item.region, placement.scale, placement.offset);
 }
 
+/// The canvas box of an item's core.
+inline Box placed_core(const LayoutItem& item, const Placement& placement) {
+    return {item.core.min * placement.scale + placement.offset,
+            item.core.max * placement.scale + placement.offset};
+}
+
+/// The placement that has the effect of one placement and then of another.
+inline Placement composed(const Placement& inner, const Placement& outer) {
+    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
+}
+
+/// The placement that takes one placement to another.
+inline Placement change_between(const Placement& from, const Placement& to) {
+    const double scale = to.scale / from.scale;
+    return {scale, to.offset - from.offset * scale};
+}
+
 }  // namespace vitrine::player

@@ -170,8 +170,7 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Placement& at = layout.placements[i];
         sites.regions.push_back(placed_region(items[i], at));
-        frames.push_back(
-            {items[i].core.min * at.scale + at.offset, items[i].core.max * at.scale + at.offset});
+        frames.push_back(placed_core(items[i], at));
         const Box core = intersection(frames.back(), canvas);
         sites.cores.emplace_back();
         if (!core.is_empty()) sites.cores.back().push_back(to_grid(to_polygon(core)));

@@ -18,16 +18,6 @@ struct Bodies {
     std::vector<std::vector<std::size_t>> members;  // of each body; several: a group, placed from its home
 };
 
-Placement composed(const Placement& inner, const Placement& outer) {
-    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
-}
-
-/// The placement that takes one placement to another.
-Placement change_between(const Placement& from, const Placement& to) {
-    const double scale = to.scale / from.scale;
-    return {scale, to.offset - from.offset * scale};
-}
-
 /// The hull of a group at home.
 LayoutItem hull_of(const std::vector<std::size_t>& members, const WallState& wall) {
     LayoutItem body;
@@ -36,8 +26,7 @@ LayoutItem hull_of(const std::vector<std::size_t>& members, const WallState& wal
         const Placement& home = wall.homes[i];
         const Polygon region = placed_region(wall.items[i], home);
         points.insert(points.end(), region.begin(), region.end());
-        const Box core{wall.items[i].core.min * home.scale + home.offset,
-                       wall.items[i].core.max * home.scale + home.offset};
+        const Box core = placed_core(wall.items[i], home);
         body.core = body.core.is_empty() ? core : united(body.core, core);
     }
     body.region = convex_hull(points);

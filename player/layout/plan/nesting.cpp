@@ -44,10 +44,6 @@ std::vector<Body> bodies_of(const PlanRequest& request) {
     return bodies;
 }
 
-Box placed_core(const LayoutItem& item, const Placement& at) {
-    return {item.core.min * at.scale + at.offset, item.core.max * at.scale + at.offset};
-}
-
 /// The placed items of a group as one item, in px of which `unit` canvas px are one.
 PlanItem hull_item(const Body& body, const PlanRequest& request) {
     LayoutItem hull;
@@ -89,16 +85,6 @@ void give_item(Body& body, const PlanRequest& request) {
     body.planned.item.weight = 0;
     for (const std::size_t i : body.items)
         body.planned.item.weight += request.items[i].item.weight * group_weight;
-}
-
-Placement composed(const Placement& inner, const Placement& outer) {
-    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
-}
-
-/// The placement that takes one placement to another.
-Placement change_between(const Placement& from, const Placement& to) {
-    const double scale = to.scale / from.scale;
-    return {scale, to.offset - from.offset * scale};
 }
 
 /// A box inside a convex outline, about its middle.

@@ -43,10 +43,6 @@ bool is_seen(const DrawItem& item, Vec2 canvas) {
     return !corners.empty() && !intersection(bounding_box(corners), {{0, 0}, canvas}).is_empty();
 }
 
-Placement composed(const Placement& inner, const Placement& outer) {
-    return {inner.scale * outer.scale, inner.offset * outer.scale + outer.offset};
-}
-
 /// The place of the outer wall's canvas: it becomes larger about one point, until the box is the canvas.
 Placement outer_placement(Vec2 canvas, const Box& box, double progress) {
     const double largest = canvas.x / box.width();
