@@ -2,6 +2,7 @@
 
 #include "base/hints/hint_words.hpp"
 #include "base/hints/keyframe_choice.hpp"
+#include "base/state/path_text.hpp"
 #include "base/system/written_size.hpp"
 
 #include <fcntl.h>
@@ -28,14 +29,6 @@ constexpr std::array junk_names{"thumbs.db",  "ehthumbs.db", "desktop.ini",
                                 "__macosx"};
 constexpr std::array junk_endings{"~",    ".part",     ".partial",    ".crdownload",
                                   ".tmp", ".filepart", ".opdownload", ".download"};
-
-/// Changes ASCII letters only, in every locale.
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
 
 /// "..2026-12-24 Advent" is hidden for some programs, but meant to be seen.
 bool begins_with_period(std::string_view name) {

@@ -1,5 +1,7 @@
 #include "base/hints/weekdays.hpp"
 
+#include "base/state/path_text.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -23,14 +25,6 @@ constexpr std::array<DayNames, week> day_names{{{"monday", "montag", {}},
                                                 {"saturday", "samstag", "sonnabend"},
                                                 {"sunday", "sonntag", {}}}};
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
-    });
-    return result;
-}
-
 bool names_day(std::string_view text, const DayNames& names) {
     const bool is_short = text.size() == 2 || text.size() == 3;
     return text == names.english || text == names.german || text == names.other_german ||
@@ -41,7 +35,7 @@ bool names_day(std::string_view text, const DayNames& names) {
 /// 0 for Monday, 6 for Sunday.
 std::optional<unsigned> day_named(std::string_view text) {
     if (text.size() == 1 && text[0] >= '1' && text[0] <= '7') return static_cast<unsigned>(text[0] - '1');
-    const std::string name = lower(text);
+    const std::string name = lower_case(text);
     const auto found =
         std::ranges::find_if(day_names, [&](const DayNames& names) { return names_day(name, names); });
     if (name.empty() || found == day_names.end()) return std::nullopt;

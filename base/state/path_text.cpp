@@ -7,6 +7,13 @@
 
 namespace vitrine {
 
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
 bool is_utf8(std::string_view text) {
     try {
         (void)nlohmann::json(text).dump();

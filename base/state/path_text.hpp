@@ -8,6 +8,9 @@
 
 namespace vitrine {
 
+/// Makes the letters of ASCII small, in every locale; all other bytes stay.
+std::string lower_case(std::string_view text);
+
 bool is_utf8(std::string_view text);
 
 std::string to_hex(std::string_view bytes);
