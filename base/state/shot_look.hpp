@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-/// How a shot looks, in few bytes: two shots can be told to be alike without reading their files.
+/// A signature of a shot's picture in few bytes. It tells how alike two shots look without their files.
 struct ShotLook {
     static constexpr int grid = 3;  // fields across and down
     static constexpr int hash_side = 8;
@@ -19,8 +19,8 @@ struct ShotLook {
     bool operator==(const ShotLook&) const = default;
 };
 
-/// How different two shots look, in [0, 1]: the mean of the distance of their colours and that of their
-/// hashes. Two photos of different things have about 0.4, two of a series about 0.1.
+/// Returns the difference of two looks in [0, 1]. It is the mean of the distance of their colours and that of
+/// their hashes. Two photos of different things have about 0.4, two of a series about 0.1.
 double distance_between(const ShotLook& a, const ShotLook& b);
 
 /// The look in hex digits: the hash, then the colours.

@@ -11,11 +11,12 @@
 
 namespace vitrine::player {
 
-/// How much a shot tells about what it shows, in (0, 1]: by the share of its I-Region, and by how certain the
-/// analysis is of it.
+/// Rates a shot in (0, 1]. A shot tells more if its I-Region has a larger share of the picture and if the
+/// analysis is certain of it.
 double telling(const MediaRecord& record, const Shot& shot);
 
-/// How different two shots are, in [0, 1]: by their looks; if a record has none, by how far apart they lie.
+/// Returns the difference of two shots in [0, 1]. It compares their looks. If a record has none, it is larger
+/// the farther apart the shots lie in films and folders.
 double unlikeness(const MediaRecord& a, int shot_a, const MediaRecord& b, int shot_b);
 
 /// The shots that stand for a folder: telling ones that are little alike. They are found by farthest-point
