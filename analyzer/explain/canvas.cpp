@@ -71,11 +71,6 @@ double descent(const std::string& line, double size) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> font_places() {
-    return {"/etc/fonts", "/usr/share/fontconfig", "/usr/share/fonts", "/usr/local/share/fonts",
-            "/var/cache/fontconfig"};
-}
-
 Canvas::Canvas(int width, int height, Ink background) : picture_(height, width, CV_8UC3, bgr(background)) {
     init_vips();
 }

@@ -5,10 +5,8 @@
 
 #include <opencv2/core.hpp>
 
-#include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace vitrine::analyzer {
 
@@ -22,9 +20,6 @@ struct TextStyle {
     Ink colour = 0;
     TextWeight weight = TextWeight::normal;
 };
-
-/// The fonts of text, and what tells where they are: folders to be read below.
-std::vector<std::filesystem::path> font_places();
 
 /// A picture to draw on and to write as PNG: boxes, outlines, pictures and text. All lengths are canvas px.
 class Canvas {

@@ -11,9 +11,7 @@ namespace vitrine::analyzer {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::set<std::string> shown_names(std::span<const std::string> paths) {
+std::set<std::string> shown_folder_names(std::span<const std::string> paths) {
     std::set<std::string_view> folders;
     for (const std::string_view path : paths)
         for (std::size_t end = path.rfind('/'); end != std::string_view::npos;
@@ -26,21 +24,19 @@ std::set<std::string> shown_names(std::span<const std::string> paths) {
     return names;
 }
 
-}  // namespace
-
-std::vector<std::string> lacking_folder_names(std::span<const std::string> paths, const fs::path& state) {
+std::vector<std::string> lacking_words(const std::set<std::string>& words, const fs::path& state) {
     std::vector<std::string> lacking;
-    for (const std::string& name : shown_names(paths)) {
+    for (const std::string& word : words) {
         std::error_code error;
-        if (!fs::exists(word_picture(state, name), error)) lacking.push_back(name);
+        if (!fs::exists(word_picture(state, word), error)) lacking.push_back(word);
     }
     return lacking;
 }
 
-void remove_other_words(std::span<const std::string> paths, const fs::path& state) {
+void remove_other_words(const std::set<std::string>& words, const fs::path& state) {
     std::set<fs::path> kept;
-    for (const std::string& name : shown_names(paths))
-        kept.insert(word_picture(state, name).filename());
+    for (const std::string& word : words)
+        kept.insert(word_picture(state, word).filename());
     std::error_code error;
     std::vector<fs::path> others;
     for (fs::directory_iterator file(word_folder(state), error), end; !error && file != end;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,15 +10,15 @@ namespace vitrine::analyzer {
 
 // The names of folders as pictures: docs/catalogue.md, "Words".
 
-/// The names of these files' folders, as they are shown, whose pictures are not in the state directory yet.
-/// Each comes once.
-/// @param paths  of files below the media folder
-/// @param state  directory
-std::vector<std::string> lacking_folder_names(std::span<const std::string> paths,
-                                              const std::filesystem::path& state);
+/// The names of all folders on the way to these files, as they are shown.
+/// @param paths  below the media folder
+std::set<std::string> shown_folder_names(std::span<const std::string> paths);
 
-/// Removes the pictures of all other words. A failure is left to the next time.
-/// @param paths  all files
-void remove_other_words(std::span<const std::string> paths, const std::filesystem::path& state);
+/// The words whose pictures are not in the state directory yet.
+std::vector<std::string> lacking_words(const std::set<std::string>& words,
+                                       const std::filesystem::path& state);
+
+/// Removes the pictures of all other words from the state directory. A failure is left to the next time.
+void remove_other_words(const std::set<std::string>& words, const std::filesystem::path& state);
 
 }  // namespace vitrine::analyzer

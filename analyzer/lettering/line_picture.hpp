@@ -18,7 +18,7 @@ struct LineStyle {
 /// or not at all. The plate keeps a contrast of at least 4.5 : 1 (WCAG 2.1, 1.4.3) over any picture. Scripts
 /// from right to left and letters of several fonts come as pango sets them. Bytes that are not UTF-8 become
 /// replacement characters, line breaks become spaces.
-/// @throws std::runtime_error naming the file, if it cannot be written or there is no font
+/// @throws std::runtime_error, std::system_error naming the file, if it cannot be drawn or written
 void write_line_picture(std::string_view text, const std::filesystem::path& file,
                         const LineStyle& style = {});
 

@@ -1,5 +1,6 @@
 #include "analyzer/lettering/set_words.hpp"
 
+#include "analyzer/lettering/font_places.hpp"
 #include "analyzer/lettering/line_picture.hpp"
 #include "base/state/word_picture.hpp"
 #include "base/system/error.hpp"
@@ -8,8 +9,8 @@
 
 #include <fcntl.h>
 
-#include <array>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 namespace vitrine::analyzer {
@@ -18,21 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Fonts, what tells where they are, and where Thai words end.
-constexpr std::array readable_folders{"/etc/fonts",
-                                      "/usr/share/fontconfig",
-                                      "/usr/share/fonts",
-                                      "/usr/local/share/fonts",
-                                      "/var/cache/fontconfig",
-                                      "/usr/share/libthai"};
+constexpr const char* thai_words = "/usr/share/libthai";  // pango reads there where Thai words end
 
 void enter_font_sandbox(const fs::path& folder) {
     const UniqueFd written(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!written.is_open()) throw_errno("open '{}'", folder.string());
     std::vector<UniqueFd> held;
     SandboxRules rules{.readable = {}, .writable = {written.get()}};
-    for (const char* name : readable_folders) {
-        UniqueFd fonts(::open(name, O_PATH | O_DIRECTORY | O_CLOEXEC));
+    std::vector<fs::path> folders = font_places();
+    folders.emplace_back(thai_words);
+    for (const fs::path& name : folders) {
+        UniqueFd fonts(::open(name.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
         if (!fonts.is_open()) continue;
         rules.readable.push_back(fonts.get());
         held.push_back(std::move(fonts));

@@ -1,7 +1,7 @@
 #include "analyzer/one_file/file_analysis.hpp"
 
-#include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/reader_sandbox.hpp"
+#include "analyzer/lettering/font_places.hpp"
 #include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/one_file/explain_sheet.hpp"

@@ -1,9 +1,9 @@
 #include "analyzer/tapestry/weave_file.hpp"
 
-#include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/film/media_file.hpp"
 #include "analyzer/film/reader_sandbox.hpp"
+#include "analyzer/lettering/font_places.hpp"
 #include "analyzer/models/model_file.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/tapestry/export/page_data.hpp"

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -110,11 +112,11 @@ std::vector<std::string> extended(std::vector<std::string> command, std::span<co
     return command;
 }
 
-/// Has the names of these files' folders set as pictures, some at a time.
+/// Has names of folders set as pictures, some at a time.
 void request_words(MissingPictures& pictures, const WatchOptions& options,
-                   std::span<const std::string> paths) {
+                   const std::set<std::string>& names) {
     if (options.words_child.empty()) return;
-    const std::vector<std::string> words = lacking_folder_names(paths, options.state);
+    const std::vector<std::string> words = lacking_words(names, options.state);
     for (std::span<const std::string> rest(words); !rest.empty();) {
         const auto now_set = rest.first(std::min(rest.size(), words_a_child));
         pictures.request(extended(options.words_child, now_set));
@@ -210,8 +212,9 @@ void Daemon::rescan() {
     end_quarantines();
     const std::vector<std::string> paths = schedule_.paths_below("");
     book_.sweep(paths);
-    if (is_online()) remove_other_words(paths, options_.state);
-    request_words(pictures_, options_, paths);
+    const std::set<std::string> names = shown_folder_names(paths);
+    if (is_online()) remove_other_words(names, options_.state);
+    request_words(pictures_, options_, names);
     follow_hints();
     std::chrono::milliseconds interval = options_.rescan;
     if (follower_.folder().is_remote())
@@ -317,7 +320,7 @@ void Daemon::perform(const Action& action) {
         if (!book_.move(action.from, action.path))
             return log::warning("renamed, but its record is missing: '{}'", action.path);
         hint_files_.read_soon();  // the new name may say something else
-        request_words(pictures_, options_, std::array{action.path});
+        request_words(pictures_, options_, shown_folder_names(std::array{action.path}));
         return log::info("renamed: '{}' to '{}'", action.from, action.path);
     case Action::Kind::remove:
         log::info("gone: '{}'", action.path);
@@ -340,7 +343,7 @@ void Daemon::start_analysis(const Action& action) {
     outputs.network = !options_.refine.empty() && is_refined(book_.record(action.path), action.facts);
     std::vector<std::string> arguments = arguments_for(outputs);
     arguments.push_back(follower_.folder().absolute(action.path).string());
-    request_words(pictures_, options_, std::array{action.path});
+    request_words(pictures_, options_, shown_folder_names(std::array{action.path}));
     book_.begin_analysis(action.path, action.facts);
     try {
         analyses_.start(action.path, action.facts, arguments);
