@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """vitrine-analyzer watch over a folder in which everything happens that happens to folders.
 
-    watch_test.py BUILD_DIRECTORY HOSTILE_MEDIA [unittest arguments]
+    watch_test.py BUILD_DIRECTORY HOSTILE_MEDIA [--files N] [--seed N] [unittest arguments]
 
 Draws its own photos. HOSTILE_MEDIA is a folder of files that hurt readers; where it is missing, that part is passed over.
+--files takes so many of them, chosen by the seed.
 """
+import argparse
 import json
 import os
+import random
 import shutil
 import subprocess
 import sys
@@ -16,8 +19,14 @@ from pathlib import Path
 
 from watched_folder import PATIENCE, WatchedFolder
 
-BUILD = Path(sys.argv[1]).resolve()
-HOSTILE = Path(sys.argv[2])
+parser = argparse.ArgumentParser()
+parser.add_argument("build", type=Path)
+parser.add_argument("hostile", type=Path)
+parser.add_argument("--files", type=int)
+parser.add_argument("--seed", type=int, default=random.randrange(2**31))
+OPTIONS, REST = parser.parse_known_args()
+BUILD = OPTIONS.build.resolve()
+HOSTILE = OPTIONS.hostile
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
 HOSTILE_PATIENCE = 900
 
@@ -319,7 +328,14 @@ class Watch(WatchedFolder):
 
     @unittest.skipUnless(HOSTILE.is_dir(), "the hostile media are not here")
     def test_hostile_files_end_in_a_record_each(self):
-        shutil.copytree(HOSTILE, self.root / "hostile", symlinks=True)
+        files = sorted(file for file in HOSTILE.rglob("*") if file.is_symlink() or file.is_file())
+        if OPTIONS.files is not None:
+            print("seed", OPTIONS.seed)
+            files = random.Random(OPTIONS.seed).sample(files, OPTIONS.files)
+        for file in files:
+            copy = self.root / "hostile" / file.relative_to(HOSTILE)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(file, copy, follow_symlinks=False)
         (self.root / "good.png").write_bytes(png(64))
         subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings(), "--analyzer.deadline_seconds", "60"], check=True,
                        timeout=HOSTILE_PATIENCE)
@@ -335,4 +351,4 @@ class Watch(WatchedFolder):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], "-v", *REST])
