@@ -23,9 +23,9 @@ parser.add_argument("--seconds", type=int, default=400)
 OPTIONS, REST = parser.parse_known_args()
 ANALYZER, PLAYER = (OPTIONS.build.resolve() / name for name in ("analyzer/vitrine-analyzer", "player/vitrine-player"))
 PATIENCE = 600  # seconds until something that must come is given up
-MOST_ANALYSING, MOST_PLAYING = 500 << 20, 700 << 20  # bytes resident
-MOST_ANALYSING_8K = 900 << 20  # a frame has 50 MB there, and a decoder holds a dozen
-MOST_GROWTH = 4 << 20  # between the third and the last quarter of the rotation
+MAX_ANALYSING, MAX_PLAYING = 500 << 20, 700 << 20  # bytes resident
+MAX_ANALYSING_8K = 900 << 20  # a frame has 50 MB there, and a decoder holds a dozen
+MAX_GROWTH = 4 << 20  # between the third and the last quarter of the rotation
 PAGE = os.sysconf("SC_PAGE_SIZE")
 
 
@@ -67,13 +67,13 @@ class Endurance(unittest.TestCase):
                 said, memory = self.cost(ANALYZER, "analyze", file, *self.settings)
                 print(f"{file.name}: analysed within {memory >> 20} MiB", file=sys.stderr)
                 self.assertEqual(json.loads(said)["state"], "ready")
-                self.assertLess(memory, MOST_ANALYSING_8K if file.name == "8K.mp4" else MOST_ANALYSING)
+                self.assertLess(memory, MAX_ANALYSING_8K if file.name == "8K.mp4" else MAX_ANALYSING)
         self.assertEqual({record["state"] for record in self.analyse().values()}, {"ready"})
         log = self.state / "log"
         _, memory = self.cost("sh", "-c", 'exec "$@" 2>"$0"', log, PLAYER, *self.settings, "--screen", "offscreen:320x180",
                               "--output.frame_rate", 5, "--duration", "4s", "--slots", 3, "--log.level", "debug")
         print(f"played within {memory >> 20} MiB", file=sys.stderr)
-        self.assertLess(memory, MOST_PLAYING)
+        self.assertLess(memory, MAX_PLAYING)
         self.assertGreaterEqual(len(set(re.findall(r"source (\d+) appears", log.read_text()))), 3, log.read_text()[-2000:])
 
     def test_a_wall_that_rotates_for_long_grows_by_nothing(self):
@@ -110,7 +110,7 @@ class Endurance(unittest.TestCase):
         print(f"{turns} shots; MiB by quarters: {[f'{m / 2**20:.1f}' for m in memory]}; files: {files}", file=sys.stderr)
         self.assertGreater(turns, OPTIONS.seconds / 5)
         self.assertGreater(len(seen), 40)
-        self.assertLess(memory[3] - memory[2], MOST_GROWTH)
+        self.assertLess(memory[3] - memory[2], MAX_GROWTH)
         self.assertLessEqual(files[3], max(files[:3]))
 
 

@@ -34,7 +34,7 @@ BUILD = OPTIONS.build.resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 PATIENCE = 900  # seconds until something that must come is given up
 SHARE_OF_A_CORE = 20  # a slow reader runs for one part of so many
-MOST_POISON_KILLS = 30
+MAX_POISON_KILLS = 30
 
 
 class Kills(unittest.TestCase):
@@ -107,7 +107,7 @@ class Kills(unittest.TestCase):
     def test_one_poison_film_among_good_files(self):
         self.draw(photos=OPTIONS.photos)
         make_film(self.media / "poison.avi", KINDS["aborts"])
-        for _ in range(min(OPTIONS.kills, MOST_POISON_KILLS)):
+        for _ in range(min(OPTIONS.kills, MAX_POISON_KILLS)):
             analyzer = self.start_analyzer(poisoned=True)
             time.sleep(self.random.uniform(0.2, 2.5))
             for child in self.children_of(analyzer):

@@ -35,10 +35,10 @@ ANALYZER, PLAYER = (OPTIONS.build.resolve() / name for name in ("analyzer/vitrin
 SKIPPED = 77
 PATIENCE = 300  # seconds until something that must come is given up
 FULL = 3600  # seconds; growth of shorter runs is not judged
-MOST_GROWTH, MOST_DESCRIPTORS = 1 << 20, 1  # an hour
+MAX_GROWTH, MAX_DESCRIPTORS = 1 << 20, 1  # an hour
 BETWEEN_FAULTS = 60
 BETWEEN_LOOKS = 5
-MOST_CHANGING = 60  # files
+MAX_CHANGING = 60  # files
 ERRORS = ["EIO", "ESTALE", "EACCES", "ENOTCONN", "EHOSTDOWN", "ETIMEDOUT", "ENAMETOOLONG", "ELOOP", "ENOMEM", "EMFILE"]
 CALLS = ["stat", "list", "open", "read"]
 BACKGROUND = "#4060a0"  # so that black is a hole
@@ -121,9 +121,9 @@ class LongRun(unittest.TestCase):
 
     def change(self):
         ways = [self.add, self.add, self.add_film, self.replace, self.overwrite, self.rename, self.remove]
-        if len(self.changing) >= MOST_CHANGING:
+        if len(self.changing) >= MAX_CHANGING:
             ways = [self.remove]
-        elif len(self.changing) < MOST_CHANGING // 2:
+        elif len(self.changing) < MAX_CHANGING // 2:
             ways = [self.add]
         self.random.choice(ways)()
 
@@ -298,8 +298,8 @@ class LongRun(unittest.TestCase):
         self.assertGreater(frames, OPTIONS.seconds)
         if OPTIONS.seconds >= FULL:
             for memory, descriptors in growths:
-                self.assertLess(memory, MOST_GROWTH)
-                self.assertLess(descriptors, MOST_DESCRIPTORS)
+                self.assertLess(memory, MAX_GROWTH)
+                self.assertLess(descriptors, MAX_DESCRIPTORS)
 
 
 if __name__ == "__main__":

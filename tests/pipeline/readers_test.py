@@ -20,7 +20,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 PATIENCE = 120  # seconds until something that must come is given up
 STOP_PATIENCE = 2  # seconds in which a player must end, whatever its files do
-MOST_MEMORY = 250 << 20  # bytes of the player and all readers
+MAX_MEMORY = 250 << 20  # bytes of the player and all readers
 
 
 def ffmpeg(*arguments):
@@ -154,16 +154,16 @@ class Readers(Playing):
         small, large = (self.home / "small").read_bytes(), (self.home / "large").read_bytes()
         for film in self.media.glob("*.avi"):
             film.write_bytes(avi_of([small] * 8 + [large] * 4 + [small] * 8, 320, 240))
-        most = 0
+        max_memory = 0
         player = self.play()
         end = time.monotonic() + PATIENCE
         while self.log.read_text().count("far larger") + self.log.read_text().count("too large") < 2:
             self.assertLess(time.monotonic(), end, self.log.read_text()[-3000:])
-            most = max(most, sum(memory_of(one) for one in family_of(player.pid)))
+            max_memory = max(max_memory, sum(memory_of(one) for one in family_of(player.pid)))
             time.sleep(0.02)
         self.stop(player)
-        print(f"player and readers within {most >> 20} MiB", file=sys.stderr)
-        self.assertLess(most, MOST_MEMORY)
+        print(f"player and readers within {max_memory >> 20} MiB", file=sys.stderr)
+        self.assertLess(max_memory, MAX_MEMORY)
 
 
 @unittest.skipUnless(can_mount(), "a share needs root, /dev/fuse and python3-fusepy")
