@@ -15,6 +15,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr double farthest = 0.25;  // share of the canvas' diagonal that an item moves for another at most
+constexpr double near = 0.05;      // share of the diagonal that an item moves at most after it was let go
 constexpr double smaller = 0.85;   // factor of a wish's scale without room
 constexpr int tries = 8;           // sizes of the wishes
 
@@ -133,20 +134,55 @@ std::optional<Layout> planned(const WallState& wall, std::span<const Wish> wishe
     return is_sound(wall, unmoved) ? std::optional(unmoved) : std::nullopt;
 }
 
-/// Lets the items that were let go grow to the size that they had at home.
-std::optional<Layout> settled(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
-                              const EditRules& rules) {
+/// Lets the items that were let go grow where they are, to the size that they had at home or less.
+Layout grown_in_place(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
+                      const EditRules& rules) {
+    constexpr double sizes[] = {1, 0.93, 0.87, 0.81};
+    for (const double size : sizes) {
+        std::vector<Wish> grown(wishes.begin(), wishes.end());
+        for (Wish& wish : grown)
+            if (wish.is_let_go)
+                wish.at = scaled_about(wall.items[wish.item], wish.at,
+                                       std::max(wish.at.scale, wall.homes[wish.item].scale * size));
+        const std::vector<Wish> given = heard(wall, grown, 1, rules);
+        if (given.size() < wishes.size()) continue;
+        if (auto found = planned(wall, given, rules)) return *found;
+    }
+    return layout;
+}
+
+/// True if all items that were let go are near the places that they have in another layout.
+bool keeps_let_go(const WallState& wall, const Layout& layout, const Layout& other,
+                  std::span<const Wish> wishes) {
+    return std::ranges::all_of(wishes, [&](const Wish& wish) {
+        const LayoutItem& item = wall.items[wish.item];
+        const Vec2 way =
+            place_of(item, layout.placements[wish.item]) - place_of(item, other.placements[wish.item]);
+        return !wish.is_let_go || length(way) <= near * length(wall.canvas);
+    });
+}
+
+/// Lets all items grow until they fill the canvas. Those that were let go stay near their places, or exactly
+/// there.
+Layout settled(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
+               const EditRules& rules) {
+    const Layout begin = grown_in_place(wall, layout, wishes, rules);
     WallState now = wall;
-    now.homes = layout.placements;
+    now.homes = begin.placements;
     PlanRequest request = request_of(now, {}, rules);
     request.is_coarse = false;
     for (std::size_t i = 0; i < wall.items.size(); ++i)
-        request.items[i].home = scaled_about(wall.items[i], layout.placements[i], wall.homes[i].scale);
-    for (const Wish& wish : wishes)
-        request.items[wish.item].is_pinned = !wish.is_let_go;
-    auto grown = planned_in(window_of(now, wishes, rules), request, {.should_stop = rules.should_stop});
-    if (!grown || !is_sound(wall, *grown) || !is_local(wall, *grown, wishes)) return std::nullopt;
-    return grown;
+        request.items[i].home = scaled_about(wall.items[i], begin.placements[i], wall.homes[i].scale);
+    for (const bool is_kept : {false, true}) {
+        for (const Wish& wish : wishes)
+            request.items[wish.item].is_pinned = is_kept || !wish.is_let_go;
+        const auto grown =
+            planned_in(window_of(now, wishes, rules), request, {.should_stop = rules.should_stop});
+        if (grown && is_sound(wall, *grown) && is_local(wall, *grown, wishes) &&
+            keeps_let_go(wall, *grown, layout, wishes))
+            return *grown;
+    }
+    return begin;
 }
 
 }  // namespace
@@ -162,8 +198,7 @@ WallState made_way(const WallState& wall, std::span<const Wish> wishes, const Ed
         if (!layout) continue;
         next.placements = layout->placements;
         if (std::ranges::none_of(given, &Wish::is_let_go)) return next;
-        if (const auto grown = settled(wall, *layout, given, rules)) next.placements = grown->placements;
-        next.homes = next.placements;
+        next.placements = next.homes = settled(wall, *layout, given, rules).placements;
         return next;
     }
     return next;

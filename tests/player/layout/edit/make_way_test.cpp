@@ -68,3 +68,30 @@ TEST_CASE("on a large wall only those near a wish move") {
         moved += i != 10 && next.placements[i] != wall.placements[i] ? 1 : 0;
     CHECK(moved < 30);
 }
+
+TEST_CASE("shots that are let go together stay where that was, and have their sizes again") {
+    std::vector<double> ways;
+    std::vector<double> sizes;
+    Random random(9);
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        WallState wall = planned_wall(12, seed);
+        std::vector<Wish> wishes;
+        for (const std::size_t item : {2U, 7U})
+            wishes.push_back(
+                wish_at(wall, item, {wall.canvas.x * uniform(random), wall.canvas.y * uniform(random)}));
+        wall.placements = made_way(wall, wishes, quick_rules).placements;
+        for (Wish& wish : wishes)
+            wish = {.item = wish.item, .at = wall.placements[wish.item], .is_let_go = true};
+        const WallState next = made_way(wall, wishes, quick_rules);
+        CHECK(measured(next.items, next.placements).hidden == 0);
+        for (const Wish& wish : wishes) {
+            const Placement& end = next.placements[wish.item];
+            ways.push_back(length(middle_of(wall, wish.item, end) - middle_of(wall, wish.item, wish.at)) /
+                           length(wall.canvas));
+            sizes.push_back(end.scale / wall.homes[wish.item].scale);
+        }
+    }
+    CHECK(std::ranges::max(ways) <= 0.07);
+    std::ranges::sort(sizes);
+    CHECK(sizes[sizes.size() / 2] >= 0.95);
+}
