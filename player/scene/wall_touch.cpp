@@ -39,6 +39,13 @@ Placement drifting_placement(const PlacedShot& placed, std::chrono::nanoseconds 
     return {placed.placement.scale, placed.placement.offset + drift_at(placed, now)};
 }
 
+/// The placement at which a whole picture has a share of the canvas, as near to a point as the canvas allows.
+Placement fitting_in(const TouchedWall& wall, const WallShot& shot, double share, Vec2 centre) {
+    Placement at = fitting(shot, wall.canvas, share, centre - wall.origin);
+    at.offset = at.offset + wall.origin;
+    return at;
+}
+
 /// The scale of a shot that is large in its place, as a factor.
 double growth_of(const PlacedShot& placed, Vec2 canvas) {
     const Box box = bounding_box(placed_region(placed.shot.item, placed.placement));
@@ -117,7 +124,7 @@ void WallTouch::hold(const Gesture& gesture, SourceId source, const TouchedWall&
     Lifted* lifted = lift(source, gesture.touch, State::large, wall);
     if (lifted == nullptr) return;
     const WallShot& shot = lifted->picture.placed().shot;
-    show_large(*lifted, fitting(shot, wall.canvas, held_share, gesture.at), 0);
+    show_large(*lifted, fitting_in(wall, shot, held_share, gesture.at), 0);
 }
 
 /// Begins to show a whole picture. @param dims  share by which the rest becomes darker
@@ -228,7 +235,7 @@ void WallTouch::change_whole(const TouchedWall& wall) {
         return;
     }
     whole_ = tapped_;
-    show_large(*lifted, fitting(lifted->picture.placed().shot, wall.canvas, 1, wall.canvas * 0.5),
+    show_large(*lifted, fitting_in(wall, lifted->picture.placed().shot, 1, wall.origin + wall.canvas * 0.5),
                1 - waiting_light);
 }
 

@@ -28,6 +28,7 @@ struct TouchRules {
 struct TouchedWall {
     std::span<const PlacedShot> shots;  // with cells
     Vec2 canvas;                        // px
+    Vec2 origin = {};                   // of the canvas, in the px of shots and gestures
 };
 
 /// A change of the wall that touches ask for.

@@ -34,6 +34,7 @@ std::unique_ptr<Show> make_panning_wall(const Settings& settings, Vec2 canvas, S
                                                              .items_a_screen = slots.count,
                                                              .speed = settings.show.pan_speed,
                                                              .cells = cell_style(settings),
+                                                             .idle = settings.input.idle,
                                                              .last_source = last_source});
 }
 

@@ -31,6 +31,9 @@ class PanningShots {
     std::vector<WallShot> next_shots(std::size_t count,
                                      const std::function<bool(const ShotKey&)>& is_on_wall);
 
+    /// The number of a further source, for a shot that comes back.
+    SourceId next_source() { return ++last_source_; }
+
   private:
     WallFiles files_;
     ShotRotation rotation_;

@@ -26,7 +26,8 @@ struct House {
     WallStep step() {
         WallStep step = wall.step(now);
         for (const ShotRequest& request : step.requests) {
-            REQUIRE(playing.insert(request.source).second);
+            const bool is_new = playing.insert(request.source).second;
+            REQUIRE((is_new || is_tapped));  // a shot that grows is asked for in another size
             if (readies) wall.source_ready(request.source);
         }
         for (const SourceId source : step.retired)
@@ -45,7 +46,47 @@ struct House {
         now += 40ms;
         return step;
     }
+
+    /// A finger that goes on by so many px in each of `frames` frames, and is then lifted.
+    void drag(double way, int frames, double flung = 0) {
+        ++touch;
+        for (int k = 1; k <= frames; ++k) {
+            const Vec2 at{320 + way * k, 100};
+            wall.handle_gesture({.kind = Gesture::Kind::drag,
+                                 .touch = touch,
+                                 .at = at,
+                                 .from = {320, 100},
+                                 .moved = {way, 0}});
+            step();
+        }
+        const auto end = flung == 0 ? Gesture::Kind::drop : Gesture::Kind::flick;
+        wall.handle_gesture({.kind = end, .touch = touch, .velocity = {flung, 0}});
+    }
+
+    void tap(Vec2 at) {
+        const auto shot = wall.shot_at(at);
+        REQUIRE(shot);
+        is_tapped = true;
+        wall.handle_gesture(
+            {.kind = Gesture::Kind::tap, .touch = ++touch, .subject = shot->source, .at = at, .from = at});
+    }
+
+    std::uint64_t touch = 0;
+    bool is_tapped = false;
 };
+
+/// Where the shots stand, by name: ribbon px.
+std::map<std::string, double> places_in(const House& house, const WallStep& step) {
+    std::map<std::string, double> places;
+    for (const SlotShot& standing : house.wall.standing())
+        for (const DrawItem& item : step.frame.items) {
+            const Vec2 at = item.placement.offset - step.frame.view;
+            const auto shot = house.wall.shot_at(at + Vec2{320, 180} * item.placement.scale);
+            if (shot && shot->key == standing.key && shot->source == item.source)
+                places[standing.key.path] = at.x + house.wall.view();
+        }
+    return places;
+}
 
 }  // namespace
 
@@ -119,4 +160,81 @@ TEST_CASE("another screen begins anew and leaves no source behind") {
         house.step();
     CHECK(house.wall.view() > 0);
     CHECK(house.playing.size() < 20);
+}
+
+TEST_CASE("a finger drags the view, and what has passed is where it was") {
+    House house;
+    house.wall.set_catalogue(photos(30));
+    for (int k = 0; k < 300; ++k)
+        house.step();
+    const double begin = house.wall.view();
+    const auto before = places_in(house, house.step());
+    REQUIRE_FALSE(before.empty());
+    house.drag(-30, 10);
+    CHECK(house.wall.view() == doctest::Approx(begin + 300).epsilon(0.02));
+    house.drag(60, 10);
+    CHECK(house.wall.view() < begin - 200);
+    house.drag(-30, 10);
+    int same = 0;
+    for (const auto& [name, x] : places_in(house, house.step()))
+        if (const auto known = before.find(name); known != before.end()) {
+            CHECK(known->second == doctest::Approx(x));
+            ++same;
+        }
+    CHECK(same >= 2);
+}
+
+TEST_CASE("a finger takes the view a screen back and no farther, and all that is seen has a picture") {
+    House house;
+    house.wall.set_catalogue(photos(30));
+    for (int k = 0; k < 500; ++k)
+        house.step();
+    const double begin = house.wall.view();
+    house.drag(40, 60);
+    CHECK(house.wall.view() >= begin - 640 * 2);
+    CHECK(house.wall.view() < begin - 300);
+    house.drag(-40, 200);
+    CHECK(house.wall.view() > begin);
+    for (int k = 0; k < 1500; ++k)
+        house.step();
+    CHECK(house.playing.size() <= 14);  // as if nobody had touched it
+}
+
+TEST_CASE("a flung view glides on and becomes as slow as before") {
+    House house;
+    house.wall.set_catalogue(photos(60));
+    for (int k = 0; k < 100; ++k)
+        house.step();
+    house.drag(-20, 3, -1500);
+    const double begin = house.wall.view();
+    for (int k = 0; k < 25; ++k)
+        house.step();
+    CHECK(house.wall.view() - begin > 400);
+    for (int k = 0; k < 150; ++k)
+        house.step();
+    const double end = house.wall.view();
+    house.step();
+    CHECK(house.wall.view() - end <= 4.5);
+}
+
+TEST_CASE("a tapped shot grows to the whole screen while the view stands; another tap lets it go on") {
+    House house;
+    house.wall.set_catalogue(photos(30));
+    for (int k = 0; k < 100; ++k)
+        house.step();
+    house.tap({320, 180});
+    house.step();
+    const double view = house.wall.view();
+    for (int k = 0; k < 30; ++k)
+        house.step();
+    CHECK(house.wall.view() == view);
+    const WallStep large = house.step();
+    REQUIRE_FALSE(large.frame.items.empty());
+    const DrawItem& top = large.frame.items.back();
+    CHECK(top.placement.offset.x - large.frame.view.x == doctest::Approx(0).epsilon(0.01));
+    CHECK(top.placement.scale * 640 == doctest::Approx(640));
+    house.tap({320, 180});
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    CHECK(house.wall.view() > view);
 }
