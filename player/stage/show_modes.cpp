@@ -29,13 +29,13 @@ std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId 
 
 std::unique_ptr<Show> make_panning_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
     const SlotSettings slots = slot_settings(settings);
-    return std::make_unique<PanningWall>(canvas, PanSettings{.order = slots.order,
-                                                             .seed = slots.seed,
-                                                             .items_a_screen = slots.count,
+    return std::make_unique<PanningWall>(canvas, PanSettings{.ribbon = {.order = slots.order,
+                                                                        .seed = slots.seed,
+                                                                        .items_a_screen = slots.count,
+                                                                        .cells = cell_style(settings),
+                                                                        .last_source = last_source},
                                                              .speed = settings.show.pan_speed,
-                                                             .cells = cell_style(settings),
-                                                             .idle = settings.input.idle,
-                                                             .last_source = last_source});
+                                                             .idle = settings.input.idle});
 }
 
 const std::array<ShowMode, 2>& show_modes() {

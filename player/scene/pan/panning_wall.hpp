@@ -1,34 +1,26 @@
 #pragma once
 
-#include "player/layout/plan/ribbon.hpp"
 #include "player/scene/change_pace.hpp"
-#include "player/scene/files/show_files.hpp"
 #include "player/scene/pan/pan_motion.hpp"
-#include "player/scene/pan/panning_shots.hpp"
+#include "player/scene/pan/ribbon_shots.hpp"
 #include "player/scene/show.hpp"
-#include "player/scene/wall_shot.hpp"
 #include "player/scene/wall_touch.hpp"
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace vitrine::player {
 
 struct PanSettings {
-    ShotOrder order = ShotOrder::shuffle;
-    std::uint64_t seed = 1;
-    int items_a_screen = 12;
-    double speed = 30;  // canvas px a second
-    CellStyle cells;
+    RibbonSettings ribbon;
+    double speed = 30;                                         // canvas px a second
     std::chrono::nanoseconds idle = std::chrono::seconds(30);  // then a shot that was enlarged returns
-    SourceId last_source = 0;  // its sources are numbered from here on, apart from those of other walls
 };
 
 /// A wall that passes by slowly, for more shots than fit on the screen. Shots are laid out ahead of the view.
-/// Their sources are asked for shortly before they come into view, and retire once they have left it. Nothing
-/// in view ever moves against its neighbours. The view waits for sources that are late.
+/// Their sources are asked for shortly before they come into view, and retire once they have left it. The
+/// view waits for sources that are late.
 ///
 /// A finger drags and flings the view, up to a screen's width back. It stands still while a shot is enlarged.
 class PanningWall final : public Show {
@@ -39,9 +31,10 @@ class PanningWall final : public Show {
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
     void set_layout(const Layout& layout) override;
-    void source_ready(SourceId source) override;
-    void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
+    void source_ready(SourceId source) override { shots_.source_ready(source); }
+
+    void source_failed(SourceId source, std::chrono::nanoseconds now) override;
     void handle_gesture(const Gesture& gesture) override;
     std::optional<SeenShot> shot_at(Vec2 point) const override;
 
@@ -57,39 +50,16 @@ class PanningWall final : public Show {
     double view() const { return view_; }
 
   private:
-    enum class Source { unasked, asked, ready, failed };
-
-    struct Shown {
-        PlacedShot placed;  // in px from base_
-        Source source = Source::unasked;
-        Box bounds;  // the cell's bounds, ribbon px
-    };
-
-    void drop_passed();
-    bool is_on_wall(const ShotKey& key) const;
-    std::optional<WallPlan> extend();
-    bool is_in_view(const Shown& shown) const;
-    std::vector<PlacedShot> seen() const;
     TouchedWall touched(const std::vector<PlacedShot>& seen) const;
-    void advance(std::chrono::nanoseconds now);
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
-    void ask_and_retire(std::chrono::nanoseconds now, WallStep& step);
+    void advance(std::chrono::nanoseconds now);
 
-    PanSettings settings_;
     Vec2 canvas_;
-    PanningShots coming_;
-    Ribbon ribbon_;
-    std::vector<Shown> shots_;    // one for each item of the ribbon
-    std::vector<SourceId> left_;  // sources of a wall that was given up, to be retired
-    std::optional<RibbonExtension> extension_;
-    std::vector<WallShot> newcomers_;  // the shots of the extension, or of the next one
-    double begin_ = 0;                 // ribbon px; the view goes back no farther
-    double view_ = 0;                  // ribbon px
-    double base_ = 0;                  // origin of the cells' px, in ribbon px
+    RibbonShots shots_;
+    double view_ = 0;  // ribbon px
     PanMotion motion_;
-    WallTouch touch_;  // in px from base_
+    WallTouch touch_;  // in the px of shots_
     ChangePace pace_{flash_spacing};
-    std::uint64_t generation_ = 0;
 };
 
 }  // namespace vitrine::player

@@ -16,7 +16,7 @@ namespace {
 
 /// The player around a panning wall, without files and screen.
 struct House {
-    PanningWall wall{{640, 360}, {.order = ShotOrder::name, .items_a_screen = 4, .speed = 100}};
+    PanningWall wall{{640, 360}, {.ribbon = {.order = ShotOrder::name, .items_a_screen = 4}, .speed = 100}};
     std::chrono::nanoseconds now = 0s;
     bool readies = true;
     std::set<SourceId> playing{};
