@@ -299,6 +299,9 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"input.idle_seconds", whole<&S::input, &S::Input::idle>(1, 86400), SettingEffect::restart,
      "Seconds after the last touch until an enlarged picture returns to its place, and until the wall "
      "replaces the tapestry of a film."},
+    {"input.hint_seconds", whole<&S::input, &S::Input::hint>(0, 86400), SettingEffect::restart,
+     "Seconds after the last touch until the wall shows that it can be touched: every ten seconds "
+     "all shots but one become dim for a moment. 0: never. A calm wall and one that pans do not."},
     {"output.screen",
      text<&S::output, &S::Output::screen>(
          "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for more",

@@ -96,6 +96,8 @@ struct Settings {
     struct Input {
         std::string devices = "auto";   // auto, none, or device nodes separated by commas
         std::chrono::seconds idle{30};  // time without a touch until the wall returns to normal
+        std::chrono::seconds hint{
+            0};  // time without a touch until shots show that they can be touched; 0: never
     } input;
 
     struct Output {

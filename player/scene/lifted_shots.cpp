@@ -14,6 +14,9 @@ constexpr double bright_filler = 0.9;  // share of the picture's brightness, whi
 constexpr auto lighting_time = std::chrono::milliseconds(60);    // before the others make way
 constexpr auto darkening_time = std::chrono::milliseconds(200);  // once all stand
 
+constexpr auto beckon_time = std::chrono::milliseconds(600);  // in which the others become dim beside a shot
+constexpr double beckon_dims = 0.35;                          // share by which they do
+
 bool is_in_hand(const Lifted& lifted) {
     return lifted.state == State::held || lifted.state == State::large;
 }
@@ -43,6 +46,23 @@ Lifted* LiftedShots::lift(const PlacedShot& placed, std::uint64_t touch, LiftedS
     lifted.touch = touch;
     lifted.since = now;
     return &lifted;
+}
+
+void LiftedShots::beckon(const PlacedShot& placed, std::chrono::nanoseconds now) {
+    Lifted* lifted = lift(placed, 0, State::beckoning, now);
+    if (lifted != nullptr)
+        lifted->picture.aim({.at = placed.placement, .dims = beckon_dims}, now, beckon_time);
+}
+
+void LiftedShots::end_beckoning(std::chrono::nanoseconds now) {
+    for (auto& [source, lifted] : all_) {
+        if (lifted.state != State::beckoning || now - lifted.since < beckon_time) continue;
+        const LiftedPose back{.at = lifted.picture.placed().placement};
+        if (lifted.picture.goal().dims > 0) lifted.picture.aim(back, now, beckon_time);
+    }
+    std::erase_if(all_, [&](const auto& entry) {
+        return entry.second.state == State::beckoning && now - entry.second.since >= 2 * beckon_time;
+    });
 }
 
 Lifted* LiftedShots::find(SourceId source) {
@@ -111,8 +131,8 @@ void LiftedShots::draw(Frame& frame) const {
         else
             item.alpha = std::min(1 - dims, 1 - (1 - waiting_light) * absence(*lifted, frame.time));
     }
-    for (const State state :
-         {State::returning, State::let_go, State::gone, State::large, State::held, State::whole})
+    for (const State state : {State::beckoning, State::returning, State::let_go, State::gone, State::large,
+                              State::held, State::whole})
         for (const auto& [source, lifted] : all_)
             if (lifted.state == state && lifted.picture.pose(frame.time).alpha > 0)
                 frame.items.push_back(lifted.picture.drawn(frame.time));

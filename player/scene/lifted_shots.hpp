@@ -16,6 +16,7 @@ enum class LiftedState {
     large,      // under a finger that rests
     whole,      // as large as the screen
     let_go,     // dropped; waits for its place
+    beckoning,  // stays bright while the others are dim, to show that it can be touched
     returning,  // on the way to its place on the wall
     gone,       // flicked out; its return is offered in its place
     dismissed,  // and that time is over
@@ -45,6 +46,12 @@ class LiftedShots {
     /// Lifts a shot, or takes it again. nullptr: it is in another hand.
     Lifted* lift(const PlacedShot& placed, std::uint64_t touch, LiftedState state,
                  std::chrono::nanoseconds now);
+
+    /// Lets a shot beckon: the others become dim for a moment. It covers nothing of them.
+    void beckon(const PlacedShot& placed, std::chrono::nanoseconds now);
+
+    /// Ends the beckoning of shots whose moment is over.
+    void end_beckoning(std::chrono::nanoseconds now);
 
     std::map<SourceId, Lifted>& all() { return all_; }
 

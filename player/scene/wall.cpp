@@ -99,7 +99,9 @@ bool may_begin(ChangePace& pace, std::chrono::nanoseconds now) {
 TouchedWall touched_wall(const std::optional<WallChange>& change, std::span<const PlacedShot> shown,
                          Vec2 canvas) {
     const bool is_coming = change && change->phase == Phase::fading;
-    return {.shots = is_coming ? std::span<const PlacedShot>(change->wall) : shown, .canvas = canvas};
+    return {.shots = is_coming ? std::span<const PlacedShot>(change->wall) : shown,
+            .canvas = canvas,
+            .is_changing = change.has_value()};
 }
 
 /// Starts the time of the shots that have appeared or are about to appear.
@@ -132,6 +134,7 @@ Wall::Wall(Vec2 canvas, const WallSettings& settings)
       touch_({.edits = settings.touch,
               .cells = settings.transition.cells,
               .idle = settings.idle,
+              .hint = settings.hint,
               .is_calm = settings.is_calm}),
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 

@@ -26,6 +26,7 @@ struct WallSettings {
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // time to wait for a late source
     EditRules touch;                                               // rules by which a finger moves shots
     std::chrono::nanoseconds idle = std::chrono::seconds(30);      // then a tapped shot returns to its place
+    std::chrono::nanoseconds hint{0};  // alone so long, shots show that they can be touched; 0: never
 };
 
 /// The wall on the screen over time. WallEntries decides which shots are shown. The wall requests a layout

@@ -64,6 +64,7 @@ bool are_alike(const std::vector<Wish>& a, const std::vector<Wish>& b) {
 
 void WallTouch::handle_gesture(const Gesture& gesture, const TouchedWall& wall) {
     using Kind = Gesture::Kind;
+    hint_.note_touch(now_);
     SourceId source = gesture.subject;
     if (gesture.touch == 0 && source == no_subject)
         if (const PlacedShot* shot = shot_at(gesture.from, wall)) source = shot->shot.source;
@@ -216,6 +217,10 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
         return find_source(wall.shots, entry.first) == nullptr || is_back(entry.second);
     });
     if (whole_ != 0 && lifted_.find(whole_) == nullptr) whole_ = tapped_ = 0;
+    const bool may_beckon = !is_active() && !wall.is_changing && !rules_.is_calm && !wall.shots.empty();
+    if (const auto hint = may_beckon ? hint_.next_hint(now_) : std::nullopt)
+        lifted_.beckon(wall.shots[*hint % wall.shots.size()], now_);
+    lifted_.end_beckoning(now_);
     lifted_.light_filler(now_);
     if (!is_active()) homes_.clear();
     const bool changes = may_flash && (whole_ != 0 ? tapped_ == 0 : tapped_ != 0 && !lifted_.is_held());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
+#include "player/input/touch_hint.hpp"
 #include "player/layout/edit/wall_way.hpp"
 #include "player/scene/lifted_shots.hpp"
 #include "player/scene/shot_request.hpp"
@@ -21,13 +22,15 @@ struct TouchRules {
     EditRules edits;
     CellStyle cells;
     std::chrono::nanoseconds idle = std::chrono::seconds(30);  // then what was enlarged returns
-    bool is_calm = false;                                      // nothing moves: a shot fades in large
+    std::chrono::nanoseconds hint{0};  // alone so long, shots show that they can be touched; 0: never
+    bool is_calm = false;              // nothing moves: a shot fades in large
 };
 
 /// The wall that is touched, as it is now.
 struct TouchedWall {
     std::span<const PlacedShot> shots;  // with cells
     Vec2 canvas;                        // px
+    bool is_changing = false;           // without a touch, now or soon
     Vec2 origin = {};                   // of the canvas, in the px of shots and gestures
 };
 
@@ -48,7 +51,7 @@ struct TouchNeeds {
 /// and the others make way. Source: Dynamic Media Assemblage, chapter 4 and fig. 4.1; the rest is ours.
 class WallTouch {
   public:
-    explicit WallTouch(const TouchRules& rules) : rules_(rules) {}
+    explicit WallTouch(const TouchRules& rules) : rules_(rules), hint_(rules.hint) {}
 
     void handle_gesture(const Gesture& gesture, const TouchedWall& wall);
 
@@ -91,6 +94,7 @@ class WallTouch {
     std::vector<Wish> wishes(const TouchedWall& wall) const;
 
     TouchRules rules_;
+    TouchHint hint_;
     LiftedShots lifted_;
     SourceId tapped_ = 0;  // shall be as large as the screen; large in its place while others hold shots
     std::chrono::nanoseconds tapped_at_{0};

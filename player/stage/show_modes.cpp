@@ -21,7 +21,8 @@ std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId 
                       .touch = {.seed = static_cast<std::uint64_t>(settings.layout.seed),
                                 .clearance = settings.layout.clearance,
                                 .max_scale = settings.layout.max_enlargement},
-                      .idle = settings.input.idle};
+                      .idle = settings.input.idle,
+                      .hint = settings.input.hint};
     wall.slots.last_source = last_source;
     if (wall.nests) return std::make_unique<FolderWall>(canvas, wall);
     return std::make_unique<Wall>(canvas, wall);

@@ -35,7 +35,7 @@ void PanningWall::source_failed(SourceId source, std::chrono::nanoseconds /*now*
 }
 
 TouchedWall PanningWall::touched(const std::vector<PlacedShot>& seen) const {
-    return {.shots = seen, .canvas = canvas_, .origin = {view_ - shots_.origin(), 0}};
+    return {.shots = seen, .canvas = canvas_, .is_changing = true, .origin = {view_ - shots_.origin(), 0}};
 }
 
 /// A drag moves the view. It lets go of a shot that was held or enlarged before.

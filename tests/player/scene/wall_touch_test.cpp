@@ -214,3 +214,32 @@ TEST_CASE("shots of a calm wall are not dragged, and fade in large") {
     CHECK(house.run(1s).items.back().alpha == 1);
     CHECK(house.placements() == before);
 }
+
+TEST_CASE("a wall that is left alone shows that it can be touched, one shot after the other") {
+    TouchedHouse house;
+    house.touch = WallTouch({.idle = 10s, .hint = 60s});
+    const std::vector<Placement> before = house.placements();
+    std::set<SourceId> beckoning;
+    for (int k = 0; k < 40 * 59; ++k)
+        REQUIRE(house.frame().items.size() == 6);
+    for (int k = 0; k < 40 * 42; ++k) {
+        const Frame frame = house.frame();
+        if (frame.items.size() == 6) continue;
+        REQUIRE(frame.items.size() == 7);
+        const SourceId source = frame.items.back().source;
+        beckoning.insert(source);
+        CHECK(frame.items.back().placement == before[source - 1]);
+        CHECK(TouchedHouse::below_of(frame, source == 1 ? 2 : 1).alpha >= 0.6);
+    }
+    CHECK(beckoning == std::set<SourceId>{1, 2, 3, 4, 5});
+    CHECK(house.placements() == before);
+
+    house.tap(centre_of(house.wall[2]));
+    house.run(2s);
+    house.tap(centre_of(house.wall[2]));
+    for (int k = 0; k < 40 * 57; ++k)
+        if (k > 80)
+            REQUIRE(house.frame().items.size() == 6);
+        else
+            house.frame();
+}
