@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto return_interval = std::chrono::minutes(5);
 constexpr int arenas = 2;
-constexpr int returned_from = 256 << 10;  // bytes; otherwise the limit grows to the largest block ever freed
+constexpr int returned_from = 32 << 10;  // bytes; otherwise the limit grows to the largest block ever freed
 
 }  // namespace
 
