@@ -1,6 +1,7 @@
 #include "player/render/cell_mesh.hpp"
 
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace vitrine::player {
@@ -9,9 +10,15 @@ namespace {
 
 using Vertices = std::vector<CellMesh::Vertex>;
 
+/// A coordinate on the grid on which graphics cards place corners, canvas px. So each part of a canvas is
+/// drawn with the same pixels as the whole.
+float on_grid(double place) {
+    constexpr double fineness = 256;  // places in a px
+    return static_cast<float>(std::round(place * fineness) / fineness);
+}
+
 void append(Vertices& vertices, Vec2 point, double coverage) {
-    vertices.push_back(
-        {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(coverage)});
+    vertices.push_back({on_grid(point.x), on_grid(point.y), static_cast<float>(coverage)});
 }
 
 template <typename Visit> void for_each_side(std::span<const Polygon> polygons, Visit visit) {

@@ -97,7 +97,7 @@ bool may_begin(ChangePace& pace, std::chrono::nanoseconds now) {
 
 /// The wall that a finger touches: that which comes, if it is on its way.
 TouchedWall touched_wall(const std::optional<WallChange>& change, std::span<const PlacedShot> shown,
-                         Vec2 canvas) {
+                         const Canvas& canvas) {
     const bool is_coming = change && change->phase == Phase::fading;
     return {.shots = is_coming ? std::span<const PlacedShot>(change->wall) : shown, .canvas = canvas};
 }
@@ -125,7 +125,7 @@ void show_arrived(WallChange& change, const WallSources& sources, WallEntries& s
 
 }  // namespace
 
-Wall::Wall(Vec2 canvas, const WallSettings& settings)
+Wall::Wall(const Canvas& canvas, const WallSettings& settings)
     : settings_(settings),
       canvas_(canvas),
       slots_(settings.slots, settings.nests),
@@ -135,7 +135,7 @@ Wall::Wall(Vec2 canvas, const WallSettings& settings)
               .is_calm = settings.is_calm}),
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
-void Wall::set_canvas(Vec2 canvas) {
+void Wall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     is_canvas_new_ = true;
     canvas_ = canvas;

@@ -27,7 +27,7 @@ struct TouchRules {
 /// The wall that is touched, as it is now.
 struct TouchedWall {
     std::span<const PlacedShot> shots;  // with cells
-    Vec2 canvas;                        // px
+    Canvas canvas;                      // px
 };
 
 /// A change of the wall that touches ask for.

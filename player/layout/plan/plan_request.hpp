@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
+#include "player/layout/canvas.hpp"
 #include "player/layout/layout.hpp"
 
 #include <cstdint>
@@ -36,7 +37,7 @@ Seat seat_of(const LayoutItem& item, const Placement& placement);
 /// The input of plan(). The same request gives the same layout.
 struct PlanRequest {
     std::vector<PlanItem> items;
-    Vec2 canvas;  // px, both > 0
+    Canvas canvas;  // px, both > 0
     std::uint64_t seed = 1;
     std::int64_t budget = 600'000;  // evaluated moves, 0.1 to 0.2 us each
     double clearance = 1.5;         // canvas px between I-Regions

@@ -32,8 +32,8 @@ PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
       coming_(settings.order, settings.seed, settings.last_source),
       ribbon_{.screen = canvas} {}
 
-void PanningWall::set_canvas(Vec2 canvas) {
-    if (canvas == canvas_) return;
+void PanningWall::set_canvas(const Canvas& canvas) {
+    if (Vec2(canvas) == canvas_) return;
     for (const Shown& shown : shots_)
         if (shown.source != Source::unasked && shown.source != Source::retired)
             left_.push_back(shown.placed.shot.source);

@@ -26,7 +26,7 @@ class PanningWall final : public Show {
   public:
     PanningWall(Vec2 canvas, const PanSettings& settings);
 
-    void set_canvas(Vec2 canvas) override;
+    void set_canvas(const Canvas& canvas) override;
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
     void set_layout(const Layout& layout) override;

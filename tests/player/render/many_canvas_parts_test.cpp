@@ -1,0 +1,15 @@
+#include "tests/player/render/canvas_parts.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace vitrine::player;
+
+TEST_CASE("two halves of a canvas are together the whole in 600 frames of changes and drags") {
+    const PartsDifference found = compare_parts(600, 1001);
+    fmt::print("{} frames; farthest: {:.2f} grey levels, {} of a channel; {} pixels with a channel more than "
+               "one off\n",
+               found.frames, found.grey, found.channel, found.odd);
+    CHECK(found.grey <= 1);
+    CHECK(found.channel <= 3);  // where several layers blend, each is rounded
+}
