@@ -309,7 +309,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
     const auto due = is_other_canvas ? std::nullopt : slots_.due();
     if ((due && now < *due - style.duration) || !may_begin(pace_, now)) return;
-    if (settings_.photos_drift) give_drifts(change_->wall, shown_);
+    if (settings_.photos_drift) give_drifts(change_->wall, shown_, change_->canvas.bands);
     if (is_other_canvas && !shown_.empty())
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
     else

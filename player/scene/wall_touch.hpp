@@ -78,7 +78,7 @@ class WallTouch {
     TouchNeeds take_needs() { return std::exchange(needs_, {}); }
 
   private:
-    void tap(SourceId source, const TouchedWall& wall);
+    void tap(const Gesture& gesture, SourceId source, const TouchedWall& wall);
     void drag(const Gesture& gesture, SourceId source, const TouchedWall& wall);
     bool is_for_shot(SourceId source);
     void hold(const Gesture& gesture, SourceId source, const TouchedWall& wall);
@@ -93,6 +93,7 @@ class WallTouch {
     LiftedShots lifted_;
     SourceId tapped_ = 0;  // shall be as large as the screen; large in its place while others hold shots
     std::chrono::nanoseconds tapped_at_{0};
+    Vec2 tapped_place_;                    // canvas px
     SourceId whole_ = 0;                   // is as large as the screen
     std::map<SourceId, Placement> homes_;  // where all stood before the first touch; empty: as they are
     std::vector<Wish> asked_;              // wishes of the last way

@@ -26,7 +26,8 @@ struct PlanItem {
     bool is_pinned = false;             // the item keeps `previous` exactly, even if pinned items overlap
     std::vector<Vec2> instead;  // of a pinned item: ways from `previous` to other places that it may take
                                 // while no other item is placed; canvas px
-    int group = no_group;       // items of one group are placed together, see plan/nesting.hpp
+    bool is_band = false;  // no item: a pinned box on which no I-Region may rest; plan/bands.hpp adds them
+    int group = no_group;  // items of one group are placed together, see plan/nesting.hpp
 
     static constexpr int no_group = -1;
 };
