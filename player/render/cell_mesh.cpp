@@ -27,10 +27,17 @@ template <typename Visit> void for_each_side(std::span<const Polygon> polygons, 
             visit(polygon[i], polygon[(i + 1) % polygon.size()]);
 }
 
+/// A strip along the outline. Lines of GL would do, too, but a card may draw them elsewhere in a part of a
+/// canvas.
 void append_outline(Vertices& vertices, std::span<const Polygon> polygons) {
+    constexpr double half_width = 0.5;  // canvas px
     for_each_side(polygons, [&](Vec2 from, Vec2 to) {
-        append(vertices, from, 1);
-        append(vertices, to, 1);
+        if (to == from) return;
+        const Vec2 along = (to - from) * (half_width / length(to - from));
+        const Vec2 across{along.y, -along.x};
+        for (const Vec2 corner :
+             {from + across, to + across, to - across, from + across, to - across, from - across})
+            append(vertices, corner, 1);
     });
 }
 

@@ -78,6 +78,8 @@ SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput
         density = std::max(density, output.density);
     }
     density = std::min(density, max_side / std::max(all.width(), all.height()));
+    shared.unit = density;
+    shared.origin = all.min;
     std::vector<Box> boxes;
     for (const PlacedOutput& output : placed) {
         const Box box{near_whole((output.box.min - all.min) * density),
@@ -156,6 +158,19 @@ View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
     view.rotation = part->second.rotation;
     view.part = part->second.box;
     return letterboxed(screen.width(), screen.height(), view, canvas);
+}
+
+GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {
+    const View view = view_on(screen, canvas);
+    GuideView guide{.name = screen.name(),
+                    .size = canvas_size(screen.width(), screen.height(), view),
+                    .part = seen_part(view, canvas),
+                    .canvas = canvas};
+    if (now_.canvas == canvas && is_shared()) {
+        guide.unit = now_.unit;
+        guide.origin = now_.origin;
+    }
+    return guide;
 }
 
 }  // namespace vitrine::player

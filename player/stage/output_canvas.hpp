@@ -3,6 +3,7 @@
 #include "base/settings/canvas_words.hpp"
 #include "player/layout/canvas.hpp"
 #include "player/render/view.hpp"
+#include "player/stage/canvas_guide.hpp"
 
 #include <chrono>
 #include <map>
@@ -42,6 +43,8 @@ struct OutputPart {
 struct SharedCanvas {
     Canvas canvas;                            // px; empty: none of the outputs is named
     std::map<std::string, OutputPart> parts;  // by the outputs' names
+    double unit = 1;                          // canvas px a unit of the words
+    Vec2 origin;                              // units at the canvas' top left corner
 
     bool operator==(const SharedCanvas&) const = default;
 };
@@ -74,6 +77,9 @@ class OutputCanvas {
 
     /// What a screen shows of a frame's canvas. A frame of the canvas before is drawn as before.
     View view_on(const Screen& screen, Vec2 canvas) const;
+
+    /// What a guide on a screen must know.
+    GuideView guide_view(const Screen& screen, Vec2 canvas) const;
 
   private:
     struct Seen {

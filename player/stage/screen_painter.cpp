@@ -87,9 +87,28 @@ void ScreenPainter::number(const Frame& frame, bool is_new, bool is_idle) {
     ++number_;
 }
 
-void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) const {
+void ScreenPainter::show_guides(bool is_on) {
+    if (has_guides_ == is_on) return;
+    has_guides_ = is_on;
+    guides_.clear();
+    ++number_;
+}
+
+/// The guide of a screen, above its part of the canvas.
+WordItem ScreenPainter::guide(const Frame& frame, const Screen& screen) {
+    Guide& guide = guides_[screen.name()];
+    GuideView view = outputs_.guide_view(screen, frame.canvas);
+    if (!guide.picture || guide.view != view) guide.picture = canvas_guide(view);
+    guide.view = std::move(view);
+    return {.picture = guide.picture, .place = moved(guide.view.part, frame.view)};
+}
+
+void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) {
     renderer.aim(screen.width(), screen.height(), outputs_.view_on(screen, frame.canvas));
-    renderer.draw(frame);
+    if (!has_guides_) return renderer.draw(frame);
+    Frame guided = frame;
+    guided.words.push_back(guide(frame, screen));
+    renderer.draw(guided);
 }
 
 void ScreenPainter::forget(SourceId source, Renderer& renderer) {

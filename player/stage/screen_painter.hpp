@@ -52,6 +52,9 @@ class ScreenPainter {
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
 
+    /// Draws guides for placing the screens above all frames, or ends that.
+    void show_guides(bool is_on);
+
     /// Call when the source is gone: the renderer drops its picture.
     void forget(SourceId source, Renderer& renderer);
 
@@ -61,7 +64,13 @@ class ScreenPainter {
   private:
     bool upload(const Frame& frame, Renderer& renderer);
     void number(const Frame& frame, bool is_new, bool is_idle);
-    void draw(const Frame& frame, Screen& screen, Renderer& renderer) const;
+    void draw(const Frame& frame, Screen& screen, Renderer& renderer);
+    WordItem guide(const Frame& frame, const Screen& screen);
+
+    struct Guide {
+        GuideView view;
+        std::shared_ptr<const WordPicture> picture;  // shared with the frames that show it
+    };
 
     const Settings& settings_;  // outlive this
     OutputCanvas outputs_;
@@ -71,6 +80,8 @@ class ScreenPainter {
     Frame drawn_;                                               // the frame that got the last number
     std::uint64_t number_ = 0;                                  // counts the frames that look different
     std::map<const Screen*, std::uint64_t> shown_;              // number of the frame on each screen
+    bool has_guides_ = false;
+    std::map<std::string, Guide> guides_;  // by the screens' names
 };
 
 }  // namespace vitrine::player

@@ -143,6 +143,10 @@ void Stage::show_tapestry(const std::filesystem::path& directory,
         directory, {.patience = patience, .film = film && is_woven_from(tapestry, *film) ? film : nullptr});
 }
 
+void Stage::show_guides(bool is_on) {
+    painter_->show_guides(is_on);
+}
+
 void Stage::set_controls(const ShowControls& controls) {
     is_paused_ = controls.is_paused;
     shows_->wall().set_controls(controls);

@@ -95,6 +95,9 @@ class Stage {
 
     void set_controls(const ShowControls& controls);
 
+    /// Draws guides for placing the screens above all, or ends that.
+    void show_guides(bool is_on);
+
     /// The shots in frame() whose hints ask for sound; none while the wall is paused.
     std::vector<AudibleShot> audible() const;
 

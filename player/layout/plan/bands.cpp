@@ -12,18 +12,17 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr double min_band = 1;              // canvas px of a side of a band as the search knows it
-constexpr int samples = 48;                 // of an output, across and down
-constexpr double emptiness = 3;             // costs of an area without pixels; see FillingTargets
-constexpr double unevenness = 0.05;         // factor of the variance of ln(scale)
-constexpr double tininess = 20;             // factor of the mean square of ln(scale) missing to a fair one
-constexpr double fair_size = -0.15;         // ln(scale) relative to the natural one
+constexpr double min_band = 1;       // canvas px of a side of a band as the search knows it
+constexpr int samples = 48;          // of an output, across and down
+constexpr double emptiness = 3;      // costs of an area without pixels; see FillingTargets
+constexpr double unevenness = 0.05;  // factor of the variance of ln(scale)
+constexpr double tininess = 20;      // factor of the mean square of ln(scale) missing to a fair one
+constexpr double fair_size = -0.15;  // ln(scale) relative to the natural one
 
 /// A band as a search knows it: it keeps its clearance from this box by itself.
 PlanItem band_item(const Box& band, double clearance) {
     const auto inset = [&](double side) {
-        return std::clamp((side - min_band) / 2, 0.0, packed_clearance(clearance) - min_clearance);
+        return std::clamp((side - min_band) / 2, 0.0, std::max(clearance, min_clearance) - min_clearance);
     };
     const Vec2 by{inset(band.width()), inset(band.height())};
     const Box box{band.min + by, band.max - by};
@@ -213,10 +212,6 @@ double spread_cost(const PlanRequest& request, const Layout& layout) {
 }
 
 }  // namespace
-
-double packed_clearance(double wished) {
-    return std::max(wished, min_clearance);
-}
 
 bool is_under_band(const Canvas& canvas, const LayoutItem& item, const Placement& at) {
     if (canvas.bands.empty()) return false;

@@ -12,8 +12,8 @@ namespace vitrine::player {
 // more pinned item. That holds only as far as the search succeeds. So each layout is checked, and if the
 // check fails, each output is planned by itself: that always holds.
 
-/// The clearance that a search keeps for a wished one, canvas px.
-double packed_clearance(double wished);
+/// The least clearance that a search keeps, canvas px; the grid of exact areas rounds by 1/512.
+inline constexpr double min_clearance = 1.0 / 64;
 
 /// True if a part of an item's I-Region is under a band.
 bool is_under_band(const Canvas& canvas, const LayoutItem& item, const Placement& at);

@@ -54,9 +54,9 @@ std::vector<double> scales_of(const PlanRequest& request, const PackingProblem& 
 /// The problem with relative scales.
 PackingProblem problem_of(const PlanRequest& request) {
     PackingProblem problem;
-    problem.clearance = packed_clearance(request.clearance);
+    problem.clearance = std::max(request.clearance, min_clearance);
     const double max_margin = std::min(request.canvas.x, request.canvas.y) / 4;
-    const double edge = std::clamp(packed_clearance(request.margin), 0.0, max_margin);
+    const double edge = std::clamp(request.margin, min_clearance, max_margin);
     problem.field = {{edge, edge}, request.canvas - Vec2{edge, edge}};
     problem.canvas = {{0, 0}, request.canvas};
     for (const PlanItem& entry : request.items) {

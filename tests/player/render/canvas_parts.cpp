@@ -31,10 +31,6 @@ Still picture_at(SourceId source, int number) {
     });
 }
 
-double grey_of(const Colour& colour) {
-    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
-}
-
 /// A canvas on one screen, and its halves on two, in one GL context.
 class Halves {
   public:
@@ -66,7 +62,6 @@ class Halves {
         for (std::size_t k = 0; k < one.size(); ++k)
             farthest = std::max(farthest, std::abs(one[k] - other[k]));
         result.channel = std::max(result.channel, farthest);
-        result.grey = std::max(result.grey, std::abs(grey_of(one) - grey_of(other)));
         if (farthest > 1) ++result.odd;
     }
 

@@ -7,7 +7,6 @@ namespace vitrine::player {
 /// How far the parts of a canvas, each drawn on a screen of its own, are from the canvas drawn as a whole.
 struct PartsDifference {
     int frames = 0;
-    double grey = 0;        // the farthest pixel, grey levels
     int channel = 0;        // the farthest channel of a pixel, levels
     std::uint64_t odd = 0;  // pixels with a channel that is more than one level off
 };

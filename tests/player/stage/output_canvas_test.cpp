@@ -120,3 +120,32 @@ TEST_CASE("a canvas that is written anew is followed at once") {
     pair.follow(pair.display.screens(), 2s);
     CHECK_FALSE(pair.outputs.is_shared());
 }
+
+TEST_CASE("a guide shows the name, the place and the rulers of its screen in the canvas' units") {
+    Pair pair("mm: offscreen-1 10,0 200x100; offscreen-2 230,0 200x100");
+    pair.follow(pair.display.screens(), 0s);
+    const Vec2 canvas = pair.outputs.shared().canvas;
+    const GuideView guide = pair.outputs.guide_view(*pair.display.screens()[1], canvas);
+    CHECK(guide.name == "offscreen-2");
+    CHECK(guide.unit == doctest::Approx(0.5));
+    CHECK(guide.origin == Vec2{10, 0});
+    CHECK(guide.part.min.x / guide.unit + guide.origin.x == doctest::Approx(230));
+}
+
+TEST_CASE("the diagonal of a canvas goes on from one guide to the next") {
+    const Box left{{0, 0}, {320, 240}};
+    const Box right{{360, 0}, {680, 240}};
+    const auto is_marked = [](const Box& part, Vec2 point) {
+        const auto picture =
+            canvas_guide({.name = "A", .size = {320, 240}, .part = part, .canvas = {680, 240}});
+        REQUIRE(picture->width == 320);
+        const auto x = static_cast<std::size_t>(point.x - part.min.x);
+        const auto y = static_cast<std::size_t>(point.y);
+        return std::to_integer<int>(picture->rgba[(y * 320 + x) * 4]) > 200;
+    };
+    for (const double x : {100.0, 200.0, 290.0})
+        CHECK(is_marked(left, {x, x * 240 / 680}));
+    for (const double x : {400.0, 500.0, 640.0})
+        CHECK(is_marked(right, {x, x * 240 / 680}));
+    CHECK_FALSE(is_marked(left, {100, 70}));
+}
