@@ -62,6 +62,7 @@ bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Cont
 }
 
 bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangement) {
+    constexpr double rounding = 5e-6;  // px^2; where pinned shapes overlap, the sums are not exact
     std::vector<GridPolygon> pinned;
     std::vector<GridPolygon> all;
     for (std::size_t i = 0; i < problem.size(); ++i) {
@@ -69,7 +70,8 @@ bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangeme
                                           arrangement.places[i])));
         if (problem.pinned[i]) pinned.push_back(all.back());
     }
-    return UnionArea(std::move(all)).overlap() <= UnionArea(std::move(pinned)).overlap();
+    const double allowed = UnionArea(std::move(pinned)).overlap();
+    return UnionArea(std::move(all)).overlap() <= (allowed > 0 ? allowed + rounding : 0);
 }
 
 bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, const Arrangement& arrangement,

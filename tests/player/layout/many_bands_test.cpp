@@ -17,7 +17,6 @@ TEST_CASE("no region rests under a bezel after any of 10,000 plans and edits") {
     const char* const from = std::getenv("VITRINE_FIRST_EDIT");  // the seed of the first wall
     for (std::uint64_t seed = from != nullptr ? std::strtoull(from, nullptr, 10) : 1001; done < count;
          ++seed) {
-        if (std::getenv("DBG")) fmt::print(stderr, "seed {}\n", seed);
         BandedEdits edits(seed);
         for (int k = 0; k < edits_a_wall && done < count; ++k, ++done) {
             const auto fault = edits.step();
