@@ -42,9 +42,8 @@ Canvas row_of(int count, double gap) {
     return canvas_of({count * (bench_canvas.x + gap) - gap, bench_canvas.y}, std::move(outputs));
 }
 
-void add_wall(const Canvas& canvas, const Items& items, std::uint64_t seed, BandSums& sums) {
-    PlanRequest request = request_for(items, seed);
-    request.fills = true;
+void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
+    PlanRequest request = wished;
     request.canvas = Canvas(Vec2(canvas));
     const double start = cpu_ms();
     sums.without += covered_px(request, plan(request)) / (canvas.x * canvas.y);
@@ -62,7 +61,7 @@ void add_wall(const Canvas& canvas, const Items& items, std::uint64_t seed, Band
 
 }  // namespace
 
-void print_bands(const char* title, const Draw& draw, int instances) {
+void print_bands(const char* title, const Draw& draw, int instances, bool fills) {
     fmt::print("\nbezels, {}: share of the screens under regions, with bands and without, of {} walls\n",
                title, instances);
     fmt::print("outputs  gap  items   with  without  quotient  px under bands   ms with  without\n");
@@ -71,7 +70,9 @@ void print_bands(const char* title, const Draw& draw, int instances) {
             BandSums sums;
             for (int k = 0; k < instances; ++k) {
                 Random random(static_cast<std::uint64_t>(k) + 1);
-                add_wall(row_of(outputs, gap), draw(count, random), static_cast<std::uint64_t>(k) + 1, sums);
+                PlanRequest wished = request_for(draw(count, random), static_cast<std::uint64_t>(k) + 1);
+                wished.fills = fills;
+                add_wall(row_of(outputs, gap), wished, sums);
             }
             fmt::print("{:>7}  {:>3}  {:>5}  {:.3f}    {:.3f}     {:.3f}  {:>14}  {:>8.0f}  {:>7.0f}\n",
                        outputs, gap, count, sums.with / instances, sums.without / instances,

@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
                 items.push_back(real[uniform_index(random, real.size())]);
             return items;
         };
-        print_bands("random hulls", random_hulls, options.instances);
-        if (!real.empty()) print_bands("regions of the catalogue", drawn, options.instances);
+        print_bands("random hulls", random_hulls, options.instances, false);
+        if (!real.empty()) print_bands("regions of the catalogue", drawn, options.instances, true);
     }
     if (wants("edits")) print_edits(options.edits);
 }

@@ -1,5 +1,6 @@
 #include "player/layout/plan/bands.hpp"
 
+#include "player/layout/pack/search_budget.hpp"
 #include "player/layout/pack/shape.hpp"
 
 #include <algorithm>
@@ -12,12 +13,15 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_band = 1;       // canvas px of a side of a band as the search knows it
-constexpr int samples = 48;          // of an output, across and down
-constexpr double emptiness = 3;      // costs of an area without pixels; see FillingTargets
-constexpr double unevenness = 0.05;  // factor of the variance of ln(scale)
-constexpr double tininess = 20;      // factor of the mean square of ln(scale) missing to a fair one
-constexpr double fair_size = -0.15;  // ln(scale) relative to the natural one
+constexpr double min_band = 1;             // canvas px of a side of a band as the search knows it
+constexpr int samples = 48;                // of an output, across and down
+constexpr std::size_t max_exchanged = 24;  // items; more fill outputs well however they are shared out
+constexpr int exchanges = 24;              // of items between outputs that are tried
+constexpr std::int64_t quick_share = 30;   // a try has this part of the budget
+constexpr double emptiness = 3;            // costs of an area without pixels; see FillingTargets
+constexpr double unevenness = 0.05;        // factor of the variance of ln(scale)
+constexpr double tininess = 20;            // factor of the mean square of ln(scale) missing to a fair one
+constexpr double fair_size = -0.15;        // ln(scale) relative to the natural one
 
 /// A band as a search knows it: it keeps its clearance from this box by itself.
 PlanItem band_item(const Box& band, double clearance) {
@@ -60,7 +64,7 @@ std::vector<double> wished_areas(const PlanRequest& request) {
 class Sharing {
   public:
     explicit Sharing(const PlanRequest& request)
-        : request_(request),
+        : request_(&request),
           outputs_(separate_outputs(request.canvas)),
           output_of_(request.items.size(), nowhere),
           taken_(outputs_.size(), 0) {
@@ -81,6 +85,25 @@ class Sharing {
 
     bool is_on(std::size_t item, std::size_t output) const { return output_of_[item] == output; }
 
+    /// Exchanges two items of different outputs, or takes one to another output. Groups stay together.
+    void disturb(Random& random) {
+        const Body& a = bodies_[uniform_index(random, bodies_.size())];
+        const Body& b = bodies_[uniform_index(random, bodies_.size())];
+        const std::size_t from = output_of_[a.items.front()];
+        const std::size_t to = output_of_[b.items.front()];
+        if (from == to) {
+            const std::size_t other = uniform_index(random, outputs_.size());
+            const auto left = std::ranges::count(output_of_, from);
+            if (left > std::ssize(a.items)) put(a, other);
+            return;
+        }
+        put(a, to);
+        put(b, from);
+    }
+
+    /// False: there is nothing to exchange.
+    bool has_choice() const { return bodies_.size() > 1 && outputs_.size() > 1; }
+
   private:
     static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
@@ -93,8 +116,8 @@ class Sharing {
     std::vector<Body> bodies_of_request() const {
         std::vector<Body> bodies;
         std::map<int, std::size_t> known;
-        for (std::size_t i = 0; i < request_.items.size(); ++i) {
-            const PlanItem& item = request_.items[i];
+        for (std::size_t i = 0; i < request_->items.size(); ++i) {
+            const PlanItem& item = request_->items[i];
             if (item.is_pinned && item.previous) continue;
             const auto [place, is_new] = known.try_emplace(item.group, bodies.size());
             if (item.group == PlanItem::no_group || is_new) bodies.emplace_back();
@@ -106,11 +129,11 @@ class Sharing {
     /// The output on which most of a body's first placed item is.
     std::size_t present_output(const Body& body) const {
         for (const std::size_t i : body.items) {
-            const PlanItem& item = request_.items[i];
+            const PlanItem& item = request_->items[i];
             if (!item.previous && !item.seat) continue;
             const Box box = item.previous ? bounding_box(placed_region(item.item, *item.previous))
                                           : Box{item.seat->centre, item.seat->centre + Vec2{1, 1}};
-            Canvas canvas = request_.canvas;
+            Canvas canvas = request_->canvas;
             canvas.outputs = outputs_;
             return static_cast<std::size_t>(std::ranges::find(outputs_, player::output_of(canvas, box)) -
                                             outputs_.begin());
@@ -127,13 +150,17 @@ class Sharing {
         return best;
     }
 
-    void give(const Body& body, std::size_t output) {
+    void put(const Body& body, std::size_t output) {
         for (const std::size_t i : body.items)
             output_of_[i] = output;
+    }
+
+    void give(const Body& body, std::size_t output) {
+        put(body, output);
         taken_[output] += body.area;
     }
 
-    const PlanRequest& request_;  // outlives this
+    const PlanRequest* request_;  // outlives this
     std::vector<Box> outputs_;
     std::vector<std::size_t> output_of_;  // one for each item
     std::vector<double> taken_;           // wished area, one for each output
@@ -252,8 +279,10 @@ PlanWatch without_bands(const PlanWatch& watch, const PlanRequest& request) {
     return {.on_better = tell, .should_stop = watch.should_stop};
 }
 
-Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan) {
-    const Sharing sharing(request);
+namespace {
+
+Layout planned_as(const Sharing& sharing, const PlanRequest& request, const PlanWatch& watch,
+                  const PlanFunction& plan) {
     Layout layout{.canvas = request.canvas, .placements = std::vector<Placement>(request.items.size())};
     for (std::size_t i = 0; i < request.items.size(); ++i)
         layout.placements[i] = request.items[i].previous.value_or(Placement{});
@@ -277,12 +306,38 @@ Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const
     return layout;
 }
 
+}  // namespace
+
+Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan) {
+    return planned_as(Sharing(request), request, watch, plan);
+}
+
+Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan) {
+    Sharing best(request);
+    if (!best.has_choice() || request.items.size() > max_exchanged)
+        return planned_as(best, request, watch, plan);
+    PlanRequest quick = request;
+    quick.fills = false;
+    quick.budget = std::max<std::int64_t>(1, request.budget / quick_share);
+    Random random(request.seed);
+    double least = cost_of_plan(quick, planned_as(best, quick, watch, plan));
+    for (int k = 0; k < exchanges && !(watch.should_stop && watch.should_stop()); ++k) {
+        Sharing next = best;
+        next.disturb(random);
+        const double cost = cost_of_plan(quick, planned_as(next, quick, watch, plan));
+        if (cost >= least) continue;
+        least = cost;
+        best = std::move(next);
+    }
+    return planned_as(best, request, watch, plan);
+}
+
 double cost_of_plan(const PlanRequest& request, const Layout& layout) {
     double shown = 0;
     for (const Box& output : request.canvas.outputs)
         shown += output.area();
-    return emptiness * unseen_share(request, layout) - covered_px(request, layout) / shown +
-           spread_cost(request, layout);
+    const double unseen = request.fills ? unseen_share(request, layout) : 0;
+    return emptiness * unseen - covered_px(request, layout) / shown + spread_cost(request, layout);
 }
 
 }  // namespace vitrine::player

@@ -39,6 +39,9 @@ using PlanFunction = std::function<Layout(const PlanRequest& request, const Plan
 /// places.
 Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
 
+/// The same with the best of some ways to share the items out. What has a place may come to another output.
+Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
+
 /// The cost of a layout, as the filling counts it (pack/filling.hpp), of what the outputs show: smaller is
 /// better.
 double cost_of_plan(const PlanRequest& request, const Layout& layout);

@@ -292,7 +292,7 @@ Layout plan_with_bands(const PlanRequest& request, const PlanWatch& watch) {
     const Layout whole = without_bands(planned_flat(with_bands(request), told), request);
     const bool is_clear = is_clear_of_bands(request, whole.placements);
     if (is_clear && (has_movable_items(request) || request.order == LayoutOrder::reading)) return whole;
-    Layout parts = by_outputs();
+    Layout parts = best_plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_flat);
     return is_clear && cost_of_plan(request, whole) <= cost_of_plan(request, parts) ? whole : parts;
 }
 
