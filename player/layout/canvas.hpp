@@ -8,7 +8,9 @@
 namespace vitrine::player {
 
 /// The canvas of a wall: its size in px, and what of it is seen, if several outputs show parts of it.
-struct Canvas : Vec2 {
+struct Canvas {
+    double x = 0;  // px
+    double y = 0;
     std::vector<Box> outputs;  // canvas px, the parts that outputs show; none: all of it is seen
     std::vector<Box> bands;    // canvas px, all that is between and beside the outputs; they may overlap. No
                                // I-Region rests there
@@ -16,10 +18,13 @@ struct Canvas : Vec2 {
     Canvas() = default;
 
     /// A canvas that is seen as a whole.
-    Canvas(double width, double height) : Vec2{width, height} {}
+    Canvas(double width, double height) : x(width), y(height) {}
 
     // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a size is such a canvas
-    Canvas(Vec2 size) : Vec2(size) {}
+    Canvas(Vec2 size) : x(size.x), y(size.y) {}
+
+    // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a canvas is used as its size
+    operator Vec2() const { return {x, y}; }
 
     bool operator==(const Canvas&) const = default;
 

@@ -289,7 +289,7 @@ Layout plan_with_bands(const PlanRequest& request, const PlanWatch& watch) {
     };
     if (request.energy == EnergyMode::paper) return by_outputs();
     const PlanWatch told = without_bands(watch, request);
-    const Layout whole = without_bands(planned_flat(with_bands(request), told), request);
+    Layout whole = without_bands(planned_flat(with_bands(request), told), request);
     const bool is_clear = is_clear_of_bands(request, whole.placements);
     if (is_clear && (has_movable_items(request) || request.order == LayoutOrder::reading)) return whole;
     Layout parts = best_plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_flat);
