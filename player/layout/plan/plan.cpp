@@ -20,7 +20,7 @@ Layout planned(const PlanRequest& request, const PlanWatch& watch) {
         return item.group != PlanItem::no_group;
     });
     if (!has_groups) return plan_flat(request, watch);
-    const Layout layout = plan_nested(request, watch);
+    Layout layout = plan_nested(request, watch);
     if (is_clear_of_bands(request, layout.placements)) return layout;
     return plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_nested);
 }
