@@ -153,7 +153,8 @@ PlayerActions Player::actions() {
     return {.set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
             .dismiss = [this](const MediaRecord& file) { files_->dismiss(file); },
             .acquit = [this](const std::string& path) { files_->acquit(path); },
-            .reload = [this] { reload(); }};
+            .reload = [this] { reload(); },
+            .toggle_guides = [this] { return stages_->toggle_guides(); }};
 }
 
 void Player::begin_stages() {

@@ -257,6 +257,10 @@ CommandHandlers PlayerService::handlers() {
         actions_.reload();
         return CommandAnswer{};
     };
+    const auto canvas = [this, text](const Call&) {
+        return text(actions_.toggle_guides() ? "guides are drawn for ten minutes; the same command ends that"
+                                             : "no guides are drawn any more");
+    };
     return {
         {"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_.word().summary)); }},
         {"Why", why},
@@ -267,6 +271,7 @@ CommandHandlers PlayerService::handlers() {
         {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
         {"Remove", [this](const Call& call) { return remove(call); }},
         {"Acquit", [this](const Call& call) { return acquit(call); }},
+        {"Canvas", canvas},
         {"Reload", reload}};
 }
 

@@ -49,7 +49,8 @@ struct PlayerActions {
     std::function<void(const ShowControls&)> set_controls;  // sets the controls of all walls
     std::function<void(const MediaRecord&)> dismiss;        // takes a file off the wall
     std::function<void(const std::string& path)> acquit;    // ends the quarantine of a file; "": of all
-    std::function<void()> reload;  // reads the settings again; throws if they are wrong
+    std::function<void()> reload;         // reads the settings again; throws if they are wrong
+    std::function<bool()> toggle_guides;  // for placing screens; true: they are drawn now
 };
 
 /// Serves everything that looks after a player: systemd, whose watchdog it feeds while pictures reach the

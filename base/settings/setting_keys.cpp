@@ -1,6 +1,7 @@
 #include "base/settings/setting_keys.hpp"
 
 #include "base/media/colour.hpp"
+#include "base/settings/canvas_words.hpp"
 #include "base/settings/dates.hpp"
 #include "base/settings/output_words.hpp"
 
@@ -338,6 +339,26 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::restart,
      "Displays with a wall of their own, each for one folder below the media folder: \"HDMI-A-1=lobby, "
      "HDMI-A-2=hall\". All other displays show the whole media folder together. The log names the displays."},
+    {"output.canvas",
+     text<&S::output, &S::Output::canvas>(
+         "outputs with places like \"HDMI-A-1 0,0; HDMI-A-2 1960,0\", or \"mm: HDMI-A-1 0,0 698x393; "
+         "HDMI-A-2 "
+         "720,0 698x393 turned 180\"",
+         [](const std::string& value) { return canvas_named(value).fault.empty(); },
+         [](const std::string& value) { return canvas_named(value).fault; }),
+     SettingEffect::now,
+     "Displays that show one wall together, each its part: \"HDMI-A-1 0,0; HDMI-A-2 1960,0\". The numbers "
+     "are the "
+     "place of the display's top left corner, to the right and down, in pixels; so here a bezel is 40 pixels "
+     "wide. "
+     "After its place a display may have the size of its picture, as it hangs, and its turn, like "
+     "\"HDMI-A-2 1960,0 540x960 turned 90\"; else it is as large as its mode, and turned as output.rotation "
+     "says. "
+     "\"mm: HDMI-A-1 0,0 698x393; HDMI-A-2 720,0 698x393\" is the same in millimetres; there each display "
+     "needs its "
+     "size. What matters in a picture never rests behind a bezel. All other displays show the whole wall. "
+     "Empty: "
+     "each display shows the whole wall. `vitrinectl canvas` helps to place them."},
     {"output.frame_rate", whole<&S::output, &S::Output::frame_rate>(1, 240), SettingEffect::restart,
      "Limit of the frames that are drawn in a second."},
     {"output.decoders",

@@ -10,8 +10,8 @@ namespace vitrine {
 
 namespace {
 
-[[noreturn]] void refuse() {
-    throw std::invalid_argument("not allowed");
+[[noreturn]] void refuse(const std::string& fault = {}) {
+    throw std::invalid_argument(fault);
 }
 
 std::int64_t count_of(std::int64_t value) {
@@ -93,7 +93,8 @@ std::string NumberSetting::text(const Settings& settings) const {
 
 void TextSetting::assign(Settings& settings, const SettingValue& value) const {
     const auto* given = std::get_if<std::string>(&value);
-    if (given == nullptr || !is_allowed(*given)) refuse();
+    if (given == nullptr) refuse();
+    if (!is_allowed(*given)) refuse(fault == nullptr ? std::string() : fault(*given));
     place(settings) = *given;
 }
 

@@ -26,7 +26,7 @@ inline Settings& writable(const Settings& settings) {
 
 // The kinds of settings. Each kind can name the allowed values, assign a value, print the value in the file's
 // form, and copy it between two settings. `assign` throws std::invalid_argument for a value that is not
-// allowed; the settings then stay unchanged.
+// allowed; the settings then stay unchanged. Its text is a sentence that says what is wrong, or empty.
 
 /// A whole number, an amount of bytes, or a time in whole units of its type.
 template <typename T> struct WholeSetting {
@@ -58,6 +58,7 @@ struct TextSetting {
     std::string& (*place)(Settings&);
     std::string_view allowed_words;
     bool (*is_allowed)(const std::string&);
+    std::string (*fault)(const std::string&);  // says what is wrong with a value that is not allowed; or null
 
     std::string allowed() const { return std::string(allowed_words); }
 
@@ -133,9 +134,11 @@ template <auto section, auto field> constexpr SettingKind flag() {
 }
 
 /// @param allowed  the allowed values in words
+/// @param fault    says what is wrong with a value that is not allowed; null: the allowed values say enough
 template <auto section, auto field>
-constexpr SettingKind text(std::string_view allowed, bool (*is_allowed)(const std::string&)) {
-    return TextSetting{&member_of<section, field>, allowed, is_allowed};
+constexpr SettingKind text(std::string_view allowed, bool (*is_allowed)(const std::string&),
+                           std::string (*fault)(const std::string&) = nullptr) {
+    return TextSetting{&member_of<section, field>, allowed, is_allowed, fault};
 }
 
 template <auto section, auto field> constexpr SettingKind choice(const ChoiceWords& words) {

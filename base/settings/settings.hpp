@@ -106,6 +106,7 @@ struct Settings {
         int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
         std::string margins;         // margins_named()
         std::string folders;         // output_folders_named()
+        std::string canvas;          // canvas_named(); empty: each output shows the whole wall
         int frame_rate = 30;
         DecoderChoice decoders = DecoderChoice::automatic;
         KmsApi api = KmsApi::best;

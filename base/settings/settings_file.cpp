@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace vitrine {
@@ -38,6 +40,13 @@ std::string list_of_sections() {
     return list;
 }
 
+/// Why a value is not allowed. @param error  its text may say more than the key does
+std::string reason(const SettingKey& key, const std::invalid_argument& error) {
+    const std::string_view fault = error.what();
+    return fault.empty() ? fmt::format("it must be {}", key.allowed())
+                         : fmt::format("{}; it must be {}", fault, key.allowed());
+}
+
 void read_key(const std::string& name, const std::string& section, const toml::node& node,
               const std::string& source, Settings& settings) {
     const unsigned line = node.source().begin.line;
@@ -47,11 +56,11 @@ void read_key(const std::string& name, const std::string& section, const toml::n
                                         name, list_of_keys(section + ".")));
     try {
         const std::optional<SettingValue> value = to_value(node);
-        if (!value) throw std::invalid_argument("a table or a list");
+        if (!value) throw std::invalid_argument("");  // a table or a list
         key->assign(settings, *value);
-    } catch (const std::invalid_argument&) {
-        throw SettingsError(fmt::format("{}:{}: the value of '{}' is not allowed; it must be {}", source,
-                                        line, name, key->allowed()));
+    } catch (const std::invalid_argument& error) {
+        throw SettingsError(fmt::format("{}:{}: the value of '{}' is not allowed; {}", source, line, name,
+                                        reason(*key, error)));
     }
 }
 
@@ -102,9 +111,8 @@ void apply_setting(const std::string& name, const std::string& text, Settings& s
         } catch (const std::invalid_argument&) {
             key->assign(settings, text);  // a text may look like a number: a folder may be called 2026
         }
-    } catch (const std::invalid_argument&) {
-        throw SettingsError(
-            fmt::format("--{} '{}' is not allowed; it must be {}", name, text, key->allowed()));
+    } catch (const std::invalid_argument& error) {
+        throw SettingsError(fmt::format("--{} '{}' is not allowed; {}", name, text, reason(*key, error)));
     }
 }
 

@@ -52,6 +52,7 @@ PlanRequest request_for(const Items& items, std::uint64_t seed);
 /// @param fills  whether the layouts of default effort are finished as on a wall, with sizes of their own;
 ///               only where the items' frames are real
 void print_shares(const char* title, const Draw& draw, int instances, bool fills);
+void print_bands(const char* title, const Draw& draw, int instances, bool fills);
 void print_paper(int instances);
 void print_moves();
 void print_many();

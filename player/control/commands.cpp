@@ -77,6 +77,13 @@ constexpr std::array table{
             .arguments = "",
             .result = "a(suuh)",
             .is_for_all = true},
+    Command{
+        .name = "canvas",
+        .help =
+            "Draws rulers, names and diagonals on all displays for ten minutes, to place them; or ends that",
+        .method = "Canvas",
+        .arguments = "",
+        .result = "s"},
     Command{.name = "reload",
             .help = "Makes the player read its settings again",
             .method = "Reload",

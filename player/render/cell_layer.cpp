@@ -61,8 +61,8 @@ void CellLayer::draw(std::span<const DrawItem> items, const ToNdc& view, bool is
 
 void CellLayer::draw_outlines(const DrawItem& item, const ToNdc& view) {
     const CellMeshes::Mesh& mesh = meshes_.of(item.cell);
-    draw_range(programs(item).filler, item, view, GL_LINES, mesh.filler.outline);
-    draw_range(programs(item).opaque, item, view, GL_LINES, mesh.parts.outline);
+    draw_range(programs(item).filler, item, view, GL_TRIANGLES, mesh.filler.outline);
+    draw_range(programs(item).opaque, item, view, GL_TRIANGLES, mesh.parts.outline);
 }
 
 void CellLayer::draw_fills(const DrawItem& item, const ToNdc& view) {

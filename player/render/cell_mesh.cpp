@@ -1,6 +1,7 @@
 #include "player/render/cell_mesh.hpp"
 
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace vitrine::player {
@@ -9,9 +10,15 @@ namespace {
 
 using Vertices = std::vector<CellMesh::Vertex>;
 
+/// A coordinate on the grid on which graphics cards place corners, canvas px. So each part of a canvas is
+/// drawn with the same pixels as the whole.
+float on_grid(double place) {
+    constexpr double fineness = 256;  // places in a px
+    return static_cast<float>(std::round(place * fineness) / fineness);
+}
+
 void append(Vertices& vertices, Vec2 point, double coverage) {
-    vertices.push_back(
-        {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(coverage)});
+    vertices.push_back({on_grid(point.x), on_grid(point.y), static_cast<float>(coverage)});
 }
 
 template <typename Visit> void for_each_side(std::span<const Polygon> polygons, Visit visit) {
@@ -20,10 +27,17 @@ template <typename Visit> void for_each_side(std::span<const Polygon> polygons, 
             visit(polygon[i], polygon[(i + 1) % polygon.size()]);
 }
 
+/// A strip along the outline. Lines of GL would do, too, but a card may draw them elsewhere in a part of a
+/// canvas.
 void append_outline(Vertices& vertices, std::span<const Polygon> polygons) {
+    constexpr double half_width = 0.5;  // canvas px
     for_each_side(polygons, [&](Vec2 from, Vec2 to) {
-        append(vertices, from, 1);
-        append(vertices, to, 1);
+        if (to == from) return;
+        const Vec2 along = (to - from) * (half_width / length(to - from));
+        const Vec2 across{along.y, -along.x};
+        for (const Vec2 corner :
+             {from + across, to + across, to - across, from + across, to - across, from - across})
+            append(vertices, corner, 1);
     });
 }
 

@@ -10,10 +10,15 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double same_place = 1e-3;  // px
+constexpr double same_place = 1e-3;     // px
+constexpr double max_viewport = 16384;  // px of a side
 
 bool is_opaque(const DrawItem& item) {
     return item.alpha >= 1;
+}
+
+Vec2 ndc_of(const ToNdc& view, Vec2 point) {
+    return view.x_axis * point.x + view.y_axis * point.y + view.origin;
 }
 
 bool is_whole(double value) {
@@ -47,10 +52,12 @@ void Renderer::forget(SourceId source) {
 void Renderer::draw(const Frame& frame) {
     assert(is_own_thread());
     clear();
-    const ToNdc view = to_ndc(frame.canvas, view_.rotation);
+    const ToNdc view = look_at(frame.canvas);
     draw_idle(frame, view);
-    const bool is_on_pixels = is_whole(frame.view.x) && is_whole(frame.view.y) &&
-                              frame.canvas == canvas_size(width_, height_, view_);
+    const Box part = seen_part(view_, frame.canvas);
+    const Vec2 first = frame.view + part.min;  // the canvas point in a corner of the screen
+    const bool is_on_pixels =
+        is_whole(first.x) && is_whole(first.y) && part.max - part.min == canvas_size(width_, height_, view_);
     const ToNdc moved = seen_from(view, frame.view);
     const std::span<const DrawItem> items = frame.items;
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
@@ -73,18 +80,38 @@ void Renderer::draw(const Frame& frame) {
     check_gl("draw a frame");
 }
 
-/// Makes the whole screen black, and limits further drawing to the canvas.
+/// Makes the whole screen black.
 void Renderer::clear() const {
     glDisable(GL_SCISSOR_TEST);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
+}
 
+/// Sets the viewport, and limits further drawing to what the screen shows of the canvas. If the whole canvas
+/// would lie on whole pixels, the viewport is that of all of it: a part is then drawn with the same numbers,
+/// and so with the same pixels, as the whole.
+ToNdc Renderer::look_at(Vec2 canvas) {
     const int across = width_ - view_.left - view_.right;
     const int down = height_ - view_.top - view_.bottom;
-    glViewport(view_.left, view_.bottom, across, down);
-    glScissor(view_.left, view_.bottom, across, down);  // limits lines too, which may leave the viewport
+    glScissor(view_.left, view_.bottom, across, down);
     glEnable(GL_SCISSOR_TEST);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+    const Box part = seen_part(view_, canvas);
+    const ToNdc whole = to_ndc(canvas, view_.rotation);
+    const Vec2 a = ndc_of(whole, part.min);
+    const Vec2 b = ndc_of(whole, part.max);
+    const Vec2 size{2 * across / std::abs(b.x - a.x), 2 * down / std::abs(b.y - a.y)};
+    const Vec2 first{view_.left - (std::min(a.x, b.x) + 1) / 2 * size.x,
+                     view_.bottom - (std::min(a.y, b.y) + 1) / 2 * size.y};
+    const bool is_whole_px = is_whole(first.x) && is_whole(first.y) && is_whole(size.x) && is_whole(size.y) &&
+                             std::max(size.x, size.y) <= max_viewport;
+    viewport_ = is_whole_px ? Box{first, first + size}
+                            : Box{{1.0 * view_.left, 1.0 * view_.bottom},
+                                  {1.0 * (view_.left + across), 1.0 * (view_.bottom + down)}};
+    const auto px = [](double length) { return static_cast<GLint>(std::lround(length)); };
+    glViewport(px(viewport_.min.x), px(viewport_.min.y), px(viewport_.width()), px(viewport_.height()));
+    return is_whole_px ? whole : seen_from(to_ndc(part.max - part.min, view_.rotation), part.min);
 }
 
 bool Renderer::is_own_thread() const {
@@ -126,21 +153,27 @@ void Renderer::draw_plates(const Frame& frame, std::size_t below, const ToNdc& v
     }
 }
 
-/// Limits drawing to all pixels that the part of the canvas touches.
+/// Limits drawing to all pixels that the part of the canvas touches and the screen shows.
 void Renderer::set_scissor(const Box& part, const ToNdc& view) const {
-    const Vec2 room{static_cast<double>(width_ - view_.left - view_.right),
-                    static_cast<double>(height_ - view_.top - view_.bottom)};
     const auto px = [&](Vec2 point) {
-        const Vec2 ndc = view.x_axis * point.x + view.y_axis * point.y + view.origin;
-        return Vec2{view_.left + (ndc.x + 1) / 2 * room.x, view_.bottom + (ndc.y + 1) / 2 * room.y};
+        const Vec2 ndc = ndc_of(view, point);
+        return viewport_.min +
+               Vec2{(ndc.x + 1) / 2 * viewport_.width(), (ndc.y + 1) / 2 * viewport_.height()};
     };
     const Vec2 a = px(part.min);
     const Vec2 b = px(part.max);
-    const auto edge = [](double place) { return static_cast<GLint>(std::lround(place)); };
-    const GLint left = edge(std::floor(std::min(a.x, b.x) + same_place));
-    const GLint bottom = edge(std::floor(std::min(a.y, b.y) + same_place));
-    glScissor(left, bottom, edge(std::ceil(std::max(a.x, b.x) - same_place)) - left,
-              edge(std::ceil(std::max(a.y, b.y) - same_place)) - bottom);
+    const auto across = [&](double place) {
+        return static_cast<GLint>(
+            std::lround(std::clamp(place, 1.0 * view_.left, 1.0 * (width_ - view_.right))));
+    };
+    const auto up = [&](double place) {
+        return static_cast<GLint>(
+            std::lround(std::clamp(place, 1.0 * view_.bottom, 1.0 * (height_ - view_.top))));
+    };
+    const GLint left = across(std::floor(std::min(a.x, b.x) + same_place));
+    const GLint bottom = up(std::floor(std::min(a.y, b.y) + same_place));
+    glScissor(left, bottom, across(std::ceil(std::max(a.x, b.x) - same_place)) - left,
+              up(std::ceil(std::max(a.y, b.y) - same_place)) - bottom);
 }
 
 void Renderer::draw_zooms(std::span<const DrawItem> items, const ToNdc& view) {

@@ -47,6 +47,7 @@ class Renderer {
   private:
     bool is_own_thread() const;
     void clear() const;
+    ToNdc look_at(Vec2 canvas);
     bool leaves_holes(const Frame& frame) const;
     void draw_idle(const Frame& frame, const ToNdc& view);
     void draw_plates(const Frame& frame, std::size_t below, const ToNdc& view) const;
@@ -57,6 +58,7 @@ class Renderer {
     int width_;
     int height_;
     View view_;
+    Box viewport_;  // px of the screen from its bottom left corner
     UploadedPictures pictures_;
     IdlePicture idle_;
     CellLayer cells_;

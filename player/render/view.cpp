@@ -25,7 +25,8 @@ Vec2 canvas_size(int width, int height, const View& view) {
 
 View letterboxed(int width, int height, View view, Vec2 canvas) {
     const Vec2 room = turned(canvas_size(width, height, view), view.rotation);
-    const Vec2 wanted = turned(canvas, view.rotation);
+    const Box part = seen_part(view, canvas);
+    const Vec2 wanted = turned(part.max - part.min, view.rotation);
     const double scale = std::min(room.x / wanted.x, room.y / wanted.y);
     const int across = static_cast<int>(room.x - std::round(wanted.x * scale));
     const int down = static_cast<int>(room.y - std::round(wanted.y * scale));
@@ -41,17 +42,19 @@ Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 sha
                     static_cast<double>(height - view.top - view.bottom)};
     const double x = std::clamp((share.x * width - view.left) / room.x, 0.0, 1.0);
     const double y = std::clamp((share.y * height - view.top) / room.y, 0.0, 1.0);
+    const Box part = seen_part(view, canvas);
+    const Vec2 size = part.max - part.min;
     switch (view.rotation) {
     case Rotation::none:
         break;
     case Rotation::right:  // the canvas' right side is at the top of the panel's pixels
-        return {canvas.x * (1 - y), canvas.y * x};
+        return part.min + Vec2{size.x * (1 - y), size.y * x};
     case Rotation::half:
-        return {canvas.x * (1 - x), canvas.y * (1 - y)};
+        return part.min + Vec2{size.x * (1 - x), size.y * (1 - y)};
     case Rotation::left:
-        return {canvas.x * y, canvas.y * (1 - x)};
+        return part.min + Vec2{size.x * y, size.y * (1 - x)};
     }
-    return {canvas.x * x, canvas.y * y};
+    return part.min + Vec2{size.x * x, size.y * y};
 }
 
 }  // namespace vitrine::player

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "base/geometry/box.hpp"
 #include "base/geometry/vec2.hpp"
+
+#include <optional>
 
 namespace vitrine::player {
 
@@ -19,6 +22,7 @@ struct View {
     int top = 0;
     int right = 0;
     int bottom = 0;
+    std::optional<Box> part;  // canvas px, what the screen shows of the canvas; none: all of it
 
     bool operator==(const View&) const = default;
 };
@@ -27,11 +31,17 @@ struct View {
 /// @pre the margins leave at least one pixel
 Vec2 canvas_size(int width, int height, const View& view);
 
-/// The view with further margins for a canvas of another shape: as large as there is room, in the middle.
+/// The part of a canvas that a view shows, canvas px.
+inline Box seen_part(const View& view, Vec2 canvas) {
+    return view.part.value_or(Box{{0, 0}, canvas});
+}
+
+/// The view with further margins for a canvas, or a part of it, of another shape: as large as there is room,
+/// in the middle.
 View letterboxed(int width, int height, View view, Vec2 canvas);
 
 /// The canvas point that is shown at a place of a screen. @param share  the place as shares of the screen's
-/// pixels; the result lies within the canvas
+/// pixels; the result lies within what the screen shows of the canvas
 Vec2 canvas_point(int width, int height, const View& view, Vec2 canvas, Vec2 share);
 
 /// Maps canvas points in [0, size] to GL's [-1, 1] square: ndc = x_axis * x + y_axis * y + origin.

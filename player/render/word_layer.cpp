@@ -32,6 +32,8 @@ void main() {
 }
 )";
 
+constexpr int kept_unused = 16;  // draws: each screen of a canvas may have a word of its own
+
 constexpr std::array<float, 8> unit_square{0, 0, 1, 0, 0, 1, 1, 1};
 
 }  // namespace
@@ -52,7 +54,7 @@ WordLayer::WordLayer()
 
 void WordLayer::draw(std::span<const WordItem> words, const ToNdc& view) {
     for (auto& [picture, texture] : textures_)
-        texture.is_drawn = false;
+        ++texture.unused;
     program_.use();
     view_.set(view);
     glEnable(GL_BLEND);
@@ -67,13 +69,13 @@ void WordLayer::draw(std::span<const WordItem> words, const ToNdc& view) {
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     glBindVertexArray(0);
-    std::erase_if(textures_, [](const auto& entry) { return !entry.second.is_drawn; });
+    std::erase_if(textures_, [](const auto& entry) { return entry.second.unused > kept_unused; });
 }
 
 const WordLayer::Texture& WordLayer::texture_of(const std::shared_ptr<const WordPicture>& picture) {
     const auto [entry, is_new] = textures_.try_emplace(picture.get());
     Texture& texture = entry->second;
-    texture.is_drawn = true;
+    texture.unused = 0;
     if (!is_new) return texture;
     texture.picture = picture;
     glBindTexture(GL_TEXTURE_2D, texture.texture.id());

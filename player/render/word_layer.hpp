@@ -23,7 +23,7 @@ class WordLayer {
     struct Texture {
         std::shared_ptr<const WordPicture> picture;  // shared, so that no other gets its address meanwhile
         GlTexture texture;
-        bool is_drawn = false;
+        int unused = 0;  // draws since it was drawn last
     };
 
     const Texture& texture_of(const std::shared_ptr<const WordPicture>& picture);

@@ -73,12 +73,14 @@ Box whole_picture(const WallShot& shot) {
     return shot.active.is_empty() ? Box{{0, 0}, shot.picture} : shot.active;
 }
 
-Placement fitting(const WallShot& shot, Vec2 canvas, double share, Vec2 centre) {
+Placement fitting(const WallShot& shot, const Box& room, double share, Vec2 centre) {
     const Box whole = whole_picture(shot);
-    const double scale = share * std::min(canvas.x / whole.width(), canvas.y / whole.height());
+    const double scale = share * std::min(room.width() / whole.width(), room.height() / whole.height());
     const Vec2 half = (whole.max - whole.min) * (scale / 2);
-    const Vec2 middle{std::clamp(centre.x, half.x, std::max(half.x, canvas.x - half.x)),
-                      std::clamp(centre.y, half.y, std::max(half.y, canvas.y - half.y))};
+    const Vec2 least = room.min + half;
+    const Vec2 most = room.max - half;
+    const Vec2 middle{std::clamp(centre.x, least.x, std::max(least.x, most.x)),
+                      std::clamp(centre.y, least.y, std::max(least.y, most.y))};
     return {scale, middle - whole.centre() * scale};
 }
 

@@ -56,8 +56,8 @@ class LiftedShot {
 /// The part of a shot's picture that is seen when it is seen whole, source px.
 Box whole_picture(const WallShot& shot);
 
-/// The placement at which a shot's whole picture is as large as a share of the canvas allows, in its middle
-/// or, if it lies elsewhere, as near to its centre as the canvas allows.
-Placement fitting(const WallShot& shot, Vec2 canvas, double share, Vec2 centre);
+/// The placement at which a shot's whole picture is as large as a share of some room on the canvas allows,
+/// with its middle at a centre or as near to it as the room allows.
+Placement fitting(const WallShot& shot, const Box& room, double share, Vec2 centre);
 
 }  // namespace vitrine::player

@@ -97,30 +97,70 @@ double way_of_picture(const PlacedShot& placed, Vec2 direction) {
     return way;
 }
 
-PhotoDrift drift_along(const PlacedShot& placed, Vec2 direction, double max_way) {
-    return {.from = direction * -std::min(free_way(placed, direction * -1.0), max_way),
-            .to = direction * std::min(free_way(placed, direction), max_way)};
+/// The times in which one stretch meets another that moves to it.
+struct Meeting {
+    double begin = -std::numeric_limits<double>::infinity();
+    double end = std::numeric_limits<double>::infinity();
+
+    /// @param gaps  from the moving stretch to the ends of the other one, along an axis
+    void narrow(double first_gap, double last_gap, double speed) {
+        if (std::abs(speed) < 1e-9) {
+            if (first_gap >= 0 || last_gap <= 0) end = begin;  // they pass one another
+            return;
+        }
+        begin = std::max(begin, std::min(first_gap / speed, last_gap / speed));
+        end = std::min(end, std::max(first_gap / speed, last_gap / speed));
+    }
+};
+
+/// The way of the box around a region until it meets a band.
+double way_to_bands(const PlacedShot& placed, std::span<const Box> bands, Vec2 direction) {
+    const Box region = bounding_box(placed_region(placed.shot.item, placed.placement));
+    double way = std::numeric_limits<double>::infinity();
+    for (const Box& band : bands) {
+        Meeting meeting;
+        meeting.narrow(band.min.x - region.max.x, band.max.x - region.min.x, direction.x);
+        meeting.narrow(band.min.y - region.max.y, band.max.y - region.min.y, direction.y);
+        if (meeting.begin < meeting.end && meeting.end > 0)
+            way = std::min(way, std::max(0.0, meeting.begin - outline_clearance));
+    }
+    return way;
+}
+
+/// A photo whose drift is looked for, and the longest way to one side.
+struct DriftRoom {
+    const PlacedShot& placed;
+    std::span<const Box> bands;
+    double max_way = 0;
+
+    double way(Vec2 direction) const {
+        return std::min({free_way(placed, direction), way_to_bands(placed, bands, direction), max_way});
+    }
+};
+
+PhotoDrift drift_along(const DriftRoom& room, Vec2 direction) {
+    return {.from = direction * -room.way(direction * -1.0), .to = direction * room.way(direction)};
 }
 
 double length_of(const PhotoDrift& drift) {
     return length(drift.to - drift.from);
 }
 
-PhotoDrift longest_drift(const PlacedShot& placed, const PlacedShot* before) {
+PhotoDrift longest_drift(const PlacedShot& placed, const PlacedShot* before, std::span<const Box> bands) {
     constexpr int directions = 8;
     double size = 0;
     for (const Polygon& part : placed.cell->parts)
         size += signed_area(part);
-    const double max_way = max_way_share * std::sqrt(std::max(size, 0.0));
+    const DriftRoom room{placed, bands, max_way_share * std::sqrt(std::max(size, 0.0))};
     PhotoDrift best;
     for (int k = 0; k < directions; ++k) {
         const double angle = std::numbers::pi * k / directions;
-        const PhotoDrift drift = drift_along(placed, {std::cos(angle), std::sin(angle)}, max_way);
+        const PhotoDrift drift = drift_along(room, {std::cos(angle), std::sin(angle)});
         if (length_of(drift) > length_of(best)) best = drift;
     }
     if (before != nullptr && length_of(before->drift) > 0) {
         const Vec2 kept = (before->drift.to - before->drift.from) * (1 / length_of(before->drift));
-        const PhotoDrift drift = drift_along(placed, kept, max_way);
+        const PhotoDrift drift = drift_along(room, kept);
         if (length_of(drift) >= keeps_direction * length_of(best)) best = drift;
     }
     return length_of(best) >= min_seen_way ? best : PhotoDrift{};
@@ -146,11 +186,11 @@ double free_way(const PlacedShot& placed, Vec2 direction) {
     return std::isfinite(way) ? std::max(0.0, way) : 0;
 }
 
-void give_drifts(std::span<PlacedShot> wall, std::span<const PlacedShot> before) {
+void give_drifts(std::span<PlacedShot> wall, std::span<const PlacedShot> before, std::span<const Box> bands) {
     for (PlacedShot& placed : wall) {
         placed.drift = {};
         if (placed.shot.kind == MediaKind::photo && placed.cell)
-            placed.drift = longest_drift(placed, find_source(before, placed.shot.source));
+            placed.drift = longest_drift(placed, find_source(before, placed.shot.source), bands);
     }
 }
 

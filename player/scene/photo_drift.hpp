@@ -16,7 +16,9 @@ double free_way(const PlacedShot& placed, Vec2 direction);
 
 /// Gives each photo the longest way inside its cell, within limits.
 /// @param before  the wall before; a photo keeps its direction from there if that is nearly as long
-void give_drifts(std::span<PlacedShot> wall, std::span<const PlacedShot> before);
+/// @param bands   canvas px; no I-Region drifts under one
+void give_drifts(std::span<PlacedShot> wall, std::span<const PlacedShot> before,
+                 std::span<const Box> bands = {});
 
 /// Where a photo is on its way, relative to the place of its layout, canvas px. A function of time alone:
 /// smooth, and different for each photo.

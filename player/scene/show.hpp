@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/input/gesture.hpp"
+#include "player/layout/canvas.hpp"
 #include "player/layout/edit/wall_way.hpp"
 #include "player/layout/plan/plan_request.hpp"
 #include "player/scene/files/shot_rotation.hpp"
@@ -25,7 +26,7 @@ class ChangePace;
 /// A request for a layout.
 struct WallPlan {
     std::uint64_t generation = 0;  // the layout must have the same
-    Vec2 canvas;                   // px
+    Canvas canvas;                 // px
     std::vector<PlanItem> items;   // each at its present place, or with the seat of its slot's last shot
     std::shared_ptr<const WayRequest> way;  // instead of items: the wall is touched
 };
@@ -62,7 +63,7 @@ class Show {
     virtual ~Show() = default;
 
     /// Call when the screen's mode has changed.
-    virtual void set_canvas(Vec2 canvas) = 0;
+    virtual void set_canvas(const Canvas& canvas) = 0;
 
     /// @param hints  tell the dwell and the frequency of files
     virtual void set_catalogue(const RecordList& records, const ShowHints& hints) = 0;

@@ -97,7 +97,7 @@ bool may_begin(ChangePace& pace, std::chrono::nanoseconds now) {
 
 /// The wall that a finger touches: that which comes, if it is on its way.
 TouchedWall touched_wall(const std::optional<WallChange>& change, std::span<const PlacedShot> shown,
-                         Vec2 canvas) {
+                         const Canvas& canvas) {
     const bool is_coming = change && change->phase == Phase::fading;
     return {.shots = is_coming ? std::span<const PlacedShot>(change->wall) : shown,
             .canvas = canvas,
@@ -127,7 +127,7 @@ void show_arrived(WallChange& change, const WallSources& sources, WallEntries& s
 
 }  // namespace
 
-Wall::Wall(Vec2 canvas, const WallSettings& settings)
+Wall::Wall(const Canvas& canvas, const WallSettings& settings)
     : settings_(settings),
       canvas_(canvas),
       slots_(settings.slots, settings.nests),
@@ -138,7 +138,7 @@ Wall::Wall(Vec2 canvas, const WallSettings& settings)
               .is_calm = settings.is_calm}),
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
-void Wall::set_canvas(Vec2 canvas) {
+void Wall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     is_canvas_new_ = true;
     canvas_ = canvas;
@@ -312,7 +312,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
     const auto due = is_other_canvas ? std::nullopt : slots_.due();
     if ((due && now < *due - style.duration) || !may_begin(pace_, now)) return;
-    if (settings_.photos_drift) give_drifts(change_->wall, shown_);
+    if (settings_.photos_drift) give_drifts(change_->wall, shown_, change_->canvas.bands);
     if (is_other_canvas && !shown_.empty())
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
     else

@@ -43,10 +43,10 @@ struct WallSettings {
 /// than a completely new layout, the new layout is used. So it is where most shots are new.
 class Wall final : public Show {
   public:
-    Wall(Vec2 canvas, const WallSettings& settings);
+    Wall(const Canvas& canvas, const WallSettings& settings);
 
     /// Call when the screen's mode has changed: the same shots are laid out again.
-    void set_canvas(Vec2 canvas) override;
+    void set_canvas(const Canvas& canvas) override;
 
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
@@ -96,12 +96,12 @@ class Wall final : public Show {
     void wait_for_sources(std::chrono::nanoseconds now);
 
     WallSettings settings_;
-    Vec2 canvas_;
+    Canvas canvas_;
     WallEntries slots_;
     WallTouch touch_;
     WallSources sources_;
     std::vector<PlacedShot> shown_;
-    Vec2 shown_canvas_;  // the canvas of shown_'s layout
+    Canvas shown_canvas_;  // the canvas of shown_'s layout
     std::optional<WallChange> change_;
     bool is_canvas_new_ = false;
     bool is_held_ = false;    // no change begins

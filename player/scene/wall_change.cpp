@@ -111,7 +111,7 @@ TouchedWall take_way(WallChange& change, std::shared_ptr<const WallWay> way) {
 void begin_way(WallChange& change, std::span<const PlacedShot> shown, bool drifts, nanoseconds now) {
     for (PlacedShot& placed : change.wall)
         placed.drift = {};
-    if (drifts) give_drifts(change.wall, shown);
+    if (drifts) give_drifts(change.wall, shown, change.canvas.bands);
     change.began = now;
     change.phase = Phase::fading;
 }

@@ -31,7 +31,7 @@ struct WallChange {
 
     Phase phase = Phase::planned;
     std::uint64_t generation = 0;  // its plan's generation
-    Vec2 canvas;                   // px
+    Canvas canvas;                 // px
     std::vector<PlacedShot> wall;
     std::vector<PlacedShot> calm;  // the wasteful layout, which moves the shots little; empty: none
     bool is_final = false;         // the layout is final: no better one follows

@@ -39,17 +39,16 @@ Placement drifting_placement(const PlacedShot& placed, std::chrono::nanoseconds 
     return {placed.placement.scale, placed.placement.offset + drift_at(placed, now)};
 }
 
-/// The placement at which a whole picture has a share of the canvas, as near to a point as the canvas allows.
-Placement fitting_in(const TouchedWall& wall, const WallShot& shot, double share, Vec2 centre) {
-    Placement at = fitting(shot, wall.canvas, share, centre - wall.origin);
-    at.offset = at.offset + wall.origin;
-    return at;
+/// The output that is seen at a place, in the px of shots.
+Box output_seen_at(const TouchedWall& wall, Vec2 place) {
+    return moved(output_at(wall.canvas, place - wall.origin), wall.origin);
 }
 
 /// The scale of a shot that is large in its place, as a factor.
-double growth_of(const PlacedShot& placed, Vec2 canvas) {
+double growth_of(const PlacedShot& placed, const Canvas& canvas) {
     const Box box = bounding_box(placed_region(placed.shot.item, placed.placement));
-    return std::clamp(held_share * std::min(canvas.x / box.width(), canvas.y / box.height()), 1.0,
+    const Box seen = output_of(canvas, box);
+    return std::clamp(held_share * std::min(seen.width() / box.width(), seen.height() / box.height()), 1.0,
                       max_growth);
 }
 
@@ -70,7 +69,7 @@ void WallTouch::handle_gesture(const Gesture& gesture, const TouchedWall& wall) 
         if (const PlacedShot* shot = shot_at(gesture.from, wall)) source = shot->shot.source;
     switch (gesture.kind) {
     case Kind::tap:
-        return tap(source, wall);
+        return tap(gesture, source, wall);
     case Kind::hold:
         return hold(gesture, source, wall);
     case Kind::drag:
@@ -91,12 +90,13 @@ void WallTouch::handle_gesture(const Gesture& gesture, const TouchedWall& wall) 
 }
 
 /// A shot that was flicked out is touched in its place, to have it back.
-void WallTouch::tap(SourceId source, const TouchedWall& wall) {
+void WallTouch::tap(const Gesture& gesture, SourceId source, const TouchedWall& wall) {
     Lifted* lifted = lifted_.find(source);
     if (lifted != nullptr && lifted->state == State::gone) return bring_back(*lifted);
     const bool ends = whole_ != 0 || tapped_ == source || find_source(wall.shots, source) == nullptr;
     tapped_ = ends ? 0 : source;
     tapped_at_ = now_;
+    tapped_place_ = gesture.at;
 }
 
 /// False: the gesture is for the shot that is as large as the screen, or beside it. Any gesture lets that one
@@ -125,7 +125,7 @@ void WallTouch::hold(const Gesture& gesture, SourceId source, const TouchedWall&
     Lifted* lifted = lift(source, gesture.touch, State::large, wall);
     if (lifted == nullptr) return;
     const WallShot& shot = lifted->picture.placed().shot;
-    show_large(*lifted, fitting_in(wall, shot, held_share, gesture.at), 0);
+    show_large(*lifted, fitting(shot, output_seen_at(wall, gesture.at), held_share, gesture.at), 0);
 }
 
 /// Begins to show a whole picture. @param dims  share by which the rest becomes darker
@@ -228,7 +228,7 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
     return changes;
 }
 
-/// Lets the tapped shot become as large as the screen, or the large one return.
+/// Lets the tapped shot become as large as the screen that was touched, or the large one return.
 void WallTouch::change_whole(const TouchedWall& wall) {
     if (whole_ != 0) {
         bring_back(*lifted_.find(std::exchange(whole_, 0)));
@@ -240,7 +240,8 @@ void WallTouch::change_whole(const TouchedWall& wall) {
         return;
     }
     whole_ = tapped_;
-    show_large(*lifted, fitting_in(wall, lifted->picture.placed().shot, 1, wall.origin + wall.canvas * 0.5),
+    const Box screen = output_seen_at(wall, tapped_place_);
+    show_large(*lifted, fitting(lifted->picture.placed().shot, screen, 1, screen.centre()),
                1 - waiting_light);
 }
 
@@ -257,6 +258,7 @@ std::vector<Wish> WallTouch::wishes(const TouchedWall& wall) const {
                 lifted.state == state && placed != nullptr)
                 wishes.push_back({.item = number_of(placed),
                                   .at = lifted.picture.goal().at,
+                                  .is_in_hand = state == State::held,
                                   .is_let_go = state == State::let_go});
     const PlacedShot* placed = find_source(wall.shots, tapped_);
     const auto home = homes_.find(tapped_);
@@ -266,8 +268,8 @@ std::vector<Wish> WallTouch::wishes(const TouchedWall& wall) const {
     PlacedShot at_home = *placed;
     at_home.placement = home->second;
     const Vec2 middle = seat_of(at_home.shot.item, at_home.placement).centre;
-    wishes.push_back(
-        {number_of(placed), scaled_about_point(at_home.placement, middle, growth_of(at_home, wall.canvas))});
+    wishes.push_back({.item = number_of(placed),
+                      .at = scaled_about_point(at_home.placement, middle, growth_of(at_home, wall.canvas))});
     return wishes;
 }
 

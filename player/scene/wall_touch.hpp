@@ -29,7 +29,7 @@ struct TouchRules {
 /// The wall that is touched, as it is now.
 struct TouchedWall {
     std::span<const PlacedShot> shots;  // with cells
-    Vec2 canvas;                        // px
+    Canvas canvas;                      // px
     bool is_changing = false;           // without a touch, now or soon
     Vec2 origin = {};                   // of the canvas, in the px of shots and gestures
 };
@@ -82,7 +82,7 @@ class WallTouch {
     TouchNeeds take_needs() { return std::exchange(needs_, {}); }
 
   private:
-    void tap(SourceId source, const TouchedWall& wall);
+    void tap(const Gesture& gesture, SourceId source, const TouchedWall& wall);
     void drag(const Gesture& gesture, SourceId source, const TouchedWall& wall);
     bool is_for_shot(SourceId source);
     void hold(const Gesture& gesture, SourceId source, const TouchedWall& wall);
@@ -98,6 +98,7 @@ class WallTouch {
     LiftedShots lifted_;
     SourceId tapped_ = 0;  // shall be as large as the screen; large in its place while others hold shots
     std::chrono::nanoseconds tapped_at_{0};
+    Vec2 tapped_place_;                    // canvas px
     SourceId whole_ = 0;                   // is as large as the screen
     std::map<SourceId, Placement> homes_;  // where all stood before the first touch; empty: as they are
     std::vector<Wish> asked_;              // wishes of the last way

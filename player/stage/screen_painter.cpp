@@ -23,24 +23,29 @@ bool shows_idle(const Frame& frame, const Renderer& renderer) {
 
 }  // namespace
 
-void ScreenPainter::set_screens(std::vector<Screen*> screens) {
+void ScreenPainter::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
     if (screens != screens_) shown_.clear();
     screens_ = std::move(screens);
+    outputs_.follow(screens_, now);
 }
 
-View ScreenPainter::view_on(const Screen& screen) const {
-    return view_of(settings_, screen.width(), screen.height());
-}
-
-Vec2 ScreenPainter::largest_canvas() const {
+Canvas ScreenPainter::canvas() const {
+    if (outputs_.is_shared()) return outputs_.shared().canvas;
     const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
     const Screen& largest = **std::ranges::max_element(screens_, {}, area);
-    return canvas_size(largest.width(), largest.height(), view_on(largest));
+    return canvas_size(largest.width(), largest.height(),
+                       view_of(settings_, largest.width(), largest.height()));
+}
+
+Canvas ScreenPainter::expected_canvas(int width, int height) {
+    outputs_.expect(width, height);
+    if (outputs_.is_shared()) return outputs_.shared().canvas;
+    return canvas_size(width, height, view_of(settings_, width, height));
 }
 
 Vec2 ScreenPainter::canvas_point(const Screen& screen, Vec2 canvas, Vec2 share) const {
-    const View view = letterboxed(screen.width(), screen.height(), view_on(screen), canvas);
-    return vitrine::player::canvas_point(screen.width(), screen.height(), view, canvas, share);
+    return vitrine::player::canvas_point(screen.width(), screen.height(), outputs_.view_on(screen, canvas),
+                                         canvas, share);
 }
 
 void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer,
@@ -82,10 +87,28 @@ void ScreenPainter::number(const Frame& frame, bool is_new, bool is_idle) {
     ++number_;
 }
 
-void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) const {
-    renderer.aim(screen.width(), screen.height(),
-                 letterboxed(screen.width(), screen.height(), view_on(screen), frame.canvas));
-    renderer.draw(frame);
+void ScreenPainter::show_guides(bool is_on) {
+    if (has_guides_ == is_on) return;
+    has_guides_ = is_on;
+    guides_.clear();
+    ++number_;
+}
+
+/// The guide of a screen, above its part of the canvas.
+WordItem ScreenPainter::guide(const Frame& frame, const Screen& screen) {
+    Guide& guide = guides_[screen.name()];
+    GuideView view = outputs_.guide_view(screen, frame.canvas);
+    if (!guide.picture || guide.view != view) guide.picture = canvas_guide(view);
+    guide.view = std::move(view);
+    return {.picture = guide.picture, .place = moved(guide.view.part, frame.view)};
+}
+
+void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) {
+    renderer.aim(screen.width(), screen.height(), outputs_.view_on(screen, frame.canvas));
+    if (!has_guides_) return renderer.draw(frame);
+    Frame guided = frame;
+    guided.words.push_back(guide(frame, screen));
+    renderer.draw(guided);
 }
 
 void ScreenPainter::forget(SourceId source, Renderer& renderer) {

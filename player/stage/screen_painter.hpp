@@ -6,6 +6,7 @@
 #include "player/render/renderer.hpp"
 #include "player/render/view.hpp"
 #include "player/scene/frame.hpp"
+#include "player/stage/output_canvas.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -16,8 +17,9 @@
 
 namespace vitrine::player {
 
-/// Draws a stage's frames on its screens. Knows the renderer's pictures and each screen's frame: a screen is
-/// drawn only if something on it is new.
+/// Draws a stage's frames on its screens: the whole canvas on each, or the part that `output.canvas` gives
+/// it. Knows the renderer's pictures and each screen's frame: a screen is drawn only if something on it is
+/// new.
 ///
 /// Each screen is drawn from the frame itself, not copied from another screen: the result is sharp at every
 /// size. With llvmpipe this costs half as much as copying for one screen, the same for two and an eighth more
@@ -26,15 +28,20 @@ class ScreenPainter {
   public:
     /// @param settings, sources  outlive this
     ScreenPainter(const Settings& settings, const SourcePool& sources)
-        : settings_(settings), sources_(sources) {}
+        : settings_(settings), outputs_(settings), sources_(sources) {}
 
     /// @param screens  lent until the next call
-    void set_screens(std::vector<Screen*> screens);
+    /// @param now      since the player's start
+    void set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now);
 
     std::span<Screen* const> screens() const { return screens_; }
 
-    /// The canvas that fills the largest screen, px. @pre there is a screen
-    Vec2 largest_canvas() const;
+    /// The canvas that the screens show together, or else the one that fills the largest of them.
+    /// @pre there is a screen
+    Canvas canvas() const;
+
+    /// The canvas of screens of this size, px, while none is open.
+    Canvas expected_canvas(int width, int height);
 
     /// The canvas point that is seen at a place of a screen. @param share  the place as shares of the
     /// screen's sides
@@ -45,6 +52,9 @@ class ScreenPainter {
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
 
+    /// Draws guides for placing the screens above all frames, or ends that.
+    void show_guides(bool is_on);
+
     /// Call when the source is gone: the renderer drops its picture.
     void forget(SourceId source, Renderer& renderer);
 
@@ -52,18 +62,26 @@ class ScreenPainter {
     void forget_uploads() { uploaded_.clear(); }
 
   private:
-    View view_on(const Screen& screen) const;
     bool upload(const Frame& frame, Renderer& renderer);
     void number(const Frame& frame, bool is_new, bool is_idle);
-    void draw(const Frame& frame, Screen& screen, Renderer& renderer) const;
+    void draw(const Frame& frame, Screen& screen, Renderer& renderer);
+    WordItem guide(const Frame& frame, const Screen& screen);
 
-    const Settings& settings_;   // outlive this
+    struct Guide {
+        GuideView view;
+        std::shared_ptr<const WordPicture> picture;  // shared with the frames that show it
+    };
+
+    const Settings& settings_;  // outlive this
+    OutputCanvas outputs_;
     const SourcePool& sources_;  // outlives this
     std::vector<Screen*> screens_;
     std::map<SourceId, std::shared_ptr<const void>> uploaded_;  // the renderer's pictures; shared with it
     Frame drawn_;                                               // the frame that got the last number
     std::uint64_t number_ = 0;                                  // counts the frames that look different
     std::map<const Screen*, std::uint64_t> shown_;              // number of the frame on each screen
+    bool has_guides_ = false;
+    std::map<std::string, Guide> guides_;  // by the screens' names
 };
 
 }  // namespace vitrine::player

@@ -12,7 +12,7 @@ namespace vitrine::player {
 
 namespace {
 
-std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
+std::unique_ptr<Show> make_wall(const Settings& settings, const Canvas& canvas, SourceId last_source) {
     WallSettings wall{.slots = slot_settings(settings),
                       .transition = {.duration = settings.show.motion, .cells = cell_style(settings)},
                       .nests = settings.layout.folders == FolderMode::nested,
@@ -28,7 +28,8 @@ std::unique_ptr<Show> make_wall(const Settings& settings, Vec2 canvas, SourceId 
     return std::make_unique<Wall>(canvas, wall);
 }
 
-std::unique_ptr<Show> make_panning_wall(const Settings& settings, Vec2 canvas, SourceId last_source) {
+std::unique_ptr<Show> make_panning_wall(const Settings& settings, const Canvas& canvas,
+                                        SourceId last_source) {
     const SlotSettings slots = slot_settings(settings);
     return std::make_unique<PanningWall>(canvas, PanSettings{.ribbon = {.order = slots.order,
                                                                         .seed = slots.seed,

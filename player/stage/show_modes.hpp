@@ -9,7 +9,8 @@ namespace vitrine::player {
 
 /// A kind of wall, chosen by `layout.mode`. A calm wall does not pan.
 struct ShowMode {
-    using Factory = std::unique_ptr<Show> (*)(const Settings& settings, Vec2 canvas, SourceId last_source);
+    using Factory = std::unique_ptr<Show> (*)(const Settings& settings, const Canvas& canvas,
+                                              SourceId last_source);
 
     WallMode mode = WallMode::fit;
     bool has_turns = true;  // shots take turns in numbered slots, so they can be asked for and pinned

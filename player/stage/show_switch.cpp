@@ -48,7 +48,7 @@ ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool await
       awaits_tiles_(awaits_tiles),
       wall_(show_mode(settings).make(settings, canvas_, sources_of(owner))) {}
 
-void ShowSwitch::set_canvas(Vec2 canvas) {
+void ShowSwitch::set_canvas(const Canvas& canvas) {
     canvas_ = canvas;
     wall_->set_canvas(canvas);
     if (tapestry_) tapestry_->set_canvas(canvas);

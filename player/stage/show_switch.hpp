@@ -33,9 +33,9 @@ class ShowSwitch {
     TapestryPlayback* tapestry() { return tapestry_.get(); }
 
     /// The size of the canvas, px. Before the first screen is known it is the most usual size.
-    Vec2 canvas() const { return canvas_; }
+    const Canvas& canvas() const { return canvas_; }
 
-    void set_canvas(Vec2 canvas);
+    void set_canvas(const Canvas& canvas);
 
     /// Updates the files of the wall. A tapestry whose film has changed is over.
     void set_files(const StageFiles& files);
@@ -78,7 +78,7 @@ class ShowSwitch {
     const Settings& settings_;  // outlive this
     std::uint64_t owner_;
     bool awaits_tiles_;
-    Vec2 canvas_{1920, 1080};
+    Canvas canvas_{1920, 1080};
     std::unique_ptr<Show> wall_;
     std::unique_ptr<TapestryPlayback> tapestry_;  // none: the wall is shown
     Frame wall_frame_;                      // the wall's last frame, shown behind a tapestry that fades in

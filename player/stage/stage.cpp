@@ -63,21 +63,21 @@ void Stage::set_catalogue(const RecordList& records, const ShowHints& hints) {
 }
 
 void Stage::expect_screen(int width, int height) {
-    set_canvas(canvas_size(width, height, view_of(settings_, width, height)));
+    set_canvas(painter_->expected_canvas(width, height));
     if (const std::optional<WallPlan> plan = shows_->wall().step(0ns).plan) planner_->request_layout(*plan);
 }
 
 void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
-    painter_->set_screens(std::move(screens));
+    painter_->set_screens(std::move(screens), now);
     if (painter_->screens().empty()) {
         if (!hidden_since_) hidden_since_ = now;
         return;
     }
     if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
-    if (const Vec2 canvas = painter_->largest_canvas(); canvas != shows_->canvas()) set_canvas(canvas);
+    if (const Canvas canvas = painter_->canvas(); canvas != shows_->canvas()) set_canvas(canvas);
 }
 
-void Stage::set_canvas(Vec2 canvas) {
+void Stage::set_canvas(const Canvas& canvas) {
     gestures_->set_canvas(canvas);
     shows_->set_canvas(canvas);
 }
@@ -141,6 +141,10 @@ void Stage::show_tapestry(const std::filesystem::path& directory,
     const RecordList::Record film = files_.all().find(tapestry.path);
     shows_->show_tapestry(
         directory, {.patience = patience, .film = film && is_woven_from(tapestry, *film) ? film : nullptr});
+}
+
+void Stage::show_guides(bool is_on) {
+    painter_->show_guides(is_on);
 }
 
 void Stage::set_controls(const ShowControls& controls) {

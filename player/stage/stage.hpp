@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/input/contact.hpp"
+#include "player/layout/canvas.hpp"
 #include "player/scene/frame.hpp"
 #include "player/stage/stage_files.hpp"
 
@@ -42,9 +43,10 @@ struct StageOptions {
     bool awaits_sources = false;  // the clock stands still until the layout and the sources are ready
 };
 
-/// One show and the screens that show it. The largest screen determines the canvas. Every other screen shows
-/// the same canvas in its own resolution, between black bars if its shape differs. While no screen shows the
-/// stage, its time stands still.
+/// One show and the screens that show it. `output.canvas` determines the canvas, and the part of it that each
+/// screen shows; else the largest screen does. Every other screen shows the whole canvas in its own
+/// resolution, between black bars if its shape differs. While no screen shows the stage, its time stands
+/// still.
 class Stage {
   public:
     /// @param settings, sources  outlive this
@@ -93,6 +95,9 @@ class Stage {
 
     void set_controls(const ShowControls& controls);
 
+    /// Draws guides for placing the screens above all, or ends that.
+    void show_guides(bool is_on);
+
     /// The shots in frame() whose hints ask for sound; none while the wall is paused.
     std::vector<AudibleShot> audible() const;
 
@@ -102,7 +107,7 @@ class Stage {
     const Show& wall() const;
 
   private:
-    void set_canvas(Vec2 canvas);
+    void set_canvas(const Canvas& canvas);
     WallStep next_step(Renderer& renderer);
     void carry_out(const WallStep& step, Renderer& renderer);
 

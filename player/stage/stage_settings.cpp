@@ -81,7 +81,7 @@ View view_of(const Settings& settings, int width, int height) {
             .bottom = pixels(margins.bottom, height)};
 }
 
-PlanRequest plan_request(const Settings& settings, Vec2 canvas) {
+PlanRequest plan_request(const Settings& settings, const Canvas& canvas) {
     return {.canvas = canvas,
             .seed = static_cast<std::uint64_t>(settings.layout.seed),
             .clearance = std::max(settings.layout.clearance, cell_style(settings).gutter),

@@ -28,6 +28,6 @@ MediaPlaces media_places(const Settings& settings);
 View view_of(const Settings& settings, int width, int height);
 
 /// A request without items.
-PlanRequest plan_request(const Settings& settings, Vec2 canvas);
+PlanRequest plan_request(const Settings& settings, const Canvas& canvas);
 
 }  // namespace vitrine::player

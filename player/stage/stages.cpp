@@ -14,6 +14,12 @@
 
 namespace vitrine::player {
 
+namespace {
+
+constexpr auto guide_time = std::chrono::minutes(10);
+
+}  // namespace
+
 Stages::Stages(const Settings& settings, SourcePool& sources, bool awaits_sources)
     : settings_(settings), sources_(sources), awaits_sources_(awaits_sources) {
     make_anew();
@@ -72,9 +78,20 @@ void Stages::handle_input(const Screen& screen, InputEvent event) {
     stage.handle_input(event);
 }
 
+bool Stages::toggle_guides() {
+    has_guides_ = !has_guides_;
+    guides_end_.reset();
+    return has_guides_;
+}
+
 void Stages::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
-    for (const auto& stage : stages_)
-        if (!stage->screens().empty()) stage->show(now, renderer, waits_for_wall);
+    if (has_guides_ && !guides_end_) guides_end_ = now + guide_time;
+    if (has_guides_ && now >= *guides_end_) has_guides_ = false;
+    for (const auto& stage : stages_) {
+        if (stage->screens().empty()) continue;
+        stage->show_guides(has_guides_);
+        stage->show(now, renderer, waits_for_wall);
+    }
     log_counts();
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,6 +50,10 @@ class Stages {
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
     void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
 
+    /// Draws guides for placing the screens above all for ten minutes, from the next frame on; or ends that.
+    /// @return true: they are drawn
+    bool toggle_guides();
+
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
@@ -78,6 +83,8 @@ class Stages {
     std::vector<std::unique_ptr<Stage>> stages_;
     ChangePace pace_{flash_spacing};
     bool is_asked_anew_ = false;
+    bool has_guides_ = false;
+    std::optional<std::chrono::nanoseconds> guides_end_;  // none: the first frame with guides is to come
     std::map<std::string, std::size_t> logged_;  // folder -> the last logged number of shots on its wall
 };
 

@@ -19,7 +19,7 @@ PlanRequest windowed(const PlanRequest& request, const Box& window, std::vector<
     const Box field{window.min - Vec2{request.margin, request.margin},
                     window.max + Vec2{request.margin, request.margin}};
     PlanRequest part = request;
-    part.canvas = field.max - field.min;
+    part.canvas = canvas_within(request.canvas, field);
     part.items.clear();
     for (std::size_t i = 0; i < request.items.size(); ++i) {
         PlanItem item = request.items[i];

@@ -3,6 +3,7 @@
 #include "player/layout/edit/edit_window.hpp"
 #include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/plan_request.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr double farthest = 0.25;  // share of the canvas' diagonal that an item
 constexpr double near = 0.05;      // share of the diagonal that an item moves at most after it was let go
 constexpr double smaller = 0.85;   // factor of a wish's scale without room
 constexpr int tries = 8;           // sizes of the wishes
+constexpr double band_clearance = 1.0 / 32;  // canvas px between what rests and the edge of an output
 
 Vec2 place_of(const LayoutItem& item, const Placement& at) {
     return seat_of(item, at).centre;
@@ -29,13 +31,22 @@ Placement scaled_about(const LayoutItem& item, const Placement& at, double scale
     return {scale, place - (place - at.offset) * (scale / at.scale)};
 }
 
-/// The placement, moved so that its region lies inside the canvas, and smaller if it is too large.
-Placement kept_inside(const LayoutItem& item, Placement at, Vec2 canvas, double margin) {
+/// The placement, moved so that its region lies inside a part of the canvas, and smaller if it is too large.
+Placement kept_inside(const LayoutItem& item, Placement at, const Box& part, double margin) {
     const Box whole = box_of(item, at);
     const double fits =
-        std::min((canvas.x - 2 * margin) / whole.width(), (canvas.y - 2 * margin) / whole.height());
+        std::min((part.width() - 2 * margin) / whole.width(), (part.height() - 2 * margin) / whole.height());
     if (fits < 1) at = scaled_about(item, at, at.scale * fits);
-    return moved_inside(item, at, canvas, margin);
+    at.offset = at.offset - part.min;
+    at = moved_inside(item, at, part.max - part.min, margin);
+    at.offset = at.offset + part.min;
+    return at;
+}
+
+/// The part of the canvas in which a wish is heard: what rests stays on one output.
+Box part_for(const WallState& wall, const Wish& wish) {
+    if (wish.is_in_hand || wall.canvas.bands.empty()) return {{0, 0}, wall.canvas};
+    return output_of(wall.canvas, box_of(wall.items[wish.item], wish.at));
 }
 
 bool is_on_one_of(const std::vector<Wish>& wishes, const WallState& wall, const Wish& wish,
@@ -58,8 +69,10 @@ std::vector<Wish> heard(const WallState& wall, std::span<const Wish> wishes, dou
         const LayoutItem& item = wall.items[wish.item];
         for (const double own : sizes) {
             Wish given = wish;
-            given.at = kept_inside(item, scaled_about(item, wish.at, wish.at.scale * size * own), wall.canvas,
-                                   rules.margin);
+            const bool is_bounded = !wish.is_in_hand && !wall.canvas.bands.empty();
+            given.at =
+                kept_inside(item, scaled_about(item, wish.at, wish.at.scale * size * own),
+                            part_for(wall, wish), std::max(rules.margin, is_bounded ? band_clearance : 0));
             if (is_on_one_of(all, wall, given, rules.clearance)) continue;
             all.push_back(given);
             break;
@@ -102,7 +115,13 @@ Box window_of(const WallState& wall, std::span<const Wish> wishes, const EditRul
     return window;
 }
 
-bool is_sound(const WallState& wall, const Layout& layout) {
+bool is_sound(const WallState& wall, const Layout& layout, std::span<const Wish> wishes) {
+    const auto is_in_hand = [&](std::size_t item) {
+        return std::ranges::any_of(wishes,
+                                   [&](const Wish& wish) { return wish.item == item && wish.is_in_hand; });
+    };
+    for (std::size_t i = 0; i < wall.items.size(); ++i)
+        if (is_under_band(wall.canvas, wall.items[i], layout.placements[i]) && !is_in_hand(i)) return false;
     const Measure measure = measured(wall.items, layout.placements);
     return measure.hidden == 0 && is_box_within(measure.bounds, {{0, 0}, layout.canvas});
 }
@@ -126,12 +145,12 @@ std::optional<Layout> planned(const WallState& wall, std::span<const Wish> wishe
     for (const bool fills : {true, false}) {
         request.fills = fills;
         auto layout = planned_in(window_of(wall, wishes, rules), request, {.should_stop = rules.should_stop});
-        if (layout && is_sound(wall, *layout) && is_local(wall, *layout, wishes)) return layout;
+        if (layout && is_sound(wall, *layout, wishes) && is_local(wall, *layout, wishes)) return layout;
     }
     Layout unmoved{.canvas = wall.canvas, .placements = wall.homes};
     for (const Wish& wish : wishes)
         unmoved.placements[wish.item] = wish.at;
-    return is_sound(wall, unmoved) ? std::optional(unmoved) : std::nullopt;
+    return is_sound(wall, unmoved, wishes) ? std::optional(unmoved) : std::nullopt;
 }
 
 /// Lets the items that were let go grow where they are, to the size that they had at home or less.
@@ -178,7 +197,7 @@ Layout settled(const WallState& wall, const Layout& layout, std::span<const Wish
             request.items[wish.item].is_pinned = is_kept || !wish.is_let_go;
         const auto grown =
             planned_in(window_of(now, wishes, rules), request, {.should_stop = rules.should_stop});
-        if (grown && is_sound(wall, *grown) && is_local(wall, *grown, wishes) &&
+        if (grown && is_sound(wall, *grown, wishes) && is_local(wall, *grown, wishes) &&
             keeps_let_go(wall, *grown, layout, wishes))
             return *grown;
     }

@@ -11,7 +11,8 @@ namespace vitrine::player {
 struct Wish {
     std::size_t item = 0;
     Placement at;
-    bool is_let_go = false;  // it may move and grow to its former size from there, and stays then
+    bool is_in_hand = false;  // it passes: it may cross a band of the canvas
+    bool is_let_go = false;   // it may move and grow to its former size from there, and stays then
 };
 
 /// The wall after wishes. Every item without a wish stands at its home, or as near as the wishes allow: none

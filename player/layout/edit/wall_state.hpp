@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/layout/canvas.hpp"
 #include "player/layout/layout.hpp"
 
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace vitrine::player {
 /// A wall that is touched: the place of every item, and the home to which an item returns after making room
 /// for another. A value.
 struct WallState {
-    Vec2 canvas;  // px
+    Canvas canvas;  // px
     std::vector<LayoutItem> items;
     std::vector<Placement> placements;  // one for each item
     std::vector<Placement> homes;       // one for each item: it returns there when it can

@@ -24,9 +24,9 @@ Box PackingProblem::place_range(std::size_t item, double growth) const {
 
 ReadingOrder reading_order(const PackingProblem& problem, double growth) {
     double sum = 0;
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.items(); ++i)
         sum += problem.shapes[i].extent.height() * problem.scale(i, growth);
-    return {sum / (2 * static_cast<double>(problem.size()))};
+    return {sum / (2 * static_cast<double>(problem.items()))};
 }
 
 Vec2 moved_into(Vec2 place, const Box& range) {
@@ -52,7 +52,8 @@ bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Cont
         if (!fits || length(moved_into(place, range) - place) > Contacts::precision) return false;
         for (std::size_t j = 0; j < i; ++j) {
             if (problem.pinned[i] && problem.pinned[j]) continue;  // both stay in place
-            if (problem.keeps_order && order.violation(arrangement.places[j], place) > Contacts::precision)
+            if (problem.keeps_order && i < problem.items() &&
+                order.violation(arrangement.places[j], place) > Contacts::precision)
                 return false;
             if (!contacts.is_clear(i, j, arrangement.places[j] - place)) return false;
         }
@@ -61,6 +62,7 @@ bool is_free(const PackingProblem& problem, const Arrangement& arrangement, Cont
 }
 
 bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangement) {
+    constexpr double rounding = 5e-6;  // px^2; where pinned shapes overlap, the sums are not exact
     std::vector<GridPolygon> pinned;
     std::vector<GridPolygon> all;
     for (std::size_t i = 0; i < problem.size(); ++i) {
@@ -68,7 +70,8 @@ bool is_exactly_free(const PackingProblem& problem, const Arrangement& arrangeme
                                           arrangement.places[i])));
         if (problem.pinned[i]) pinned.push_back(all.back());
     }
-    return UnionArea(std::move(all)).overlap() <= UnionArea(std::move(pinned)).overlap();
+    const double allowed = UnionArea(std::move(pinned)).overlap();
+    return UnionArea(std::move(all)).overlap() <= (allowed > 0 ? allowed + rounding : 0);
 }
 
 bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, const Arrangement& arrangement,
@@ -76,7 +79,7 @@ bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, c
     if (!contacts.is_clear(item, place, arrangement.places)) return false;
     if (!problem.keeps_order) return true;
     const ReadingOrder order = reading_order(problem, arrangement.growth);
-    for (std::size_t j = 0; j < problem.size(); ++j) {
+    for (std::size_t j = 0; j < problem.items(); ++j) {
         if (j == item) continue;
         const Vec2 other = arrangement.places[j];
         const double wrong = j < item ? order.violation(other, place) : order.violation(place, other);
@@ -87,7 +90,7 @@ bool is_allowed_place(const PackingProblem& problem, const Contacts& contacts, c
 
 bool is_in_order(const PackingProblem& problem, const std::vector<Vec2>& places, double growth) {
     const ReadingOrder order = reading_order(problem, growth);
-    for (std::size_t j = 0; j < places.size(); ++j)
+    for (std::size_t j = 0; j < problem.items(); ++j)
         for (std::size_t i = 0; i < j; ++i)
             if (!(problem.pinned[i] && problem.pinned[j]) &&
                 order.violation(places[i], places[j]) > Contacts::precision)
@@ -166,7 +169,7 @@ double final_growth(const PackingProblem& problem) {
 
 double region_area(const PackingProblem& problem, double growth) {
     double sum = 0;
-    for (std::size_t i = 0; i < problem.size(); ++i) {
+    for (std::size_t i = 0; i < problem.items(); ++i) {
         const double s = problem.scale(i, growth);
         sum += problem.shapes[i].area * s * s;
     }

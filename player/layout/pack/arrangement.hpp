@@ -20,8 +20,12 @@ struct PackingProblem {
     Box canvas;                       // canvas px; pictures are to fill it; empty: the field
     double clearance = 0;             // canvas px between I-Regions
     bool keeps_order = false;         // the items keep their reading order
+    std::size_t bands = 0;            // the last shapes are no items: pinned, and in no order
 
     std::size_t size() const { return shapes.size(); }
+
+    /// The number of shapes that are items.
+    std::size_t items() const { return shapes.size() - bands; }
 
     /// The box that pictures are to fill, canvas px. It reaches to the canvas' edge, where I-Regions do not.
     const Box& whole() const { return canvas.is_empty() ? field : canvas; }
@@ -78,7 +82,7 @@ double final_growth(const PackingProblem& problem);
 /// The arrangement's scales for Contacts::set_scales.
 std::vector<double> scales_at(const PackingProblem& problem, double growth);
 
-/// Area of all I-Regions, canvas px^2.
+/// Area of all I-Regions, canvas px^2; bands are none.
 double region_area(const PackingProblem& problem, double growth);
 
 }  // namespace vitrine::player

@@ -94,7 +94,7 @@ class CompactionProgram {
 
     /// Keeps the pairs on their lines.
     void add_order() {
-        const std::size_t n = problem_.size();
+        const std::size_t n = problem_.items();
         const ReadingOrder order = reading_order(problem_, from_.growth);
         double rise = 0;  // change of half a line's height per growth
         for (std::size_t i = 0; i < n; ++i)

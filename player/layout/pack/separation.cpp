@@ -32,7 +32,7 @@ double Separation::order_loss(std::size_t item, Vec2 place) {
     double sum = 0;
     for (std::size_t j = 0; j < item; ++j)
         sum += weight[j] * order_->violation(places_.at(j), place);
-    for (std::size_t j = item + 1; j < problem_.size(); ++j)
+    for (std::size_t j = item + 1; j < problem_.items(); ++j)
         sum += weight[j] * order_->violation(place, places_.at(j));
     return sum;
 }
@@ -49,7 +49,8 @@ double Separation::loss(std::size_t item, Vec2 place, double enough) {
 /// The px that the items b < a need to be free of each other.
 double Separation::conflict(std::size_t a, std::size_t b) const {
     const double depth = contacts_.depth(b, a, places_.at(a) - places_.at(b));
-    return order_ ? depth + order_->violation(places_.at(b), places_.at(a)) : depth;
+    const bool has_order = order_ && a < problem_.items();
+    return has_order ? depth + order_->violation(places_.at(b), places_.at(a)) : depth;
 }
 
 /// Recomputes the conflicts of the items that moved.

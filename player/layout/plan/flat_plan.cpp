@@ -11,20 +11,22 @@
 #include "player/layout/pack/separation.hpp"
 #include "player/layout/pack/shape.hpp"
 #include "player/layout/pack/sliver_filling.hpp"
+#include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/warm_start.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 namespace vitrine::player {
 
 namespace {
 
-constexpr double min_clearance = 1.0 / 64;  // canvas px; the grid of exact areas rounds by 1/512
-constexpr double filling_share = 0.3;       // share of the budget, in addition to it
-constexpr double usual_share = 0.5;         // covered share of the canvas after the initial packing
+constexpr double filling_share = 0.3;  // share of the budget, in addition to it
+constexpr double usual_share = 0.5;    // covered share of the canvas after the initial packing
 
 /// The largest scale at which an item's region lies inside the field.
 double fitting_scale(const Shape& shape, const Box& field) {
@@ -37,6 +39,16 @@ std::vector<LayoutItem> items_of(const PlanRequest& request) {
     for (const PlanItem& entry : request.items)
         items.push_back(entry.item);
     return items;
+}
+
+/// The items' relative scales by their weights. A band has its own scale.
+std::vector<double> scales_of(const PlanRequest& request, const PackingProblem& problem) {
+    const std::vector<LayoutItem> items = items_of(request);
+    const std::span all(items);
+    std::vector<double> scales =
+        natural_scales(all.first(problem.items()), std::span(problem.shapes).first(problem.items()));
+    scales.resize(problem.size(), 1);
+    return scales;
 }
 
 /// The problem with relative scales.
@@ -52,11 +64,14 @@ PackingProblem problem_of(const PlanRequest& request) {
         problem.pinned.push_back(entry.is_pinned && entry.previous.has_value());
         const Placement at = entry.previous.value_or(Placement{});
         problem.pinned_places.push_back(problem.shapes.back().centroid * at.scale + at.offset);
+        if (entry.is_band) ++problem.bands;
     }
     problem.keeps_order = request.order == LayoutOrder::reading;
-    problem.scales = natural_scales(items_of(request), problem.shapes);
-    for (const Shape& shape : problem.shapes)
-        problem.limits.push_back(std::min(request.max_scale, fitting_scale(shape, problem.field)));
+    problem.scales = scales_of(request, problem);
+    for (std::size_t i = 0; i < problem.size(); ++i)
+        problem.limits.push_back(
+            i < problem.items() ? std::min(request.max_scale, fitting_scale(problem.shapes[i], problem.field))
+                                : 1);
     return problem;
 }
 
@@ -66,10 +81,10 @@ void bring_to_canvas(const PlanRequest& request, PackingProblem& problem) {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
         double sum = 0;
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.items(); ++i)
             sum += problem.shapes[i].area * problem.scales[i] * problem.scales[i];
         const double growth = std::sqrt(usual_share * problem.field.area() / sum);
-        for (std::size_t i = 0; i < problem.size(); ++i)
+        for (std::size_t i = 0; i < problem.items(); ++i)
             problem.scales[i] =
                 std::min(problem.scales[i] * growth, fitting_scale(problem.shapes[i], problem.field));
     }
@@ -137,7 +152,7 @@ std::vector<Vec2> homes_of(const PlanRequest& request, const PackingProblem& pro
 
 bool has_kept_items(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
-                       [](const PlanItem& item) { return item.previous.has_value(); });
+                       [](const PlanItem& item) { return item.previous.has_value() && !item.is_band; });
 }
 
 /// True if a placed item may be moved.
@@ -245,7 +260,7 @@ class FlatPlan {
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {
         return {.frames = frames_of(request_, problem),
-                .natural = natural_scales(items_of(request_), problem.shapes),
+                .natural = scales_of(request_, problem),
                 .homes = std::move(homes)};
     }
 
@@ -257,21 +272,46 @@ class FlatPlan {
     double ratio_;  // width / height of the canvas
 };
 
-}  // namespace
-
-std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch) {
-    if (!has_kept_items(request)) return std::nullopt;
-    return FlatPlan(request, watch).changed_layout();
-}
-
-Layout plan_flat(const PlanRequest& request, const PlanWatch& watch) {
-    assert(request.canvas.x > 0 && request.canvas.y > 0);
-    if (request.items.empty()) return {.canvas = request.canvas, .energy = 1};
+/// @pre the bands of the canvas are items of the request
+Layout planned_flat(const PlanRequest& request, const PlanWatch& watch) {
     FlatPlan plan(request, watch);
     if (request.energy == EnergyMode::paper) return plan.paper_layout();
     if (has_movable_items(request))
         if (const auto changed = plan.changed_layout()) return *changed;
     return plan.fresh_layout();
+}
+
+/// A plan of a canvas with bands. A new wall is planned as a whole, and each output by itself; the better
+/// plan is taken.
+Layout plan_with_bands(const PlanRequest& request, const PlanWatch& watch) {
+    const auto by_outputs = [&] {
+        return plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_flat);
+    };
+    if (request.energy == EnergyMode::paper) return by_outputs();
+    const PlanWatch told = without_bands(watch, request);
+    Layout whole = without_bands(planned_flat(with_bands(request), told), request);
+    const bool is_clear = is_clear_of_bands(request, whole.placements);
+    if (is_clear && (has_movable_items(request) || request.order == LayoutOrder::reading)) return whole;
+    Layout parts = best_plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_flat);
+    return is_clear && cost_of_plan(request, whole) <= cost_of_plan(request, parts) ? whole : parts;
+}
+
+}  // namespace
+
+std::optional<Layout> plan_change(const PlanRequest& request, const PlanWatch& watch) {
+    if (!has_kept_items(request)) return std::nullopt;
+    if (request.canvas.bands.empty()) return FlatPlan(request, watch).changed_layout();
+    const PlanRequest with = with_bands(request);
+    const std::optional<Layout> changed = FlatPlan(with, without_bands(watch, request)).changed_layout();
+    if (!changed) return std::nullopt;
+    Layout layout = without_bands(*changed, request);
+    return is_clear_of_bands(request, layout.placements) ? std::optional(std::move(layout)) : std::nullopt;
+}
+
+Layout plan_flat(const PlanRequest& request, const PlanWatch& watch) {
+    assert(request.canvas.x > 0 && request.canvas.y > 0);
+    if (request.items.empty()) return {.canvas = request.canvas, .energy = 1};
+    return request.canvas.bands.empty() ? planned_flat(request, watch) : plan_with_bands(request, watch);
 }
 
 }  // namespace vitrine::player

@@ -115,6 +115,8 @@ void grow_boxes(std::vector<Body>& bodies, const PlanRequest& request) {
             std::vector<Polygon> others;
             for (const Body& other : bodies)
                 if (&other != &body) others.push_back(other.outline);
+            for (const Box& band : request.canvas.bands)
+                others.push_back(to_polygon(band));
             if (!grow_box(body.box, field, others, request.clearance, step)) continue;
             has_grown = true;
             body.outline = to_polygon(body.box);
@@ -126,7 +128,7 @@ void grow_boxes(std::vector<Body>& bodies, const PlanRequest& request) {
 std::vector<Placement> packed(const PlanRequest& request, const Body& body, const Placement& change,
                               const PlanWatch& watch) {
     PlanRequest inner = request;
-    inner.canvas = body.box.max - body.box.min;
+    inner.canvas = canvas_within(request.canvas, body.box);
     inner.margin = 0;
     inner.budget = std::max(least_budget, request.budget * static_cast<std::int64_t>(body.items.size()) /
                                               static_cast<std::int64_t>(request.items.size()));
@@ -164,6 +166,14 @@ std::vector<Placement> placed_bodies(std::vector<Body>& bodies, const PlanReques
     return placements;
 }
 
+/// True: a group is alone on a canvas of several outputs, so that it may stand on all of them.
+bool is_one_group(const std::vector<Body>& bodies, const PlanRequest& request) {
+    if (request.canvas.bands.empty()) return false;
+    const auto is_free = [&](const Body& body) { return !request.items[body.items.front()].is_pinned; };
+    return std::ranges::count_if(bodies, is_free) == 1 &&
+           std::ranges::all_of(bodies, [&](const Body& body) { return body.is_group == is_free(body); });
+}
+
 }  // namespace
 
 Layout plan_nested(const PlanRequest& request, const PlanWatch& watch) {
@@ -171,6 +181,12 @@ Layout plan_nested(const PlanRequest& request, const PlanWatch& watch) {
     layout.energy = 1;
     if (request.items.empty()) return layout;
     std::vector<Body> bodies = bodies_of(request);
+    if (is_one_group(bodies, request)) {
+        layout = plan_flat(request, watch);
+        for (const Body& body : bodies)
+            if (body.is_group && body.items.size() > 1) layout.groups.push_back({body.items});
+        return layout;
+    }
     for (Body& body : bodies)
         give_item(body, request);
     const std::vector<Placement> placements = placed_bodies(bodies, request, watch);

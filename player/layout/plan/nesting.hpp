@@ -11,7 +11,7 @@ namespace vitrine::player {
 /// A group all of whose items are placed already is a body of the shape of their hull: it moves as a whole,
 /// as little as other placed items do, and its items keep their places in it. Another group is a box. Boxes
 /// grow into the room between the bodies, and the group's items are packed on the box. Items that are placed
-/// stay where they are in it.
+/// stay where they are in it. Bodies keep clear of the bands of the canvas, unless a group is alone on it.
 ///
 /// The layout lists the groups with more than one item.
 /// Source: Dynamic Media Assemblage, chapter 4, the media file browser (fig. 4.6), and future work

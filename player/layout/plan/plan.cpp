@@ -1,5 +1,6 @@
 #include "player/layout/plan/plan.hpp"
 
+#include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/flat_plan.hpp"
 #include "player/layout/plan/nesting.hpp"
 
@@ -18,7 +19,10 @@ Layout planned(const PlanRequest& request, const PlanWatch& watch) {
     const bool has_groups = std::any_of(request.items.begin(), request.items.end(), [](const PlanItem& item) {
         return item.group != PlanItem::no_group;
     });
-    return has_groups ? plan_nested(request, watch) : plan_flat(request, watch);
+    if (!has_groups) return plan_flat(request, watch);
+    Layout layout = plan_nested(request, watch);
+    if (is_clear_of_bands(request, layout.placements)) return layout;
+    return plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_nested);
 }
 
 /// True if pinned items are the only ones that have a place.

@@ -22,7 +22,8 @@ namespace vitrine::player {
 // by screen; edit/edit changes a wall that is touched. cells/cells then gives each item its cell.
 
 /// The layout of a request. In every layout, also those for `on_better`, the I-Regions are completely inside
-/// the canvas and at least `clearance` apart. Exception: pinned items may overlap each other.
+/// the canvas and at least `clearance` apart, and none is under a band of the canvas. Exception: pinned items
+/// may overlap each other and the bands.
 ///
 /// Source: Dynamic Media Assemblage 3.4; docs/algorithms.md, (d) "Slots rotating". Differs from eq. 3.4:
 /// overlap has no price, because it does not occur. The plan minimises the share of the screen without

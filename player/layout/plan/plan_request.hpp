@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
+#include "player/layout/canvas.hpp"
 #include "player/layout/layout.hpp"
 
 #include <cstdint>
@@ -25,7 +26,8 @@ struct PlanItem {
     bool is_pinned = false;             // the item keeps `previous` exactly, even if pinned items overlap
     std::vector<Vec2> instead;  // of a pinned item: ways from `previous` to other places that it may take
                                 // while no other item is placed; canvas px
-    int group = no_group;       // items of one group are placed together, see plan/nesting.hpp
+    bool is_band = false;  // no item: a pinned box on which no I-Region may rest; plan/bands.hpp adds them
+    int group = no_group;  // items of one group are placed together, see plan/nesting.hpp
 
     static constexpr int no_group = -1;
 };
@@ -36,7 +38,7 @@ Seat seat_of(const LayoutItem& item, const Placement& placement);
 /// The input of plan(). The same request gives the same layout.
 struct PlanRequest {
     std::vector<PlanItem> items;
-    Vec2 canvas;  // px, both > 0
+    Canvas canvas;  // px, both > 0
     std::uint64_t seed = 1;
     std::int64_t budget = 600'000;  // evaluated moves, 0.1 to 0.2 us each
     double clearance = 1.5;         // canvas px between I-Regions

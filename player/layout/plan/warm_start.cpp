@@ -41,7 +41,7 @@ Placement home_of(const PlanItem& item) {
 /// The growth at which natural scales equal those of the kept items: the median of the quotients.
 double growth_of_kept(const PlanRequest& request, const PackingProblem& problem) {
     std::vector<double> growths;
-    for (std::size_t i = 0; i < problem.size(); ++i)
+    for (std::size_t i = 0; i < problem.items(); ++i)
         if (request.items[i].previous)
             growths.push_back(request.items[i].previous->scale / problem.scales[i]);
     std::sort(growths.begin(), growths.end());
@@ -55,7 +55,7 @@ std::vector<double> set_scales(const PlanRequest& request, PackingProblem& probl
     std::vector<double> fair_scales = problem.scales;
     double kept_area = 0;
     double inserted_area = 0;
-    for (std::size_t i = 0; i < problem.size(); ++i) {
+    for (std::size_t i = 0; i < problem.items(); ++i) {
         const PlanItem& item = request.items[i];
         const double natural = problem.scales[i] * growth;
         double scale = natural;

@@ -17,18 +17,23 @@ constexpr double rim_share = 0.04;     // of the mark's height
 
 }  // namespace
 
-Box back_mark(Vec2 canvas) {
-    const double side = std::min(canvas.x, canvas.y);
-    const double height = std::min(side / 2, std::max(min_height, side * height_share));
+Box back_mark(const Canvas& canvas) {
+    const Box seen = output_at(canvas, {0, canvas.y});
+    const double side = std::min(seen.width(), seen.height());
+    const double aspect = canvas.x / canvas.y;
+    const double largest = std::min(side / 2, seen.width() / (2 * aspect));
+    const double height = std::min(largest, std::max(min_height, side * height_share));
     const double gap = side * gap_share;
-    return {{gap, canvas.y - gap - height}, {gap + height * canvas.x / canvas.y, canvas.y - gap}};
+    const Vec2 corner{seen.min.x + gap, seen.max.y - gap};
+    return {{corner.x, corner.y - height}, {corner.x + height * aspect, corner.y}};
 }
 
-PlanItem back_mark_item(Vec2 canvas, const Placement& at) {
+PlanItem back_mark_item(const Canvas& canvas, const Placement& at) {
     const Box box = back_mark(canvas);
+    const Box seen = output_at(canvas, {0, canvas.y});
     PlanItem item{.item = {.region = to_polygon(box), .core = box}, .previous = at, .is_pinned = true};
-    const Vec2 across{canvas.x - box.min.x - box.max.x, 0};
-    const Vec2 up{0, canvas.y - box.min.y - box.max.y};
+    const Vec2 across{seen.min.x + seen.max.x - box.min.x - box.max.x, 0};
+    const Vec2 up{0, seen.min.y + seen.max.y - box.min.y - box.max.y};
     item.instead = {up, across, across + up};
     return item;
 }

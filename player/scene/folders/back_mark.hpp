@@ -7,12 +7,13 @@ namespace vitrine::player {
 
 /// The first place of the way back on the wall of an opened folder: a small picture of the wall that it was
 /// opened on. At least 57 px high, which is 15 mm at 96 dpi. Canvas px.
-Box back_mark(Vec2 canvas);
+Box back_mark(const Canvas& canvas);
 
 /// The way back as an item of a plan: no I-Region comes under it. It stands in the corner at the bottom left
-/// if a new plan has room there; else in another one, which the offset of its placement tells.
+/// of the canvas, or of the output that is nearest to it, if a new plan has room there; else in another one,
+/// which the offset of its placement tells.
 /// @param at  its place in a plan that changes a wall
-PlanItem back_mark_item(Vec2 canvas, const Placement& at);
+PlanItem back_mark_item(const Canvas& canvas, const Placement& at);
 
 /// Draws the way back above a frame.
 /// @param box    its place, canvas px

@@ -43,12 +43,12 @@ WallSettings numbered(WallSettings settings) {
 
 }  // namespace
 
-FolderStack::FolderStack(Vec2 canvas, const WallSettings& settings)
+FolderStack::FolderStack(const Canvas& canvas, const WallSettings& settings)
     : settings_(numbered(settings)), canvas_(canvas) {
     levels_.emplace_back("", canvas, settings_);
 }
 
-void FolderStack::set_canvas(Vec2 canvas) {
+void FolderStack::set_canvas(const Canvas& canvas) {
     canvas_ = canvas;
     for (OpenFolder& level : levels_)
         level.set_canvas(canvas);

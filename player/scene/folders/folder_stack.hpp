@@ -16,7 +16,7 @@ namespace vitrine::player {
 /// is seen and changes. The one behind it stands still, the others do without their sources.
 class FolderStack {
   public:
-    FolderStack(Vec2 canvas, const WallSettings& settings);
+    FolderStack(const Canvas& canvas, const WallSettings& settings);
 
     OpenFolder& top() { return levels_.back(); }
 
@@ -28,7 +28,7 @@ class FolderStack {
     /// The number of walls.
     std::size_t depth() const { return levels_.size(); }
 
-    void set_canvas(Vec2 canvas);
+    void set_canvas(const Canvas& canvas);
 
     /// True from the wish for another wall until it is there.
     bool is_on_way() const { return zoom_.has_value(); }
@@ -65,7 +65,7 @@ class FolderStack {
     Frame composed_frame() const;
 
     WallSettings settings_;
-    Vec2 canvas_;
+    Canvas canvas_;
     std::vector<OpenFolder> levels_;
     std::optional<Zoom> zoom_;
     Time now_{0};

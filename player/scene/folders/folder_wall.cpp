@@ -16,10 +16,10 @@ bool is_inside(const Box& box, Vec2 point) {
 
 }  // namespace
 
-FolderWall::FolderWall(Vec2 canvas, const WallSettings& settings)
+FolderWall::FolderWall(const Canvas& canvas, const WallSettings& settings)
     : idle_(settings.idle), canvas_(canvas), folders_(canvas, settings), wished_depth_(max_depth) {}
 
-void FolderWall::set_canvas(Vec2 canvas) {
+void FolderWall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     wished_depth_ = 1;

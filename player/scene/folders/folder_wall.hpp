@@ -20,10 +20,10 @@ namespace vitrine::player {
 /// Source: Dynamic Media Assemblage, chapter 4 and fig. 4.6; the zoom and the way back are ours.
 class FolderWall final : public Show {
   public:
-    FolderWall(Vec2 canvas, const WallSettings& settings);
+    FolderWall(const Canvas& canvas, const WallSettings& settings);
 
     /// Closes all folders at once.
-    void set_canvas(Vec2 canvas) override;
+    void set_canvas(const Canvas& canvas) override;
 
     using Show::set_catalogue;
 
@@ -57,7 +57,7 @@ class FolderWall final : public Show {
     Wall& wall() { return folders_.top().wall(); }
 
     Time idle_;
-    Vec2 canvas_;
+    Canvas canvas_;
     RecordList records_;
     ShowHints hints_;
     ShowControls controls_;

@@ -13,7 +13,7 @@ constexpr std::chrono::duration<double> fade_time{0.3};  // of names
 
 }  // namespace
 
-OpenFolder::OpenFolder(std::string folder, Vec2 canvas, const WallSettings& settings)
+OpenFolder::OpenFolder(std::string folder, const Canvas& canvas, const WallSettings& settings)
     : folder_(std::move(folder)), canvas_(canvas), wall_(std::make_unique<Wall>(canvas, settings)) {}
 
 void OpenFolder::hold(bool is_held) {

@@ -17,7 +17,7 @@ namespace vitrine::player {
 class OpenFolder {
   public:
     /// @param folder  below the media folder; empty: all
-    OpenFolder(std::string folder, Vec2 canvas, const WallSettings& settings);
+    OpenFolder(std::string folder, const Canvas& canvas, const WallSettings& settings);
 
     const std::string& folder() const { return folder_; }
 
@@ -25,7 +25,7 @@ class OpenFolder {
 
     const Wall& wall() const { return *wall_; }
 
-    void set_canvas(Vec2 canvas) {
+    void set_canvas(const Canvas& canvas) {
         canvas_ = canvas;
         wall_->set_canvas(canvas);
     }
@@ -83,7 +83,7 @@ class OpenFolder {
     void name_folders(std::chrono::nanoseconds local);
 
     std::string folder_;
-    Vec2 canvas_;
+    Canvas canvas_;
     Placement way_back_;  // moves it from its first place
     std::unique_ptr<Wall> wall_;
     ShowControls controls_;

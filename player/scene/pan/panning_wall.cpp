@@ -6,13 +6,13 @@
 
 namespace vitrine::player {
 
-PanningWall::PanningWall(Vec2 canvas, const PanSettings& settings)
+PanningWall::PanningWall(const Canvas& canvas, const PanSettings& settings)
     : canvas_(canvas),
       shots_(canvas, settings.ribbon),
       motion_(settings.speed),
       touch_({.cells = settings.ribbon.cells, .idle = settings.idle}) {}
 
-void PanningWall::set_canvas(Vec2 canvas) {
+void PanningWall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     shots_.set_screen(canvas);

@@ -25,9 +25,9 @@ struct PanSettings {
 /// A finger drags and flings the view, up to a screen's width back. It stands still while a shot is enlarged.
 class PanningWall final : public Show {
   public:
-    PanningWall(Vec2 canvas, const PanSettings& settings);
+    PanningWall(const Canvas& canvas, const PanSettings& settings);
 
-    void set_canvas(Vec2 canvas) override;
+    void set_canvas(const Canvas& canvas) override;
     using Show::set_catalogue;
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
     void set_layout(const Layout& layout) override;
@@ -54,7 +54,7 @@ class PanningWall final : public Show {
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     void advance(std::chrono::nanoseconds now);
 
-    Vec2 canvas_;
+    Canvas canvas_;
     RibbonShots shots_;
     double view_ = 0;  // ribbon px
     PanMotion motion_;

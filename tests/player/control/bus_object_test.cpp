@@ -141,6 +141,7 @@ struct Asked {
                  [=](const CommandCall& call) { return note("pin slot " + std::to_string(call.slot)); }},
                 {"Remove", remove},
                 {"Acquit", [=](const CommandCall& call) { return note("acquit " + call.file); }},
+                {"Canvas", [=](const CommandCall&) { return note("canvas"); }},
                 {"Reload", [=](const CommandCall&) { return note("reload"); }}};
     }
 

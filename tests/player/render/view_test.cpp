@@ -50,6 +50,25 @@ TEST_CASE("a finger touches the canvas point that is seen below it, however the 
     }
 }
 
+TEST_CASE("a finger on a screen that shows a part touches the point of that part") {
+    for (const Rotation rotation : {Rotation::none, Rotation::right, Rotation::half, Rotation::left}) {
+        const View view{.rotation = rotation, .left = 20, .part = Box{{300, 50}, {400, 120}}};
+        const Vec2 point = canvas_point(120, 100, view, {500, 500}, {0.3, 0.2});
+        const ToNdc ndc = seen_from(to_ndc({100, 70}, rotation), {300, 50});
+        const Vec2 seen = ndc.x_axis * point.x + ndc.y_axis * point.y + ndc.origin;
+        CHECK(20 + (seen.x + 1) / 2 * 100 == doctest::Approx(0.3 * 120));
+        CHECK((1 - seen.y) / 2 == doctest::Approx(0.2));
+    }
+}
+
+TEST_CASE("a part of another shape than its screen lies between two bars") {
+    const View part{.part = Box{{100, 0}, {200, 100}}};
+    const View bars = letterboxed(200, 100, part, {1000, 100});
+    CHECK(bars.left == 50);
+    CHECK(bars.right == 50);
+    CHECK(bars.part == part.part);
+}
+
 TEST_CASE("a finger on the margin touches the canvas' edge") {
     const View view{.left = 20, .top = 20};
     CHECK(canvas_point(120, 120, view, {50, 50}, {0.1, 0.5}) == Vec2{0, 20});

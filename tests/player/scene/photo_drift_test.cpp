@@ -65,6 +65,28 @@ struct DriftingChange {
 
 }  // namespace
 
+TEST_CASE("no photo drifts under a bezel") {
+    int held_back = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        Shots wall = ChangingWall(screen, 3 + seed % 14, seed).shown();
+        give_drifts(wall, {});
+        const Shots free = wall;
+        std::vector<Box> bands;  // one directly at the right of each region
+        for (const PlacedShot& placed : wall) {
+            const Box region = bounding_box(placed_region(placed.shot.item, placed.placement));
+            bands.push_back({{region.max.x + 0.5, 0}, {region.max.x + 20, screen.y}});
+        }
+        for (std::size_t i = 0; i < wall.size(); ++i) {
+            give_drifts({&wall[i], 1}, {}, {&bands[i], 1});
+            const PhotoDrift& drift = wall[i].drift;
+            CHECK(std::max(drift.from.x, drift.to.x) <= 0.5);
+            const PhotoDrift& before = free[i].drift;
+            if (std::max(before.from.x, before.to.x) > 0.5) ++held_back;
+        }
+    }
+    CHECK(held_back > 10);
+}
+
 TEST_CASE("a drifting photo shows its region at any time, and no edge of its picture") {
     int drifting = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -21,7 +21,7 @@ namespace vitrine::player {
 /// A wall of shots that fingers touch, frame by frame. It takes a moment until a way is made.
 struct TouchedHouse {
     std::vector<PlacedShot> wall;  // as it is, or will be at the end of the way
-    Vec2 canvas;
+    Canvas canvas;
     WallTouch touch{{.edits = {.budget = 10'000}, .idle = std::chrono::seconds(10)}};
     Gestures gestures;
     std::chrono::nanoseconds now{0};

@@ -243,3 +243,28 @@ TEST_CASE("a wall that is left alone shows that it can be touched, one shot afte
         else
             house.frame();
 }
+
+TEST_CASE("on a canvas of several outputs a tapped shot becomes as large as the one that was touched") {
+    TouchedHouse house;
+    const Box left{{0, 0}, {packed_canvas.x / 2 - 10, packed_canvas.y}};
+    const Box right{{packed_canvas.x / 2 + 10, 0}, packed_canvas};
+    house.canvas = canvas_of(packed_canvas, {left, right});
+    for (const Box& output : {left, right}) {
+        const auto at = std::ranges::find_if(house.wall, [&](const PlacedShot& placed) {
+            const Vec2 centre = centre_of(placed);
+            return centre.x > output.min.x && centre.x < output.max.x;
+        });
+        REQUIRE(at != house.wall.end());
+        house.tap(centre_of(*at));
+        const Frame frame = house.run(2s);
+        const DrawItem& large = frame.items.back();
+        CHECK(large.source == at->shot.source);
+        const Box shown{large.placement.offset,
+                        large.placement.offset + large.picture * large.placement.scale};
+        CHECK(intersection(shown, {output.min - Vec2{0.1, 0.1}, output.max + Vec2{0.1, 0.1}}) == shown);
+        CHECK(std::max(shown.width() / output.width(), shown.height() / output.height()) ==
+              doctest::Approx(1));
+        house.tap(output.centre());
+        house.run(2s);
+    }
+}

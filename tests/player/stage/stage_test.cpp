@@ -261,3 +261,20 @@ TEST_CASE("on a screen of another shape a wall is laid out anew once, in one mot
     CHECK(theatre.stage->frame().canvas == Vec2{100, 160});
     CHECK(theatre.stage->frame().items.size() == 2);
 }
+
+TEST_CASE("the screens of a canvas show their parts of one wall, and nothing for the gap between them") {
+    Settings settings = one_photo_at_a_time();
+    settings.layout.slots = 2;
+    settings.output.canvas = "offscreen-1 0,0; offscreen-2 180,0";
+    Theatre parts({{160, 180}, {160, 180}}, settings);
+    play(parts, 0s, 1s);
+    CHECK(parts.stage->frame().canvas == Vec2{340, 180});
+
+    for (const std::size_t number : {0U, 1U})
+        for (const int x : {1, 80, 158})
+            CHECK_FALSE(is_near(parts.picture(number), x, 90, black));
+    for (const int finger : {0, 1}) {
+        const Screen& touched = *parts.display.screens()[static_cast<std::size_t>(finger)];
+        CHECK(parts.stage->canvas_point(touched, {0.5, 0.5}) == Vec2{80.0 + 180 * finger, 90});
+    }
+}

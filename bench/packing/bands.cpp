@@ -1,0 +1,84 @@
+#include "player/layout/plan/bands.hpp"
+#include "bench/packing/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+/// The sums over some walls.
+struct BandSums {
+    double with = 0;     // share of what the outputs show that is under I-Regions
+    double without = 0;  // the same of the canvas without bands
+    double hidden = 0;   // canvas px^2 of I-Regions under bands
+    double with_ms = 0;
+    double without_ms = 0;
+};
+
+double covered_px(const PlanRequest& request, const Layout& layout) {
+    double covered = 0;
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+        covered += seat_of(request.items[i].item, layout.placements[i]).area;
+    return covered;
+}
+
+double hidden_px(const PlanRequest& request, const Layout& layout) {
+    double hidden = 0;
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+        for (const Box& band : request.canvas.bands)
+            hidden += area(clipped(placed_region(request.items[i].item, layout.placements[i]), band));
+    return hidden;
+}
+
+Canvas row_of(int count, double gap) {
+    std::vector<Box> outputs;
+    for (int k = 0; k < count; ++k) {
+        const double left = k * (bench_canvas.x + gap);
+        outputs.push_back({{left, 0}, {left + bench_canvas.x, bench_canvas.y}});
+    }
+    return canvas_of({count * (bench_canvas.x + gap) - gap, bench_canvas.y}, std::move(outputs));
+}
+
+void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
+    PlanRequest request = wished;
+    request.canvas = Canvas(Vec2(canvas));
+    const double start = cpu_ms();
+    sums.without += covered_px(request, plan(request)) / (canvas.x * canvas.y);
+    const double middle = cpu_ms();
+    request.canvas = canvas;
+    const Layout layout = plan(request);
+    sums.with_ms += cpu_ms() - middle;
+    sums.without_ms += middle - start;
+    double shown = 0;
+    for (const Box& output : canvas.outputs)
+        shown += output.area();
+    sums.with += covered_px(request, layout) / shown;
+    sums.hidden += hidden_px(request, layout);
+}
+
+}  // namespace
+
+void print_bands(const char* title, const Draw& draw, int instances, bool fills) {
+    fmt::print("\nbezels, {}: share of the screens under regions, with bands and without, of {} walls\n",
+               title, instances);
+    fmt::print("outputs  gap  items   with  without  quotient  px under bands   ms with  without\n");
+    for (const auto& [outputs, gap] : {std::pair{2, 40.0}, {2, 200.0}, {3, 40.0}})
+        for (const std::size_t count : {3, 6, 12, 24}) {
+            BandSums sums;
+            for (int k = 0; k < instances; ++k) {
+                Random random(static_cast<std::uint64_t>(k) + 1);
+                PlanRequest wished = request_for(draw(count, random), static_cast<std::uint64_t>(k) + 1);
+                wished.fills = fills;
+                add_wall(row_of(outputs, gap), wished, sums);
+            }
+            fmt::print("{:>7}  {:>3}  {:>5}  {:.3f}    {:.3f}     {:.3f}  {:>14}  {:>8.0f}  {:>7.0f}\n",
+                       outputs, gap, count, sums.with / instances, sums.without / instances,
+                       sums.with / sums.without, sums.hidden, sums.with_ms / instances,
+                       sums.without_ms / instances);
+        }
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/geometry/box.hpp"
+#include "base/geometry/vec2.hpp"
+
+#include <vector>
+
+namespace vitrine::player {
+
+/// The canvas of a wall: its size in px, and what of it is seen, if several outputs show parts of it.
+struct Canvas {
+    double x = 0;  // px
+    double y = 0;
+    std::vector<Box> outputs;  // canvas px, the parts that outputs show; none: all of it is seen
+    std::vector<Box> bands;    // canvas px, all that is between and beside the outputs; they may overlap. No
+                               // I-Region rests there
+
+    Canvas() = default;
+
+    /// A canvas that is seen as a whole.
+    Canvas(double width, double height) : x(width), y(height) {}
+
+    // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a size is such a canvas
+    Canvas(Vec2 size) : x(size.x), y(size.y) {}
+
+    // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a canvas is used as its size
+    operator Vec2() const { return {x, y}; }
+
+    bool operator==(const Canvas&) const = default;
+
+    /// Compares the size alone.
+    bool operator==(Vec2 size) const { return x == size.x && y == size.y; }
+};
+
+/// A canvas of which outputs show these parts. Bands narrower than half a pixel are left out: there the
+/// outputs touch.
+/// @param outputs  at most some dozen boxes inside the canvas, px
+Canvas canvas_of(Vec2 size, std::vector<Box> outputs);
+
+/// The part of a canvas in a box as a canvas of its own.
+Canvas canvas_within(const Canvas& canvas, const Box& box);
+
+/// The part that one output shows at a point, or the nearest to it; the whole canvas if it has no outputs.
+Box output_at(const Canvas& canvas, Vec2 point);
+
+/// The same, of the output that shows most of a box.
+Box output_of(const Canvas& canvas, const Box& box);
+
+}  // namespace vitrine::player

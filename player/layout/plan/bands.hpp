@@ -1,0 +1,49 @@
+#pragma once
+
+#include "player/layout/plan/plan_request.hpp"
+
+#include <functional>
+#include <span>
+
+namespace vitrine::player {
+
+// A canvas of several outputs has bands that no output shows (canvas.hpp): bezels, and what lies beside
+// smaller outputs. No I-Region rests there, as none rests outside the canvas. A search knows a band as one
+// more pinned item. That holds only as far as the search succeeds. So each layout is checked, and if the
+// check fails, each output is planned by itself: that always holds.
+
+/// The least clearance that a search keeps, canvas px; the grid of exact areas rounds by 1/512.
+inline constexpr double min_clearance = 1.0 / 64;
+
+/// True if a part of an item's I-Region is under a band.
+bool is_under_band(const Canvas& canvas, const LayoutItem& item, const Placement& at);
+
+/// True if no I-Region is under a band, but for pinned items.
+/// @pre one placement for each item, or none
+bool is_clear_of_bands(const PlanRequest& request, std::span<const Placement> placements);
+
+/// The request with the bands as pinned items after the others. They are smaller by the clearance that a
+/// search keeps from them, as far as they are wide enough.
+PlanRequest with_bands(const PlanRequest& request);
+
+/// A layout of such a request without the bands. @param request  without them
+Layout without_bands(Layout layout, const PlanRequest& request);
+
+/// The same for the layouts that a watch is told. @param watch, request  outlive the result
+PlanWatch without_bands(const PlanWatch& watch, const PlanRequest& request);
+
+using PlanFunction = std::function<Layout(const PlanRequest& request, const PlanWatch& watch)>;
+
+/// Shares the items out to the outputs, those of a group together, by the sizes that they wish for, and plans
+/// each output by itself. An item that has a place or a seat stays on its output. Pinned items keep their
+/// places.
+Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
+
+/// The same with the best of some ways to share the items out. What has a place may come to another output.
+Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
+
+/// The cost of a layout, as the filling counts it (pack/filling.hpp), of what the outputs show: smaller is
+/// better.
+double cost_of_plan(const PlanRequest& request, const Layout& layout);
+
+}  // namespace vitrine::player

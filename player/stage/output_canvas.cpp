@@ -1,0 +1,176 @@
+#include "player/stage/output_canvas.hpp"
+
+#include "base/settings/settings.hpp"
+#include "base/system/log.hpp"
+#include "player/display/screen.hpp"
+#include "player/stage/stage_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double max_side = 16384;                       // canvas px, the limit of the packing's precision
+constexpr double whole_px = 1e-3;                        // canvas px; so near a px is meant
+constexpr auto kept_without = std::chrono::seconds(60);  // a place whose output is gone
+
+/// An output on the canvas, in the units of the words.
+struct PlacedOutput {
+    std::string name;
+    Box box;
+    Rotation rotation = Rotation::none;
+    double density = 1;  // px a unit
+};
+
+/// The px of a canvas that fills an output, as it hangs.
+Vec2 hanging_size(const KnownOutput& output, Rotation rotation) {
+    View view = output.view;
+    view.rotation = rotation;
+    return canvas_size(output.width, output.height, view);
+}
+
+std::vector<PlacedOutput> placed_outputs(const CanvasWords& words, std::span<const KnownOutput> outputs) {
+    std::vector<PlacedOutput> placed;
+    for (const OutputPlace& place : words.places) {
+        const auto output = std::ranges::find(outputs, place.output, &KnownOutput::name);
+        if (output == outputs.end()) continue;
+        const Rotation rotation = place.turned ? rotation_of(*place.turned) : output->view.rotation;
+        const Vec2 px = hanging_size(*output, rotation);
+        const Vec2 size = place.size.value_or(px);
+        placed.push_back({.name = place.output,
+                          .box = {place.at, place.at + size},
+                          .rotation = rotation,
+                          .density = std::max(px.x / size.x, px.y / size.y)});
+    }
+    return placed;
+}
+
+double near_whole(double px) {
+    return std::abs(px - std::round(px)) < whole_px ? std::round(px) : px;
+}
+
+Vec2 near_whole(Vec2 px) {
+    return {near_whole(px.x), near_whole(px.y)};
+}
+
+KnownOutput known_output(const Settings& settings, const Screen& screen) {
+    return {.name = screen.name(),
+            .width = screen.width(),
+            .height = screen.height(),
+            .view = view_of(settings, screen.width(), screen.height())};
+}
+
+}  // namespace
+
+SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs) {
+    SharedCanvas shared;
+    const std::vector<PlacedOutput> placed = placed_outputs(words, outputs);
+    if (placed.empty()) return shared;
+    Box all = placed.front().box;
+    double density = 0;
+    for (const PlacedOutput& output : placed) {
+        all = united(all, output.box);
+        density = std::max(density, output.density);
+    }
+    density = std::min(density, max_side / std::max(all.width(), all.height()));
+    shared.unit = density;
+    shared.origin = all.min;
+    std::vector<Box> boxes;
+    for (const PlacedOutput& output : placed) {
+        const Box box{near_whole((output.box.min - all.min) * density),
+                      near_whole((output.box.max - all.min) * density)};
+        boxes.push_back(box);
+        shared.parts[output.name] = {.box = box, .rotation = output.rotation};
+    }
+    shared.canvas = canvas_of(near_whole((all.max - all.min) * density), std::move(boxes));
+    return shared;
+}
+
+std::string overlap_of(const SharedCanvas& shared) {
+    for (auto one = shared.parts.begin(); one != shared.parts.end(); ++one)
+        for (auto other = std::next(one); other != shared.parts.end(); ++other) {
+            const Box both = intersection(one->second.box, other->second.box);
+            if (std::min(both.width(), both.height()) >= 1)
+                return fmt::format("'{}' and '{}' overlap", one->first, other->first);
+        }
+    return {};
+}
+
+void OutputCanvas::read_words() {
+    if (text_ == settings_.output.canvas) return;
+    text_ = settings_.output.canvas;
+    words_ = canvas_named(text_);
+}
+
+void OutputCanvas::take(SharedCanvas shared) {
+    if (shared == now_) return;
+    before_ = std::exchange(now_, std::move(shared));
+    if (!is_shared()) return;
+    log::info("one canvas of {:.0f}x{:.0f} px on {} {}", now_.canvas.x, now_.canvas.y, now_.parts.size(),
+              now_.parts.size() == 1 ? "output" : "outputs");
+    if (const std::string overlap = overlap_of(now_); !overlap.empty())
+        log::warning("output.canvas: {}, with the modes that they have", overlap);
+}
+
+void OutputCanvas::follow(std::span<Screen* const> screens, std::chrono::nanoseconds now) {
+    read_words();
+    if (words_.places.empty() && !is_shared()) return;
+    for (const Screen* screen : screens) {
+        const KnownOutput output = known_output(settings_, *screen);
+        const auto same =
+            std::ranges::find_if(seen_, [&](const Seen& seen) { return seen.output.name == output.name; });
+        if (same == seen_.end())
+            seen_.push_back({.output = output, .last = now});
+        else
+            *same = {.output = output, .last = now};
+    }
+    if (!screens.empty())
+        std::erase_if(seen_, [&](const Seen& seen) { return now - seen.last >= kept_without; });
+    std::vector<KnownOutput> outputs;
+    for (const Seen& seen : seen_)
+        outputs.push_back(seen.output);
+    take(shared_canvas(words_, outputs));
+}
+
+void OutputCanvas::expect(int width, int height) {
+    read_words();
+    std::vector<KnownOutput> outputs;
+    for (const OutputPlace& place : words_.places)
+        outputs.push_back({.name = place.output,
+                           .width = width,
+                           .height = height,
+                           .view = view_of(settings_, width, height)});
+    now_ = shared_canvas(words_, outputs);
+}
+
+View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
+    View view = view_of(settings_, screen.width(), screen.height());
+    const bool is_before = now_.canvas != canvas && before_.canvas == canvas;
+    const SharedCanvas& shared = is_before ? before_ : now_;
+    const auto part = shared.parts.find(screen.name());
+    if (part == shared.parts.end() || shared.canvas != canvas)
+        return letterboxed(screen.width(), screen.height(), view, canvas);
+    view.rotation = part->second.rotation;
+    view.part = part->second.box;
+    return letterboxed(screen.width(), screen.height(), view, canvas);
+}
+
+GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {
+    const View view = view_on(screen, canvas);
+    GuideView guide{.name = screen.name(),
+                    .size = canvas_size(screen.width(), screen.height(), view),
+                    .part = seen_part(view, canvas),
+                    .canvas = canvas};
+    if (now_.canvas == canvas && is_shared()) {
+        guide.unit = now_.unit;
+        guide.origin = now_.origin;
+    }
+    return guide;
+}
+
+}  // namespace vitrine::player

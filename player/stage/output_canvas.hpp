@@ -1,0 +1,101 @@
+#pragma once
+
+#include "base/settings/canvas_words.hpp"
+#include "player/layout/canvas.hpp"
+#include "player/render/view.hpp"
+#include "player/stage/canvas_guide.hpp"
+
+#include <chrono>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct Settings;
+
+}
+
+namespace vitrine::player {
+
+class Screen;
+
+/// What is known of an output: its name and px, and its view without a canvas.
+struct KnownOutput {
+    std::string name;
+    int width = 0;  // px
+    int height = 0;
+    View view;
+
+    bool operator==(const KnownOutput&) const = default;
+};
+
+/// An output's part of the canvas.
+struct OutputPart {
+    Box box;  // canvas px
+    Rotation rotation = Rotation::none;
+
+    bool operator==(const OutputPart&) const = default;
+};
+
+/// A canvas and the parts that outputs show of it.
+struct SharedCanvas {
+    Canvas canvas;                            // px; empty: none of the outputs is named
+    std::map<std::string, OutputPart> parts;  // by the outputs' names
+    double unit = 1;                          // canvas px a unit of the words
+    Vec2 origin;                              // units at the canvas' top left corner
+
+    bool operator==(const SharedCanvas&) const = default;
+};
+
+/// The canvas for some outputs. The one with most px on a unit of length has them on the canvas, too, unless
+/// the canvas gets longer than 16384 px; so no picture is drawn larger than its canvas.
+/// @param outputs  those that are named; others have no part
+SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs);
+
+/// A pair of outputs whose parts overlap, in words; empty: there is none.
+std::string overlap_of(const SharedCanvas& shared);
+
+/// The canvas that outputs show together (`output.canvas`), as they come and go. An output that is pulled out
+/// keeps its place for a minute: the others show what they showed. Logs.
+class OutputCanvas {
+  public:
+    /// @param settings  outlive this
+    explicit OutputCanvas(const Settings& settings) : settings_(settings) {}
+
+    /// Takes the outputs that are there now. @param now  since the player's start
+    void follow(std::span<Screen* const> screens, std::chrono::nanoseconds now);
+
+    /// Takes all outputs that are named as if they were there with these px, while nothing is open.
+    void expect(int width, int height);
+
+    /// True: outputs show parts of one canvas.
+    bool is_shared() const { return !now_.parts.empty(); }
+
+    const SharedCanvas& shared() const { return now_; }
+
+    /// What a screen shows of a frame's canvas. A frame of the canvas before is drawn as before.
+    View view_on(const Screen& screen, Vec2 canvas) const;
+
+    /// What a guide on a screen must know.
+    GuideView guide_view(const Screen& screen, Vec2 canvas) const;
+
+  private:
+    struct Seen {
+        KnownOutput output;
+        std::chrono::nanoseconds last{0};  // when it was there
+    };
+
+    void read_words();
+    void take(SharedCanvas shared);
+
+    const Settings& settings_;  // outlive this
+    std::string text_;          // of words_
+    CanvasWords words_;
+    std::vector<Seen> seen_;
+    SharedCanvas now_;
+    SharedCanvas before_;
+};
+
+}  // namespace vitrine::player

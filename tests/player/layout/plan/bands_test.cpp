@@ -1,0 +1,84 @@
+#include "player/layout/plan/bands.hpp"
+
+#include "player/layout/plan/flat_plan.hpp"
+#include "tests/player/layout/banded_edits.hpp"
+#include "tests/player/layout/soundness.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+Canvas two_outputs(double gap) {
+    return canvas_of({1280 + gap, 360}, {{{0, 0}, {640, 360}}, {{640 + gap, 0}, {1280 + gap, 360}}});
+}
+
+PlanRequest request_on(const Canvas& canvas, std::size_t count, std::uint64_t seed) {
+    PlanRequest request{.canvas = canvas, .seed = seed, .budget = 20'000, .max_scale = 4};
+    Random random(seed);
+    for (std::size_t k = 0; k < count; ++k)
+        request.items.push_back({.item = random_item(random)});
+    return request;
+}
+
+}  // namespace
+
+TEST_CASE("no region is under a bezel, in a plan of one item or of many") {
+    for (const std::size_t count : {1, 2, 5, 9})
+        for (const double gap : {1, 40, 700}) {
+            const PlanRequest request = request_on(two_outputs(gap), count, count);
+            const Layout layout = plan(request);
+            CHECK(is_clear_of_bands(request, layout.placements));
+            CHECK(is_sound(items_of(request), layout, "bands"));
+        }
+}
+
+TEST_CASE("without its bands the same wall has regions across the middle") {
+    int across = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        PlanRequest request = request_on(two_outputs(40), 5, seed);
+        const Canvas canvas = std::exchange(request.canvas, Canvas(Vec2(request.canvas)));
+        const Layout layout = plan(request);
+        request.canvas = canvas;
+        across += is_clear_of_bands(request, layout.placements) ? 0 : 1;
+    }
+    CHECK(across >= 4);
+}
+
+TEST_CASE("an item that stood where a bezel now is moves to an output") {
+    PlanRequest request = request_on(Canvas(1320, 360), 4, 3);
+    const Layout before = plan(request);
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+        request.items[i].previous = before.placements[i];
+    request.canvas = two_outputs(40);
+    CHECK(is_clear_of_bands(request, plan(request).placements));
+}
+
+TEST_CASE("outputs planned by themselves share the items out by area") {
+    const PlanRequest request = request_on(two_outputs(40), 6, 4);
+    const Layout layout = plan_by_outputs(request, {}, plan_flat);
+    CHECK(is_clear_of_bands(request, layout.placements));
+    CHECK(is_sound(items_of(request), layout, "bands_by_outputs"));
+    const auto on_first = std::ranges::count_if(request.items, [&](const PlanItem& item) {
+        const auto i = static_cast<std::size_t>(&item - request.items.data());
+        return seat_of(item.item, layout.placements[i]).centre.x < 640;
+    });
+    CHECK(on_first >= 2);
+    CHECK(on_first <= 4);
+}
+
+// `long` makes 10,000 (many_bands_test).
+TEST_CASE("no region rests under a bezel after any of many random plans and edits") {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        BandedEdits edits(seed);
+        for (int k = 0; k < 12; ++k) {
+            const auto fault = edits.step();
+            CAPTURE(seed);
+            REQUIRE_MESSAGE(!fault, *fault);
+        }
+    }
+}
