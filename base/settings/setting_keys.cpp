@@ -244,11 +244,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "touch; "
      "layout.slots counts folders and files. \"flat\": folders are ignored."},
     {"show.order",
-     choice<&S::show, &S::Show::order>(
-         {{{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}}),
+     choice<&S::show, &S::Show::order>({{{"shuffle", ShotOrder::shuffle},
+                                         {"name", ShotOrder::name},
+                                         {"newest", ShotOrder::newest},
+                                         {"taken", ShotOrder::taken}}}),
      SettingEffect::new_walls,
-     "Order in which shots take their turn: \"shuffle\", \"name\" or \"newest\". New files always come "
-     "first."},
+     "Order in which shots take their turn: \"shuffle\", \"name\", \"newest\" by the file's time, or "
+     "\"taken\" by the time that the camera wrote, the earliest first. New files always come first."},
     {"show.film",
      choice<&S::show, &S::Show::film>({{{"auto", FilmShow::automatic},
                                         {"side_by_side", FilmShow::side_by_side},

@@ -12,6 +12,11 @@ int shots_of(const RecordList::Record& record) {
     return record ? static_cast<int>(record->shots.size()) : 0;
 }
 
+std::int64_t taken_ns(const MediaRecord& record) {
+    if (!record.origin.taken) return record.mtime_ns;
+    return std::chrono::nanoseconds(record.origin.taken->at.time_since_epoch()).count();
+}
+
 int repeat_of(const ShowHints::Entry& said) {
     return said ? said->hints.repeat.value_or(1) : 1;
 }
@@ -31,7 +36,8 @@ void ShotRotation::set_files(const RecordList& files, const ShowHints& hints) {
             return;
         }
         const int repeat = repeat_of(hints.find(path));
-        files_[path] = {.mtime_ns = now->mtime_ns, .shots = shots_of(now), .repeat = repeat};
+        files_[path] = {
+            .mtime_ns = now->mtime_ns, .taken_ns = taken_ns(*now), .shots = shots_of(now), .repeat = repeat};
         for (int shot = shots_of(before); shot < shots_of(now); ++shot) {
             if (shot == 0) first.push_back({path, shot});
             if (shot == 0) taken[{path, shot}] = 1;
@@ -126,6 +132,10 @@ std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
     if (order_ == ShotOrder::newest) {
         std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
             return files_.at(a.path).mtime_ns > files_.at(b.path).mtime_ns;
+        });
+    } else if (order_ == ShotOrder::taken) {
+        std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
+            return files_.at(a.path).taken_ns < files_.at(b.path).taken_ns;
         });
     } else if (order_ == ShotOrder::shuffle) {
         std::shuffle(keys.begin(), keys.end(), engine_);

@@ -54,6 +54,7 @@ class ShotRotation {
   private:
     struct File {
         std::int64_t mtime_ns = 0;
+        std::int64_t taken_ns = 0;
         int shots = 0;
         int repeat = 1;  // turns in a round
     };

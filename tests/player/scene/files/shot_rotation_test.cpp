@@ -6,6 +6,7 @@
 
 using namespace vitrine;
 using namespace vitrine::player;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -43,6 +44,20 @@ TEST_CASE("by newest, the file changed last comes first") {
     ShotRotation round(ShotOrder::newest, 1);
     set(round, {photo("a", 5), photo("b", 9), photo("c", 7)});
     CHECK(take_all(round) == std::vector<ShotKey>{{"b", 0}, {"c", 0}, {"a", 0}});
+}
+
+TEST_CASE("by the time taken, the earliest comes first, whatever the file's own time") {
+    ShotRotation round(ShotOrder::taken, 1);
+    const auto taken = [](MediaRecord record, std::chrono::hours at) {
+        record.origin.taken = TimeTaken{.at = std::chrono::sys_days(std::chrono::year(2023) / 5 / 1) + at};
+        return record;
+    };
+    MediaRecord by_own_time = photo("d");  // the file's own time counts where no other is known
+    by_own_time.mtime_ns =
+        std::chrono::nanoseconds(std::chrono::sys_days(std::chrono::year(2023) / 5 / 1).time_since_epoch())
+            .count();
+    set(round, {taken(photo("a", 5), 9h), taken(photo("b", 9), 1h), taken(photo("c", 7), 2h), by_own_time});
+    CHECK(take_all(round) == std::vector<ShotKey>{{"d", 0}, {"b", 0}, {"c", 0}, {"a", 0}});
 }
 
 TEST_CASE("shuffled, every shot comes once and those of one film in time order") {
