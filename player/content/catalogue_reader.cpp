@@ -118,6 +118,7 @@ CatalogueNews CatalogueReader::read(Request request) {
     update_list(before, after);
     news.change = change_between(RecordList(std::move(before)), RecordList(std::move(after)));
     news.records = list_;
+    news.groups = groups_.groups();
     news.counts = counts_;
     return news;
 }
@@ -133,6 +134,7 @@ void CatalogueReader::update_list(const Records& before, const Records& after) {
         changes[record->path] = record;
     }
     list_.apply(changes);
+    groups_.set_files(list_);
 }
 
 /// One unreadable record never hides the others.

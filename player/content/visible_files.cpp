@@ -81,7 +81,8 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Holiday
       }),
       note_(rehearsal == nullptr ? state / visible_file : fs::path()),
       follower_(loop, Catalogue(state / "catalogue"),
-                [this](const CatalogueChange& change, const RecordList& records) {
+                [this](const CatalogueChange& change, const RecordList& records, const GroupList& groups) {
+                    hints_.groups = groups;
                     follow_catalogue(change, records);
                 }) {}
 
@@ -142,6 +143,9 @@ void VisibleFiles::judge_again(std::optional<std::set<std::string>> paths) {
     (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
     std::set<std::string> by_hours = hours_.take_changed();
     const bool has_other_hints = !by_hours.empty();
+    GroupList groups = std::move(hints_.groups);
+    hints_ = hours_.hints();
+    hints_.groups = std::move(groups);
     if (paths) paths->merge(by_hours);
     const bool is_other =
         is_other_trial || !paths ? judged_.judge_all(records_) : judged_.judge(*paths, records_);

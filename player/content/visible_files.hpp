@@ -57,7 +57,7 @@ class VisibleFiles {
     const RecordList& records() const { return judged_.visible(); }
 
     /// The hints for showing the files.
-    const ShowHints& hints() const { return hours_.hints(); }
+    const ShowHints& hints() const { return hints_; }
 
     /// The number of files in each state of the analyzer.
     const std::map<MediaState, std::size_t>& counts() const { return follower_.counts(); }
@@ -110,6 +110,7 @@ class VisibleFiles {
     std::function<void()> on_change_;
     CrashNote crash_note_;
     HoursFollower hours_;
+    ShowHints hints_;  // with the groups
     std::map<std::string, RecordList::Record> dismissed_;
     WallContent content_;
     std::chrono::nanoseconds next_look_{0};

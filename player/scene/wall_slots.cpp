@@ -42,7 +42,24 @@ void WallSlots::set_catalogue(const RecordList& records, const ShowHints& hints)
     files_.set(records);
     chooser_.set_files(files_.all(), before, hints_);
     follow_changes(before);
+    drop_doubles();
     fill_slots();
+}
+
+/// Frees slots whose files have turned out to be one with another file on the wall. The earliest slot keeps
+/// its shot, but a pinned file comes first.
+void WallSlots::drop_doubles() {
+    std::map<std::string, Slot*> seen;
+    for (Slot& slot : slots_) {
+        if (!slot.shot || slot.shot->key.shot > 0) continue;
+        const std::string& path = slot.shot->key.path;
+        const auto [first, is_new] = seen.emplace(chooser_.groups().head_of(path), &slot);
+        if (is_new || first->second->shot->key.path == path) continue;
+        const bool is_last_pinned = is_pinned(slot) && !is_pinned(*first->second);
+        Slot& freed = is_last_pinned ? *first->second : slot;
+        if (is_last_pinned) first->second = &slot;
+        if (!is_pinned(freed)) freed = {};
+    }
 }
 
 void WallSlots::follow_changes(const RecordList& before) {

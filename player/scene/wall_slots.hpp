@@ -93,6 +93,7 @@ class WallSlots {
     bool is_pinned(const Slot& slot) const;
     const std::string* pinned_and_missing() const;
     void follow_changes(const RecordList& before);
+    void drop_doubles();
     void fill_slots();
     void spread_leaving(const std::vector<Slot*>& filled);
     std::vector<Turn> due_turns(std::chrono::nanoseconds until);

@@ -5,6 +5,7 @@
 #include "player/scene/files/shared_list.hpp"
 
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,9 +22,27 @@ struct HintedFile {
     bool operator==(const HintedFile&) const = default;
 };
 
+/// Photos that are one for visitors: frames of a burst, copies, crops and other exposures of one take. At
+/// most one of them is on the wall at a time.
+struct FileGroup {
+    std::vector<std::string> photos;           // paths, the best first
+    std::map<std::string, std::string> films;  // of Live Photos: photo -> its film, which has no turn
+};
+
+/// A file of a group.
+struct GroupedFile {
+    std::string path;
+    std::shared_ptr<const FileGroup> group;
+};
+
+/// Groups by path. A file that is a picture of its own has no entry.
+using GroupList = SharedList<GroupedFile>;
+
 /// Hints by path. A file without hints has no entry.
 class ShowHints : public SharedList<HintedFile> {
   public:
+    GroupList groups;  // what belongs together
+
     ShowHints() = default;
 
     ShowHints(std::initializer_list<HintedFile> files);  // NOLINT: implicit, like a map
