@@ -1,6 +1,6 @@
 #include "analyzer/origin/time_words.hpp"
 
-#include "base/settings/dates.hpp"
+#include "base/calendar/dates.hpp"
 
 #include <string>
 

@@ -5,6 +5,7 @@
 #include "player/content/crash_note.hpp"
 #include "player/content/hours_follower.hpp"
 #include "player/content/judged_files.hpp"
+#include "player/content/notices.hpp"
 #include "player/content/visible_note.hpp"
 
 #include <chrono>
@@ -47,10 +48,9 @@ class VisibleFiles {
     using Time = CrashNote::Time;
 
     /// @param state      the state directory
-    /// @param holidays   count as Sundays
     /// @param rehearsal  outlives this; none: there is no rehearsal
     /// @param on_change  called when other files may be shown; the first time by this constructor
-    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Holidays& holidays,
+    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const ShowDays& days,
                  const Rehearsal* rehearsal, std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
@@ -109,6 +109,7 @@ class VisibleFiles {
     const Rehearsal* rehearsal_;
     std::function<void()> on_change_;
     CrashNote crash_note_;
+    Notices notices_;
     HoursFollower hours_;
     ShowHints hints_;  // with the groups
     std::map<std::string, RecordList::Record> dismissed_;

@@ -53,6 +53,18 @@ KmsScreen::KmsScreen(KmsSurface& surface, const Output& output, const Obstacles&
     if (surface.card.is_atomic()) properties_ = surface.card.properties(output);
 }
 
+// A flip that is under way is waited for by the card. A card that is busy or another's is asked again.
+void KmsScreen::turn_off() {
+    if (is_off_) return;
+    const Card& card = surface_.card;
+    const int error = card.is_atomic()
+                          ? card.commit(off_request(output_, properties_), DRM_MODE_ATOMIC_ALLOW_MODESET, 0)
+                          : -drmModeSetCrtc(card.fd(), output_.crtc, 0, 0, 0, nullptr, 0, nullptr);
+    if (error != 0) return;
+    state_.start_over();
+    is_off_ = true;
+}
+
 void KmsScreen::begin_frame() {
     scanout_->make_current();
 }
@@ -60,6 +72,7 @@ void KmsScreen::begin_frame() {
 // A card that has no room for another picture, or was pulled out, fails already when the drawing ends.
 void KmsScreen::present(std::chrono::nanoseconds) {
     assert(!state_.is_waiting());
+    if (std::exchange(is_off_, false)) awaited_since_ = std::chrono::steady_clock::now();
     try {
         show(scanout_->lock_front_buffer());
     } catch (const std::runtime_error& error) {

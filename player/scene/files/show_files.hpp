@@ -4,9 +4,11 @@
 #include "base/state/record.hpp"
 #include "player/scene/files/shared_list.hpp"
 
+#include <chrono>
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -41,7 +43,8 @@ using GroupList = SharedList<GroupedFile>;
 /// Hints by path. A file without hints has no entry.
 class ShowHints : public SharedList<HintedFile> {
   public:
-    GroupList groups;  // what belongs together
+    GroupList groups;                              // what belongs together
+    std::optional<std::chrono::local_days> today;  // files taken on this day in other years come first
 
     ShowHints() = default;
 

@@ -99,6 +99,18 @@ TEST_CASE("words lie over the pictures, with their own opacity and the whole's")
     CHECK(is_near(at(wall.shown(), 30, 30), red));
 }
 
+TEST_CASE("less light makes the whole picture darker, and more gives it back") {
+    DrawnWall wall;
+    wall.add_two();
+    wall.renderer.set_light(0.4);
+    const Picture dim = wall.shown();
+    wall.renderer.set_light(1);
+    const Picture bright = wall.shown();
+    for (const int x : {30, 130})
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            CHECK(std::abs(at(dim, x, 30)[channel] - 0.4 * at(bright, x, 30)[channel]) <= 2);
+}
+
 TEST_CASE("a drifting film moves against its drift under its cell") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});

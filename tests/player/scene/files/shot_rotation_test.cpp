@@ -60,6 +60,39 @@ TEST_CASE("by the time taken, the earliest comes first, whatever the file's own 
     CHECK(take_all(round) == std::vector<ShotKey>{{"d", 0}, {"b", 0}, {"c", 0}, {"a", 0}});
 }
 
+TEST_CASE("what was taken on this day in other years comes first in each round") {
+    const auto taken = [](MediaRecord record, std::chrono::local_days date) {
+        record.origin.taken = TimeTaken{.at = std::chrono::sys_days(date.time_since_epoch()) + 23h,
+                                        .zone = -60min,
+                                        .source = TimeSource::camera};
+        return record;
+    };
+    const auto date = [](int year, unsigned month, unsigned day) {
+        return std::chrono::local_days(std::chrono::year(year) / std::chrono::month(month) /
+                                       std::chrono::day(day));
+    };
+    ShotRotation round(ShotOrder::name, 1);
+    ShowHints hints;
+    hints.today = date(2026, 11, 23);
+    MediaRecord by_own_time = taken(photo("e"), date(2020, 11, 23));
+    by_own_time.origin.taken->source = TimeSource::file;
+    const std::vector<MediaRecord> records{photo("a"),
+                                           taken(photo("b"), date(2026, 11, 23)),
+                                           taken(photo("c"), date(2025, 11, 23)),
+                                           taken(photo("d"), date(2019, 11, 23)),
+                                           by_own_time,
+                                           taken(photo("f"), date(2024, 2, 29))};
+    round.set_files(records, hints);
+    const auto two = [&] { return std::vector<ShotKey>{*round.next_shot(always), *round.next_shot(always)}; };
+    CHECK(two() == std::vector<ShotKey>{{"c", 0}, {"d", 0}});
+    take_all(round);
+    round.restart_all(holds_none);
+    CHECK(two() == std::vector<ShotKey>{{"c", 0}, {"d", 0}});
+    hints.today = date(2027, 2, 28);
+    round.set_files(records, hints);
+    CHECK(round.next_shot(always) == ShotKey{"f", 0});
+}
+
 TEST_CASE("shuffled, every shot comes once and those of one film in time order") {
     ShotRotation round(ShotOrder::shuffle, 3);
     set(round, {film("a", 20), film("b", 20), photo("c")});
