@@ -179,6 +179,11 @@ cv::Mat seen_part(const FilmFrame& frame, const ActivePictureFinder& bars) {
     return part.empty() ? frame.picture : frame.picture(part);
 }
 
+void close_photo(ShotWriter& writer, Sampler& sampler, const FilmFrame& photo, MediaRecord& record) {
+    writer.close({}, sampler);
+    if (!record.shots.empty()) record.shots.front().print = print_of(seen_part(photo, sampler.bars()));
+}
+
 nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interval) {
     if (interval > nanoseconds(0)) return last + interval;
     return std::max(info.duration, last + usual_interval);
@@ -202,8 +207,7 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
     ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
     if (info.kind == MediaKind::photo) {
-        writer.close({}, sampler);
-        if (!record.shots.empty()) record.shots.front().print = print_of(seen_part(*frame, sampler.bars()));
+        close_photo(writer, sampler, *frame, record);
         return record;
     }
     ShotDetector detector;

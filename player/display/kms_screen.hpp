@@ -78,8 +78,8 @@ class KmsScreen final : public Screen {
     void start_over();
 
   private:
-    int set_mode(const ScanoutBuffer& buffer);
-    int flip(const ScanoutBuffer& buffer);
+    /// Gives the card a picture, with the mode or as a flip. @return  0, or an errno
+    int request(const ScanoutBuffer& buffer, bool has_mode);
     void show(ScanoutBuffer buffer);
 
     KmsSurface& surface_;  // outlives this

@@ -233,6 +233,34 @@ TEST_CASE("what turns out to be one is not left twice on the wall") {
     CHECK(slots.shots().size() == 1);
 }
 
+TEST_CASE("the film of a Live Photo plays once when it comes, then the photo takes its place") {
+    const std::vector<MediaRecord> all = folder();
+    const std::vector<MediaRecord> pair(all.begin() + 24, all.end());
+    WallSlots slots({.count = 12, .seed = 1, .dwell = 20s, .lead = 0s});
+    slots.set_catalogue(pair, hints_of(pair));
+    std::vector<std::string> seen;
+    for (std::chrono::nanoseconds now{0}; now < 60s; now += 1s) {
+        for (const WallShot& shot : slots.shots())
+            slots.shot_appeared(shot.source, now);
+        slots.advance(now);
+        REQUIRE(slots.shots().size() == 1);
+        seen.push_back(slots.shots().front().key.path);
+    }
+    CHECK(std::ranges::count(seen, "IMG_0001.MOV") == 3);
+    CHECK(seen.front() == "IMG_0001.MOV");
+    CHECK(seen.back() == "IMG_0001.HEIC");
+}
+
+TEST_CASE("where its film cannot be played a Live Photo is a photo") {
+    const std::vector<MediaRecord> all = folder();
+    const std::vector<MediaRecord> pair(all.begin() + 24, all.end());
+    WallSlots slots({.count = 12, .seed = 1, .lead = 0s});
+    slots.set_catalogue(pair, hints_of(pair));
+    slots.source_failed(slots.shots().front().source, 1s);
+    REQUIRE(slots.shots().size() == 1);
+    CHECK(slots.shots().front().key.path == "IMG_0001.HEIC");
+}
+
 TEST_CASE("without its photo the film of a Live Photo is a film") {
     std::vector<MediaRecord> records = folder();
     const ShowHints hints = hints_of(records);
