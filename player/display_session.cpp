@@ -83,7 +83,11 @@ void DisplaySession::close() {
 void DisplaySession::follow_hours(std::optional<std::chrono::local_seconds> rehearsed,
                                   std::chrono::nanoseconds now) {
     hours_.look(rehearsed ? rehearsed : calendar_.now(), now);
-    if (const std::string news = hours_.take_news(); !news.empty()) log::info("screen: {}", news);
+    if (const std::string news = hours_.take_news(); !news.empty()) {
+        log::info("screen: {}", news);
+        if (traits().has_terminal) television_.ask(hours_.is_on());
+    }
+    television_.look();
     if (renderer_) renderer_->set_light(hours_.light());
     if (hours_.is_on() || !display_) return;
     for (Screen* screen : display_->screens())

@@ -3,6 +3,7 @@
 #include "base/system/event_loop.hpp"
 #include "player/content/calendar.hpp"
 #include "player/content/panel_hours.hpp"
+#include "player/control/cec_standby.hpp"
 #include "player/playback/sample.hpp"
 #include "player/scene/frame.hpp"
 
@@ -100,6 +101,7 @@ class DisplaySession {
     std::filesystem::path state_;
     PanelHours hours_;
     Calendar calendar_;
+    CecStandby television_;
     RendererCalls calls_;
     std::unique_ptr<Console> console_;       // none: off screen
     std::unique_ptr<Display> display_;       // none: no graphics card at present
