@@ -127,7 +127,7 @@ bool DisplaySession::is_away() const {
 }
 
 std::string DisplaySession::description() const {
-    if (display_) return display_->description();
+    if (display_) return (hours_.is_on() ? "" : "off, outside of output.on: ") + display_->description();
     return complaint_.empty() ? "no graphics card at present" : complaint_;
 }
 

@@ -47,8 +47,9 @@ bool can_draw(std::span<Screen* const> screens, bool is_late) {
     return ready == std::ssize(screens) || (ready > 0 && is_late);
 }
 
-WallContent content_of(const Stages& stages, const SourcePool& sources) {
-    WallContent content{.folders = {}, .files = {}, .open = sources.open_files()};
+/// @param is_off  the displays are off, or another program has them
+WallContent content_of(const Stages& stages, const SourcePool& sources, bool is_off) {
+    WallContent content{.folders = {}, .files = {}, .open = sources.open_files(), .is_off = is_off};
     for (const auto& stage : stages.all()) {
         if (stage->screens().empty()) continue;
         content.folders.push_back({.folder = stage->files().folder(),
@@ -233,7 +234,8 @@ void Player::handle_input(std::chrono::nanoseconds time) {
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {
-    files_->look(time, EventLoop::Clock::now(), [this] { return content_of(*stages_, *sources_); });
+    files_->look(time, EventLoop::Clock::now(),
+                 [this] { return content_of(*stages_, *sources_, display_->is_away()); });
 }
 
 /// Updates the sound to the films now on the walls; silent while no wall is shown.

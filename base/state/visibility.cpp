@@ -49,6 +49,8 @@ constexpr std::array words{
           ": "},
     Words{Visibility::other_folder, "other_folder", "in the folder of another screen",
           "No connected screen shows its folder", ": "},
+    Words{Visibility::screens_off, "screens_off", "ready while the displays are off",
+          "It may be shown, but the displays are off at this hour, or another program has them", ": "},
     Words{Visibility::closed_folder, "closed_folder", "in a folder that is closed",
           "A visitor looks into another folder", ": "},
     Words{Visibility::avoided, "avoided", "left out for a minute",

@@ -26,6 +26,7 @@ enum class Visibility {
     notice_over,     // its notice has had its time
     covered,         // a notice covers the walls
     other_folder,    // no connected screen shows its folder
+    screens_off,     // no display shows anything: it is off at this hour, or another program has it
     closed_folder,   // a visitor looks into another folder
     avoided,         // left out for a minute: it could not be played, or a visitor flicked it away
     in_group,        // another file hangs that is one with it, such as a frame of the same burst

@@ -32,6 +32,7 @@ bool is_in(const std::string& path, const std::string& folder) {
 
 /// The last filters: is the file's folder shown on a screen, and does that screen choose the file?
 Visibility judge_folder(const WallContent& content, const std::string& path) {
+    if (content.is_off) return Visibility::screens_off;
     const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
     const auto is_open = [&](const ShownFolder& shown) {
         return is_shown(shown) && is_in(path, shown.opened);
@@ -192,7 +193,7 @@ void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
 
 void VisibleFiles::set_content(WallContent content) {
     if (content == content_) return;
-    const bool has_other_folders = content.folders != content_.folders;
+    const bool has_other_folders = content.folders != content_.folders || content.is_off != content_.is_off;
     content_ = std::move(content);
     if (has_other_folders)
         tell_change(judged_.judge_all(records_));

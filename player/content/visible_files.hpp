@@ -35,6 +35,7 @@ struct WallContent {
     std::vector<ShownFolder> folders;  // empty: there is no screen
     std::set<std::string> files;       // paths of the files that are shown
     std::set<std::string> open;        // paths of the files that are read or played
+    bool is_off = false;               // the displays are off at this hour, or another program has them
 
     bool operator==(const WallContent&) const = default;
 };

@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -33,7 +35,7 @@ double shade_at(const PicturePrint& print, double x, double y) {
     const int top = std::min(side - 2, static_cast<int>(row));
     const double right = column - left;
     const double down = row - top;
-    const std::uint8_t* const at = print.shades.data() + top * side + left;
+    const std::uint8_t* const at = print.shades.data() + std::ptrdiff_t{top} * side + left;
     return (at[0] * (1 - right) + at[1] * right) * (1 - down) +
            (at[side] * (1 - right) + at[side + 1] * right) * down;
 }

@@ -99,6 +99,16 @@ TEST_CASE("a notice is shown in place of everything, and whole") {
     CHECK(house.files->judge(*house.files->find("b.jpg")).visibility == Visibility::covered);
 }
 
+TEST_CASE("while the displays are off every file tells so, and none is lost") {
+    House house({photo("a.jpg")});
+    house.open();
+    house.look({.folders = {}, .files = {}, .open = {}, .is_off = true});
+    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::screens_off);
+    CHECK(house.files->records().size() == 1);
+    house.look({.folders = {{}}, .files = {"a.jpg"}, .open = {}});
+    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::on_wall);
+}
+
 TEST_CASE("a file tells that another picture of its group hangs") {
     MediaRecord still = photo("IMG_1.jpg");
     MediaRecord copy = photo("IMG_1 (1).jpg");
