@@ -129,10 +129,9 @@ void WallSlots::source_failed(SourceId source, std::chrono::nanoseconds now) {
     chooser_.avoid_file(path, now + settings_.retry_after);
     for (Slot& slot : slots_) {
         if (!slot.shot || slot.shot->key.path != path) continue;
-        if (slot.then)
-            put_shot(slot, *slot.then);
-        else
-            slot = {};
+        const std::optional<ShotKey> photo = slot.then;
+        slot = {};
+        if (photo) put_shot(slot, *photo);
     }
     fill_slots();
 }
