@@ -25,10 +25,12 @@ constexpr auto retry_pause = 1s;  // before another try to open a graphics card
 }  // namespace
 
 DisplaySession::DisplaySession(EventLoop& loop, std::unique_ptr<DisplayOpener> opener,
-                               std::filesystem::path state, RendererCalls calls)
+                               std::filesystem::path state, PanelRules rules, RendererCalls calls)
     : loop_(loop),
       opener_(std::move(opener)),
       state_(std::move(state)),
+      hours_(std::move(rules)),
+      calendar_(state_ / "catalogue"),
       calls_(std::move(calls)),
       console_(opener_->traits().has_terminal ? std::make_unique<Console>() : nullptr) {}
 
@@ -77,7 +79,23 @@ void DisplaySession::close() {
     display_.reset();
 }
 
-void DisplaySession::follow_display() {
+/// Turns the panels off outside their hours; the next picture turns them on.
+void DisplaySession::follow_hours(std::optional<std::chrono::local_seconds> rehearsed,
+                                  std::chrono::nanoseconds now) {
+    hours_.look(rehearsed ? rehearsed : calendar_.now(), now);
+    if (const std::string news = hours_.take_news(); !news.empty()) {
+        log::info("screen: {}", news);
+        if (traits().has_terminal) television_.ask(hours_.is_on());
+    }
+    television_.look();
+    if (renderer_) renderer_->set_light(hours_.light());
+    if (hours_.is_on() || !display_) return;
+    for (Screen* screen : display_->screens())
+        screen->turn_off();
+}
+
+void DisplaySession::follow_display(std::optional<std::chrono::local_seconds> rehearsed,
+                                    std::chrono::nanoseconds now) {
     if (display_) {
         for (const DisplayEvent& event : display_->take_events())
             log::write(event.is_trouble ? log::Level::warning : log::Level::info, "screen: " + event.text);
@@ -85,10 +103,11 @@ void DisplaySession::follow_display() {
     }
     if (!display_ && EventLoop::Clock::now() >= next_try_) open();
     note_screens();
+    follow_hours(rehearsed, now);
 }
 
 std::span<Screen* const> DisplaySession::screens() const {
-    return display_ ? display_->screens() : std::span<Screen* const>();
+    return display_ && hours_.is_on() ? display_->screens() : std::span<Screen* const>();
 }
 
 void DisplaySession::forget_source(SourceId source) {
@@ -104,11 +123,11 @@ bool DisplaySession::has_old_picture() const {
 }
 
 bool DisplaySession::is_away() const {
-    return display_ && display_->is_away();
+    return !hours_.is_on() || (display_ && display_->is_away());
 }
 
 std::string DisplaySession::description() const {
-    if (display_) return display_->description();
+    if (display_) return (hours_.is_on() ? "" : "off, outside of output.on: ") + display_->description();
     return complaint_.empty() ? "no graphics card at present" : complaint_;
 }
 

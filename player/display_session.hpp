@@ -1,12 +1,17 @@
 #pragma once
 
 #include "base/system/event_loop.hpp"
+#include "player/content/calendar.hpp"
+#include "player/content/panel_hours.hpp"
+#include "player/control/cec_standby.hpp"
 #include "player/playback/sample.hpp"
 #include "player/scene/frame.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,7 +40,7 @@ class DisplaySession {
     /// @param opener  opens the displays that output.screen names
     /// @param state   the state directory, for the note of the screens' size
     DisplaySession(EventLoop& loop, std::unique_ptr<DisplayOpener> opener, std::filesystem::path state,
-                   RendererCalls calls);
+                   PanelRules rules, RendererCalls calls);
     DisplaySession(const DisplaySession&) = delete;
     DisplaySession& operator=(const DisplaySession&) = delete;
     DisplaySession(DisplaySession&&) = delete;
@@ -47,10 +52,15 @@ class DisplaySession {
     void open();
 
     /// Call at every tick, before screens().
-    void follow_display();
+    /// @param rehearsed  a local time that replaces the present one
+    /// @param now        since the player's start
+    void follow_display(std::optional<std::chrono::local_seconds> rehearsed, std::chrono::nanoseconds now);
 
-    /// The screens to draw on. None: there is no panel or no card, or another program has it. Lent until the
-    /// next follow_display().
+    /// A visitor has touched a panel or a key: the panels are lit, outside their hours for a while.
+    void wake(std::chrono::nanoseconds now) { hours_.wake(now); }
+
+    /// The screens to draw on. None: there is no panel or no card, another program has it, or the panels are
+    /// off at this hour. Lent until the next follow_display().
     std::span<Screen* const> screens() const;
 
     /// @pre !screens().empty()
@@ -65,7 +75,7 @@ class DisplaySession {
     /// True: the display shows a picture of an earlier run.
     bool has_old_picture() const;
 
-    /// True: another program, or another terminal, has the display.
+    /// True: another program, or another terminal, has the display, or the panels are off at this hour.
     bool is_away() const;
 
     /// Card, modes and renderer in words, or the reason why there is no display.
@@ -84,10 +94,14 @@ class DisplaySession {
     void make_renderer();
     void drop_renderer();
     void note_screens();
+    void follow_hours(std::optional<std::chrono::local_seconds> rehearsed, std::chrono::nanoseconds now);
 
     EventLoop& loop_;  // outlives this
     std::unique_ptr<DisplayOpener> opener_;
     std::filesystem::path state_;
+    PanelHours hours_;
+    Calendar calendar_;
+    CecStandby television_;
     RendererCalls calls_;
     std::unique_ptr<Console> console_;       // none: off screen
     std::unique_ptr<Display> display_;       // none: no graphics card at present

@@ -7,6 +7,7 @@
 #include "player/layout/plan/plan.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "player/layout/plan/ribbon.hpp"
+#include "player/scene/files/file_groups.hpp"
 #include "player/scene/wall_entries.hpp"
 #include "player/stage/stage_settings.hpp"
 
@@ -37,7 +38,11 @@ FirstWall first_wall(const Settings& settings, const std::filesystem::path& dire
     SlotSettings wanted = slot_settings(settings);
     wanted.count *= screens;
     WallEntries slots(wanted, settings.layout.folders == FolderMode::nested);
-    slots.set_catalogue(records);
+    FileGroups groups;
+    groups.set_files(records);
+    ShowHints hints;
+    hints.groups = groups.groups();
+    slots.set_catalogue(records, hints);
     FirstWall wall;
     for (const WallShot& shot : slots.shots()) {
         wall.items.push_back(

@@ -1,7 +1,7 @@
 #include "player/player.hpp"
 
+#include "base/calendar/dates.hpp"
 #include "base/media/still_picture.hpp"
-#include "base/settings/dates.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -47,8 +47,9 @@ bool can_draw(std::span<Screen* const> screens, bool is_late) {
     return ready == std::ssize(screens) || (ready > 0 && is_late);
 }
 
-WallContent content_of(const Stages& stages, const SourcePool& sources) {
-    WallContent content{.folders = {}, .files = {}, .open = sources.open_files()};
+/// @param is_off  the displays are off, or another program has them
+WallContent content_of(const Stages& stages, const SourcePool& sources, bool is_off) {
+    WallContent content{.folders = {}, .files = {}, .open = sources.open_files(), .is_off = is_off};
     for (const auto& stage : stages.all()) {
         if (stage->screens().empty()) continue;
         content.folders.push_back({.folder = stage->files().folder(),
@@ -71,8 +72,10 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     make_display();
     const std::filesystem::path state = settings.state.directory;
     const Rehearsal* rehearsal = options_.rehearsal ? &*options_.rehearsal : nullptr;
-    files_ = std::make_unique<VisibleFiles>(loop_, state, *dates_named(settings.show.holidays), rehearsal,
-                                            [this] { give_files(); });
+    files_ = std::make_unique<VisibleFiles>(
+        loop_, state,
+        ShowDays{.holidays = *dates_named(settings.show.holidays), .on_this_day = settings.show.on_this_day},
+        rehearsal, [this] { give_files(); });
     make_sources();
     stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures());
     if (!is_paced_by_pictures() && !settings.output.sound.empty())
@@ -122,7 +125,7 @@ void Player::make_display() {
     const Recording recording{.film = options_.film, .snapshot = options_.snapshot};
     display_ = std::make_unique<DisplaySession>(
         loop_, make_display_opener({.output = settings_.output, .recording = recording}),
-        settings_.state.directory,
+        settings_.state.directory, panel_rules(settings_),
         RendererCalls{.began = [this](PictureForm form) { sources_->film_options().form = form; },
                       .ends = [this] { stages_->forget_uploads(); }});
 }
@@ -187,15 +190,16 @@ void Player::give_files() {
 void Player::tick() {
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
-    display_->follow_display();
+    display_->follow_display(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt, time);
     renew_stages(time);
     stages_->set_screens(display_->screens(), time);
     service_->look(time);
     if (display_->screens().empty()) {
         clock_.skip_to(time);
+        handle_input(time);
         look_at_files(time);
         play_sound(time);
-        return tick_.arm(invisible_pause);
+        return tick_.arm(is_paced_by_pictures() ? 0s : std::chrono::nanoseconds(invisible_pause));
     }
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
     const bool is_late = time > clock_.due() + 500'000'000ns / settings_.output.frame_rate;
@@ -213,20 +217,26 @@ void Player::tick() {
     tick_.arm(std::max(0ns, clock_.due() - now()));
 }
 
-/// Handles the rehearsal's events first, then those of visitors.
+/// Handles the rehearsal's events first, then those of visitors. Each wakes panels that are off; they are not
+/// meant for what nobody saw.
 void Player::handle_input(std::chrono::nanoseconds time) {
+    const bool is_seen = !display_->screens().empty();
     if (options_.rehearsal) {
         if (options_.rehearsal->advance(time)) files_->apply_filters();
-        for (const InputEvent& event : options_.rehearsal->next_touches())
-            stages_->first().handle_input(event);
+        for (const InputEvent& event : options_.rehearsal->next_touches()) {
+            display_->wake(time);
+            if (is_seen) stages_->first().handle_input(event);
+        }
     }
+    if (input_devices_->has_input()) display_->wake(time);
     input_devices_->deliver_input(
         display_->screens(), start_,
         [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, event); });
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {
-    files_->look(time, EventLoop::Clock::now(), [this] { return content_of(*stages_, *sources_); });
+    files_->look(time, EventLoop::Clock::now(),
+                 [this] { return content_of(*stages_, *sources_, display_->is_away()); });
 }
 
 /// Updates the sound to the films now on the walls; silent while no wall is shown.

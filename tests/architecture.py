@@ -24,7 +24,7 @@ MAY_BE_LARGER = {
 NO_EXCEPTION = ("Player", "Stage", "Daemon", "SourcePool", "Wall", "TapestryStrip", "TapestryShow", "FilmLoop")
 
 # Folders that know no clock, no files, no GL, no GStreamer and no log; and what stands outside that rule.
-PURE = ("base/geometry", "base/hints", "player/layout", "player/input", "player/scene", "analyzer/saliency",
+PURE = ("base/geometry", "base/calendar", "base/hints", "player/layout", "player/input", "player/scene", "analyzer/saliency",
         "analyzer/tapestry/synthesis/synthesis")
 IMPURE_ON_PURPOSE = {
     "player/layout/plan/planner": "runs plan() in a thread of its own",

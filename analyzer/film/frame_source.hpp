@@ -15,6 +15,7 @@ struct MediaInfo {
     int width = 0;  // px of the upright picture at full size, square pixels
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo; a film's may turn out shorter
+    MediaOrigin origin;                    // empty: it was not asked
     GstVideoColorimetry colours{};         // a film's colours
     GstVideoOrientationMethod turn = GST_VIDEO_ORIENTATION_IDENTITY;  // makes a film's frames upright
 };

@@ -2,6 +2,7 @@
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/models/model_file.hpp"
+#include "analyzer/origin/read_origin.hpp"
 #include "analyzer/status/thumbnail_place.hpp"
 #include "base/media/colour.hpp"
 #include "base/state/catalogue.hpp"
@@ -9,6 +10,7 @@
 #include "base/state/tapestry.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace vitrine::analyzer {
@@ -23,6 +25,10 @@ MediaRecord AnalysedFile::stamped(MediaRecord record) const {
     record.bytes = file_.bytes();
     record.mtime_ns = file_.mtime_ns();
     return record;
+}
+
+MediaOrigin AnalysedFile::origin() const {
+    return read_origin(file_.name(), file_.mtime_ns(), std::chrono::system_clock::now());
 }
 
 std::unique_ptr<FrameSource> AnalysedFile::open() const {

@@ -30,6 +30,9 @@ class AnalysedFile {
     /// The same record with path, bytes and mtime of the file.
     MediaRecord stamped(MediaRecord record) const;
 
+    /// Tells when it was taken. Reads it: call it in the sandbox.
+    MediaOrigin origin() const;
+
     /// Opens it from its first frame. @throws MediaError where it cannot be read
     std::unique_ptr<FrameSource> open() const;
 

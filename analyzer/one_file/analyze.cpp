@@ -4,6 +4,7 @@
 #include "analyzer/film/shot_detector.hpp"
 #include "analyzer/one_file/between_shots.hpp"
 #include "analyzer/one_file/frame_search.hpp"
+#include "analyzer/one_file/picture_print.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "analyzer/saliency/take_parts.hpp"
 #include "base/state/media_error.hpp"
@@ -172,6 +173,17 @@ bool follows(const FilmFrame& frame, const FilmFrame& last) {
     return frame.time > last.time && frame.picture.size() == last.picture.size();
 }
 
+/// The picture within its bars.
+cv::Mat seen_part(const FilmFrame& frame, const ActivePictureFinder& bars) {
+    const cv::Rect part = bars.newest() & cv::Rect({0, 0}, frame.picture.size());
+    return part.empty() ? frame.picture : frame.picture(part);
+}
+
+void close_photo(ShotWriter& writer, Sampler& sampler, const FilmFrame& photo, MediaRecord& record) {
+    writer.close({}, sampler);
+    if (!record.shots.empty()) record.shots.front().print = print_of(seen_part(photo, sampler.bars()));
+}
+
 nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interval) {
     if (interval > nanoseconds(0)) return last + interval;
     return std::max(info.duration, last + usual_interval);
@@ -187,14 +199,15 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
                        .state = MediaState::ready,
                        .width = info.width,
                        .height = info.height,
-                       .duration = info.duration};
+                       .duration = info.duration,
+                       .origin = info.origin};
     std::optional<FilmFrame> frame = source.next();
     if (!frame) throw MediaError(MediaState::failed, "it holds no picture that can be decoded");
     Sampler sampler(settings, static_cast<bool>(observer), info.kind);
     ShotWriter writer(record, settings, observer, grown);
     sampler.push(*frame, writer.samples());
     if (info.kind == MediaKind::photo) {
-        writer.close({}, sampler);
+        close_photo(writer, sampler, *frame, record);
         return record;
     }
     ShotDetector detector;

@@ -39,11 +39,12 @@ namespace {
 /// Runs one task before each frame of a source and another with the frame.
 class ObservedSource : public FrameSource {
   public:
-    ObservedSource(FrameSource& source, std::function<void()> before,
+    /// @param info  that of the source, with the origin
+    ObservedSource(FrameSource& source, MediaInfo info, std::function<void()> before,
                    std::function<void(const FilmFrame&)> with)
-        : source_(source), before_(std::move(before)), with_(std::move(with)) {}
+        : source_(source), info_(std::move(info)), before_(std::move(before)), with_(std::move(with)) {}
 
-    const MediaInfo& info() const override { return source_.info(); }
+    const MediaInfo& info() const override { return info_; }
 
     std::optional<FilmFrame> next() override {
         before_();
@@ -54,6 +55,7 @@ class ObservedSource : public FrameSource {
 
   private:
     FrameSource& source_;  // outlives this
+    MediaInfo info_;
     std::function<void()> before_;
     std::function<void(const FilmFrame&)> with_;
 };
@@ -133,8 +135,10 @@ class FileAnalysis {
             require_whole_packets(file_.media().name(), media_format(file_.media().name()));
         const std::unique_ptr<FrameSource> source = file_.open();
         begin_outputs(source->info());
+        MediaInfo info = source->info();
+        info.origin = file_.origin();
         ObservedSource observed(
-            *source, [this] { report_places(); },
+            *source, std::move(info), [this] { report_places(); },
             [this](const FilmFrame& frame) {
                 if (events_.progressed) events_.progressed();
                 if (thumbnail_) thumbnail_->add_frame(frame);

@@ -1,11 +1,23 @@
 #include "analyzer/watch/schedule.hpp"
 
+#include "base/hints/notice.hpp"
+
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace vitrine::analyzer {
 
 using std::chrono::nanoseconds;
+
+namespace {
+
+/// Files with larger numbers are analysed first: those of notices, then the newest.
+std::int64_t turn_of(const std::string& path, const FileFacts& facts) {
+    return notice_named(path) ? std::numeric_limits<std::int64_t>::max() : facts.mtime_ns;
+}
+
+}  // namespace
 
 Schedule::Schedule(const Pace& pace) : pace_(pace) {
     assert(pace.children >= 1);
@@ -89,9 +101,9 @@ void Schedule::settle_file(const std::string& path, Entry& entry, nanoseconds de
 /// The only place where a phase changes: looks_ and due_ follow.
 void Schedule::enter_phase(const std::string& path, Entry& entry, Phase phase) {
     looks_.erase({entry.look_at, path});
-    due_.erase({entry.facts.mtime_ns, path});
+    due_.erase({turn_of(path, entry.facts), path});
     entry.phase = phase;
-    if (phase == Phase::due) due_.emplace(entry.facts.mtime_ns, path);
+    if (phase == Phase::due) due_.emplace(turn_of(path, entry.facts), path);
 }
 
 void Schedule::lose_file(const std::string& path, Time now) {
@@ -161,15 +173,16 @@ std::vector<Action> Schedule::next_actions(Time now) {
 }
 
 /// Newest first: its operator waits for the file that was just dropped. A photo does not wait for a film that
-/// takes minutes.
+/// takes minutes, and a notice for nothing.
 void Schedule::start_due_files() {
-    for (auto it = due_.rbegin(); it != due_.rend() && slots_.size() <= pace_.children;) {
+    for (auto it = due_.rbegin(); it != due_.rend() && slots_.size() <= pace_.children + 1;) {
         const std::string path = it->second;
         ++it;
         if (slots_.contains(path)) continue;  // the stopped one is not gone yet
         Entry& entry = entries_.at(path);
         const bool is_small = entry.facts.bytes <= pace_.small_bytes;
-        if (slots_.size() >= pace_.children + (is_small ? 1 : 0)) continue;
+        const std::size_t more = notice_named(path) ? 2 : is_small ? 1 : 0;
+        if (slots_.size() >= pace_.children + more) continue;
         it = std::make_reverse_iterator(due_.erase(it.base()));
         entry.phase = Phase::running;
         slots_.begin(path);

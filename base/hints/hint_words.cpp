@@ -1,7 +1,7 @@
 #include "base/hints/hint_words.hpp"
 
-#include "base/hints/hint_times.hpp"
-#include "base/settings/dates.hpp"
+#include "base/calendar/dates.hpp"
+#include "base/calendar/day_times.hpp"
 
 #include <fmt/format.h>
 

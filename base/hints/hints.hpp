@@ -1,29 +1,12 @@
 #pragma once
 
-#include "base/hints/weekdays.hpp"
+#include "base/calendar/day_times.hpp"
+#include "base/calendar/weekdays.hpp"
 
 #include <chrono>
 #include <optional>
-#include <set>
 
 namespace vitrine {
-
-/// Days from first to last, both included; a missing side is open.
-struct Period {
-    std::optional<std::chrono::local_days> first;
-    std::optional<std::chrono::local_days> last;
-
-    bool operator==(const Period&) const = default;
-};
-
-/// A time of the day, [from, to) after midnight, at most 24 h. If `to` is not later than `from`, it is a time
-/// of the next day.
-struct Hours {
-    std::chrono::minutes from{0};
-    std::chrono::minutes to{0};
-
-    bool operator==(const Hours&) const = default;
-};
 
 /// The operator's wishes for a file or folder, from its name or from a folder's `.vitrine.toml`. A member
 /// without a value was not given. Each member has one entry in the table of hint_words.cpp.
@@ -39,9 +22,6 @@ struct Hints {
 
     bool is_scheduled() const { return period || hours || weekdays; }
 };
-
-/// Days that count as Sundays.
-using Holidays = std::set<std::chrono::local_days>;
 
 /// Tells if a file with these hints may be shown now. All times are local civil time: hours that daylight
 /// saving repeats count twice, and hours that it skips never come. Hours over midnight belong to the day on

@@ -84,12 +84,36 @@ void straighten(std::uint8_t* row, int width) {
             row[i] = static_cast<std::uint8_t>(std::min(255, (row[i] * 255 + row[3] / 2) / row[3]));
 }
 
-HeifPicture decode_heif(PhotoFile& file) {
-    const Context context(heif_context_alloc());
+Context opened(PhotoFile& file) {
+    Context context(heif_context_alloc());
     if (!context) throw std::bad_alloc();
     heif_context_set_max_decoding_threads(context.get(), 0);  // in this thread
     heif_context_set_maximum_image_size_limit(context.get(), max_still_side);
     require(heif_context_read_from_reader(context.get(), &photo_reader, &file, nullptr));
+    return context;
+}
+
+/// The place of the TIFF header comes first, in four bytes.
+std::vector<std::byte> exif_of(PhotoFile& file) {
+    constexpr std::size_t max_exif = std::size_t{1} << 20;  // bytes
+    constexpr std::size_t head = 4;
+    const Context context = opened(file);
+    const ImageHandle picture = main_picture(context.get());
+    heif_item_id block = 0;
+    if (heif_image_handle_get_list_of_metadata_block_IDs(picture.get(), "Exif", &block, 1) != 1) return {};
+    std::vector<std::byte> bytes(heif_image_handle_get_metadata_size(picture.get(), block));
+    if (bytes.size() <= head || bytes.size() > max_exif) return {};
+    require(heif_image_handle_get_metadata(picture.get(), block, bytes.data()));
+    std::size_t skipped = 0;
+    for (std::size_t i = 0; i < head; ++i)
+        skipped = skipped << 8U | std::to_integer<std::size_t>(bytes[i]);
+    if (skipped >= bytes.size() - head) return {};
+    bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(head + skipped));
+    return bytes;
+}
+
+HeifPicture decode_heif(PhotoFile& file) {
+    const Context context = opened(file);
     const ImageHandle source = main_picture(context.get());
     HeifPicture picture;
     picture.channels = heif_image_handle_has_alpha_channel(source.get()) != 0 ? 4 : 3;
@@ -117,16 +141,25 @@ HeifPicture decode_heif(PhotoFile& file) {
     return picture;
 }
 
-}  // namespace
-
-HeifPicture read_heif(const std::string& path) {
+/// A fault of the file's transport counts before what libheif makes of it.
+template <typename Read> auto read_with(const std::string& path, const Read& read) {
     PhotoFile file(path);
     try {
-        return decode_heif(file);
+        return read(file);
     } catch (const MediaError&) {
         file.throw_fault();
         throw;
     }
+}
+
+}  // namespace
+
+HeifPicture read_heif(const std::string& path) {
+    return read_with(path, decode_heif);
+}
+
+std::vector<std::byte> heif_exif(const std::string& path) {
+    return read_with(path, exif_of);
 }
 
 }  // namespace vitrine

@@ -31,4 +31,8 @@ struct HeifPicture {
 /// picture.hpp by its header
 HeifPicture read_heif(const std::string& path);
 
+/// The EXIF of the main picture, beginning with its TIFF header; empty: it has none. Decodes nothing.
+/// @throws MediaError as read_heif()
+std::vector<std::byte> heif_exif(const std::string& path);
+
 }  // namespace vitrine

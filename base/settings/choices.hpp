@@ -59,6 +59,7 @@ enum class ShotOrder {
     shuffle,
     name,    // by path
     newest,  // by modification time, the newest first
+    taken,   // by the time at which the camera took them, the earliest first
 };
 
 /// The place of a film with several shots on the wall (show.film).

@@ -1,8 +1,9 @@
 #include "base/settings/setting_keys.hpp"
 
+#include "base/calendar/dates.hpp"
+#include "base/calendar/day_windows.hpp"
 #include "base/media/colour.hpp"
 #include "base/settings/canvas_words.hpp"
-#include "base/settings/dates.hpp"
 #include "base/settings/output_words.hpp"
 
 #include <algorithm>
@@ -245,11 +246,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "touch; "
      "layout.slots counts folders and files. \"flat\": folders are ignored."},
     {"show.order",
-     choice<&S::show, &S::Show::order>(
-         {{{"shuffle", ShotOrder::shuffle}, {"name", ShotOrder::name}, {"newest", ShotOrder::newest}}}),
+     choice<&S::show, &S::Show::order>({{{"shuffle", ShotOrder::shuffle},
+                                         {"name", ShotOrder::name},
+                                         {"newest", ShotOrder::newest},
+                                         {"taken", ShotOrder::taken}}}),
      SettingEffect::new_walls,
-     "Order in which shots take their turn: \"shuffle\", \"name\" or \"newest\". New files always come "
-     "first."},
+     "Order in which shots take their turn: \"shuffle\", \"name\", \"newest\" by the file's time, or "
+     "\"taken\" by the time that the camera wrote, the earliest first. New files always come first."},
     {"show.film",
      choice<&S::show, &S::Show::film>({{{"auto", FilmShow::automatic},
                                         {"side_by_side", FilmShow::side_by_side},
@@ -288,6 +291,10 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Dates that count as Sundays for hints of weekdays: on a holiday, what is hinted \"Mo-Fr\" is not "
      "shown, "
      "and what is hinted \"Sat,Sun\" is. \"2026-12-25, 2026-12-26\": these two."},
+    {"show.on_this_day", flag<&S::show, &S::Show::on_this_day>(), SettingEffect::restart,
+     "true: files that were taken on this day in other years come first in each round, whatever show.order "
+     "says. "
+     "The time that the camera wrote counts, where it was taken."},
     {"input.devices",
      text<&S::input, &S::Input::devices>(
          "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",
@@ -359,6 +366,27 @@ constexpr auto keys = std::to_array<SettingKey>({
      "size. What matters in a picture never rests behind a bezel. All other displays show the whole wall. "
      "Empty: "
      "each display shows the whole wall. `vitrinectl canvas` helps to place them."},
+    {"output.on",
+     text<&S::output, &S::Output::on>(
+         "hours like \"Mo-Fr 08:00-18:30, Sat 10-14\", or nothing",
+         [](const std::string& value) { return day_windows_named(value).has_value(); }),
+     SettingEffect::restart,
+     "Hours at which the displays are on: \"08-18\", \"Mo-Fr 08:00-18:30, Sat 10-14\", \"20:00-02:00\". "
+     "Outside "
+     "they are really off, and show nothing. Hours over midnight belong to the day on which they start; a "
+     "date "
+     "of show.holidays counts as a Sunday. As long as the clock is not plausible, they are on. Empty: "
+     "always."},
+    {"output.awake_minutes", whole<&S::output, &S::Output::awake>(1, 1440), SettingEffect::restart,
+     "Minutes for which a touch or a key turns the displays on outside output.on."},
+    {"output.dim",
+     text<&S::output, &S::Output::dim>(
+         "hours with a share like \"20:00-06:00 40%\", or nothing",
+         [](const std::string& value) { return dim_windows_named(value).has_value(); }),
+     SettingEffect::restart,
+     "Hours at which the picture is darker, with the share of its light: \"20:00-06:00 40%, Sun 18-20 60%\". "
+     "The "
+     "first that holds counts. The picture changes slowly. Empty: never."},
     {"output.frame_rate", whole<&S::output, &S::Output::frame_rate>(1, 240), SettingEffect::restart,
      "Limit of the frames that are drawn in a second."},
     {"output.decoders",

@@ -22,6 +22,10 @@ std::int64_t count_of(std::chrono::milliseconds value) {
     return value.count();
 }
 
+std::int64_t count_of(std::chrono::minutes value) {
+    return value.count();
+}
+
 std::int64_t count_of(std::chrono::seconds value) {
     return value.count();
 }
@@ -71,6 +75,7 @@ template <typename T> std::string WholeSetting<T>::text(const Settings& settings
 
 template struct WholeSetting<int>;
 template struct WholeSetting<std::int64_t>;
+template struct WholeSetting<std::chrono::minutes>;
 template struct WholeSetting<std::chrono::seconds>;
 template struct WholeSetting<std::chrono::milliseconds>;
 

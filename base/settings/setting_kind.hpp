@@ -107,9 +107,10 @@ struct FlagSetting {
     void copy(const Settings& from, Settings& to) const { place(to) = place(writable(from)); }
 };
 
-using SettingKind = std::variant<WholeSetting<int>, WholeSetting<std::int64_t>,
-                                 WholeSetting<std::chrono::seconds>, WholeSetting<std::chrono::milliseconds>,
-                                 NumberSetting, TextSetting, ChoiceSetting, FlagSetting>;
+using SettingKind =
+    std::variant<WholeSetting<int>, WholeSetting<std::int64_t>, WholeSetting<std::chrono::minutes>,
+                 WholeSetting<std::chrono::seconds>, WholeSetting<std::chrono::milliseconds>, NumberSetting,
+                 TextSetting, ChoiceSetting, FlagSetting>;
 
 // Makers of kinds for a table of keys: whole<&Settings::layout, &Settings::Layout::slots>(1, 64).
 

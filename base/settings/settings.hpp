@@ -90,7 +90,8 @@ struct Settings {
         bool photo_drift = false;  // photos move slowly inside their cells
         double pan_speed = 30;     // canvas px a second
         std::string background = "#101014";
-        std::string holidays;  // dates_named()
+        std::string holidays;      // dates_named()
+        bool on_this_day = false;  // files taken on this day in other years come first
     } show;
 
     struct Input {
@@ -101,12 +102,15 @@ struct Settings {
     } input;
 
     struct Output {
-        std::string screen = "kms";  // a kind of display with its argument; setting_keys.cpp has all
-        std::string mode;            // modes_named()
-        int rotation = 0;            // degrees clockwise: 0, 90, 180 or 270
-        std::string margins;         // margins_named()
-        std::string folders;         // output_folders_named()
-        std::string canvas;          // canvas_named(); empty: each output shows the whole wall
+        std::string screen = "kms";      // a kind of display with its argument; setting_keys.cpp has all
+        std::string mode;                // modes_named()
+        int rotation = 0;                // degrees clockwise: 0, 90, 180 or 270
+        std::string margins;             // margins_named()
+        std::string folders;             // output_folders_named()
+        std::string canvas;              // canvas_named(); empty: each output shows the whole wall
+        std::string on;                  // day_windows_named(); empty: always
+        std::chrono::minutes awake{10};  // after a touch outside these hours
+        std::string dim;                 // dim_windows_named(); empty: never
         int frame_rate = 30;
         DecoderChoice decoders = DecoderChoice::automatic;
         KmsApi api = KmsApi::best;

@@ -3,6 +3,8 @@
 #include "base/geometry/box.hpp"
 #include "base/geometry/polygon.hpp"
 #include "base/state/fault.hpp"
+#include "base/state/media_origin.hpp"
+#include "base/state/picture_print.hpp"
 #include "base/state/shot_look.hpp"
 #include "base/state/stored_shot.hpp"
 
@@ -54,19 +56,21 @@ struct Stretch {
 };
 
 struct Shot {
-    /// 2: bars are searched, and lines of text. A record says nothing of earlier ones.
-    static constexpr int current_analysis = 2;
+    /// 2: bars are searched, and lines of text. 3: a photo's print, and when a medium was taken. A record
+    /// says nothing of earlier ones.
+    static constexpr int current_analysis = 3;
 
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
     std::chrono::nanoseconds end{0};
     ShotEnd ends_with = ShotEnd::end;
     IRegion region;
-    bool is_title = false;             // words on a plain ground; its region holds all of them
-    std::optional<double> certainty;   // [0, 1], of the network that knows things; none: it was not asked
-    std::optional<ShotLook> look;      // of a picture in its middle; none: an earlier analysis found it
-    std::optional<Box> picture;        // px of the upright picture within its bars; none: it has no bars
-    std::optional<StoredShot> stored;  // the file to play; none: the medium itself, or not made yet
-    int analysis = current_analysis;   // the version of the analysis that found it
+    bool is_title = false;              // words on a plain ground; its region holds all of them
+    std::optional<double> certainty;    // [0, 1], of the network that knows things; none: it was not asked
+    std::optional<ShotLook> look;       // of a picture in its middle; none: an earlier analysis found it
+    std::optional<PicturePrint> print;  // of a photo; none: an earlier analysis found it
+    std::optional<Box> picture;         // px of the upright picture within its bars; none: it has no bars
+    std::optional<StoredShot> stored;   // the file to play; none: the medium itself, or not made yet
+    int analysis = current_analysis;    // the version of the analysis that found it
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
@@ -91,6 +95,7 @@ struct MediaRecord {
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
     std::vector<Stretch> between;          // all of a film that is no shot, in time order; none: not told
+    MediaOrigin origin;                    // when it was taken
     std::optional<StoredSound> sound;      // for a film whose sound may be played; none: it is not stored
 
     bool operator==(const MediaRecord&) const = default;

@@ -40,6 +40,8 @@ constexpr Names<ShotEnd, 5> ends{{{ShotEnd::cut, "cut"},
                                   {ShotEnd::end, "end"},
                                   {ShotEnd::split, "split"}}};
 
+constexpr Names<TimeSource, 3> time_sources{
+    {{TimeSource::camera, "camera"}, {TimeSource::camera_clock, "camera_clock"}, {TimeSource::file, "file"}}};
 constexpr Names<StretchKind, 3> stretches{
     {{StretchKind::transition, "transition"}, {StretchKind::plain, "plain"}, {StretchKind::empty, "empty"}}};
 
@@ -145,6 +147,10 @@ Json to_object(const Shot& shot) {
     if (shot.is_title) json["title"] = true;
     if (shot.certainty) json["certainty"] = rounded(*shot.certainty);
     if (shot.look) json["look"] = text_of(*shot.look);
+    if (shot.print) {
+        json["print"] = text_of(*shot.print);
+        json["sharpness"] = rounded(shot.print->sharpness);
+    }
     if (shot.picture)
         json["picture"] = Json::array({to_array(shot.picture->min), to_array(shot.picture->max)});
     if (shot.stored) json["stored"] = to_object(*shot.stored);
@@ -165,6 +171,10 @@ Shot to_shot(const Json& json) {
     if (json.contains("title")) shot.is_title = json["title"].get<bool>();
     if (json.contains("certainty")) shot.certainty = std::clamp(json["certainty"].get<double>(), 0.0, 1.0);
     if (json.contains("look")) shot.look = look_from_text(json["look"].get<std::string>());
+    if (json.contains("print")) {
+        shot.print = print_from_text(json["print"].get<std::string>());
+        shot.print->sharpness = json.at("sharpness").get<double>();
+    }
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);
@@ -191,6 +201,34 @@ std::vector<Stretch> to_stretches(const Json& json) {
     return result;
 }
 
+Json to_object(const TimeTaken& taken) {
+    return {{"at_ms", taken.at.time_since_epoch().count()},
+            {"zone_minutes", taken.zone.count()},
+            {"by", name_in(time_sources, taken.source)}};
+}
+
+TimeTaken to_taken(const Json& json) {
+    using std::chrono::milliseconds;
+    constexpr std::int64_t max_time = std::int64_t{1} << 50;  // ms; 35,000 years
+    constexpr int max_zone = 24 * 60;                         // minutes
+    const TimeTaken taken{
+        .at = std::chrono::sys_time<milliseconds>(milliseconds(whole<std::int64_t>(json, "at_ms"))),
+        .zone = std::chrono::minutes(whole<int>(json, "zone_minutes")),
+        .source = value_in(time_sources, json, "by")};
+    if (std::abs(taken.at.time_since_epoch().count()) > max_time || std::abs(taken.zone.count()) > max_zone)
+        throw std::runtime_error("record: a time is out of range");
+    return taken;
+}
+
+MediaOrigin to_origin(const Json& json) {
+    MediaOrigin origin;
+    if (json.contains("taken")) origin.taken = to_taken(json["taken"]);
+    if (json.contains("content_id")) origin.content_id = json["content_id"].get<std::string>();
+    if (!origin.content_id.empty() && !is_content_id(origin.content_id))
+        throw std::runtime_error("record: 'content_id' is no identifier");
+    return origin;
+}
+
 MediaRecord to_record(const Json& json) {
     const int version = whole<int>(json, "version");
     if (version != MediaRecord::current_version)
@@ -213,6 +251,7 @@ MediaRecord to_record(const Json& json) {
     for (const Json& shot : json.at("shots"))
         record.shots.push_back(to_shot(shot));
     if (json.contains("between")) record.between = to_stretches(json["between"]);
+    record.origin = to_origin(json);
     if (json.contains("sound")) record.sound = to_sound(json["sound"]);
     return record;
 }
@@ -251,6 +290,8 @@ std::string to_json(const MediaRecord& record) {
         json["between"].push_back(to_object(stretch));
     if (record.inode != 0) json["inode"] = record.inode;
     if (record.fault != Fault{}) json["fault"] = to_object(record.fault);
+    if (record.origin.taken) json["taken"] = to_object(*record.origin.taken);
+    if (!record.origin.content_id.empty()) json["content_id"] = record.origin.content_id;
     if (record.sound) json["sound"] = to_object(*record.sound);
     if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -43,12 +43,20 @@ constexpr std::array words{
           "It has days or hours, and the machine's clock is not plausible yet", ": it is shown "},
     Words{Visibility::out_of_hours, "out_of_hours", "out of hours", "It is out of its hours",
           ": it is shown "},
+    Words{Visibility::notice_over, "notice_over", "of notices that are over",
+          "Its notice is over; rename its folder to show it again", ": "},
+    Words{Visibility::covered, "covered", "covered by a notice", "A notice is shown in place of everything",
+          ": "},
     Words{Visibility::other_folder, "other_folder", "in the folder of another screen",
           "No connected screen shows its folder", ": "},
+    Words{Visibility::screens_off, "screens_off", "ready while the displays are off",
+          "It may be shown, but the displays are off at this hour, or another program has them", ": "},
     Words{Visibility::closed_folder, "closed_folder", "in a folder that is closed",
           "A visitor looks into another folder", ": "},
     Words{Visibility::avoided, "avoided", "left out for a minute",
           "The wall leaves it out for a minute: it could not be played, or a visitor flicked it away", "; "},
+    Words{Visibility::in_group, "in_group", "one with a file on the wall",
+          "Another picture of the same take hangs, and it takes its place in turn", ": "},
     Words{Visibility::waits_for_turn, "waits_for_turn", "waiting for their turn",
           "It is ready and waits for its turn", "; "},
     Words{Visibility::on_wall, "on_wall", "on the wall", "It is on the wall", "; "}};
@@ -71,7 +79,8 @@ FileVisibility file_of(const Json& json) {
 }  // namespace
 
 bool may_be_shown(Visibility visibility) {
-    return visibility == Visibility::waits_for_turn || visibility == Visibility::on_wall;
+    return visibility == Visibility::waits_for_turn || visibility == Visibility::in_group ||
+           visibility == Visibility::on_wall;
 }
 
 const char* name_of(Visibility visibility) {

@@ -23,9 +23,13 @@ enum class Visibility {
     dismissed,       // vitrinectl took it off the wall
     no_clock,        // it has days or hours, but the clock is not plausible yet
     out_of_hours,    // it has days or hours, and now is outside
+    notice_over,     // its notice has had its time
+    covered,         // a notice covers the walls
     other_folder,    // no connected screen shows its folder
+    screens_off,     // no display shows anything: it is off at this hour, or another program has it
     closed_folder,   // a visitor looks into another folder
     avoided,         // left out for a minute: it could not be played, or a visitor flicked it away
+    in_group,        // another file hangs that is one with it, such as a frame of the same burst
     waits_for_turn,  // it may be shown, but other files are shown now
     on_wall          // it is shown now
 };

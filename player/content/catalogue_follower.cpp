@@ -79,7 +79,7 @@ void CatalogueFollower::follow_news() {
     if (news->change.is_empty()) return;
     records_ = std::move(news->records);
     counts_ = std::move(news->counts);
-    call_(news->change, records_);
+    call_(news->change, records_, news->groups);
 }
 
 }  // namespace vitrine::player

@@ -20,7 +20,8 @@ namespace vitrine::player {
 /// yet, the follower waits for it. Logs.
 class CatalogueFollower {
   public:
-    using Call = std::function<void(const CatalogueChange& change, const RecordList& records)>;
+    using Call = std::function<void(const CatalogueChange& change, const RecordList& records,
+                                    const GroupList& groups)>;
 
     /// @param loop  outlives this
     /// @param call  called on each change; the first time by this constructor

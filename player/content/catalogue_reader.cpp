@@ -1,5 +1,6 @@
 #include "player/content/catalogue_reader.hpp"
 
+#include "base/hints/notice.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/atomic_file.hpp"
 
@@ -16,6 +17,15 @@ namespace {
 
 template <typename T> void append(std::vector<T>& to, std::vector<T>& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// All of its pictures must be visible.
+void show_whole(MediaRecord& record) {
+    for (Shot& shot : record.shots) {
+        const Box all = active_picture(record, shot);
+        shot.region = {.polygon = {all.min, {all.max.x, all.min.y}, all.max, {all.min.x, all.max.y}},
+                       .drift = {}};
+    }
 }
 
 /// Adds what was read later to news that nobody has fetched yet.
@@ -118,6 +128,7 @@ CatalogueNews CatalogueReader::read(Request request) {
     update_list(before, after);
     news.change = change_between(RecordList(std::move(before)), RecordList(std::move(after)));
     news.records = list_;
+    news.groups = groups_.groups();
     news.counts = counts_;
     return news;
 }
@@ -133,6 +144,7 @@ void CatalogueReader::update_list(const Records& before, const Records& after) {
         changes[record->path] = record;
     }
     list_.apply(changes);
+    groups_.set_files(list_);
 }
 
 /// One unreadable record never hides the others.
@@ -141,9 +153,10 @@ RecordList::Record CatalogueReader::read_record(const std::string& name, Catalog
     std::error_code unknown;
     if (!fs::exists(file, unknown)) return nullptr;
     try {
-        auto record = std::make_shared<const MediaRecord>(record_from_json(read_file(file)));
+        MediaRecord record = record_from_json(read_file(file));
         unreadable_.erase(name);
-        return record;
+        if (notice_named(record.path)) show_whole(record);
+        return std::make_shared<const MediaRecord>(std::move(record));
     } catch (const std::runtime_error& error) {  // damaged, or replaced just now
         if (unreadable_.insert(name).second) news.unreadable.emplace(file.string(), error.what());
         return nullptr;

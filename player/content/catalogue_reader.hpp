@@ -2,6 +2,7 @@
 
 #include "base/state/catalogue.hpp"
 #include "player/content/catalogue_change.hpp"
+#include "player/scene/files/file_groups.hpp"
 #include "player/scene/files/show_files.hpp"
 
 #include <condition_variable>
@@ -20,6 +21,7 @@ namespace vitrine::player {
 /// The catalogue at one moment, and the way to it.
 struct CatalogueNews {
     RecordList records;  // all, ordered by path
+    GroupList groups;    // of these
     CatalogueChange change;
     std::map<MediaState, std::size_t> counts;
     std::map<std::string, std::string> unreadable;  // new ones: file -> reason
@@ -71,6 +73,7 @@ class CatalogueReader {
     std::map<std::string, RecordList::Record>
         records_;                               // by the name of the file; only the reader's thread uses it
     RecordList list_;                           // likewise: the same records by path
+    FileGroups groups_;                         // likewise
     std::map<MediaState, std::size_t> counts_;  // likewise
     std::set<std::string> unreadable_;          // likewise
     std::mutex mutex_;

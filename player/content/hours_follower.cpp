@@ -11,13 +11,18 @@ namespace vitrine::player {
 
 namespace fs = std::filesystem;
 
-HoursFollower::HoursFollower(const fs::path& state, Holidays holidays)
-    : file_(state / "hints.json"), hours_(std::move(holidays)), calendar_(state / "catalogue") {}
+HoursFollower::HoursFollower(const fs::path& state, const ShowDays& days)
+    : file_(state / "hints.json"),
+      hours_(days.holidays),
+      calendar_(state / "catalogue"),
+      on_this_day_(days.on_this_day) {}
 
 bool HoursFollower::look(std::optional<std::chrono::local_seconds> rehearsed) {
     read_folders();
     const auto now = rehearsed ? rehearsed : calendar_.now();
     has_time_ = now.has_value();
+    today_.reset();
+    if (now && on_this_day_) today_ = std::chrono::floor<std::chrono::days>(*now);
     const bool is_other = hours_.advance(now);
     if (hours_.has_hours()) log_clock();
     return is_other;

@@ -13,13 +13,18 @@
 
 namespace vitrine::player {
 
+/// The days that matter to the files.
+struct ShowDays {
+    Holidays holidays{};       // count as Sundays
+    bool on_this_day = false;  // files taken on this day in other years come first
+};
+
 /// Follows the clock and STATE/hints.json, in which the analyzer writes the hints of folders, and tells which
 /// files may be shown now. Logs.
 class HoursFollower {
   public:
     /// @param state     the state directory
-    /// @param holidays  count as Sundays
-    HoursFollower(const std::filesystem::path& state, Holidays holidays);
+    HoursFollower(const std::filesystem::path& state, const ShowDays& days);
 
     void set_files(const RecordList& files) { hours_.set_files(files); }
 
@@ -37,6 +42,10 @@ class HoursFollower {
     /// False: the clock is not plausible yet.
     bool has_time() const { return has_time_; }
 
+    /// The day whose files of other years come first. None: it does not matter, or the clock is not plausible
+    /// yet.
+    std::optional<std::chrono::local_days> today() const { return today_; }
+
     /// "from 20:00 to 21:00"; empty: the file has no times.
     std::string hours_of(const std::string& path) const;
 
@@ -52,6 +61,8 @@ class HoursFollower {
     std::optional<Version> read_;  // the version that was read
     OpeningHours hours_;
     Calendar calendar_;
+    bool on_this_day_;
+    std::optional<std::chrono::local_days> today_;
     bool has_time_ = false;
     std::optional<bool> logged_time_;  // has_time_ in the last log line
 };

@@ -6,7 +6,8 @@ namespace vitrine::player {
 
 bool has_passed_filters(Visibility visibility) {
     return may_be_shown(visibility) || visibility == Visibility::other_folder ||
-           visibility == Visibility::closed_folder || visibility == Visibility::avoided;
+           visibility == Visibility::screens_off || visibility == Visibility::closed_folder ||
+           visibility == Visibility::avoided;
 }
 
 bool JudgedFiles::judge(const std::set<std::string>& paths, const RecordList& records) {

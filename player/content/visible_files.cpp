@@ -22,12 +22,17 @@ bool is_same_content(const MediaRecord& a, const MediaRecord& b) {
     return a.path == b.path && a.bytes == b.bytes && a.mtime_ns == b.mtime_ns;
 }
 
+std::chrono::sys_seconds clock() {
+    return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
 bool is_in(const std::string& path, const std::string& folder) {
     return folder.empty() || path.starts_with(folder + "/");
 }
 
 /// The last filters: is the file's folder shown on a screen, and does that screen choose the file?
 Visibility judge_folder(const WallContent& content, const std::string& path) {
+    if (content.is_off) return Visibility::screens_off;
     const auto is_shown = [&](const ShownFolder& shown) { return is_in(path, shown.folder); };
     const auto is_open = [&](const ShownFolder& shown) {
         return is_shown(shown) && is_in(path, shown.opened);
@@ -68,12 +73,13 @@ void log_change(const CatalogueChange& change) {
 
 }  // namespace
 
-VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Holidays& holidays,
+VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const ShowDays& days,
                            const Rehearsal* rehearsal, std::function<void()> on_change)
     : rehearsal_(rehearsal),
       on_change_(std::move(on_change)),
       crash_note_(state),
-      hours_(state, holidays),
+      notices_(rehearsal == nullptr ? state / "notices" : fs::path()),
+      hours_(state, days),
       judged_([this](const MediaRecord& file) {
           FileVisibility judged = judge_file(file);
           if (may_be_shown(judged.visibility)) judged.visibility = judge_folder(content_, file.path);
@@ -81,7 +87,8 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const Holiday
       }),
       note_(rehearsal == nullptr ? state / visible_file : fs::path()),
       follower_(loop, Catalogue(state / "catalogue"),
-                [this](const CatalogueChange& change, const RecordList& records) {
+                [this](const CatalogueChange& change, const RecordList& records, const GroupList& groups) {
+                    hints_.groups = groups;
                     follow_catalogue(change, records);
                 }) {}
 
@@ -99,15 +106,16 @@ FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
     if (dismissed_.contains(path)) return because(Visibility::dismissed);
     if (!is_open && !hours_.has_time()) return because(Visibility::no_clock, hours_.hours_of(path));
     if (!is_open) return because(Visibility::out_of_hours, hours_.hours_of(path));
+    if (notices_.is_over(path)) return because(Visibility::notice_over);
+    if (notices_.is_covered(path)) return because(Visibility::covered, notices_.active());
     return because(Visibility::waits_for_turn);
 }
 
 FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
     FileVisibility judged = judge_file(file);
     if (!may_be_shown(judged.visibility)) return judged;
-    judged.visibility =
-        content_.files.contains(file.path) ? Visibility::on_wall : judge_folder(content_, file.path);
-    return judged;
+    judged.visibility = judge_folder(content_, file.path);
+    return seen_on(std::move(judged), content_.files, hints_.groups);
 }
 
 void VisibleFiles::follow_catalogue(const CatalogueChange& change, const RecordList& records) {
@@ -138,13 +146,19 @@ void VisibleFiles::apply_filters() {
 /// @param paths  none: all files
 void VisibleFiles::judge_again(std::optional<std::set<std::string>> paths) {
     const bool is_other_trial = crash_note_.set_files(ready_);
+    const bool is_other_notice = notices_.set_files(ready_, clock());
     hours_.set_files(ready_);
     (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
     std::set<std::string> by_hours = hours_.take_changed();
-    const bool has_other_hints = !by_hours.empty();
+    const auto today = hours_.today();
+    const bool has_other_hints = !by_hours.empty() || today != hints_.today;
+    GroupList groups = std::move(hints_.groups);
+    hints_ = hours_.hints();
+    hints_.groups = std::move(groups);
+    hints_.today = today;
     if (paths) paths->merge(by_hours);
-    const bool is_other =
-        is_other_trial || !paths ? judged_.judge_all(records_) : judged_.judge(*paths, records_);
+    const bool is_other = is_other_trial || is_other_notice || !paths ? judged_.judge_all(records_)
+                                                                      : judged_.judge(*paths, records_);
     tell_change(is_other || has_other_hints);
 }
 
@@ -164,20 +178,22 @@ void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
                         const std::function<WallContent()>& content) {
     if (time < next_look_) return;
     next_look_ = time + 1s;
-    if (hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt))
-        judge_again(std::set<std::string>{});
+    const bool is_other = hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
+    if (is_other || hours_.today() != hints_.today) judge_again(std::set<std::string>{});
+    if (notices_.look(clock())) apply_filters();
     set_content(content());
     std::set<ContentName> open;
     for (const std::string& path : content_.open)
         if (const RecordList::Record record = records_.find(path)) open.insert(content_name(*record));
     if (crash_note_.note_open(open, now)) apply_filters();
-    note_.write_if_due(now,
-                       [this] { return VisibleState{.files = judged_.all(), .on_wall = content_.files}; });
+    note_.write_if_due(now, [this] {
+        return VisibleState{.files = judged_.all(), .on_wall = content_.files, .groups = hints_.groups};
+    });
 }
 
 void VisibleFiles::set_content(WallContent content) {
     if (content == content_) return;
-    const bool has_other_folders = content.folders != content_.folders;
+    const bool has_other_folders = content.folders != content_.folders || content.is_off != content_.is_off;
     content_ = std::move(content);
     if (has_other_folders)
         tell_change(judged_.judge_all(records_));

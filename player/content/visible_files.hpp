@@ -5,6 +5,7 @@
 #include "player/content/crash_note.hpp"
 #include "player/content/hours_follower.hpp"
 #include "player/content/judged_files.hpp"
+#include "player/content/notices.hpp"
 #include "player/content/visible_note.hpp"
 
 #include <chrono>
@@ -34,6 +35,7 @@ struct WallContent {
     std::vector<ShownFolder> folders;  // empty: there is no screen
     std::set<std::string> files;       // paths of the files that are shown
     std::set<std::string> open;        // paths of the files that are read or played
+    bool is_off = false;               // the displays are off at this hour, or another program has them
 
     bool operator==(const WallContent&) const = default;
 };
@@ -47,17 +49,16 @@ class VisibleFiles {
     using Time = CrashNote::Time;
 
     /// @param state      the state directory
-    /// @param holidays   count as Sundays
     /// @param rehearsal  outlives this; none: there is no rehearsal
     /// @param on_change  called when other files may be shown; the first time by this constructor
-    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const Holidays& holidays,
+    VisibleFiles(EventLoop& loop, const std::filesystem::path& state, const ShowDays& days,
                  const Rehearsal* rehearsal, std::function<void()> on_change);
 
     /// The files that may be shown, ordered by path.
     const RecordList& records() const { return judged_.visible(); }
 
     /// The hints for showing the files.
-    const ShowHints& hints() const { return hours_.hints(); }
+    const ShowHints& hints() const { return hints_; }
 
     /// The number of files in each state of the analyzer.
     const std::map<MediaState, std::size_t>& counts() const { return follower_.counts(); }
@@ -109,7 +110,9 @@ class VisibleFiles {
     const Rehearsal* rehearsal_;
     std::function<void()> on_change_;
     CrashNote crash_note_;
+    Notices notices_;
     HoursFollower hours_;
+    ShowHints hints_;  // with the groups
     std::map<std::string, RecordList::Record> dismissed_;
     WallContent content_;
     std::chrono::nanoseconds next_look_{0};

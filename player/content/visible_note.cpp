@@ -32,9 +32,8 @@ std::string text_of(const VisibleState& state) {
     std::vector<FileVisibility> files;
     files.reserve(state.files.size());
     for (const JudgedFiles::List::Entry& file : state.files) {
-        files.push_back(*file);
-        if (has_passed_filters(file->visibility) && state.on_wall.contains(file->path))
-            files.back().visibility = Visibility::on_wall;
+        files.push_back(has_passed_filters(file->visibility) ? seen_on(*file, state.on_wall, state.groups)
+                                                             : *file);
     }
     return visible_json(files);
 }
@@ -51,6 +50,19 @@ bool write_state(const VisibleState& state, const fs::path& file) {
 }
 
 }  // namespace
+
+FileVisibility seen_on(FileVisibility file, const std::set<std::string>& on_wall, const GroupList& groups) {
+    if (on_wall.contains(file.path)) file.visibility = Visibility::on_wall;
+    if (file.visibility != Visibility::waits_for_turn) return file;
+    const GroupList::Entry entry = groups.find(file.path);
+    if (!entry) return file;
+    const auto hangs = std::ranges::find_if(
+        entry->group->photos, [&](const std::string& photo) { return on_wall.contains(photo); });
+    if (hangs == entry->group->photos.end()) return file;
+    file.visibility = Visibility::in_group;
+    file.detail = *hangs;
+    return file;
+}
 
 void VisibleNote::write_if_due(Time now, const Look& look) {
     if (file_.empty() || (looked_ && now - *looked_ < min_interval)) return;

@@ -72,4 +72,8 @@ AtomicRequest flip_request(const Output& output, const OutputProperties& propert
     return {{output.plane, property(properties.plane, "FB_ID"), frame_buffer}};
 }
 
+AtomicRequest off_request(const Output& output, const OutputProperties& properties) {
+    return {change(properties.crtc, output.crtc, "ACTIVE", 0)};
+}
+
 }  // namespace vitrine::player

@@ -42,4 +42,7 @@ AtomicRequest modeset_request(const Output& output, const OutputProperties& prop
 AtomicRequest flip_request(const Output& output, const OutputProperties& properties,
                            std::uint32_t frame_buffer);
 
+/// Turns the panel off: its signal ends. Mode and picture stay for modeset_request().
+AtomicRequest off_request(const Output& output, const OutputProperties& properties);
+
 }  // namespace vitrine::player

@@ -53,6 +53,18 @@ KmsScreen::KmsScreen(KmsSurface& surface, const Output& output, const Obstacles&
     if (surface.card.is_atomic()) properties_ = surface.card.properties(output);
 }
 
+// A flip that is under way is waited for by the card. A card that is busy or another's is asked again.
+void KmsScreen::turn_off() {
+    if (is_off_) return;
+    const Card& card = surface_.card;
+    const int error = card.is_atomic()
+                          ? card.commit(off_request(output_, properties_), DRM_MODE_ATOMIC_ALLOW_MODESET, 0)
+                          : -drmModeSetCrtc(card.fd(), output_.crtc, 0, 0, 0, nullptr, 0, nullptr);
+    if (error != 0) return;
+    state_.start_over();
+    is_off_ = true;
+}
+
 void KmsScreen::begin_frame() {
     scanout_->make_current();
 }
@@ -60,6 +72,7 @@ void KmsScreen::begin_frame() {
 // A card that has no room for another picture, or was pulled out, fails already when the drawing ends.
 void KmsScreen::present(std::chrono::nanoseconds) {
     assert(!state_.is_waiting());
+    if (std::exchange(is_off_, false)) awaited_since_ = std::chrono::steady_clock::now();
     try {
         show(scanout_->lock_front_buffer());
     } catch (const std::runtime_error& error) {
@@ -70,7 +83,7 @@ void KmsScreen::present(std::chrono::nanoseconds) {
 
 void KmsScreen::show(ScanoutBuffer buffer) {
     const bool comes_with_mode = state_.needs_mode();
-    const int error = comes_with_mode ? set_mode(buffer) : flip(buffer);
+    const int error = request(buffer, comes_with_mode);
     const Outcome outcome = comes_with_mode ? state_.mode_answered(error)
                                             : state_.flip_answered(error, std::chrono::steady_clock::now());
     presented_ = {.outcome = outcome, .reason = error == 0 ? "" : std::generic_category().message(error)};
@@ -93,22 +106,20 @@ std::optional<Picture> KmsScreen::shown() {
     throw std::runtime_error(fmt::format("{} shows another program's picture", name()));
 }
 
-int KmsScreen::set_mode(const ScanoutBuffer& buffer) {
+int KmsScreen::request(const ScanoutBuffer& buffer, bool has_mode) {
     const Card& card = surface_.card;
+    if (!has_mode) {
+        flip_ = ++surface_.flips;
+        if (!card.is_atomic()) return card.flip(output_.crtc, buffer.frame_buffer, flip_);
+        return card.commit(flip_request(output_, properties_, buffer.frame_buffer),
+                           DRM_MODE_ATOMIC_NONBLOCK | DRM_MODE_PAGE_FLIP_EVENT, flip_);
+    }
     if (!card.is_atomic())
         return -drmModeSetCrtc(card.fd(), output_.crtc, buffer.frame_buffer, 0, 0, &output_.connector, 1,
                                &output_.mode);
     const ModeBlob mode(card.fd(), output_.mode);
     return card.commit(modeset_request(output_, properties_, mode.id(), buffer.frame_buffer, in_the_way_),
                        DRM_MODE_ATOMIC_ALLOW_MODESET, 0);
-}
-
-int KmsScreen::flip(const ScanoutBuffer& buffer) {
-    const Card& card = surface_.card;
-    flip_ = ++surface_.flips;
-    if (!card.is_atomic()) return card.flip(output_.crtc, buffer.frame_buffer, flip_);
-    return card.commit(flip_request(output_, properties_, buffer.frame_buffer),
-                       DRM_MODE_ATOMIC_NONBLOCK | DRM_MODE_PAGE_FLIP_EVENT, flip_);
 }
 
 KmsScreen::Presented KmsScreen::take_presented() {

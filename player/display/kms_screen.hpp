@@ -50,6 +50,7 @@ class KmsScreen final : public Screen {
 
     bool wants_picture() const override { return state_.needs_mode() || is_lost_; }
 
+    void turn_off() override;
     void begin_frame() override;
     void present(std::chrono::nanoseconds time) override;
 
@@ -77,8 +78,8 @@ class KmsScreen final : public Screen {
     void start_over();
 
   private:
-    int set_mode(const ScanoutBuffer& buffer);
-    int flip(const ScanoutBuffer& buffer);
+    /// Gives the card a picture, with the mode or as a flip. @return  0, or an errno
+    int request(const ScanoutBuffer& buffer, bool has_mode);
     void show(ScanoutBuffer buffer);
 
     KmsSurface& surface_;  // outlives this
@@ -87,6 +88,7 @@ class KmsScreen final : public Screen {
     OutputProperties properties_;
     OutputState state_;
     Presented presented_;
+    bool is_off_ = false;
     bool is_lost_ = true;  // the last frame will not be seen
     Time awaited_since_ = std::chrono::steady_clock::now();
     std::uint64_t flip_ = 0;   // number of the last requested flip

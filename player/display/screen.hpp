@@ -44,6 +44,10 @@ class Screen {
     /// drawn, even if it is equal.
     virtual bool wants_picture() const = 0;
 
+    /// Turns the panel off until the next present(). Call it again as long as the panel shall be off: another
+    /// program may have lit it.
+    virtual void turn_off() {}
+
     /// Makes the surface of the next frame current.
     virtual void begin_frame() = 0;
 

@@ -21,6 +21,9 @@ class InputDevices {
     /// @param devices  the value of the setting input.devices
     InputDevices(EventLoop& loop, const std::string& devices);
 
+    /// True: there is input since the last delivery.
+    bool has_input() const { return !events_.empty(); }
+
     using Call = std::function<void(const Screen&, InputEvent)>;
 
     /// Passes on the input since the last call.

@@ -74,6 +74,10 @@ void Renderer::draw(const Frame& frame) {
     }
     if (!words_ && !frame.words.empty()) words_.emplace();
     if (words_) words_->draw(frame.words, moved);
+    if (light_ < 1) {
+        if (!dim_) dim_.emplace();
+        dim_->draw(light_);
+    }
     glBindVertexArray(0);
     cells_.drop_old();
     if (zooms_) zooms_->drop_old();

@@ -2,6 +2,7 @@
 
 #include "player/playback/sample.hpp"
 #include "player/render/cell_layer.hpp"
+#include "player/render/dim_layer.hpp"
 #include "player/render/idle_picture.hpp"
 #include "player/render/uploaded_pictures.hpp"
 #include "player/render/view.hpp"
@@ -26,6 +27,9 @@ class Renderer {
     /// Sets the screen's size and the place of the canvas on it for all further draws. Uploaded pictures
     /// stay.
     void aim(int width, int height, const View& view);
+
+    /// Sets the share of the light for all further draws, (0, 1].
+    void set_light(double light) { light_ = light; }
 
     /// True if upload() can leave shared planes in place.
     bool reads_shared_planes() const { return pictures_.reads_shared_planes(); }
@@ -64,6 +68,8 @@ class Renderer {
     CellLayer cells_;
     std::optional<ZoomLayer> zooms_;  // made when first needed
     std::optional<WordLayer> words_;  // made when first needed
+    std::optional<DimLayer> dim_;     // made when first needed
+    double light_ = 1;
 };
 
 }  // namespace vitrine::player

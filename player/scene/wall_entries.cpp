@@ -51,6 +51,7 @@ void WallEntries::set_catalogue(const RecordList& records, const ShowHints& hint
     if (!nests_) return slots_.set_catalogue(records, hints);
     const RecordList before = files_.all();
     files_.set(records);
+    groups_.set_files(files_.all(), hints);
     give_entries();
     give_controls();
     refresh(before);
@@ -146,7 +147,7 @@ void WallEntries::fill(const WallShot& entry, FolderShots& shots) {
     for (const auto& [path, until] : avoided_)
         avoided.insert(path);
     const std::vector<ShotKey> keys =
-        folder_shots(files_.all().in_folder(entry.key.path), keys_of(shots), avoided, wanted);
+        folder_shots(groups_.heads().in_folder(entry.key.path), keys_of(shots), avoided, wanted);
     for (std::size_t i = shots.size(); i < keys.size(); ++i) {
         const RecordList::Record file = files_.all().find(keys[i].path);
         shots.push_back(wall_shot(*file, keys[i], ++*settings_.numbers, entry.slot));

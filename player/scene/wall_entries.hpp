@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/files/folder_level.hpp"
+#include "player/scene/files/group_turns.hpp"
 #include "player/scene/wall_slots.hpp"
 
 #include <chrono>
@@ -58,6 +59,7 @@ class WallEntries {
     bool nests_;
     WallSlots slots_;
     WallFiles files_;
+    GroupTurns groups_;
     ShowHints hints_;
     ShowControls controls_;
     std::map<std::string, RecordList::Record> stand_ins_;  // what the slots know of each folder, by its path

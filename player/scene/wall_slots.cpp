@@ -60,6 +60,18 @@ void WallSlots::follow_changes(const RecordList& before) {
                 file->shots[static_cast<std::size_t>(key.shot)];  // the store may have it by now
         }
     }
+    // Files that have turned out to be one with another on the wall leave; a pinned one stays.
+    std::map<std::string, Slot*> seen;
+    for (Slot& slot : slots_) {
+        if (!slot.shot || slot.shot->key.shot > 0) continue;
+        const std::string& path = slot.shot->key.path;
+        const auto [first, is_new] = seen.emplace(chooser_.groups().head_of(path), &slot);
+        if (is_new || first->second->shot->key.path == path) continue;
+        const bool is_last_pinned = is_pinned(slot) && !is_pinned(*first->second);
+        Slot& freed = is_last_pinned ? *first->second : slot;
+        if (is_last_pinned) first->second = &slot;
+        if (!is_pinned(freed)) freed = {};
+    }
 }
 
 void WallSlots::set_controls(const ShowControls& controls) {
@@ -116,7 +128,10 @@ void WallSlots::source_failed(SourceId source, std::chrono::nanoseconds now) {
     const std::string path = at->shot->key.path;
     chooser_.avoid_file(path, now + settings_.retry_after);
     for (Slot& slot : slots_) {
-        if (slot.shot && slot.shot->key.path == path) slot = {};
+        if (!slot.shot || slot.shot->key.path != path) continue;
+        const std::optional<ShotKey> photo = slot.then;
+        slot = {};
+        if (photo) put_shot(slot, *photo);
     }
     fill_slots();
 }
@@ -126,6 +141,7 @@ void WallSlots::dismiss_shot(SourceId source, std::chrono::nanoseconds now) {
                                  [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
     if (at == slots_.end()) return;
     due_.reset();
+    at->then.reset();
     if (const auto key = choose_shot(*at)) return put_shot(*at, *key);
     chooser_.avoid_file(at->shot->key.path, now + settings_.retry_after);
     *at = {};
@@ -176,8 +192,10 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
 std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until) {
     std::vector<Turn> turns;
     for (Slot& slot : slots_) {
-        if (!slot.shot || !slot.shown || is_pinned(slot)) continue;
-        const std::chrono::nanoseconds due = *slot.shown + time_to_stay(*slot.shot) - slot.ahead;
+        if (!slot.shot || !slot.shown || (is_pinned(slot) && !slot.then)) continue;
+        const std::chrono::nanoseconds stay =
+            slot.then ? slot.shot->shot.duration() : time_to_stay(*slot.shot);
+        const std::chrono::nanoseconds due = *slot.shown + stay - slot.ahead;
         if (due > until) continue;
         const std::chrono::nanoseconds loop = slot.shot->shot.duration();
         const bool is_seam = slot.shot->kind == MediaKind::film && loop.count() > 0 &&
@@ -205,6 +223,8 @@ std::chrono::nanoseconds WallSlots::time_to_stay(const WallShot& shot) const {
 }
 
 std::optional<ShotKey> WallSlots::choose_shot(const Slot& slot) {
+    if (slot.then && files_.all().contains(slot.then->path) && !chooser_.is_avoided(slot.then->path))
+        return slot.then;
     FreeSlot free{.on_wall = {},
                   .leaving = slot.shot ? slot.shot->key.path : std::string(),
                   .slots = slots_.size(),
@@ -214,16 +234,27 @@ std::optional<ShotKey> WallSlots::choose_shot(const Slot& slot) {
     return chooser_.next_shot(free);
 }
 
+/// Puts a shot into a slot, or the film of its Live Photo before it.
 void WallSlots::put_shot(Slot& slot, const ShotKey& key) {
+    const bool is_film_over = slot.then == key;
+    const bool is_same = slot.shot && slot.shot->key == key;  // it is loaded again
+    const std::string film = is_film_over ? std::string() : chooser_.groups().film_of(key.path);
+    const bool has_film = !film.empty() && !chooser_.is_avoided(film);
+    const ShotKey first = has_film ? ShotKey{film, 0} : key;
+    if (has_film)
+        slot.then = key;
+    else if (!is_same)
+        slot.then.reset();
     slot.shown.reset();
     slot.ahead = {};
-    slot.shot =
-        wall_shot(*files_.all().find(key.path), key, ++*numbers_, static_cast<int>(&slot - slots_.data()));
+    slot.shot = wall_shot(*files_.all().find(first.path), first, ++*numbers_,
+                          static_cast<int>(&slot - slots_.data()));
 }
 
 long WallSlots::count_on_wall(const std::string& path) const {
-    return std::count_if(slots_.begin(), slots_.end(),
-                         [&](const Slot& slot) { return slot.shot && slot.shot->key.path == path; });
+    return std::count_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+        return slot.shot && (slot.shot->key.path == path || (slot.then && slot.then->path == path));
+    });
 }
 
 }  // namespace vitrine::player

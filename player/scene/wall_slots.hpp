@@ -40,6 +40,8 @@ struct SlotSettings {
 /// simply substitute the old shot with the new shot in the same position"). Ours: the choice of the slot
 /// whose turn it is, one at a time, and a catalogue that changes.
 ///
+/// When a Live Photo comes, its film plays once in the slot, and the photo takes its place.
+///
 /// If all files fit on the wall, each file is always on it. If a film is alone on the wall, its shots leave
 /// one after the other.
 class WallSlots {
@@ -80,6 +82,7 @@ class WallSlots {
   private:
     struct Slot {
         std::optional<WallShot> shot;
+        std::optional<ShotKey> then;  // the photo of a Live Photo, whose film plays once before it
         std::optional<std::chrono::nanoseconds> shown;
         std::chrono::nanoseconds ahead{0};  // it may leave so much earlier
     };

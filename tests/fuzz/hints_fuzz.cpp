@@ -1,6 +1,6 @@
+#include "base/calendar/day_times.hpp"
 #include "base/hints/folder_hints.hpp"
 #include "base/hints/hint_file.hpp"
-#include "base/hints/hint_times.hpp"
 #include "base/hints/hint_words.hpp"
 #include "base/hints/keyframe_choice.hpp"
 

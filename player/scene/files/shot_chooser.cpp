@@ -34,8 +34,9 @@ void ShotChooser::set_files(const RecordList& files, const RecordList& before, c
         const RecordList::Record now = files.find(avoided.first);
         return !old || !now || !is_grown_from(*now, *old);
     });
-    rotation_.set_files(files, hints);
-    files_ = files.size();
+    groups_.set_files(files, hints);
+    rotation_.set_files(groups_.heads(), hints);
+    files_ = groups_.heads().size();
 }
 
 std::set<std::string> ShotChooser::avoided_files() const {
@@ -58,16 +59,44 @@ std::optional<ShotKey> ShotChooser::next_shot_of(const std::string& path, const 
     return rotation_.next_shot(fits);
 }
 
+/// The same wall with the files that have the turns of the groups.
+FreeSlot ShotChooser::by_heads(const FreeSlot& slot) const {
+    FreeSlot result = slot;
+    for (ShotKey& key : result.on_wall) {
+        const std::string head = groups_.head_of(key.path);
+        if (head != key.path) key = {head, 0};
+    }
+    if (!slot.leaving.empty()) result.leaving = groups_.head_of(slot.leaving);
+    return result;
+}
+
 std::optional<ShotKey> ShotChooser::next_shot(const FreeSlot& slot) {
-    if (slot.pinned != nullptr)
+    const auto is_fit = [&](const std::string& path) { return !is_avoided(path) && path != slot.leaving; };
+    if (slot.pinned != nullptr) {
+        if (groups_.head_of(*slot.pinned) != *slot.pinned) return ShotKey{*slot.pinned, 0};
         if (auto key = next_shot_of(*slot.pinned, slot)) return key;
+    }
+    std::optional<ShotKey> key = next_head(by_heads(slot));
+    // If nothing else waits, the others of a group take its place.
+    if (!key && !slot.leaving.empty() && groups_.has_others(slot.leaving, is_fit))
+        key = ShotKey{groups_.head_of(slot.leaving), 0};
+    if (!key || key->shot > 0) return key;
+    if (auto path = groups_.take_turn(key->path, is_fit)) key->path = std::move(*path);
+    return key;
+}
+
+/// @param slot  by_heads()
+std::optional<ShotKey> ShotChooser::next_head(const FreeSlot& slot) {
     const auto stands = [&](const ShotKey& key) {
         return std::ranges::find(slot.on_wall, key) != slot.on_wall.end();
     };
     const auto count = [&](const std::string& path) {
         return std::ranges::count(slot.on_wall, path, &ShotKey::path);
     };
-    const auto is_free = [&](const ShotKey& key) { return !is_avoided(key.path) && !stands(key); };
+    const auto is_unavoided = [&](const std::string& path) { return !is_avoided(path); };
+    const auto is_free = [&](const ShotKey& key) {
+        return groups_.has_turn(key.path, is_unavoided) && !stands(key);
+    };
     const auto stands_alone = [&](const ShotKey& key) {
         return is_free(key) && count(key.path) == (key.path == slot.leaving ? 1 : 0);
     };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
+#include "player/scene/files/group_turns.hpp"
 #include "player/scene/files/shot_rotation.hpp"
 #include "player/scene/files/show_files.hpp"
 
@@ -44,7 +45,8 @@ bool is_in_sequence(FilmShow film, std::size_t files);
 ///
 /// Every shot is shown once before any repeats, new files first. No shot is on the wall twice. Exception: a
 /// file that has a single place may repeat there. As long as shots of other files wait, a file is on the wall
-/// once. A film alone fills all slots with its shots in time order.
+/// once. A film alone fills all slots with its shots in time order. Files that are one (FileGroup) take turns
+/// as one file: never two of them are on the wall, unless one is pinned.
 class ShotChooser {
   public:
     ShotChooser(ShotOrder order, std::uint64_t seed, FilmShow film) : rotation_(order, seed), film_(film) {}
@@ -65,12 +67,18 @@ class ShotChooser {
 
     std::optional<ShotKey> next_shot(const FreeSlot& slot);
 
+    /// The groups of the files.
+    const GroupTurns& groups() const { return groups_; }
+
   private:
+    FreeSlot by_heads(const FreeSlot& slot) const;
+    std::optional<ShotKey> next_head(const FreeSlot& slot);
     std::optional<ShotKey> next_shot_of(const std::string& path, const FreeSlot& slot);
 
-    ShotRotation rotation_;
+    ShotRotation rotation_;  // of one file a group
     FilmShow film_;
-    std::size_t files_ = 0;                                    // number of files
+    GroupTurns groups_;
+    std::size_t files_ = 0;                                    // number of files that take turns
     std::map<std::string, std::chrono::nanoseconds> avoided_;  // path -> end of the avoidance
 };
 

@@ -12,6 +12,18 @@ int shots_of(const RecordList::Record& record) {
     return record ? static_cast<int>(record->shots.size()) : 0;
 }
 
+std::int64_t taken_ns(const MediaRecord& record) {
+    if (!record.origin.taken) return record.mtime_ns;
+    return std::chrono::nanoseconds(record.origin.taken->at.time_since_epoch()).count();
+}
+
+/// The day on which a camera took it, there. A file's own time says nothing about the day.
+std::optional<std::chrono::local_days> day_taken(const MediaRecord& record) {
+    const auto& taken = record.origin.taken;
+    if (!taken || taken->source == TimeSource::file) return std::nullopt;
+    return std::chrono::floor<std::chrono::days>(taken->local());
+}
+
 int repeat_of(const ShowHints::Entry& said) {
     return said ? said->hints.repeat.value_or(1) : 1;
 }
@@ -31,7 +43,11 @@ void ShotRotation::set_files(const RecordList& files, const ShowHints& hints) {
             return;
         }
         const int repeat = repeat_of(hints.find(path));
-        files_[path] = {.mtime_ns = now->mtime_ns, .shots = shots_of(now), .repeat = repeat};
+        files_[path] = {.mtime_ns = now->mtime_ns,
+                        .taken_ns = taken_ns(*now),
+                        .day = day_taken(*now),
+                        .shots = shots_of(now),
+                        .repeat = repeat};
         for (int shot = shots_of(before); shot < shots_of(now); ++shot) {
             if (shot == 0) first.push_back({path, shot});
             if (shot == 0) taken[{path, shot}] = 1;
@@ -43,8 +59,12 @@ void ShotRotation::set_files(const RecordList& files, const ShowHints& hints) {
         if (file != files_.end()) file->second.repeat = repeat_of(now);
     });
     records_ = files;
+    const bool is_other_day = hints.today != hints_.today;
     hints_ = hints;
     drop_lost_turns(shrunk);
+    if (is_other_day)
+        std::stable_partition(waiting_.begin(), waiting_.end(),
+                              [&](const ShotKey& key) { return is_anniversary(key); });
     first = ordered(std::move(first));
     later = repeated(ordered(std::move(later)), taken);
     waiting_.insert(waiting_.begin(), first.begin(), first.end());
@@ -127,11 +147,30 @@ std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
         std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
             return files_.at(a.path).mtime_ns > files_.at(b.path).mtime_ns;
         });
+    } else if (order_ == ShotOrder::taken) {
+        std::stable_sort(keys.begin(), keys.end(), [&](const ShotKey& a, const ShotKey& b) {
+            return files_.at(a.path).taken_ns < files_.at(b.path).taken_ns;
+        });
     } else if (order_ == ShotOrder::shuffle) {
         std::shuffle(keys.begin(), keys.end(), engine_);
         keep_time_order(keys);
     }
+    if (hints_.today)
+        std::stable_partition(keys.begin(), keys.end(),
+                              [&](const ShotKey& key) { return is_anniversary(key); });
     return keys;
+}
+
+/// True for a shot that was taken on this day in another year. In years without a 29 February the 28th stands
+/// for it, too.
+bool ShotRotation::is_anniversary(const ShotKey& key) const {
+    const auto file = files_.find(key.path);
+    if (!hints_.today || file == files_.end() || !file->second.day) return false;
+    const std::chrono::year_month_day today(*hints_.today), taken(*file->second.day);
+    if (today.year() == taken.year() || today.month() != taken.month()) return false;
+    constexpr std::chrono::day leap{29}, last{28};
+    const bool is_leap_day = taken.month() == std::chrono::February && taken.day() == leap;
+    return today.day() == (is_leap_day && !today.year().is_leap() ? last : taken.day());
 }
 
 /// Each file keeps the places that it drew, but fills them in time order.

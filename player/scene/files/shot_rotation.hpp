@@ -5,6 +5,7 @@
 #include "player/scene/files/show_files.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <compare>
 #include <deque>
 #include <functional>
@@ -54,6 +55,8 @@ class ShotRotation {
   private:
     struct File {
         std::int64_t mtime_ns = 0;
+        std::int64_t taken_ns = 0;
+        std::optional<std::chrono::local_days> day;  // on which a camera took it
         int shots = 0;
         int repeat = 1;  // turns in a round
     };
@@ -65,6 +68,7 @@ class ShotRotation {
     std::vector<ShotKey> ordered(std::vector<ShotKey> keys);
     void keep_time_order(std::vector<ShotKey>& keys) const;
 
+    bool is_anniversary(const ShotKey& key) const;
     void drop_lost_turns(const std::set<std::string>& files);
 
     ShotOrder order_;

@@ -4,8 +4,11 @@
 #include "base/state/record.hpp"
 #include "player/scene/files/shared_list.hpp"
 
+#include <chrono>
 #include <initializer_list>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,9 +24,28 @@ struct HintedFile {
     bool operator==(const HintedFile&) const = default;
 };
 
+/// Photos that are one for visitors: frames of a burst, copies, crops and other exposures of one take. At
+/// most one of them is on the wall at a time.
+struct FileGroup {
+    std::vector<std::string> photos;           // paths, the best first
+    std::map<std::string, std::string> films;  // of Live Photos: photo -> its film, which has no turn
+};
+
+/// A file of a group.
+struct GroupedFile {
+    std::string path;
+    std::shared_ptr<const FileGroup> group;
+};
+
+/// Groups by path. A file that is a picture of its own has no entry.
+using GroupList = SharedList<GroupedFile>;
+
 /// Hints by path. A file without hints has no entry.
 class ShowHints : public SharedList<HintedFile> {
   public:
+    GroupList groups;                              // what belongs together
+    std::optional<std::chrono::local_days> today;  // files taken on this day in other years come first
+
     ShowHints() = default;
 
     ShowHints(std::initializer_list<HintedFile> files);  // NOLINT: implicit, like a map

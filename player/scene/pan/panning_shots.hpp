@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/scene/files/group_turns.hpp"
 #include "player/scene/files/shot_chooser.hpp"
 #include "player/scene/files/shot_rotation.hpp"
 #include "player/scene/files/show_files.hpp"
@@ -36,7 +37,8 @@ class PanningShots {
 
   private:
     WallFiles files_;
-    ShotRotation rotation_;
+    GroupTurns groups_;
+    ShotRotation rotation_;  // of one file a group
     SourceId last_source_;
 };
 

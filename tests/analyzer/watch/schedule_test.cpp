@@ -280,6 +280,19 @@ TEST_CASE("no more children run than allowed, and the newest file comes first") 
     CHECK(next[0].path == "f2");
 }
 
+TEST_CASE("a notice waits for nothing: it is analysed beside all others, and first") {
+    Bench bench(1);
+    bench.see("old film.mp4", {.bytes = std::uint64_t{1} << 40, .mtime_ns = 9, .inode = 1});
+    REQUIRE(bench.after(2s).size() == 1);
+    for (int i = 1; i <= 4; ++i)
+        bench.see("f" + std::to_string(i), {.bytes = 1, .mtime_ns = 20 + i, .inode = 1});
+    REQUIRE(bench.after(2s).empty());
+    bench.see("!NOW 20min/a.jpg", {.bytes = 1, .mtime_ns = 1, .inode = 1});
+    const Actions next = bench.after(2s);
+    REQUIRE(next.size() == 1);
+    CHECK(next[0].path == "!NOW 20min/a.jpg");
+}
+
 TEST_CASE("the files below a folder are those, and not its neighbours of a longer name") {
     Schedule schedule(Pace{});
     for (const char* path : {"a/1", "a/b/2", "a.jpg", "ab/3", "b"})

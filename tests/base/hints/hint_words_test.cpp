@@ -1,4 +1,4 @@
-#include "base/hints/hint_times.hpp"
+#include "base/calendar/day_times.hpp"
 #include "base/hints/hint_words.hpp"
 
 #include <doctest/doctest.h>

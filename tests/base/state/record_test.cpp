@@ -58,7 +58,7 @@ TEST_CASE("the JSON has the names of format version 3") {
         R"({"version":3,"path":"a/b c.mp4","kind":"video","bytes":123,"mtime_ns":-5,"state":"ready",)"
         R"("complete":true,"reason":"",)"
         R"("width":640,"height":360,"duration_ns":3000000000,"shots":[{"begin_ns":0,"end_ns":2000000000,)"
-        R"("ends_with":"dissolve","region":{"polygon":[[1.0,2.0],[30.5,2.0],[3.0,40.0]],"drift":[10.0,-5.0]},"analysis":2}]})");
+        R"("ends_with":"dissolve","region":{"polygon":[[1.0,2.0],[30.5,2.0],[3.0,40.0]],"drift":[10.0,-5.0]},"analysis":3}]})");
 }
 
 TEST_CASE(
@@ -147,7 +147,7 @@ TEST_CASE("a shot that does not name its analysis is of an earlier version, and 
     MediaRecord record{.path = "a", .state = MediaState::ready, .width = 4, .height = 3, .shots = {Shot{}}};
     CHECK_FALSE(is_outdated(record_from_json(to_json(record))));
     std::string earlier = to_json(record);
-    const std::string key = R"(,"analysis":2)";
+    const std::string key = R"(,"analysis":3)";
     const std::size_t at = earlier.find(key);
     REQUIRE(at != std::string::npos);
     earlier.erase(at, key.size());
@@ -191,4 +191,26 @@ TEST_CASE("looks are as far apart as their colours and hashes, and no farther th
     CHECK(distance_between(dark, bright) == 1);
     bright.hash = 0;
     CHECK(distance_between(dark, bright) == doctest::Approx(0.5));
+}
+
+TEST_CASE("the time at which a medium was taken survives the way to JSON and back") {
+    MediaRecord record = film();
+    CHECK_FALSE(record_from_json(to_json(record)).origin.taken);
+    record.origin = {.taken =
+                         TimeTaken{.at = std::chrono::sys_days(std::chrono::year(2023) / 5 / 1) + 10h + 5ms,
+                                   .zone = -210min,
+                                   .source = TimeSource::camera_clock},
+                     .content_id = "A-1"};
+    CHECK(record_from_json(to_json(record)) == record);
+    record.origin.content_id = "../x";
+    CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
+}
+
+TEST_CASE("the print of a photo survives the way to JSON, and one of another length is no record") {
+    MediaRecord record = film();
+    record.shots[0].print =
+        PicturePrint{.shades = std::vector<std::uint8_t>(std::size_t{16} * 16, 7), .sharpness = 12.5};
+    CHECK(record_from_json(to_json(record)) == record);
+    record.shots[0].print->shades.pop_back();
+    CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
 }

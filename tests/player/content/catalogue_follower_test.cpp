@@ -45,9 +45,10 @@ TEST_CASE("a follower sees a catalogue that comes into being, changes and loses 
     const Catalogue catalogue(directory.path / "catalogue");
     EventLoop loop;
     std::vector<CatalogueChange> changes;
-    CatalogueFollower follower(loop, catalogue, [&](const CatalogueChange& change, const RecordList&) {
-        changes.push_back(change);
-    });
+    CatalogueFollower follower(loop, catalogue,
+                               [&](const CatalogueChange& change, const RecordList&, const GroupList&) {
+                                   changes.push_back(change);
+                               });
     const auto wait_for_change = [&] {
         changes.clear();
         for (int i = 0; i < 200 && changes.empty(); ++i)
@@ -80,9 +81,10 @@ TEST_CASE("a catalogue that changes without a pause is followed all the same") {
     catalogue.store(record("gone"));
     EventLoop loop;
     bool is_gone = false;
-    CatalogueFollower follower(loop, catalogue, [&](const CatalogueChange& change, const RecordList&) {
-        is_gone = is_gone || change.gone == std::vector<std::string>{"gone"};
-    });
+    CatalogueFollower follower(loop, catalogue,
+                               [&](const CatalogueChange& change, const RecordList&, const GroupList&) {
+                                   is_gone = is_gone || change.gone == std::vector<std::string>{"gone"};
+                               });
     catalogue.remove("gone");
     const auto begin = EventLoop::Clock::now();
     for (int i = 0; !is_gone && EventLoop::Clock::now() - begin < 60s; ++i) {

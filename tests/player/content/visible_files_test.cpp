@@ -34,7 +34,7 @@ struct House {
     }
 
     void open(const Rehearsal* rehearsal = nullptr) {
-        files.emplace(loop, state.path, Holidays{}, rehearsal, [this] { ++changes; });
+        files.emplace(loop, state.path, ShowDays{}, rehearsal, [this] { ++changes; });
     }
 
     /// Lets the player look a second later than the last time.
@@ -87,6 +87,44 @@ void crash(const fs::path& state, const std::vector<MediaRecord>& opening) {
 }
 
 }  // namespace
+
+TEST_CASE("a notice is shown in place of everything, and whole") {
+    House house({photo("!NOW 20min fire/a.jpg"), photo("b.jpg")});
+    house.open();
+    REQUIRE(house.files->records().size() == 1);
+    const MediaRecord shown = **house.files->records().begin();
+    CHECK(shown.path == "!NOW 20min fire/a.jpg");
+    const Polygon whole{{0, 0}, {640, 0}, {640, 360}, {0, 360}};
+    CHECK(shown.shots.front().region.polygon == whole);
+    CHECK(house.files->judge(*house.files->find("b.jpg")).visibility == Visibility::covered);
+}
+
+TEST_CASE("while the displays are off every file tells so, and none is lost") {
+    House house({photo("a.jpg")});
+    house.open();
+    house.look({.folders = {}, .files = {}, .open = {}, .is_off = true});
+    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::screens_off);
+    CHECK(house.files->records().size() == 1);
+    house.look({.folders = {{}}, .files = {"a.jpg"}, .open = {}});
+    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::on_wall);
+}
+
+TEST_CASE("a file tells that another picture of its group hangs") {
+    MediaRecord still = photo("IMG_1.jpg");
+    MediaRecord copy = photo("IMG_1 (1).jpg");
+    for (MediaRecord* record : {&still, &copy}) {
+        record->shots.front().look = ShotLook{};
+        record->shots.front().print = PicturePrint{};
+        for (int i = 0; i < 256; ++i)
+            record->shots.front().print->shades.push_back(static_cast<std::uint8_t>((i * i) % 251));
+    }
+    House house({still, copy});
+    house.open();
+    house.look({.folders = {{}}, .files = {"IMG_1.jpg"}, .open = {}});
+    const FileVisibility judged = house.files->judge(copy);
+    CHECK(judged.visibility == Visibility::in_group);
+    CHECK(judged.detail == "IMG_1.jpg");
+}
 
 TEST_CASE("a ready file may be shown: it waits for its turn, then it is on the wall") {
     House house({photo("a.jpg"), photo("b.jpg")});

@@ -54,6 +54,10 @@ TEST_CASE("lighting a panel joins connector, CRTC, plane and picture in one requ
     CHECK(has(request, {30, 13, 1080}));
 }
 
+TEST_CASE("turning a panel off ends its signal and keeps mode and picture for the next one") {
+    CHECK(off_request(output(), properties()) == AtomicRequest{{40, 3, 0}});
+}
+
 TEST_CASE("a request names each property of an object once") {
     const AtomicRequest request = modeset_request(output(), properties(), 77, 88);
 

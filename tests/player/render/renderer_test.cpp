@@ -99,6 +99,20 @@ TEST_CASE("words lie over the pictures, with their own opacity and the whole's")
     CHECK(is_near(at(wall.shown(), 30, 30), red));
 }
 
+TEST_CASE("less light makes the whole picture darker, and more gives it back") {
+    DrawnWall wall;
+    wall.add_two();
+    wall.renderer.set_light(0.4);
+    const Picture dim = wall.shown();
+    wall.renderer.set_light(1);
+    const Picture bright = wall.shown();
+    const auto darker = [](int value) { return value * 2 / 5; };
+    for (const int x : {30, 130}) {
+        const auto full = at(bright, x, 30);
+        CHECK(is_near(at(dim, x, 30), {darker(full[0]), darker(full[1]), darker(full[2])}));
+    }
+}
+
 TEST_CASE("a drifting film moves against its drift under its cell") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});

@@ -6,6 +6,7 @@
 
 using namespace vitrine;
 using namespace vitrine::player;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -43,6 +44,53 @@ TEST_CASE("by newest, the file changed last comes first") {
     ShotRotation round(ShotOrder::newest, 1);
     set(round, {photo("a", 5), photo("b", 9), photo("c", 7)});
     CHECK(take_all(round) == std::vector<ShotKey>{{"b", 0}, {"c", 0}, {"a", 0}});
+}
+
+TEST_CASE("by the time taken, the earliest comes first, whatever the file's own time") {
+    ShotRotation round(ShotOrder::taken, 1);
+    const auto taken = [](MediaRecord record, std::chrono::hours at) {
+        record.origin.taken = TimeTaken{.at = std::chrono::sys_days(std::chrono::year(2023) / 5 / 1) + at};
+        return record;
+    };
+    MediaRecord by_own_time = photo("d");  // the file's own time counts where no other is known
+    by_own_time.mtime_ns =
+        std::chrono::nanoseconds(std::chrono::sys_days(std::chrono::year(2023) / 5 / 1).time_since_epoch())
+            .count();
+    set(round, {taken(photo("a", 5), 9h), taken(photo("b", 9), 1h), taken(photo("c", 7), 2h), by_own_time});
+    CHECK(take_all(round) == std::vector<ShotKey>{{"d", 0}, {"b", 0}, {"c", 0}, {"a", 0}});
+}
+
+TEST_CASE("what was taken on this day in other years comes first in each round") {
+    const auto taken = [](MediaRecord record, std::chrono::local_days date) {
+        record.origin.taken = TimeTaken{.at = std::chrono::sys_days(date.time_since_epoch()) + 23h,
+                                        .zone = -60min,
+                                        .source = TimeSource::camera};
+        return record;
+    };
+    const auto date = [](int year, unsigned month, unsigned day) {
+        return std::chrono::local_days(std::chrono::year(year) / std::chrono::month(month) /
+                                       std::chrono::day(day));
+    };
+    ShotRotation round(ShotOrder::name, 1);
+    ShowHints hints;
+    hints.today = date(2026, 11, 23);
+    MediaRecord by_own_time = taken(photo("e"), date(2020, 11, 23));
+    by_own_time.origin.taken->source = TimeSource::file;
+    const std::vector<MediaRecord> records{photo("a"),
+                                           taken(photo("b"), date(2026, 11, 23)),
+                                           taken(photo("c"), date(2025, 11, 23)),
+                                           taken(photo("d"), date(2019, 11, 23)),
+                                           by_own_time,
+                                           taken(photo("f"), date(2024, 2, 29))};
+    round.set_files(records, hints);
+    const auto two = [&] { return std::vector<ShotKey>{*round.next_shot(always), *round.next_shot(always)}; };
+    CHECK(two() == std::vector<ShotKey>{{"c", 0}, {"d", 0}});
+    take_all(round);
+    round.restart_all(holds_none);
+    CHECK(two() == std::vector<ShotKey>{{"c", 0}, {"d", 0}});
+    hints.today = date(2027, 2, 28);
+    round.set_files(records, hints);
+    CHECK(round.next_shot(always) == ShotKey{"f", 0});
 }
 
 TEST_CASE("shuffled, every shot comes once and those of one film in time order") {

@@ -1,4 +1,4 @@
-#include "base/settings/dates.hpp"
+#include "base/calendar/dates.hpp"
 
 #include <algorithm>
 

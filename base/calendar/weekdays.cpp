@@ -1,4 +1,4 @@
-#include "base/hints/weekdays.hpp"
+#include "base/calendar/weekdays.hpp"
 
 #include "base/state/path_text.hpp"
 
@@ -107,6 +107,10 @@ std::string in_words(Weekdays days) {
     return joined(days, ", ", [&](unsigned first, unsigned last) {
         return first == last ? name(first) : name(first) + " to " + name(last);
     });
+}
+
+bool is_on(Weekdays weekdays, std::chrono::local_days day, const Holidays& holidays) {
+    return weekdays.contains(holidays.contains(day) ? std::chrono::Sunday : std::chrono::weekday(day));
 }
 
 }  // namespace vitrine

@@ -1,6 +1,6 @@
-#include "base/hints/hint_times.hpp"
+#include "base/calendar/day_times.hpp"
 
-#include "base/settings/dates.hpp"
+#include "base/calendar/dates.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +70,17 @@ std::string to_text(std::chrono::minutes time_of_day) {
 
 std::string to_text(const Hours& hours) {
     return to_text(hours.from) + "-" + to_text(hours.to);
+}
+
+std::optional<std::chrono::local_days> opening_day(const std::optional<Hours>& hours,
+                                                   std::chrono::local_seconds now) {
+    const auto day = std::chrono::floor<std::chrono::days>(now);
+    if (!hours) return day;
+    const std::chrono::seconds time = now - day;
+    const bool is_over_midnight = hours->to <= hours->from;
+    if (time >= hours->from && (is_over_midnight || time < hours->to)) return day;
+    if (is_over_midnight && time < hours->to) return day - std::chrono::days(1);
+    return std::nullopt;
 }
 
 }  // namespace vitrine

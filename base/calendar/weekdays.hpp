@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -31,5 +32,11 @@ std::string to_text(Weekdays days);
 
 /// "Monday to Friday, Sunday"
 std::string in_words(Weekdays days);
+
+/// Days that count as Sundays.
+using Holidays = std::set<std::chrono::local_days>;
+
+/// True where this day is one of the days of the week.
+bool is_on(Weekdays weekdays, std::chrono::local_days day, const Holidays& holidays = {});
 
 }  // namespace vitrine

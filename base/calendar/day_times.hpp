@@ -1,11 +1,28 @@
 #pragma once
 
-#include "base/hints/hints.hpp"
-
+#include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace vitrine {
+
+/// Days from first to last, both included; a missing side is open.
+struct Period {
+    std::optional<std::chrono::local_days> first;
+    std::optional<std::chrono::local_days> last;
+
+    bool operator==(const Period&) const = default;
+};
+
+/// A time of the day, [from, to) after midnight, at most 24 h. If `to` is not later than `from`, it is a time
+/// of the next day.
+struct Hours {
+    std::chrono::minutes from{0};
+    std::chrono::minutes to{0};
+
+    bool operator==(const Hours&) const = default;
+};
 
 // Periods and hours as text.
 
@@ -33,5 +50,11 @@ std::string to_text(std::chrono::minutes time_of_day);
 
 /// A text that hours_named() reads: "08:00-18:30".
 std::string to_text(const Hours& hours);
+
+/// The day of the opening that contains this moment: hours over midnight belong to the day on which they
+/// start. None: the moment is outside the hours.
+/// @param hours  none: all day
+std::optional<std::chrono::local_days> opening_day(const std::optional<Hours>& hours,
+                                                   std::chrono::local_seconds now);
 
 }  // namespace vitrine

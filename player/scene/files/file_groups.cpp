@@ -1,0 +1,201 @@
+#include "player/scene/files/file_groups.hpp"
+
+#include "base/state/path_text.hpp"
+#include "player/scene/files/near_copies.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::size_t max_candidates = 8;  // that a photo is compared with
+
+/// Bits of 64 in which the hashes of near-copies differ at most, as far as time and name speak for it.
+int max_hash_distance(Kinship kinship) {
+    switch (kinship) {
+    case Kinship::copies:
+    case Kinship::sequence:
+        return 44;
+    case Kinship::neighbours:
+        return 28;
+    case Kinship::unknown:
+        return 30;
+    case Kinship::strangers:
+        break;
+    }
+    return -1;
+}
+
+bool is_ready(const RecordList::Record& record) {
+    return record && record->state == MediaState::ready && !record->shots.empty();
+}
+
+bool has_print(const MediaRecord& record) {
+    const Shot& shot = record.shots.front();
+    return record.kind == MediaKind::photo && shot.print && shot.look;
+}
+
+/// The names under which the halves of a Live Photo find each other.
+std::vector<std::string> live_names(const MediaRecord& record) {
+    const std::string_view path = record.path;
+    const std::size_t name_at = path.rfind('/') + 1;
+    std::vector<std::string> names{"name " + std::string(path.substr(0, name_at)) +
+                                   lower_case(stem_of(path))};
+    if (!record.origin.content_id.empty()) names.push_back("id " + record.origin.content_id);
+    return names;
+}
+
+/// Photos are better the more of the take they show, and then the sharper they are.
+bool is_better(const RecordList::Record& a, const RecordList::Record& b) {
+    constexpr double steps = 4;  // for a doubling of the pixels
+    const auto rank = [](const RecordList::Record& record) {
+        const double pixels = std::max(1.0, static_cast<double>(record->width) * record->height);
+        const auto& print = record->shots.front().print;
+        return std::pair(std::round(std::log2(pixels) * steps), print ? print->sharpness : 0);
+    };
+    const auto rank_a = rank(a), rank_b = rank(b);
+    return rank_a != rank_b ? rank_a > rank_b : a->path < b->path;
+}
+
+}  // namespace
+
+void FileGroups::set_files(const RecordList& files) {
+    std::vector<RecordList::Record> added;
+    files.for_each_change(files_, [&](const RecordList::Record& before, const RecordList::Record& now) {
+        if (is_ready(before)) remove(*before);
+        if (is_ready(now)) added.push_back(now);
+    });
+    files_ = files;
+    for (const RecordList::Record& record : added)
+        add(record);
+    if (!touched_.empty()) regroup();
+}
+
+void FileGroups::remove(const MediaRecord& record) {
+    touched_.insert(record.path);
+    for (auto* links : {&near_, &live_}) {
+        const auto found = links->find(record.path);
+        if (found == links->end()) continue;
+        for (const std::string& other : found->second) {
+            touched_.insert(other);
+            (*links)[other].erase(record.path);
+        }
+        links->erase(record.path);
+    }
+    for (const std::string& name : live_names(record))
+        if (const auto found = by_name_.find(name); found != by_name_.end()) found->second.erase(record.path);
+    const auto place = place_.find(record.path);
+    if (place == place_.end()) return;
+    photos_[place->second] = photos_.back();
+    place_[photos_.back().record->path] = place->second;
+    photos_.pop_back();
+    place_.erase(record.path);
+}
+
+void FileGroups::add(const RecordList::Record& record) {
+    join_live_pairs(record);
+    if (!has_print(*record)) return;
+    const Known photo{.record = record, .hash = record->shots.front().look->hash};
+    for (const RecordList::Record& other : candidates(photo))
+        if (are_near_copies(*record, *other)) link(record->path, other->path);
+    place_[record->path] = photos_.size();
+    photos_.push_back(photo);
+}
+
+/// The photos whose hashes are nearest.
+std::vector<RecordList::Record> FileGroups::candidates(const Known& photo) const {
+    constexpr int max_distance = 44;
+    std::vector<std::pair<int, const Known*>> near;
+    for (const Known& other : photos_) {
+        const int distance = std::popcount(photo.hash ^ other.hash);
+        if (distance > max_distance) continue;
+        const Kinship kin = kinship(*photo.record, *other.record);
+        if (distance > max_hash_distance(kin)) continue;
+        const bool is_kin = kin == Kinship::copies || kin == Kinship::sequence;
+        near.emplace_back(is_kin ? distance - max_distance : distance, &other);
+    }
+    const std::size_t count = std::min(max_candidates, near.size());
+    std::ranges::partial_sort(near, near.begin() + static_cast<std::ptrdiff_t>(count), {},
+                              &std::pair<int, const Known*>::first);
+    std::vector<RecordList::Record> records;
+    for (std::size_t i = 0; i < count; ++i)
+        records.push_back(near[i].second->record);
+    return records;
+}
+
+void FileGroups::link(const std::string& a, const std::string& b) {
+    near_[a].insert(b);
+    near_[b].insert(a);
+    touched_.insert(a);
+}
+
+void FileGroups::join_live_pairs(const RecordList::Record& record) {
+    for (const std::string& name : live_names(*record)) {
+        std::set<std::string>& paths = by_name_[name];
+        for (const std::string& path : paths) {
+            const RecordList::Record other = files_.find(path);
+            if (!other || !(are_live_pair(*record, *other) || are_live_pair(*other, *record))) continue;
+            live_[record->path].insert(path);
+            live_[path].insert(record->path);
+            touched_.insert(path);
+        }
+        paths.insert(record->path);
+    }
+}
+
+/// The file and all that it is one with.
+std::set<std::string> FileGroups::connected(const std::string& path) const {
+    std::set<std::string> found;
+    std::vector<std::string> waiting{path};
+    while (!waiting.empty()) {
+        const std::string next = std::move(waiting.back());
+        waiting.pop_back();
+        if (!found.insert(next).second) continue;
+        for (const auto* links : {&near_, &live_})
+            if (const auto near = links->find(next); near != links->end())
+                waiting.insert(waiting.end(), near->second.begin(), near->second.end());
+    }
+    return found;
+}
+
+FileGroup FileGroups::group_of(const std::set<std::string>& paths) const {
+    std::vector<RecordList::Record> photos;
+    FileGroup group;
+    for (const std::string& path : paths) {
+        const RecordList::Record record = files_.find(path);
+        if (!record || record->kind != MediaKind::photo) continue;
+        photos.push_back(record);
+        if (const auto film = live_.find(path); film != live_.end() && !film->second.empty())
+            group.films[path] = *film->second.begin();
+    }
+    std::ranges::sort(photos, is_better);
+    for (const RecordList::Record& photo : photos)
+        group.photos.push_back(photo->path);
+    return group;
+}
+
+void FileGroups::regroup() {
+    GroupList::Changes changes;
+    for (const std::string& path : touched_) {
+        if (changes.contains(path)) continue;
+        const std::set<std::string> paths = connected(path);
+        if (paths.size() == 1) {
+            changes[path] = nullptr;
+            continue;
+        }
+        const auto group = std::make_shared<const FileGroup>(group_of(paths));
+        for (const std::string& member : paths)
+            changes[member] =
+                std::make_shared<const GroupedFile>(GroupedFile{.path = member, .group = group});
+    }
+    groups_.apply(changes);
+    touched_.clear();
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/state/record.hpp"
+
+#include <string_view>
+
+namespace vitrine::player {
+
+/// Tells how alike two photos look, by their prints: the correlation of their shades where they overlap best,
+/// after a shift or a crop of up to a quarter. 1: alike but for the exposure; near 0: nothing in common.
+/// @param wanted  a result below it may be too low
+double likeness(const PicturePrint& a, const PicturePrint& b, double wanted = -1);
+
+/// The relation of two photos by time and name.
+enum class Kinship {
+    strangers,   // taken at times that are too far apart: two pictures, however alike
+    unknown,     // a camera wrote no time, and the files are about as old
+    neighbours,  // taken within minutes
+    sequence,    // taken within seconds
+    copies,      // one has the name of the other, or both were taken at the same moment
+};
+
+Kinship kinship(const MediaRecord& a, const MediaRecord& b);
+
+/// The least likeness of near-copies with this kinship. Above 1 for strangers.
+double min_likeness(Kinship kinship);
+
+/// True for two photos that show one take: frames of a burst, copies, crops and other exposures.
+bool are_near_copies(const MediaRecord& a, const MediaRecord& b);
+
+/// True for a photo and the film that belongs to it as a Live Photo: both have one content identifier; or
+/// they have one name but for its ending, were taken at the same time, and the film is a few seconds long.
+bool are_live_pair(const MediaRecord& photo, const MediaRecord& film);
+
+/// A file's name without folder and ending: of "a/IMG_1.HEIC" it is "IMG_1".
+std::string_view stem_of(std::string_view path);
+
+}  // namespace vitrine::player
