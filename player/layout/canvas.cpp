@@ -43,7 +43,7 @@ void add_between(const std::vector<Box>& outputs, double left, double right, con
     }
 }
 
-double distance_to(const Box& box, Vec2 point) {
+double distance_to_box(const Box& box, Vec2 point) {
     return length(Vec2{std::max({box.min.x - point.x, 0.0, point.x - box.max.x}),
                        std::max({box.min.y - point.y, 0.0, point.y - box.max.y})});
 }
@@ -87,7 +87,7 @@ Canvas canvas_within(const Canvas& canvas, const Box& box) {
 Box output_at(const Canvas& canvas, Vec2 point) {
     if (canvas.outputs.empty()) return {{0, 0}, canvas};
     return *std::ranges::min_element(canvas.outputs, {},
-                                     [&](const Box& output) { return distance_to(output, point); });
+                                     [&](const Box& output) { return distance_to_box(output, point); });
 }
 
 Box output_of(const Canvas& canvas, const Box& box) {

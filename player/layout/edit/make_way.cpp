@@ -185,7 +185,7 @@ bool keeps_let_go(const WallState& wall, const Layout& layout, const Layout& oth
 /// there.
 Layout settled(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
                const EditRules& rules) {
-    const Layout begin = grown_in_place(wall, layout, wishes, rules);
+    Layout begin = grown_in_place(wall, layout, wishes, rules);
     WallState now = wall;
     now.homes = begin.placements;
     PlanRequest request = request_of(now, {}, rules);
