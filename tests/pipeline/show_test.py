@@ -7,6 +7,7 @@ Draws its own photos and films and writes their records itself, so that every pi
 how fast the machine is: off screen the player's clock waits for every picture.
 """
 import json
+import random
 import shutil
 import subprocess
 import sys
@@ -24,9 +25,16 @@ PATIENCE = 300  # seconds until something that must end is given up
 COLOURS = [(230, 30, 30), (30, 200, 30), (40, 60, 240), (240, 220, 30), (30, 210, 210), (220, 40, 220), (240, 130, 20), (130, 70, 20)]
 
 
-def disc(path, colour, width=120, height=90):
+def disc(path, colour, width=120, height=90, number=0):
+    """A disc before grey fields, which are others for each number: equal pictures would be one."""
     cx, cy, r = width * 0.5, height * 0.5, height * 0.3
-    png(path, width, height, lambda x, y: colour if (x - cx) ** 2 + (y - cy) ** 2 < r * r else (128, 128, 128))
+    chance = random.Random(number)
+    fields = [128 if number == 0 else 128 + chance.randrange(-24, 25) for _ in range(64)]
+
+    def shade(x, y):
+        return (fields[8 * (8 * y // height) + 8 * x // width],) * 3
+
+    png(path, width, height, lambda x, y: colour if (x - cx) ** 2 + (y - cy) ** 2 < r * r else shade(x, y))
 
 
 def counting_film(path, channel, pictures):
@@ -115,7 +123,7 @@ class Show(unittest.TestCase):
         for i in range(8):
             folder = self.root / ("left" if i % 2 else "right")
             folder.mkdir(exist_ok=True)
-            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2])
+            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2], number=i)
         self.analyse()
 
         plan = self.plan("--layout.folders", "nested", "--slots", "8")
@@ -136,7 +144,7 @@ class Show(unittest.TestCase):
         for i in range(6):
             folder = self.root / ("left" if i % 2 else "right")
             folder.mkdir(exist_ok=True)
-            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2], 320, 240)
+            disc(folder / f"{i}.png", COLOURS[0] if i % 2 else COLOURS[2], 320, 240, number=i)
         self.analyse()
         before = self.play("--duration", "3s", "--layout.folders", "nested")[-1]
         red = [at for at in range(WIDTH * HEIGHT) if all(abs(before[3 * at + c] - COLOURS[0][c]) < 40 for c in range(3))]

@@ -1,7 +1,6 @@
 #include "player/scene/files/file_groups.hpp"
 
 #include "base/state/path_text.hpp"
-#include "player/scene/files/near_copies.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -101,7 +100,7 @@ void FileGroups::remove(const MediaRecord& record) {
 void FileGroups::add(const RecordList::Record& record) {
     join_live_pairs(record);
     if (!has_print(*record)) return;
-    const Known photo{.record = record, .hash = record->shots.front().look->hash};
+    const Known photo{.record = record, .hash = record->shots.front().look->hash, .facts = facts_of(*record)};
     for (const RecordList::Record& other : candidates(photo))
         if (are_near_copies(*record, *other)) link(record->path, other->path);
     place_[record->path] = photos_.size();
@@ -115,7 +114,7 @@ std::vector<RecordList::Record> FileGroups::candidates(const Known& photo) const
     for (const Known& other : photos_) {
         const int distance = std::popcount(photo.hash ^ other.hash);
         if (distance > max_distance) continue;
-        const Kinship kin = kinship(*photo.record, *other.record);
+        const Kinship kin = kinship(photo.facts, other.facts);
         if (distance > max_hash_distance(kin)) continue;
         const bool is_kin = kin == Kinship::copies || kin == Kinship::sequence;
         near.emplace_back(is_kin ? distance - max_distance : distance, &other);

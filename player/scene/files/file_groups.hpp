@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/state/record.hpp"
+#include "player/scene/files/near_copies.hpp"
 #include "player/scene/files/show_files.hpp"
 
 #include <cstddef>
@@ -28,6 +29,7 @@ class FileGroups {
     struct Known {
         RecordList::Record record;
         std::uint64_t hash = 0;
+        PhotoFacts facts;  // of the record
     };
 
     void add(const RecordList::Record& record);

@@ -109,18 +109,34 @@ RatedFit refined(const PicturePrint& a, const PicturePrint& b, const Fit& from) 
     return best;
 }
 
-/// How far apart the colours of two pictures are, whatever their exposure: the mean difference of the shares
-/// of red, green and blue in 3 x 3 fields.
-double colour_distance(const ShotLook& a, const ShotLook& b) {
-    double distance = 0;
+/// How far apart the colours of two pictures are, whatever their exposure: the differences of the shares of
+/// red, green and blue in 3 x 3 fields.
+struct ColourDistance {
+    double mean = 0;
+    double max_of_field = 0;  // of the field that differs most: one thing in another colour
+};
+
+ColourDistance colour_distance(const ShotLook& a, const ShotLook& b) {
+    ColourDistance distance;
     for (std::size_t i = 0; i < a.colours.size(); i += 3) {
         const auto sum = [&](const ShotLook& look) {
             return 3.0 + look.colours[i] + look.colours[i + 1] + look.colours[i + 2];
         };
+        double field = 0;
         for (std::size_t c = i; c < i + 3; ++c)
-            distance += std::abs((a.colours[c] + 1) / sum(a) - (b.colours[c] + 1) / sum(b));
+            field += std::abs((a.colours[c] + 1) / sum(a) - (b.colours[c] + 1) / sum(b)) / 3;
+        distance.mean += field * 3 / static_cast<double>(a.colours.size());
+        distance.max_of_field = std::max(distance.max_of_field, field);
     }
-    return distance / static_cast<double>(a.colours.size());
+    return distance;
+}
+
+/// True where nothing has another colour.
+bool are_coloured_alike(const ShotLook& a, const ShotLook& b) {
+    constexpr double max_mean = 0.045;
+    constexpr double max_field = 0.14;
+    const ColourDistance distance = colour_distance(a, b);
+    return distance.mean <= max_mean && distance.max_of_field <= max_field;
 }
 
 bool has_camera_time(const MediaRecord& record) {
@@ -158,20 +174,23 @@ double likeness(const PicturePrint& a, const PicturePrint& b, double wanted) {
     return std::max(correlation(a, b, coarse.fit, side), refined(a, b, coarse.fit).likeness);
 }
 
-Kinship kinship(const MediaRecord& a, const MediaRecord& b) {
-    const bool is_named_alike =
-        folder_of(a.path) == folder_of(b.path) && is_copy_name(stem_of(a.path), stem_of(b.path));
-    const std::chrono::milliseconds time =
-        a.origin.taken && b.origin.taken ? between(*a.origin.taken, *b.origin.taken) : 0ms;
-    if (!has_camera_time(a) || !has_camera_time(b)) {
-        if (is_named_alike) return Kinship::copies;
-        return has_camera_time(a) || has_camera_time(b) || time <= 24h ? Kinship::unknown
-                                                                       : Kinship::strangers;
+PhotoFacts facts_of(const MediaRecord& record) {
+    PhotoFacts facts{.folder = folder_of(record.path), .stem = stem_of(record.path)};
+    if (record.origin.taken) facts.taken = record.origin.taken->at.time_since_epoch();
+    facts.has_camera_time = has_camera_time(record);
+    return facts;
+}
+
+Kinship kinship(const PhotoFacts& a, const PhotoFacts& b) {
+    const std::chrono::milliseconds time = a.taken && b.taken ? std::chrono::abs(*a.taken - *b.taken) : 0ms;
+    if (a.has_camera_time && b.has_camera_time) {
+        if (time == 0ms) return Kinship::copies;
+        if (time <= 3s) return Kinship::sequence;
+        return time <= 2min ? Kinship::neighbours : Kinship::strangers;
     }
-    if (time == 0ms) return Kinship::copies;
-    if (time <= 3s) return Kinship::sequence;
-    if (time <= 2min) return Kinship::neighbours;
-    return Kinship::strangers;
+    if (a.folder == b.folder && is_copy_name(a.stem, b.stem)) return Kinship::copies;
+    const bool is_unknown = a.has_camera_time || b.has_camera_time || time <= 24h;
+    return is_unknown ? Kinship::unknown : Kinship::strangers;
 }
 
 double min_likeness(Kinship kinship) {
@@ -192,13 +211,12 @@ double min_likeness(Kinship kinship) {
 bool are_near_copies(const MediaRecord& a, const MediaRecord& b) {
     if (a.kind != MediaKind::photo || b.kind != MediaKind::photo || a.shots.empty() || b.shots.empty())
         return false;
-    constexpr double max_colours = 0.045;
-    const Kinship kin = kinship(a, b);
+    const Kinship kin = kinship(facts_of(a), facts_of(b));
     const double wanted = min_likeness(kin);
     const Shot& one = a.shots.front();
     const Shot& other = b.shots.front();
     if (wanted > 1 || !one.print || !other.print || !one.look || !other.look) return false;
-    if (kin == Kinship::unknown && colour_distance(*one.look, *other.look) > max_colours) return false;
+    if (kin == Kinship::unknown && !are_coloured_alike(*one.look, *other.look)) return false;
     return likeness(*one.print, *other.print, wanted) >= wanted;
 }
 

@@ -2,6 +2,8 @@
 
 #include "base/state/record.hpp"
 
+#include <chrono>
+#include <optional>
 #include <string_view>
 
 namespace vitrine::player {
@@ -20,7 +22,18 @@ enum class Kinship {
     copies,      // one has the name of the other, or both were taken at the same moment
 };
 
-Kinship kinship(const MediaRecord& a, const MediaRecord& b);
+/// The facts of a photo that tell its kinship, ready to be compared with those of many others.
+struct PhotoFacts {
+    std::string_view folder;
+    std::string_view stem;
+    std::optional<std::chrono::milliseconds> taken;  // since 1970
+    bool has_camera_time = false;                    // else it is the file's own time
+};
+
+/// @param record  outlives the result
+PhotoFacts facts_of(const MediaRecord& record);
+
+Kinship kinship(const PhotoFacts& a, const PhotoFacts& b);
 
 /// The least likeness of near-copies with this kinship. Above 1 for strangers.
 double min_likeness(Kinship kinship);
