@@ -139,6 +139,13 @@ bool are_coloured_alike(const ShotLook& a, const ShotLook& b) {
     return distance.mean <= max_mean && distance.max_of_field <= max_field;
 }
 
+/// True where one picture can be a crop of the other: prints know no ratio of the sides.
+bool are_shaped_alike(const MediaRecord& a, const MediaRecord& b) {
+    constexpr double max_ratio = 1.8;  // a crop by a quarter along either side
+    const double ratio = static_cast<double>(a.width) * b.height / (static_cast<double>(b.width) * a.height);
+    return ratio <= max_ratio && ratio * max_ratio >= 1;
+}
+
 bool has_camera_time(const MediaRecord& record) {
     return record.origin.taken && record.origin.taken->source != TimeSource::file;
 }
@@ -215,6 +222,7 @@ bool are_near_copies(const MediaRecord& a, const MediaRecord& b) {
     const double wanted = min_likeness(kin);
     const Shot& one = a.shots.front();
     const Shot& other = b.shots.front();
+    if (!are_shaped_alike(a, b)) return false;
     if (wanted > 1 || !one.print || !other.print || !one.look || !other.look) return false;
     if (kin == Kinship::unknown && !are_coloured_alike(*one.look, *other.look)) return false;
     return likeness(*one.print, *other.print, wanted) >= wanted;
