@@ -167,6 +167,22 @@ TEST_CASE("a crop, another exposure and a copy are one with their photo, the who
     CHECK(group_with(records, "b.jpg") == std::vector<std::string>{"c.jpg", "d.jpg", "b.jpg"});
 }
 
+TEST_CASE("a picture of another shape is no crop, and one thing in another colour makes two") {
+    const Scene scene(4);
+    MediaRecord ribbon = seen("ribbon.jpg", scene.print());
+    ribbon.width = 4000;
+    ribbon.height = 100;
+    CHECK(group_with({seen("a.jpg", scene.print()), ribbon}, "a.jpg").empty());
+    MediaRecord red = seen("red.jpg", scene.print());
+    MediaRecord blue = seen("blue.jpg", scene.print());
+    for (MediaRecord* record : {&red, &blue})
+        record->shots.front().look = ShotLook{};
+    CHECK(group_with({red, blue}, "red.jpg").size() == 2);
+    red.shots.front().look->colours[12] = 200;  // the field in the middle
+    blue.shots.front().look->colours[14] = 200;
+    CHECK(group_with({red, blue}, "red.jpg").empty());
+}
+
 TEST_CASE("two photos taken within a second that show different things are two") {
     const std::vector<MediaRecord> records{taken(seen("a.jpg", Scene(1).print()), 0s),
                                            taken(seen("b.jpg", Scene(2).print()), 1s)};
