@@ -17,7 +17,7 @@ import time
 import unittest
 from pathlib import Path
 
-from drawn_media import png
+from drawn_media import pattern, png
 from watched_folder import records_in
 
 parser = argparse.ArgumentParser()
@@ -91,7 +91,7 @@ class Faults(unittest.TestCase):
             if kill % 3 == 0:
                 (self.root / f"film {kill}.avi").write_bytes(source.read_bytes())
             else:
-                png(self.root / f"photo {kill}.png", 64, 48, lambda x, y: (kill % 256, x, y))
+                png(self.root / f"photo {kill}.png", 64, 48, pattern(kill))
             ready = self.journal.read_text().count("ready: ") if kill % 2 else None  # killed about when a record is written
             end = time.monotonic() + (PATIENCE if kill % 2 else rng.uniform(0.02, 1.5))
             while time.monotonic() < end and ready in (None, self.journal.read_text().count("ready: ")):

@@ -18,7 +18,7 @@ import time
 import unittest
 from pathlib import Path
 
-from drawn_media import png
+from drawn_media import pattern, png
 from poisoned_media import KINDS, make_film, poisoned_environment
 from watched_folder import records_in
 
@@ -66,7 +66,7 @@ class Kills(unittest.TestCase):
 
     def draw(self, photos, films=0):
         for number in range(photos):
-            png(self.media / f"{number}.png", 64, 48, lambda x, y, n=number: (n % 256, 4 * x, 5 * y))
+            png(self.media / f"{number}.png", 64, 48, pattern(number))
         for number in range(films):
             subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-f", "lavfi", "-i", f"testsrc2=size=160x120:rate=10:duration={3 + number}",
                             str(self.media / f"film {number}.mp4")], check=True)
@@ -95,7 +95,7 @@ class Kills(unittest.TestCase):
         self.draw(photos=20, films=3)
         for kill in range(OPTIONS.kills):
             processes = self.start_analyzer(), self.start_player()
-            png(self.media / f"new {kill}.png", 64, 48, lambda x, y, n=kill: (3 * x, n % 256, 9))
+            png(self.media / f"new {kill}.png", 64, 48, pattern(-kill - 1))
             time.sleep(self.random.uniform(0.2, 2.5))
             self.kill(*processes)
         self.start_analyzer()

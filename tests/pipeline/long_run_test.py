@@ -21,7 +21,7 @@ import time
 import unittest
 from pathlib import Path
 
-from drawn_media import png
+from drawn_media import pattern, png
 from mounted_share import MountedShare, can_mount
 from watched_folder import records_in
 
@@ -106,7 +106,7 @@ class LongRun(unittest.TestCase):
         self.number += 1
         file = self.backing / name
         file.parent.mkdir(exist_ok=True)
-        png(file, 64, 48, lambda x, y, n=self.number: (60 + n * 7 % 190, 60 + 3 * x, 60 + n * 3 % 190))
+        png(file, 64, 48, pattern(self.number))
         return name
 
     def start(self, program, *options):
