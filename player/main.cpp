@@ -2,7 +2,6 @@
 #include "base/settings/settings_file.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
-#include "base/system/memory.hpp"
 #include "player/display/mesa_options.hpp"
 #include "player/plan_command.hpp"
 #include "player/playback/reader/host_process.hpp"
@@ -19,6 +18,10 @@
 #include <string_view>
 
 // vitrine-player: shows the catalogue on a screen, or plans a wall without one.
+
+/// Options of jemalloc, which the player is linked with: freed memory is returned after a second. The heap of
+/// the C library grows for hours, as its free pages lie between blocks that are in use.
+extern "C" const char* const malloc_conf = "narenas:2,dirty_decay_ms:1000,muzzy_decay_ms:0";
 
 namespace {
 
@@ -157,7 +160,6 @@ void run(const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    bound_memory();
     if (argc == 2 && std::string_view(argv[1]) == reader_host_word) run_reader_host();
     set_mesa_options();
     CommandLine line;

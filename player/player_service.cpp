@@ -74,7 +74,6 @@ void PlayerService::export_to_bus() {
 void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
     analyzer_.look(now);
-    memory_.look(now);
     std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});

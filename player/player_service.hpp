@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/system/event_loop.hpp"
-#include "base/system/memory.hpp"
 #include "player/control/analyzer_word.hpp"
 #include "player/control/bus_object.hpp"
 #include "player/control/commands.hpp"
@@ -90,7 +89,6 @@ class PlayerService {
     ShowControls controls_;
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
-    FreedMemory memory_{return_freed_memory};
     RateLimit screenshots_{std::chrono::seconds(1)};
     std::chrono::nanoseconds now_{0};       // the time of the last look()
     std::chrono::nanoseconds reported_{0};  // time of the last report to systemd

@@ -286,7 +286,6 @@ CURES = [
          "    ::_exit(limit_.exit_code);\n", "", "system_test.stop_request_test"),
     Cure("a stop while the server is silent", "base/system/stop_request.cpp",
          "    ::_exit(limit_.exit_code);\n", "", "pipeline.hostile_share", targets=("vitrine-analyzer",), only="release"),
-    Cure("memory that freed blocks keep", "base/system/memory.cpp", "    return_all_();\n", "", "system_test.memory_test"),
     Cure("memory that ends", "analyzer/child/child_process.cpp", "    be_killed_first();\n", "    (void)be_killed_first;\n",
          "child_test.child_process_test"),
     Cure("a slot that is not there", "player/player_service.cpp",

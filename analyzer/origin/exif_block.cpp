@@ -1,5 +1,6 @@
 #include "analyzer/origin/exif_block.hpp"
 
+#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 #include "base/media/heif_reader.hpp"
 
@@ -41,7 +42,7 @@ std::optional<Part> jpeg_part(const FileBytes& file) {
     for (int i = 0; i < max_parts; ++i) {
         const auto head = file.at<10>(at);
         if (!head || (*head)[0] != 0xff || (*head)[1] == start_of_scan) return std::nullopt;
-        const std::uint64_t length = (*head)[2] << 8U | (*head)[3];
+        const std::uint64_t length = big_endian(*head, 2, 2);
         if (length < 2) return std::nullopt;
         if ((*head)[1] == app1 && std::memcmp(head->data() + 4, exif_mark.data(), exif_mark.size()) == 0)
             return Part{.at = at + 4, .bytes = length - 2};
@@ -69,9 +70,9 @@ std::optional<Part> chunk_part(const FileBytes& file, const ChunkLayout& layout)
     for (int i = 0; i < max_parts; ++i) {
         const auto head = file.at<8>(at);
         if (!head) return std::nullopt;
-        std::uint64_t length = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            length = length << 8U | (*head)[(4 - layout.name_at) + (layout.is_big_endian ? k : 3 - k)];
+        const std::size_t length_at = 4 - layout.name_at;
+        const std::uint64_t length =
+            layout.is_big_endian ? big_endian(*head, length_at, 4) : little_endian(*head, length_at, 4);
         if (std::memcmp(head->data() + layout.name_at, layout.name.data(), 4) == 0)
             return Part{.at = at + 8, .bytes = length};
         at += 8 + length + layout.trailing;

@@ -1,6 +1,7 @@
 #include "analyzer/origin/exif_facts.hpp"
 
 #include "analyzer/origin/time_words.hpp"
+#include "base/media/byte_order.hpp"
 #include "base/system/handle.hpp"
 
 #include <libexif/exif-data.h>
@@ -128,10 +129,8 @@ std::string content_id(std::string_view note) {
     constexpr std::uint64_t identifier = 17;
     if (!note.starts_with(maker)) return {};
     const auto number = [&](std::size_t at, std::size_t count) {
-        std::uint64_t value = 0;
-        for (std::size_t i = 0; i < count && at + i < note.size(); ++i)
-            value = value << 8U | static_cast<unsigned char>(note[at + i]);
-        return value;
+        const std::string_view bytes = note.substr(std::min(at, note.size()), count);
+        return big_endian(bytes, 0, bytes.size());
     };
     for (std::size_t i = 0, at = first_entry;
          i < number(first_entry - 2, 2) && at + entry_size <= note.size(); ++i, at += entry_size) {

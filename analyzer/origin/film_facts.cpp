@@ -1,6 +1,7 @@
 #include "analyzer/origin/film_facts.hpp"
 
 #include "analyzer/origin/time_words.hpp"
+#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 
 #include <algorithm>
@@ -32,10 +33,8 @@ class Boxes {
     Box whole() const { return {.begin = 0, .end = file_.size()}; }
 
     std::uint64_t number(std::uint64_t at, std::size_t count) const {
-        std::uint64_t value = 0;
-        for (const char c : text({.begin = at, .end = at + count}))
-            value = value << 8U | static_cast<unsigned char>(c);
-        return value;
+        const std::string bytes = text({.begin = at, .end = at + count});
+        return big_endian(bytes, 0, bytes.size());
     }
 
     std::string text(const Box& box) const {
@@ -118,9 +117,7 @@ void take_entries(Boxes& boxes, Box meta, MediaOrigin& origin) {
     if (boxes.find(meta, "keys").end == 0) meta.begin += 4;  // MP4 has a version there
     const std::vector<std::string> names = entry_names(boxes, boxes.find(meta, "keys"));
     boxes.for_each(boxes.find(meta, "ilst"), [&](std::string_view key, const Box& entry) {
-        std::uint64_t number = 0;
-        for (const char c : key)
-            number = number << 8U | static_cast<unsigned char>(c);
+        const std::uint64_t number = big_endian(key, 0, key.size());
         const Box data = boxes.find(entry, "data");
         if (number >= 1 && number <= names.size() && data.end > data.begin + 8)
             take_entry(names[number - 1], boxes.text({.begin = data.begin + 8, .end = data.end}), origin);

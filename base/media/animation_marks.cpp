@@ -1,5 +1,6 @@
 #include "base/media/animation_marks.hpp"
 
+#include "base/media/byte_order.hpp"
 #include "base/media/gif_extent.hpp"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ bool is_animated_webp(const FileBytes& file) {
         const auto next = file.at<8>(offset);
         if (!next) break;
         if (is_named(*next, 0, "ANMF")) ++pictures;
-        const std::uint64_t size =
-            (*next)[4] | (*next)[5] << 8 | (*next)[6] << 16 | std::uint64_t{(*next)[7]} << 24;
+        const std::uint64_t size = little_endian(*next, 4, 4);
         offset += 8 + size + (size & 1);
     }
     return pictures >= 2;
@@ -48,9 +48,7 @@ bool is_animated_png(const FileBytes& file) {
         if (!head || is_named(*head, 4, "IDAT")) return false;
         if (is_named(*head, 4, "acTL"))  // then the number of its pictures
             return ((*head)[8] | (*head)[9] | (*head)[10]) != 0 || (*head)[11] >= 2;
-        const std::uint64_t size =
-            std::uint64_t{(*head)[0]} << 24 | (*head)[1] << 16 | (*head)[2] << 8 | (*head)[3];
-        offset += 12 + size;
+        offset += 12 + big_endian(*head, 0, 4);
     }
     return false;
 }

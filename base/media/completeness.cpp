@@ -1,5 +1,6 @@
 #include "base/media/completeness.hpp"
 
+#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 #include "base/media/gif_extent.hpp"
 #include "base/state/media_error.hpp"
@@ -20,22 +21,6 @@ constexpr int max_boxes = 100'000;                // boxes read at the top level
 constexpr std::uint64_t slack = 8;                // bytes that careless writers declare in excess
 constexpr std::uint64_t trailing_zeros = 65'536;  // bytes of padding that a sparse copy may leave out
 constexpr std::uint64_t unlimited = std::uint64_t{1} << 62;  // larger sizes are nonsense and would overflow
-
-template <std::size_t N>
-std::uint64_t big_endian(const std::array<std::uint8_t, N>& bytes, std::size_t from, int count) {
-    std::uint64_t value = 0;
-    for (int i = 0; i < count; ++i)
-        value = value << 8 | bytes[from + static_cast<std::size_t>(i)];
-    return value;
-}
-
-template <std::size_t N>
-std::uint64_t little_endian(const std::array<std::uint8_t, N>& bytes, std::size_t from, std::size_t count) {
-    std::uint64_t value = 0;
-    for (std::size_t i = count; i > 0; --i)
-        value = value << 8 | bytes[from + i - 1];
-    return value;
-}
 
 template <std::size_t N>
 bool is_name(const std::array<std::uint8_t, N>& bytes, std::size_t from, const char* name) {
@@ -90,15 +75,14 @@ FileExtent matroska_extent(const FileBytes& file) {
     for (int element = 0; element < 16; ++element) {
         const auto head = file.at<12>(offset);
         if (!head) return extent;
-        const int id_bytes = std::countl_zero((*head)[0]) + 1;
+        const auto id_bytes = static_cast<std::size_t>(std::countl_zero((*head)[0]) + 1);
         if (id_bytes > 4) return extent;
-        const std::uint8_t first = (*head)[static_cast<std::size_t>(id_bytes)];
-        const int size_bytes = std::countl_zero(first) + 1;
+        const auto size_bytes = static_cast<std::size_t>(std::countl_zero((*head)[id_bytes]) + 1);
         if (size_bytes > 8) return extent;
         const std::uint64_t mask = (std::uint64_t{1} << (7 * size_bytes)) - 1;
-        const std::uint64_t size = big_endian(*head, static_cast<std::size_t>(id_bytes), size_bytes) & mask;
+        const std::uint64_t size = big_endian(*head, id_bytes, size_bytes) & mask;
         if (size == mask) return extent;  // unknown: a live recording
-        offset += static_cast<std::uint64_t>(id_bytes + size_bytes) + std::min(size, unlimited);
+        offset += id_bytes + size_bytes + std::min(size, unlimited);
         if (big_endian(*head, 0, id_bytes) == segment) {
             extent.declared = offset;
             return extent;

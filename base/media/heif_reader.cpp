@@ -1,5 +1,6 @@
 #include "base/media/heif_reader.hpp"
 
+#include "base/media/byte_order.hpp"
 #include "base/media/photo_file.hpp"
 #include "base/media/picture_failure.hpp"
 #include "base/state/media_error.hpp"
@@ -104,9 +105,7 @@ std::vector<std::byte> exif_of(PhotoFile& file) {
     std::vector<std::byte> bytes(heif_image_handle_get_metadata_size(picture.get(), block));
     if (bytes.size() <= head || bytes.size() > max_exif) return {};
     require(heif_image_handle_get_metadata(picture.get(), block, bytes.data()));
-    std::size_t skipped = 0;
-    for (std::size_t i = 0; i < head; ++i)
-        skipped = skipped << 8U | std::to_integer<std::size_t>(bytes[i]);
+    const std::size_t skipped = big_endian(bytes, 0, head);
     if (skipped >= bytes.size() - head) return {};
     bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(head + skipped));
     return bytes;

@@ -1,5 +1,6 @@
 #include "base/media/png_animation.hpp"
 
+#include "base/media/byte_order.hpp"
 #include "base/media/still_picture.hpp"
 #include "base/media/vips_steps.hpp"
 
@@ -24,8 +25,7 @@ MediaError damaged() {
 }
 
 template <std::size_t N> std::uint32_t number_at(const std::array<std::uint8_t, N>& bytes, std::size_t from) {
-    return std::uint32_t{bytes[from]} << 24 | std::uint32_t{bytes[from + 1]} << 16 |
-           std::uint32_t{bytes[from + 2]} << 8 | bytes[from + 3];
+    return static_cast<std::uint32_t>(big_endian(bytes, from, 4));
 }
 
 constexpr std::array<std::uint32_t, 256> crc_table = [] {
@@ -183,8 +183,8 @@ void PngAnimation::add_part(const PngChunk& control) {
                  .height = number_at(*data, 8),
                  .left = number_at(*data, 12),
                  .top = number_at(*data, 16)};
-    const std::uint32_t time = std::uint32_t{(*data)[20]} << 8 | (*data)[21];
-    const std::uint32_t unit = std::uint32_t{(*data)[22]} << 8 | (*data)[23];
+    const auto time = static_cast<std::uint32_t>(big_endian(*data, 20, 2));
+    const auto unit = static_cast<std::uint32_t>(big_endian(*data, 22, 2));
     part.dispose = (*data)[24];
     part.is_over = (*data)[25] == 1;
     const bool is_inside = part.width > 0 && part.height > 0 &&

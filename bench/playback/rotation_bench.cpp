@@ -5,7 +5,6 @@
 //
 // FILE is a film of a second or more; of it each shot shows another half a second.
 
-#include "base/system/memory.hpp"
 #include "player/display/offscreen_screen.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
@@ -170,6 +169,5 @@ int main(int count, char** words) {
         fmt::print("usage: rotation_bench FILE [ROTATIONS]\n");
         return 2;
     }
-    bound_memory();
     turn(std::filesystem::absolute(words[1]), count > 2 ? std::stoi(words[2]) : 5000);
 }

@@ -7,10 +7,8 @@
 namespace vitrine::player {
 
 /// A cell cut up for the graphics card. Besides the triangles that fill it there are
-/// - its outline as a strip, drawn below everything: where two cells meet in a corner of one and the middle
-/// of
-///   another's side, rounding may leave a pixel to neither, which then shows the strip and not the
-///   background;
+/// - its outline as a strip, drawn below everything: where a corner of one cell meets the middle of another's
+///   side, rounding may leave a pixel to neither, and that pixel then shows the strip and not the background;
 /// - a fringe, a strip outside along its outline whose coverage falls from half to nothing: each cell's lies
 ///   on its neighbour, which smooths the seam for the price of the seam's pixels, not of the picture's.
 struct CellMesh {

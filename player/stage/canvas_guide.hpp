@@ -8,7 +8,7 @@
 
 namespace vitrine::player {
 
-/// What a guide for placing screens must know of one of them.
+/// The facts of one screen that a guide for placing screens draws.
 struct GuideView {
     std::string name;  // of the output
     Vec2 size;         // px of the picture, as the screen hangs

@@ -21,7 +21,7 @@ namespace vitrine::player {
 
 class Screen;
 
-/// What is known of an output: its name and px, and its view without a canvas.
+/// The facts of an output: its name and px, and its view without a canvas.
 struct KnownOutput {
     std::string name;
     int width = 0;  // px
@@ -75,10 +75,10 @@ class OutputCanvas {
 
     const SharedCanvas& shared() const { return now_; }
 
-    /// What a screen shows of a frame's canvas. A frame of the canvas before is drawn as before.
+    /// The part of a frame's canvas that a screen shows. A frame of the canvas before is drawn as before.
     View view_on(const Screen& screen, Vec2 canvas) const;
 
-    /// What a guide on a screen must know.
+    /// The facts that a guide on a screen draws.
     GuideView guide_view(const Screen& screen, Vec2 canvas) const;
 
   private:

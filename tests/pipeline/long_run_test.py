@@ -267,7 +267,6 @@ class LongRun(unittest.TestCase):
         player = self.start(PLAYER, "--pace", "realtime", "--output.screen", "offscreen:160x90", "--output.frame_rate", "5", "--slots", "6",
                             "--show.dwell_seconds", "1", "--show.background", BACKGROUND, "--film", self.film)
         self.programs = [analyzer, player]
-
         ways, costs, faults, changes, fault = [], {}, {}, 0, iter(())
         begin = time.monotonic()
         while (seconds := int(time.monotonic() - begin)) < OPTIONS.seconds:
@@ -285,6 +284,7 @@ class LongRun(unittest.TestCase):
         for _ in fault:
             time.sleep(1)
         self.until_all_ready()
+        self.assertIn("libjemalloc", Path(f"/proc/{player.pid}/maps").read_text(), "the allocator whose memory does not grow for hours")
         player.send_signal(signal.SIGTERM)
         self.assertEqual(player.wait(PATIENCE), 0, self.words())
         analyzer.send_signal(signal.SIGTERM)

@@ -38,7 +38,7 @@ inline std::string exif_directory(const std::vector<ExifLine>& lines, std::uint6
     return directory + number_bytes(0, 4) + values;
 }
 
-/// What a camera wrote, in the three directories of EXIF.
+/// The lines that a camera wrote, in the three directories of EXIF.
 struct DrawnExif {
     std::vector<ExifLine> main{};
     std::vector<ExifLine> photo{};

@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-/// How far the parts of a canvas, each drawn on a screen of its own, are from the canvas drawn as a whole.
+/// The difference between a canvas drawn as a whole and its parts, each drawn on a screen of its own.
 struct PartsDifference {
     int frames = 0;
     int channel = 0;        // the farthest channel of a pixel, levels
