@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/geometry/vec2.hpp"
 #include "player/display/picture.hpp"
 
 #include <chrono>
@@ -25,6 +26,9 @@ class Screen {
 
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
+
+    /// The panel's sides as it tells them, mm; 0: it tells none. Along width() and height().
+    virtual Vec2 millimetres() const { return {}; }
 
     /// Frames a second that it can show; 0: no limit.
     virtual double refresh() const { return 0; }

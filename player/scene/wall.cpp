@@ -139,7 +139,10 @@ Wall::Wall(const Canvas& canvas, const WallSettings& settings)
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
 void Wall::set_canvas(const Canvas& canvas) {
-    if (canvas == canvas_) return;
+    if (canvas == canvas_) {
+        canvas_ = canvas;
+        return;
+    }
     must_plan_ = true;
     canvas_ = canvas;
     touch_.put_all_down();

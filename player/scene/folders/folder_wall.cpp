@@ -20,7 +20,7 @@ FolderWall::FolderWall(const Canvas& canvas, const WallSettings& settings)
     : idle_(settings.idle), canvas_(canvas), folders_(canvas, settings), wished_depth_(max_depth) {}
 
 void FolderWall::set_canvas(const Canvas& canvas) {
-    if (canvas == canvas_) return;
+    if (canvas == canvas_ && canvas.finger == canvas_.finger) return;
     canvas_ = canvas;
     wished_depth_ = 1;
     folders_.set_canvas(canvas);

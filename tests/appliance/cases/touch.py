@@ -66,7 +66,7 @@ def tap(box, panel):
 def hold(box, panel):
     green = place(box.wait_for_wall("the wall before a hold"), "green")
     panel.touch(at(1, green))
-    wait_for_share(box, "the held photo large", "green", 0.28)
+    wait_for_share(box, "the held photo large", "green", 0.31)
     panel.touch("1 up")
     box.wait_for_wall("the wall after the hold")
 
