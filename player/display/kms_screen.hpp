@@ -40,8 +40,6 @@ class KmsScreen final : public Screen {
 
     int height() const override { return output_.mode.vdisplay; }
 
-    Vec2 millimetres() const override { return output_.millimetres; }
-
     double refresh() const override { return refresh_rate(output_.mode); }
 
     std::uint64_t flips() const override { return flips_; }
