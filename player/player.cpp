@@ -29,6 +29,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace vitrine::player {
@@ -85,6 +87,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     input_devices_ = std::make_unique<InputDevices>(
         loop_, display_->traits().has_terminal ? settings.input.devices : "none");
     service_ = std::make_unique<PlayerService>(loop_, view(), actions());
+    if (settings_.input.keep_arrangement) service_->arrangements().take_last();
     begin_stages();
     // Opening the display takes a tenth of a second. Meanwhile the first wall is laid out for the most usual
     // size.
@@ -154,7 +157,8 @@ PlayerView Player::view() const {
 
 PlayerActions Player::actions() {
     return {.set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
-            .dismiss = [this](const MediaRecord& file) { files_->dismiss(file); },
+            .set_dismissed = [this](const std::set<std::string>& paths) { files_->set_dismissed(paths); },
+            .arrange = [this](ArrangedWalls walls) { stages_->arrange(std::move(walls)); },
             .acquit = [this](const std::string& path) { files_->acquit(path); },
             .reload = [this] { reload(); },
             .toggle_guides = [this] { return stages_->toggle_guides(); }};
@@ -278,6 +282,7 @@ void Player::renew_stages(std::chrono::nanoseconds time) {
 }
 
 void Player::finish() {
+    service_->arrangements().end_run(settings_.input.keep_arrangement);
     files_->end_run();
     service::stopping();
     log::info("{} pictures shown, {} left out as too late; {} pictures of films were late", clock_.pictures(),

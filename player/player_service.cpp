@@ -62,6 +62,9 @@ PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActi
     : loop_(loop),
       view_(view),
       actions_(std::move(actions)),
+      arrangement_(view.settings.state.directory,
+                   {.present = [this] { return arrangement(); },
+                    .take = [this](const WallArrangement& arrangement) { take(arrangement); }}),
       analyzer_(std::filesystem::path(view.settings.state.directory) / "status.json"),
       report_(loop.timer([this] { report_status(); })) {
     report_.arm(0s);
@@ -74,6 +77,7 @@ void PlayerService::export_to_bus() {
 void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
     analyzer_.look(now);
+    arrangement_.look(now, view_.settings.input.keep_arrangement);
     std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});
@@ -82,14 +86,42 @@ void PlayerService::look(std::chrono::nanoseconds now) {
     if (health_.feed_watchdog_now(now)) service::feed_watchdog();
 }
 
+/// All that visitors and staff have arranged, as it is now.
+WallArrangement PlayerService::arrangement() const {
+    WallArrangement arrangement{.walls = view_.stages.arrangement(),
+                                .pinned = controls_.files,
+                                .slots = controls_.slots,
+                                .removed = {}};
+    for (const std::string& path : view_.files.dismissed())
+        if (const RecordList::Record file = view_.files.find(path))
+            arrangement.removed.push_back({.path = path, .bytes = file->bytes, .mtime_ns = file->mtime_ns});
+    return arrangement;
+}
+
+/// Lets all be as it was. What is gone or has changed is left out.
+void PlayerService::take(const WallArrangement& arrangement) {
+    std::set<std::string> removed;
+    for (const RemovedFile& known : arrangement.removed) {
+        const RecordList::Record file = view_.files.find(known.path);
+        if (file && file->bytes == known.bytes && file->mtime_ns == known.mtime_ns)
+            removed.insert(known.path);
+    }
+    controls_.files.clear();
+    for (const std::string& path : arrangement.pinned)
+        if (view_.files.find(path)) controls_.files.insert(path);
+    controls_.slots.clear();
+    for (const int slot : arrangement.slots)
+        if (slot >= 0 && slot < view_.settings.layout.slots) controls_.slots.insert(slot);
+    actions_.set_dismissed(removed);
+    actions_.set_controls(controls_);
+    actions_.arrange(arrangement.walls);
+}
+
 /// Reports to systemd and to the node exporter which pictures are shown, and at which rate.
 void PlayerService::report_status() {
     report_.arm(report_interval);
     const std::span<Screen* const> screens = view_.display.screens();
-    const std::uint64_t flips = screens.empty() ? 0 : screens.front()->flips();
-    const double seconds = std::chrono::duration<double>(now_ - std::exchange(reported_, now_)).count();
-    const std::uint64_t before = std::exchange(flips_, flips);
-    rate_ = seconds > 0 && flips >= before ? static_cast<double>(flips - before) / seconds : 0;
+    rate_.report(screens.empty() ? 0 : screens.front()->flips(), now_);
     service::status(one_line(report()));
     metrics_.write_if_due(view_.settings.metrics.file, now_, [this] {
         std::vector<std::pair<std::string, std::size_t>> states;
@@ -107,7 +139,7 @@ PlayerReport PlayerService::report() const {
                         .pictures = view_.clock.pictures(),
                         .late = view_.clock.late(),
                         .film_late = view_.sources.late(),
-                        .rate = rate_,
+                        .rate = rate_.rate(),
                         .since_flip =
                             std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
                         .is_paused = controls_.is_paused,
@@ -227,7 +259,10 @@ CommandAnswer PlayerService::remove(const CommandCall& call) {
     put(controls_.files, record.path, false);
     actions_.set_controls(controls_);
     log::info("removed from the wall: '{}'", record.path);
-    actions_.dismiss(record);
+    const std::vector<std::string> before = view_.files.dismissed();
+    std::set<std::string> dismissed(before.begin(), before.end());
+    dismissed.insert(record.path);
+    actions_.set_dismissed(dismissed);
     return {.text = record.path, .pictures = {}};
 }
 
@@ -260,7 +295,7 @@ CommandHandlers PlayerService::handlers() {
         return text(actions_.toggle_guides() ? "guides are drawn for ten minutes; the same command ends that"
                                              : "no guides are drawn any more");
     };
-    return {
+    CommandHandlers handlers{
         {"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_.word().summary)); }},
         {"Why", why},
         {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = take_screenshots()}; }},
@@ -272,6 +307,8 @@ CommandHandlers PlayerService::handlers() {
         {"Acquit", [this](const Call& call) { return acquit(call); }},
         {"Canvas", canvas},
         {"Reload", reload}};
+    handlers.merge(arrangement_.handlers());
+    return handlers;
 }
 
 }  // namespace vitrine::player

@@ -1,20 +1,24 @@
 #pragma once
 
 #include "base/system/event_loop.hpp"
+#include "player/arrangement_service.hpp"
 #include "player/control/analyzer_word.hpp"
 #include "player/control/bus_object.hpp"
 #include "player/control/commands.hpp"
+#include "player/control/flip_rate.hpp"
 #include "player/control/health.hpp"
 #include "player/control/metrics_file.hpp"
 #include "player/control/player_report.hpp"
 #include "player/control/rate_limit.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/stage/stages.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +34,6 @@ namespace vitrine::player {
 class DisplaySession;
 class FrameClock;
 class SourcePool;
-class Stages;
 class VisibleFiles;
 
 /// The parts of a player that the service reads. Each outlives the service.
@@ -45,9 +48,10 @@ struct PlayerView {
 
 /// The changes that the service makes to a player.
 struct PlayerActions {
-    std::function<void(const ShowControls&)> set_controls;  // sets the controls of all walls
-    std::function<void(const MediaRecord&)> dismiss;        // takes a file off the wall
-    std::function<void(const std::string& path)> acquit;    // ends the quarantine of a file; "": of all
+    std::function<void(const ShowControls&)> set_controls;            // sets the controls of all walls
+    std::function<void(const std::set<std::string>&)> set_dismissed;  // takes these files off the wall
+    std::function<void(ArrangedWalls)> arrange;                       // arranges the walls anew
+    std::function<void(const std::string& path)> acquit;  // ends the quarantine of a file; "": of all
     std::function<void()> reload;         // reads the settings again; throws if they are wrong
     std::function<bool()> toggle_guides;  // for placing screens; true: they are drawn now
 };
@@ -66,6 +70,9 @@ class PlayerService {
     /// Call at every tick. @param now  since the player's start
     void look(std::chrono::nanoseconds now);
 
+    /// Keeps what has been arranged over a restart.
+    ArrangementService& arrangements() { return arrangement_; }
+
   private:
     void report_status();
     CommandHandlers handlers();
@@ -81,19 +88,20 @@ class PlayerService {
     CommandAnswer pin(const CommandCall& call);
     CommandAnswer remove(const CommandCall& call);
     CommandAnswer acquit(const CommandCall& call);
+    WallArrangement arrangement() const;
+    void take(const WallArrangement& arrangement);
 
     EventLoop& loop_;  // outlives this
     PlayerView view_;
     PlayerActions actions_;
     Health health_;
     ShowControls controls_;
+    ArrangementService arrangement_;
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
     RateLimit screenshots_{std::chrono::seconds(1)};
-    std::chrono::nanoseconds now_{0};       // the time of the last look()
-    std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
-    std::uint64_t flips_ = 0;               // flips of the first screen at that time
-    double rate_ = 0;                       // flips a second between the last two reports
+    std::chrono::nanoseconds now_{0};  // the time of the last look()
+    FlipRate rate_;
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

@@ -310,6 +310,11 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"input.hint_seconds", whole<&S::input, &S::Input::hint>(0, 86400), SettingEffect::restart,
      "Seconds after the last touch until the wall shows that it can be touched: every ten seconds "
      "all shots but one become dim for a moment. 0: never. A calm wall and one that pans do not."},
+    {"input.keep_arrangement", flag<&S::input, &S::Input::keep_arrangement>(), SettingEffect::now,
+     "true: after a restart of the player the wall is as it was: which shots are where and how large, which "
+     "files and slots are pinned and which files are removed (vitrinectl). Files that are gone drop out, and "
+     "new ones come as always. A display of another shape shows the same shots at other places. A wall that "
+     "pans keeps only pins and removals."},
     {"output.screen",
      text<&S::output, &S::Output::screen>(
          "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for more",

@@ -99,6 +99,7 @@ struct Settings {
         std::chrono::seconds idle{30};  // time without a touch until the wall returns to normal
         std::chrono::seconds hint{
             0};  // time without a touch until shots show that they can be touched; 0: never
+        bool keep_arrangement = false;  // a restart finds the wall as it was
     } input;
 
     struct Output {

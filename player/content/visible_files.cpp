@@ -201,8 +201,10 @@ void VisibleFiles::set_content(WallContent content) {
         note_.set_changed();
 }
 
-void VisibleFiles::dismiss(const MediaRecord& file) {
-    dismissed_[file.path] = std::make_shared<const MediaRecord>(file);
+void VisibleFiles::set_dismissed(const std::set<std::string>& paths) {
+    std::erase_if(dismissed_, [&](const auto& dismissed) { return !paths.contains(dismissed.first); });
+    for (const std::string& path : paths)
+        if (const RecordList::Record file = records_.find(path)) dismissed_.try_emplace(path, file);
     apply_filters();
 }
 

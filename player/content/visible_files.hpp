@@ -83,8 +83,8 @@ class VisibleFiles {
     /// @param content  gives the present content of the screens
     void look(std::chrono::nanoseconds time, Time now, const std::function<WallContent()>& content);
 
-    /// Takes a ready file off the wall until it changes.
-    void dismiss(const MediaRecord& file);
+    /// Takes these files off the wall, each until it changes; others may be there again.
+    void set_dismissed(const std::set<std::string>& paths);
 
     /// Ends the quarantine of a file, here and in the analyzer, and all suspicion of it.
     /// @param path  "": all files

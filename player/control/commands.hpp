@@ -12,17 +12,18 @@
 namespace vitrine::player {
 
 /// The argument that a command takes on the command line of vitrinectl.
-enum class Operand { none, file, file_or_all, slot, picture };
+enum class Operand { none, file, file_or_all, slot, picture, layout };
 
 /// A command of vitrinectl with the D-Bus method that it calls: a line of commands(). A signature consists of
-/// `ay ay` (a file, and the folder in which it was typed), `u` (a slot) and `b` (on or off).
+/// `ay ay` (a file, and the folder in which it was typed), `ay` (the name of a layout), `u` (a slot) and `b`
+/// (on or off).
 struct Command {
-    const char* name;
+    const char* name;  // of one word, or of a group and a verb: "layout save"
     const char* help;
     Operand operand = Operand::none;
     const char* method;       // several commands may use the same one
     const char* arguments;    // D-Bus signature
-    const char* result;       // "s": JSON; "ay": the path of a file; "a(suuh)": pictures; "": nothing
+    const char* result;       // "s": JSON; "ay": a file or a layout; "a(suuh)": pictures; "": nothing
     bool is_for_all = false;  // true: anyone may call it; false: polkit decides
     bool is_on = true;        // value of the flag `b`
     const char* done = "";    // printed by vitrinectl before the path of the file
@@ -37,7 +38,7 @@ bool takes_off(const Command& command);
 
 /// The arguments of a call.
 struct CommandCall {
-    std::string file;    // the typed name, any bytes
+    std::string file;    // the typed name of a file or a layout, any bytes
     std::string folder;  // absolute, the folder in which it was typed
     int slot = 0;
     bool is_on = true;

@@ -215,6 +215,9 @@ int print_answer(const Command& command, const Words& words, const CommandAnswer
         print_status(Json::parse(answer.text));
     } else if (name == "why") {
         print_why(Json::parse(answer.text));
+    } else if (name == "layout list") {
+        for (const Json& layout : Json::parse(answer.text))
+            print(layout.get<std::string>());
     } else if (const std::string line = answer_line(command, !words.off.empty(), answer); !line.empty()) {
         print(line);
     }
@@ -231,6 +234,8 @@ const char* in_help(Operand operand) {
         return "SLOT";
     case Operand::picture:
         return "OUT.png";
+    case Operand::layout:
+        return "NAME";
     case Operand::none:
         break;
     }
@@ -272,13 +277,26 @@ std::string footer() {
         restricted);
 }
 
+/// The group of a command whose name has two words, such as `layout`; the program itself for others.
+CLI::App& group_of(CLI::App& app, const std::string& name) {
+    const std::size_t end = name.find(' ');
+    if (end == std::string::npos) return app;
+    const std::string group = name.substr(0, end);
+    const auto is_group = [&](const CLI::App* known) { return known->get_name() == group; };
+    if (const auto known = app.get_subcommands(is_group); !known.empty()) return *known.front();
+    CLI::App* made = app.add_subcommand(group, "Saves, loads, forgets or lists layouts of the wall");
+    made->require_subcommand(1)->fallthrough();
+    return *made;
+}
+
 void add_commands(CLI::App& app, Words& words) {
     std::string last;
     for (const Command& command : commands()) {
         if (std::exchange(last, command.name) == command.name) continue;
-        CLI::App* made = app.add_subcommand(command.name, command.help);
+        const std::string name = command.name;
+        CLI::App* made = group_of(app, name).add_subcommand(name.substr(name.find(' ') + 1), command.help);
         made->fallthrough();
-        made->callback([&words, name = command.name] { words.command = name; });
+        made->callback([&words, name] { words.command = name; });
         if (command.operand == Operand::none) continue;
         CLI::Option* operand = made->add_option(operands_of(command.name), words.operand);
         if (command.operand == Operand::file_or_all)
@@ -295,7 +313,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1)->fallthrough()->footer(footer());
     Words words;
     bool wants_commands = false;
-    app.add_flag("--json", words.is_json, "Prints the answer as JSON: status, why, screenshot");
+    app.add_flag("--json", words.is_json, "Prints the answer as JSON: status, why, screenshot, layout list");
     app.add_flag("--commands", wants_commands, "Lists the commands and their arguments, for shells");
     add_commands(app, words);
     CLI11_PARSE(app, argc, argv);

@@ -5,11 +5,15 @@ _vitrinectl() {
         case ${COMP_WORDS[i]} in -*) ;; *) command=${COMP_WORDS[i]}; break ;; esac
     done
     if [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$(vitrinectl --commands | cut -d ' ' -f 1) --json --help" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "$(vitrinectl --commands | cut -d ' ' -f 1 | uniq) --json --help" -- "$word")
         return
     fi
     operands=$(vitrinectl --commands | grep "^$command ")
-    if [[ $operands == *' off' ]] && ((COMP_CWORD > i + 1)); then
+    if [[ $command == layout ]] && ((COMP_CWORD == i + 1)); then
+        mapfile -t COMPREPLY < <(compgen -W "$(cut -d ' ' -f 2 <<< "$operands")" -- "$word")
+    elif [[ $command == layout ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$(vitrinectl layout list 2> /dev/null)" -- "$word")
+    elif [[ $operands == *' off' ]] && ((COMP_CWORD > i + 1)); then
         mapfile -t COMPREPLY < <(compgen -W off -- "$word")
     elif [[ $operands == *FILE* || $operands == *.png* ]]; then
         compopt -o filenames

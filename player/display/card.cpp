@@ -78,6 +78,7 @@ CardState::Connector described(int fd, const drmModeConnector& connector) {
                               .crtcs = drmModeConnectorGetPossibleCrtcs(fd, &connector)};
     const EncoderHandle encoder(drmModeGetEncoder(fd, connector.encoder_id));
     if (encoder) made.crtc_id = encoder->crtc_id;
+    made.millimetres = {static_cast<double>(connector.mmWidth), static_cast<double>(connector.mmHeight)};
     const auto modes = list(connector.modes, connector.count_modes);
     made.modes.assign(modes.begin(), modes.end());
     for_each_property(fd, made.id, DRM_MODE_OBJECT_CONNECTOR,

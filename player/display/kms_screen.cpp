@@ -46,7 +46,8 @@ std::unique_ptr<Scanout> make_scanout(const KmsSurface& surface, int width, int 
 }  // namespace
 
 KmsScreen::KmsScreen(KmsSurface& surface, const Output& output, const Obstacles& in_the_way)
-    : surface_(surface),
+    : Screen(output.millimetres),
+      surface_(surface),
       output_(output),
       in_the_way_(in_the_way),
       scanout_(make_scanout(surface, output.mode.hdisplay, output.mode.vdisplay)) {

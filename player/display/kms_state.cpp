@@ -163,7 +163,8 @@ std::vector<Output> choose_outputs(const CardState& card, const ModeWishes& cont
                            .plane = plane,
                            .mode = mode,
                            .name = connector->name,
-                           .panel = connector->panel});
+                           .panel = connector->panel,
+                           .millimetres = connector->millimetres});
     }
     return outputs;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/geometry/vec2.hpp"
 #include "base/settings/output_words.hpp"
 
 #include <xf86drmMode.h>
@@ -25,6 +26,7 @@ struct CardState {
         std::uint32_t crtc_id = 0;  // the CRTC that feeds it now; 0: none
         std::vector<drmModeModeInfo> modes;
         std::uint64_t panel = 0;   // a number made from the EDID, to tell panels apart; 0: no EDID
+        Vec2 millimetres;          // the panel's sides by its EDID; 0: unknown
         bool is_link_bad = false;  // its mode must be set again
     };
 
@@ -48,6 +50,7 @@ struct Output {
     drmModeModeInfo mode{};
     std::string name;         // the connector's
     std::uint64_t panel = 0;  // CardState::Connector::panel
+    Vec2 millimetres = {};    // CardState::Connector::millimetres
 
     /// True if both show the same picture in the same way. Ignores names and flags of modes, which a card
     /// changes from one answer to the next.

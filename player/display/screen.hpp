@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/geometry/vec2.hpp"
 #include "player/display/picture.hpp"
 
 #include <chrono>
@@ -14,6 +15,9 @@ namespace vitrine::player {
 class Screen {
   public:
     Screen() = default;
+
+    explicit Screen(Vec2 millimetres) : millimetres_(millimetres) {}
+
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
     Screen(Screen&&) = delete;
@@ -25,6 +29,9 @@ class Screen {
 
     virtual int width() const = 0;  // px
     virtual int height() const = 0;
+
+    /// The panel's sides as it tells them, mm; 0: it tells none. Along width() and height().
+    Vec2 millimetres() const { return millimetres_; }
 
     /// Frames a second that it can show; 0: no limit.
     virtual double refresh() const { return 0; }
@@ -54,6 +61,9 @@ class Screen {
     /// Shows the frame drawn since begin_frame(). @param time  when it should appear, since the player's
     /// start
     virtual void present(std::chrono::nanoseconds time) = 0;
+
+  private:
+    Vec2 millimetres_;
 };
 
 }  // namespace vitrine::player

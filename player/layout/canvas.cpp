@@ -50,6 +50,17 @@ double distance_to_box(const Box& box, Vec2 point) {
 
 }  // namespace
 
+double finger_on(int width, int height, Vec2 millimetres) {
+    constexpr double target = 15;                       // mm
+    constexpr double smallest = 100, largest = 10'000;  // mm of a panel's width
+    constexpr double same_shape = 0.1;                  // share by which the pixels may be oblong
+    if (millimetres.x < smallest || millimetres.x > largest || millimetres.y <= 0) return usual_finger;
+    const double across = width / millimetres.x;
+    const double down = height / millimetres.y;
+    if (std::abs(across / down - 1) > same_shape) return usual_finger;
+    return target * std::max(across, down);
+}
+
 Canvas canvas_of(Vec2 size, std::vector<Box> outputs) {
     Canvas canvas(size);
     canvas.outputs = std::move(outputs);

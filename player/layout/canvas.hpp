@@ -7,6 +7,13 @@
 
 namespace vitrine::player {
 
+/// 15 mm at 96 dpi, canvas px: where a panel does not tell its size.
+inline constexpr double usual_finger = 57;
+
+/// The px of 15 mm on a panel. @param width, height  px; @param millimetres  its sides as it tells them,
+/// which may be 0 or nonsense, such as 16 and 9
+double finger_on(int width, int height, Vec2 millimetres);
+
 /// The canvas of a wall: its size in px, and what of it is seen, if several outputs show parts of it.
 struct Canvas {
     double x = 0;  // px
@@ -14,6 +21,7 @@ struct Canvas {
     std::vector<Box> outputs;  // canvas px, the parts that outputs show; none: all of it is seen
     std::vector<Box> bands;    // canvas px, all that is between and beside the outputs; they may overlap. No
                                // I-Region rests there
+    double finger = usual_finger;  // px of 15 mm: the least side of what fingers shall hit
 
     Canvas() = default;
 
@@ -26,7 +34,10 @@ struct Canvas {
     // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a canvas is used as its size
     operator Vec2() const { return {x, y}; }
 
-    bool operator==(const Canvas&) const = default;
+    /// Compares what layouts depend on: all but `finger`.
+    bool operator==(const Canvas& other) const {
+        return x == other.x && y == other.y && outputs == other.outputs && bands == other.bands;
+    }
 
     /// Compares the size alone.
     bool operator==(Vec2 size) const { return x == size.x && y == size.y; }

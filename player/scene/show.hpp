@@ -4,6 +4,7 @@
 #include "player/layout/canvas.hpp"
 #include "player/layout/edit/wall_way.hpp"
 #include "player/layout/plan/plan_request.hpp"
+#include "player/scene/arrangement.hpp"
 #include "player/scene/files/shot_rotation.hpp"
 #include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
@@ -29,6 +30,7 @@ struct WallPlan {
     Canvas canvas;                 // px
     std::vector<PlanItem> items;   // each at its present place, or with the seat of its slot's last shot
     std::shared_ptr<const WayRequest> way;  // instead of items: the wall is touched
+    bool keeps_places = false;              // where all items have a place, that is the layout
 };
 
 /// The work of one frame, besides drawing it.
@@ -42,12 +44,6 @@ struct WallStep {
 /// A shot that is seen, and its source, which is the subject of touches on it.
 struct SeenShot {
     SourceId source = 0;
-    ShotKey key;
-};
-
-/// A shot on the wall and its slot.
-struct SlotShot {
-    int slot = 0;  // on a panning wall: the position from the left, which changes as the wall moves
     ShotKey key;
 };
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "player/scene/arrangement.hpp"
+
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -13,6 +16,7 @@ struct ShowControls {
     std::uint64_t turns = 0;      // number of turns asked for so far; at each, one shot leaves at once
     std::set<std::string> files;  // pinned files: they come onto the wall and stay there
     std::set<int> slots;          // pinned slots: they keep their shots
+    std::shared_ptr<const ArrangedWall> arranged;  // another one is taken once: the wall becomes so
 
     bool operator==(const ShowControls&) const = default;
 };

@@ -139,8 +139,11 @@ Wall::Wall(const Canvas& canvas, const WallSettings& settings)
       pace_(settings.is_calm ? calm_spacing : flash_spacing) {}
 
 void Wall::set_canvas(const Canvas& canvas) {
-    if (canvas == canvas_) return;
-    is_canvas_new_ = true;
+    if (canvas == canvas_) {
+        canvas_ = canvas;
+        return;
+    }
+    must_plan_ = true;
     canvas_ = canvas;
     touch_.put_all_down();
     if (change_ && change_->is_by_touch) change_.reset();
@@ -184,7 +187,7 @@ void Wall::set_layout(const Layout& layout) {
     const bool is_fresh = change_->is_replanned() || shown_.empty() || change_->canvas != shown_canvas_;
     lay_out(*change_, layout, settings_.transition.cells);
     const double waste = wasted_share(change_->wall, change_->canvas);
-    if (is_fresh) {
+    if (is_fresh || change_->is_arranged) {
         usual_waste_ = waste;
         choose_layout(*change_, worth_replanning);
     } else if (waste > usual_waste_ + worth_replanning) {
@@ -199,13 +202,21 @@ void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
 
 void Wall::set_controls(const ShowControls& controls) {
     is_held_ = controls.is_held;
+    const ArrangedWall* const awaited = slots_.arranged();
     slots_.set_controls(controls);
+    if (slots_.arranged() == awaited) return;
+    must_plan_ = true;
+    touch_.handle_gesture({.kind = Gesture::Kind::key, .key = Key::back}, {});
 }
 
 std::vector<SlotShot> Wall::standing() const {
     std::vector<SlotShot> all;
     for (const PlacedShot& placed : shown_)
-        all.push_back({.slot = placed.shot.slot, .key = placed.shot.key});
+        all.push_back({.slot = placed.shot.slot,
+                       .key = placed.shot.key,
+                       .folder = placed.shot.folder,
+                       .at = placed.placement,
+                       .seat = seat_of(placed.shot.item, placed.placement)});
     return all;
 }
 
@@ -247,6 +258,7 @@ void Wall::end_change(std::chrono::nanoseconds now) {
     const auto arrival =
         settings_.comes_at_once ? std::chrono::nanoseconds(0) : settings_.transition.duration;
     if (!has_ended(*change_, sources_, arrival, now)) return;
+    if (change_->is_arranged && change_->canvas == canvas_) slots_.places_given();
     shown_canvas_ = change_->canvas;
     shown_ = std::move(change_->wall);
     change_.reset();
@@ -283,8 +295,8 @@ void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
 /// @return the plan of the new wall; none: nothing changes, or there is nothing to show
 std::optional<WallPlan> Wall::follow_slots() {
     const std::vector<WallShot> wanted = slots_.shots();
-    if (is_same(change_ ? change_->wall : shown_, wanted) && !is_canvas_new_) return std::nullopt;
-    is_canvas_new_ = false;
+    if (is_same(change_ ? change_->wall : shown_, wanted) && !must_plan_) return std::nullopt;
+    must_plan_ = false;
     if (!change_ && wanted.empty() && shown_.empty()) return std::nullopt;
     change_ = WallChange{.phase = wanted.empty() ? Phase::laid_out : Phase::planned,
                          .generation = ++generation_,
@@ -294,7 +306,12 @@ std::optional<WallPlan> Wall::follow_slots() {
         change_->wall.push_back({.shot = shot, .group = group_of(shot)});
     if (wanted.empty()) return std::nullopt;
     WallPlan plan{.generation = generation_, .canvas = canvas_, .items = plan_items(wanted, shown_)};
-    forget_places_of_few(plan.items);
+    change_->is_arranged = slots_.arranged() != nullptr;
+    plan.keeps_places = change_->is_arranged;
+    if (change_->is_arranged)
+        give_arranged_places(plan.items, wanted, *slots_.arranged(), canvas_);
+    else
+        forget_places_of_few(plan.items);
     return plan;
 }
 

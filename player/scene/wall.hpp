@@ -69,6 +69,7 @@ class Wall final : public Show {
     /// Replaces the source's file by another. Its shots stay on the wall until the others are ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
 
+    /// An arrangement is taken once the wall is left alone. Nothing stays large.
     void set_controls(const ShowControls& controls) override;
 
     /// @param now  since the player's start; never goes back
@@ -103,7 +104,7 @@ class Wall final : public Show {
     std::vector<PlacedShot> shown_;
     Canvas shown_canvas_;  // the canvas of shown_'s layout
     std::optional<WallChange> change_;
-    bool is_canvas_new_ = false;
+    bool must_plan_ = false;  // the canvas is new, or an arrangement is to be taken
     bool is_held_ = false;    // no change begins
     double usual_waste_ = 1;  // waste of the last new layout, as a share of the canvas
     std::uint64_t generation_ = 0;

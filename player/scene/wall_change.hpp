@@ -36,6 +36,7 @@ struct WallChange {
     std::vector<PlacedShot> calm;  // the wasteful layout, which moves the shots little; empty: none
     bool is_final = false;         // the layout is final: no better one follows
     bool is_by_touch = false;
+    bool is_arranged = false;                               // it gives the shots the places of an arrangement
     std::chrono::nanoseconds duration{0};                   // for a touch
     bool drifts_after = true;                               // for a touch: photos drift on the wall after it
     std::shared_ptr<const WallWay> way;                     // for a touch: since its layout has come

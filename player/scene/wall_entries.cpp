@@ -84,13 +84,21 @@ void WallEntries::give_entries() {
 }
 
 void WallEntries::set_controls(const ShowControls& controls) {
+    const bool is_arranged = controls.arranged && controls.arranged != controls_.arranged;
     controls_ = controls;
-    give_controls();
+    if (!is_arranged) return give_controls();
+    awaited_ = controls.arranged;
+    give_controls(controls.arranged);
+    for (const WallShot& entry : slots_.shots())
+        if (const auto folder = folders_.find(entry.source); folder != folders_.end())
+            arrange(entry, folder->second);
+    follow_slots();
 }
 
-/// Pins the entries of pinned files.
-void WallEntries::give_controls() {
+/// Pins the entries of pinned files. @param arranged  is to be taken now
+void WallEntries::give_controls(const std::shared_ptr<const ArrangedWall>& arranged) {
     ShowControls controls = controls_;
+    controls.arranged = arranged;
     for (const auto& entry : stand_ins_) {
         const std::string inside = entry.first + '/';
         const auto is_inside = [&](const std::string& path) { return path.starts_with(inside); };
@@ -117,7 +125,7 @@ void WallEntries::follow_slots() {
         if (known != folders_.end())
             shots = std::move(known->second);
         else
-            fill(entry, shots);
+            arrange(entry, shots);
     }
     folders_ = std::move(folders);
 }
@@ -153,6 +161,23 @@ void WallEntries::fill(const WallShot& entry, FolderShots& shots) {
         shots.push_back(wall_shot(*file, keys[i], ++*settings_.numbers, entry.slot));
         shots.back().folder = entry.key.path;
     }
+}
+
+/// Gives a folder the shots that it has in the arrangement, and further ones.
+void WallEntries::arrange(const WallShot& entry, FolderShots& shots) {
+    const FolderShots before = std::exchange(shots, {});
+    for (const SlotShot& arranged : awaited_ ? awaited_->shots : std::vector<SlotShot>()) {
+        const RecordList::Record file = files_.all().find(arranged.key.path);
+        if (arranged.folder != entry.key.path || !file) continue;
+        if (arranged.key.shot >= static_cast<int>(file->shots.size())) continue;
+        const auto same = std::ranges::find(before, arranged.key, &WallShot::key);
+        shots.push_back(
+            same != before.end() ? *same : wall_shot(*file, arranged.key, ++*settings_.numbers, entry.slot));
+        shots.back().slot = entry.slot;
+        shots.back().folder = entry.key.path;
+    }
+    if (!awaited_) shots = before;
+    fill(entry, shots);
 }
 
 std::map<SourceId, WallEntries::FolderShots>::iterator WallEntries::folder_with(SourceId source) {

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,6 +29,12 @@ class WallEntries {
     /// Sets the controls. A pinned file keeps the entry that it is in on the wall.
     void set_controls(const ShowControls& controls);
 
+    /// The arrangement of the controls until its places have been given; then nullptr.
+    const ArrangedWall* arranged() const { return awaited_.get(); }
+
+    /// The shots have got the places of the arrangement.
+    void places_given() { awaited_.reset(); }
+
     void advance(std::chrono::nanoseconds now);
 
     std::optional<std::chrono::nanoseconds> due() const { return slots_.due(); }
@@ -49,10 +56,11 @@ class WallEntries {
 
     std::map<SourceId, FolderShots>::iterator folder_with(SourceId source);
     void give_entries();
-    void give_controls();
+    void give_controls(const std::shared_ptr<const ArrangedWall>& arranged = {});
     void follow_slots();
     void refresh(const RecordList& before);
     void fill(const WallShot& entry, FolderShots& shots);
+    void arrange(const WallShot& entry, FolderShots& shots);
     void avoid(SourceId source, Time now);
 
     SlotSettings settings_;
@@ -62,6 +70,7 @@ class WallEntries {
     GroupTurns groups_;
     ShowHints hints_;
     ShowControls controls_;
+    std::shared_ptr<const ArrangedWall> awaited_;          // until its places have been given
     std::map<std::string, RecordList::Record> stand_ins_;  // what the slots know of each folder, by its path
     std::map<SourceId, FolderShots> folders_;              // by the source that the slots have for the folder
     std::map<std::string, Time> avoided_;                  // path -> end of the avoidance

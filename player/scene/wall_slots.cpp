@@ -28,6 +28,30 @@ std::chrono::nanoseconds leaving_time(const Leaving& leaving, std::chrono::nanos
     return seam - earliest <= spacing ? seam : earliest;
 }
 
+/// The rules for the time that a shot stays.
+struct StayRules {
+    const SlotSettings& settings;
+    const ShowHints& hints;
+    const RecordList& files;
+    long count = 1;  // shots of its file on the wall
+};
+
+/// The time that a shot stays: as its hints say; else a film stays for whole loops, unless they take too
+/// long, and for one loop if that is a very short one of several, or if it is in sequence beside its film's
+/// other shots.
+std::chrono::nanoseconds time_to_stay(const WallShot& shot, const StayRules& rules) {
+    const auto said = rules.hints.find(shot.key.path);
+    if (said && said->hints.dwell) return *said->hints.dwell;
+    if (shot.kind == MediaKind::photo) return rules.settings.dwell;
+    const std::chrono::nanoseconds loop = shot.shot.duration();
+    if (loop < short_shot && rules.files.find(shot.key.path)->shots.size() > 1) return loop;
+    const std::chrono::nanoseconds max_dwell = rules.settings.max_dwell;
+    if (is_in_sequence(rules.settings.film, rules.files.size()) && rules.count > 1)
+        return std::min(loop, max_dwell);
+    const auto loops = (rules.settings.dwell + loop - std::chrono::nanoseconds(1)) / loop;
+    return std::min(loop * std::max<std::int64_t>(1, loops), std::max(rules.settings.dwell, max_dwell));
+}
+
 }  // namespace
 
 WallSlots::WallSlots(const SlotSettings& settings)
@@ -76,7 +100,39 @@ void WallSlots::follow_changes(const RecordList& before) {
 
 void WallSlots::set_controls(const ShowControls& controls) {
     if (controls.files != controls_.files) next_turn_ = {};
+    std::shared_ptr<const ArrangedWall> awaited = std::move(controls_.arranged);
     controls_ = controls;
+    if (!controls.arranged) {
+        controls_.arranged = std::move(awaited);
+        return;
+    }
+    due_.reset();
+    const std::vector<Slot> before = std::exchange(slots_, std::vector<Slot>(slots_.size()));
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const auto key = arranged_key(*controls.arranged, static_cast<int>(i));
+        const auto has_key = [&](const Slot& slot) { return key && slot.shot && slot.shot->key == *key; };
+        const auto same = std::ranges::find_if(before, has_key);
+        if (same == before.end() || std::ranges::any_of(slots_, has_key)) continue;
+        slots_[i] = *same;
+        slots_[i].shot->slot = static_cast<int>(i);
+    }
+    fill_slots();
+}
+
+/// Gives free slots the shots that the arrangement has there. It is done with once there are files.
+void WallSlots::fill_arranged() {
+    if (!controls_.arranged || files_.all().is_empty()) return;
+    const std::shared_ptr<const ArrangedWall> arranged = std::exchange(controls_.arranged, nullptr);
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const auto key = arranged_key(*arranged, static_cast<int>(i));
+        if (slots_[i].shot || !key || chooser_.is_avoided(key->path)) continue;
+        const RecordList::Record file = files_.all().find(key->path);
+        const auto has_key = [&](const Slot& slot) { return slot.shot && slot.shot->key == *key; };
+        if (!file || key->shot >= static_cast<int>(file->shots.size())) continue;
+        if (std::ranges::any_of(slots_, has_key)) continue;
+        slots_[i].then = *key;  // a Live Photo comes without its film
+        put_shot(slots_[i], *key);
+    }
 }
 
 bool WallSlots::is_pinned(const Slot& slot) const {
@@ -156,6 +212,7 @@ std::vector<WallShot> WallSlots::shots() const {
 }
 
 void WallSlots::fill_slots() {
+    fill_arranged();
     std::vector<Slot*> filled;
     for (Slot& slot : slots_) {
         if (slot.shot) continue;
@@ -180,7 +237,8 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
         const auto count = static_cast<std::int64_t>(slots.size());
         for (std::int64_t k = 0; k < count; ++k) {
             Slot& slot = *slots[static_cast<std::size_t>(k)];
-            const std::chrono::nanoseconds stay = time_to_stay(*slot.shot);
+            const std::chrono::nanoseconds stay = time_to_stay(
+                *slot.shot, {settings_, hints_, files_.all(), count_on_wall(slot.shot->key.path)});
             const std::chrono::nanoseconds first =
                 count > 1 ? std::min<std::chrono::nanoseconds>(stay / count, first_leaves) : stay;
             slot.ahead = stay - first - stay * k / count;
@@ -194,7 +252,9 @@ std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until
     for (Slot& slot : slots_) {
         if (!slot.shot || !slot.shown || (is_pinned(slot) && !slot.then)) continue;
         const std::chrono::nanoseconds stay =
-            slot.then ? slot.shot->shot.duration() : time_to_stay(*slot.shot);
+            slot.then ? slot.shot->shot.duration()
+                      : time_to_stay(*slot.shot,
+                                     {settings_, hints_, files_.all(), count_on_wall(slot.shot->key.path)});
         const std::chrono::nanoseconds due = *slot.shown + stay - slot.ahead;
         if (due > until) continue;
         const std::chrono::nanoseconds loop = slot.shot->shot.duration();
@@ -204,22 +264,6 @@ std::vector<WallSlots::Turn> WallSlots::due_turns(std::chrono::nanoseconds until
     }
     std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.due < b.due; });
     return turns;
-}
-
-/// The time that a shot stays: as its hints say; else a film stays for whole loops, unless they take too
-/// long, and for one loop if that is a very short one of several, or if it is in sequence beside its film's
-/// other shots.
-std::chrono::nanoseconds WallSlots::time_to_stay(const WallShot& shot) const {
-    const auto said = hints_.find(shot.key.path);
-    if (said && said->hints.dwell) return *said->hints.dwell;
-    if (shot.kind == MediaKind::photo) return settings_.dwell;
-    const std::chrono::nanoseconds loop = shot.shot.duration();
-    if (loop < short_shot && files_.all().find(shot.key.path)->shots.size() > 1) return loop;
-    if (is_in_sequence(settings_.film, files_.all().size()) && count_on_wall(shot.key.path) > 1)
-        return std::min(loop, settings_.max_dwell);
-    const auto loops = (settings_.dwell + loop - std::chrono::nanoseconds(1)) / loop;
-    const std::chrono::nanoseconds max_dwell = std::max(settings_.dwell, settings_.max_dwell);
-    return std::min(loop * std::max<std::int64_t>(1, loops), max_dwell);
 }
 
 std::optional<ShotKey> WallSlots::choose_shot(const Slot& slot) {

@@ -54,7 +54,7 @@ class WallSlots {
     void set_catalogue(const RecordList& records, const ShowHints& hints = {});
 
     /// Sets the controls. A turn that is asked for is always taken. A pinned file that is not on the wall
-    /// gets the next turn.
+    /// gets the next turn. An arrangement is taken at each call that has one, as soon as there are files.
     void set_controls(const ShowControls& controls);
 
     /// Replaces at most one shot whose time is nearly over, early enough to prepare the next one. Fills free
@@ -97,9 +97,9 @@ class WallSlots {
     const std::string* pinned_and_missing() const;
     void follow_changes(const RecordList& before);
     void fill_slots();
+    void fill_arranged();
     void spread_leaving(const std::vector<Slot*>& filled);
     std::vector<Turn> due_turns(std::chrono::nanoseconds until);
-    std::chrono::nanoseconds time_to_stay(const WallShot& shot) const;
     std::optional<ShotKey> choose_shot(const Slot& slot);
     void put_shot(Slot& slot, const ShotKey& key);
     long count_on_wall(const std::string& path) const;

@@ -33,8 +33,10 @@ Canvas ScreenPainter::canvas() const {
     if (outputs_.is_shared()) return outputs_.shared().canvas;
     const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
     const Screen& largest = **std::ranges::max_element(screens_, {}, area);
-    return canvas_size(largest.width(), largest.height(),
-                       view_of(settings_, largest.width(), largest.height()));
+    Canvas canvas =
+        canvas_size(largest.width(), largest.height(), view_of(settings_, largest.width(), largest.height()));
+    canvas.finger = finger_on(largest.width(), largest.height(), largest.millimetres());
+    return canvas;
 }
 
 Canvas ScreenPainter::expected_canvas(int width, int height) {

@@ -74,7 +74,8 @@ void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds n
         return;
     }
     if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
-    if (const Canvas canvas = painter_->canvas(); canvas != shows_->canvas()) set_canvas(canvas);
+    const Canvas canvas = painter_->canvas();
+    if (canvas != shows_->canvas() || canvas.finger != shows_->canvas().finger) set_canvas(canvas);
 }
 
 void Stage::set_canvas(const Canvas& canvas) {

@@ -43,6 +43,7 @@ void Stages::make_anew() {
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
         stages_[i]->set_controls(controls_);
     }
+    arranged_.clear();
 }
 
 void Stages::set_catalogue(const RecordList& records, const ShowHints& hints) {
@@ -52,8 +53,30 @@ void Stages::set_catalogue(const RecordList& records, const ShowHints& hints) {
 
 void Stages::set_controls(const ShowControls& controls) {
     controls_ = controls;
-    for (const auto& stage : stages_)
-        stage->set_controls(controls_);
+    for (const auto& stage : stages_) {
+        ShowControls own = controls_;
+        if (const auto wall = arranged_.find(stage->files().folder()); wall != arranged_.end())
+            own.arranged = wall->second;
+        stage->set_controls(own);
+    }
+}
+
+void Stages::arrange(ArrangedWalls walls) {
+    for (auto& [folder, wall] : walls)
+        arranged_[folder] = std::make_shared<const ArrangedWall>(std::move(wall));
+    set_controls(ShowControls(controls_));
+}
+
+ArrangedWalls Stages::arrangement() const {
+    ArrangedWalls walls;
+    for (const auto& stage : stages_) {
+        const Show& wall = stage->wall();
+        if (stage->screens().empty() || !wall.opened_folder().empty()) continue;
+        std::vector<SlotShot> shots = wall.standing();
+        if (shots.empty() || shots.front().seat.area <= 0) continue;  // it keeps no places
+        walls[stage->files().folder()] = {.canvas = stage->frame().canvas, .shots = std::move(shots)};
+    }
+    return walls;
 }
 
 Stage& Stages::stage_of(const Screen& screen) {

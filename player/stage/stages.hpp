@@ -16,7 +16,8 @@
 
 namespace vitrine::player {
 
-struct SlotShot;
+/// Walls by the folder of their stage; "": that of all outputs without a folder of their own.
+using ArrangedWalls = std::map<std::string, ArrangedWall>;
 
 /// The stages of a player, one for each folder that has an output of its own and one for all other outputs.
 /// Logs.
@@ -39,6 +40,12 @@ class Stages {
     void set_catalogue(const RecordList& records, const ShowHints& hints);
 
     void set_controls(const ShowControls& controls);
+
+    /// Arranges the walls anew. @param walls  by the folder of their stage; others stay as they are
+    void arrange(ArrangedWalls walls);
+
+    /// The walls as they stand now: those that a screen shows, and in which no folder is open.
+    ArrangedWalls arrangement() const;
 
     /// Gives each screen to the stage of its output. @param screens  lent until the next call
     void set_screens(std::span<Screen* const> screens, std::chrono::nanoseconds now);
@@ -79,6 +86,8 @@ class Stages {
     SourcePool& sources_;       // outlives this
     bool awaits_sources_;
     ShowControls controls_;
+    std::map<std::string, std::shared_ptr<const ArrangedWall>>
+        arranged_;                                  // by folder, until new stages are made
     std::map<std::string, std::size_t> number_of_;  // output -> stages_; other outputs show the first
     std::vector<std::unique_ptr<Stage>> stages_;
     ChangePace pace_{flash_spacing};

@@ -36,6 +36,7 @@ void WallPlanner::request_layout(const WallPlan& wall) {
     }
     PlanRequest request = plan_request(settings_, wall.canvas);
     request.items = wall.items;
+    request.keeps_places = wall.keeps_places;
     if (!is_at_once_) return planner_.request_layout(std::move(request), wall.generation);
     made_at_once_ = plan(request);
     made_at_once_->generation = wall.generation;

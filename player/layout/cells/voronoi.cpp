@@ -1,5 +1,6 @@
 #include "player/layout/cells/voronoi.hpp"
 
+#include "player/layout/cells/voronoi_check.hpp"
 #include "player/layout/cells/voronoi_circles.hpp"
 #include "player/layout/pack/overlap.hpp"
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -21,8 +24,13 @@ using Edge = Diagram::edge_type;
 using GridSegment = boost::polygon::segment_data<std::int32_t>;
 using SitePoint = boost::polygon::point_data<std::int32_t>;
 
-constexpr double bend_tolerance = 0.25;  // canvas px between a curve and its chords
-constexpr double beyond = 4;             // canvas sizes from the canvas to the guards, which bound all cells
+constexpr double bend_tolerance = 0.25;     // canvas px between a curve and its chords
+constexpr double max_coordinate = 1 << 18;  // px, farther than any guard
+constexpr int quarters = 4;
+constexpr int tries = 4;                // of one diagram
+constexpr double nearest_sites = 0.02;  // px between an I-Region and the site for it, after two tries
+constexpr double coarse_spacing = 2;    // px between sampled points where no exact diagram is found
+constexpr double beyond = 4;            // canvas sizes from the canvas to the guards, which bound all cells
 constexpr std::int32_t site_origin = 1 << 25;  // grid units added to sites, see CheckedCircles
 
 /// The input of the diagram, in units of grid_per_px. Its origin is `site_origin` up and left of the canvas.
@@ -101,8 +109,10 @@ Polygon bend(Vec2 focus, Vec2 a, Vec2 b, Vec2 from, Vec2 to) {
     const double begin = dot(from - foot, along);
     const double end = dot(to - foot, along);
     // The chord over a width w is at most w^2 / 8p away from the parabola.
+    constexpr double max_pieces = 1000;
     const double max_width = std::sqrt(8 * p * bend_tolerance);
-    const int pieces = std::clamp(static_cast<int>(std::ceil(std::abs(end - begin) / max_width)), 1, 1000);
+    const double wished = std::abs(end - begin) / max_width;
+    const int pieces = wished > 0 ? static_cast<int>(std::ceil(std::min(wished, max_pieces))) : 1;
     Polygon corners;
     for (int i = 1; i < pieces; ++i) {
         const double x = begin + (end - begin) * i / pieces;
@@ -117,10 +127,11 @@ class OutlineTracer {
     OutlineTracer(const Sites& sites, const Diagram& diagram, std::size_t owners)
         : sites_(sites), diagram_(diagram), loops_(owners) {}
 
-    std::vector<Loops> run() {
+    /// None: the diagram is damaged.
+    std::optional<std::vector<Loops>> run() {
         for (const Edge& edge : diagram_.edges())
             if (is_border(edge) && sites_.owner(edge) < loops_.size() && edge.color() == untraced)
-                trace(edge);
+                if (!trace(edge)) return std::nullopt;
         return std::move(loops_);
     }
 
@@ -138,30 +149,36 @@ class OutlineTracer {
         return *next;
     }
 
-    void trace(const Edge& first) {
+    bool trace(const Edge& first) {
         Loop loop;
         const Edge* edge = &first;
         do {
+            if (edge->color() == traced) return false;
             edge->color(traced);
-            append(loop, *edge);
+            if (!append(loop, *edge)) return false;
             edge = &after(*edge);
         } while (edge != &first);
         while (loop.size() > 1 && loop.front() == loop.back())
             loop.pop_back();
         if (loop.size() >= 3) loops_[sites_.owner(first)].push_back(std::move(loop));
+        return true;
     }
 
     /// Appends the edge without its end. An edge has the same corners in both directions.
-    void append(Loop& loop, const Edge& edge) {
+    /// @return false: it has no end, which no cell on the canvas has
+    bool append(Loop& loop, const Edge& edge) {
         const bool forward = &edge < edge.twin();
         const Edge& base = forward ? edge : *edge.twin();
+        if (base.vertex0() == nullptr || base.vertex1() == nullptr) return false;
         Polygon line = corners(base);
         if (!forward) std::reverse(line.begin(), line.end());
         line.pop_back();
         for (const Vec2& p : line) {
+            if (!(std::abs(p.x) < max_coordinate && std::abs(p.y) < max_coordinate)) return false;
             const CellPoint point = to_grid(p);
             if (loop.empty() || loop.back() != point) loop.push_back(point);
         }
+        return true;
     }
 
     Polygon corners(const Edge& edge) const {
@@ -196,9 +213,9 @@ class OutlineTracer {
     std::vector<Loops> loops_;
 };
 
-}  // namespace
-
-std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites) {
+/// None: the diagram is damaged.
+std::optional<std::vector<Loops>> diagram_of(std::span<const Polygon> regions, const Box& canvas,
+                                             const VoronoiSites& sites) {
     Sites input;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         if (sites.spacing > 0)
@@ -213,6 +230,65 @@ std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, 
     boost::polygon::insert(input.segments.begin(), input.segments.end(), &builder);
     builder.construct(&diagram);
     return OutlineTracer(input, diagram, regions.size()).run();
+}
+
+/// A point that was turned about the origin by some right angles.
+template <typename Point> Point turned(Point point, int quarters_left) {
+    for (int k = 0; k < quarters_left; ++k)
+        point = {-point.y, point.x};
+    return point;
+}
+
+Polygon turned(Polygon polygon, int quarters_left) {
+    for (Vec2& corner : polygon)
+        corner = turned(corner, quarters_left);
+    return polygon;
+}
+
+/// A region that is smaller by a few steps of the grid on each side.
+Polygon shrunk(Polygon region) {
+    const Box box = bounding_box(region);
+    const double factor = std::max(0.5, 1 - 2 * nearest_sites / std::min(box.width(), box.height()));
+    const Vec2 middle = centroid(region);
+    for (Vec2& corner : region)
+        corner = middle + (corner - middle) * factor;
+    return region;
+}
+
+/// The diagram of sites that are turned by some right angles, turned back.
+std::optional<std::vector<Loops>> turned_diagram(std::span<const Polygon> regions, const Box& canvas,
+                                                 int quarters_left) {
+    std::vector<Polygon> sites;
+    sites.reserve(regions.size());
+    for (const Polygon& region : regions)
+        sites.push_back(turned(region, quarters_left));
+    auto found = diagram_of(sites, bounding_box(turned(to_polygon(canvas), quarters_left)), {});
+    if (!found) return std::nullopt;
+    for (Loops& loops : *found)
+        for (Loop& loop : loops)
+            for (CellPoint& point : loop)
+                point = turned(point, quarters - quarters_left);
+    return found;
+}
+
+}  // namespace
+
+// Boost's diagram is wrong where sites meet on its grid, and for a few other sets of sites, which depends on
+// the order in which its sweep meets them: whole cells lie elsewhere, vertices are missing or no numbers. So
+// each diagram is checked. If it is wrong, it is made of turned sites, then of smaller ones.
+std::vector<Loops> voronoi(std::span<const Polygon> regions, const Box& canvas, const VoronoiSites& sites) {
+    const std::vector<Loops> none(regions.size());
+    if (sites.spacing > 0) return diagram_of(regions, canvas, sites).value_or(none);
+    std::vector<Polygon> tried(regions.begin(), regions.end());
+    for (int k = 0; k < tries; ++k) {
+        if (auto found = turned_diagram(tried, canvas, k % quarters);
+            found && are_nearest(*found, regions, canvas))
+            return std::move(*found);
+        if (k == 0) continue;
+        for (Polygon& region : tried)
+            region = shrunk(region);
+    }
+    return diagram_of(regions, canvas, {.spacing = coarse_spacing}).value_or(none);
 }
 
 }  // namespace vitrine::player

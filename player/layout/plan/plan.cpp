@@ -2,10 +2,13 @@
 
 #include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/flat_plan.hpp"
+#include "player/layout/plan/kept_layout.hpp"
 #include "player/layout/plan/nesting.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -63,6 +66,7 @@ bool take_best_place(PlanItem& item, const PlanRequest& request) {
 }  // namespace
 
 Layout plan(const PlanRequest& request, const PlanWatch& watch) {
+    if (std::optional<Layout> kept = kept_layout(request)) return std::move(*kept);
     if (!is_new_around_pinned(request)) return planned(request, watch);
     PlanRequest without = request;
     std::erase_if(without.items, is_pinned);

@@ -4,9 +4,10 @@
 
 namespace vitrine::player {
 
-// The door to all packing: items and a canvas go in, a layout comes out. plan() chooses one of four ways:
+// The door to all packing: items and a canvas go in, a layout comes out. plan() chooses one of five ways:
 //
 //   request                    module      way
+//   keeps_places               kept_layout the items' places, where all have one and these are sound
 //   items have groups          nesting     each group is one body; its items are packed in the body
 //   energy = paper             flat_plan   eq. 3.4-3.7: pack/initial_packing, then pack/descent, down the
 //                                          paper_energy() of pack/energy

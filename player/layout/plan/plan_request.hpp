@@ -15,6 +15,8 @@ namespace vitrine::player {
 struct Seat {
     Vec2 centre;      // canvas px, centroid of the former I-Region
     double area = 0;  // canvas px^2 of the former I-Region; 0: the item gets its natural area
+
+    bool operator==(const Seat&) const = default;
 };
 
 /// One item to be laid out, and its former place.
@@ -49,6 +51,7 @@ struct PlanRequest {
                                     // to the next
     EnergyMode energy = EnergyMode::screen;
     LayoutOrder order = LayoutOrder::free;  // ignored by the paper's energy
+    bool keeps_places = false;  // where all items have a place, and these are sound, they are the layout
 };
 
 /// The observer of a plan in the making. Both functions may be empty.

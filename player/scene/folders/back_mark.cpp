@@ -10,7 +10,6 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double min_height = 57;      // canvas px
 constexpr double height_share = 0.11;  // of the canvas' shorter side
 constexpr double gap_share = 0.02;     // of the canvas' shorter side, to its edges
 constexpr double rim_share = 0.04;     // of the mark's height
@@ -22,7 +21,7 @@ Box back_mark(const Canvas& canvas) {
     const double side = std::min(seen.width(), seen.height());
     const double aspect = canvas.x / canvas.y;
     const double largest = std::min(side / 2, seen.width() / (2 * aspect));
-    const double height = std::min(largest, std::max(min_height, side * height_share));
+    const double height = std::min(largest, std::max(canvas.finger, side * height_share));
     const double gap = side * gap_share;
     const Vec2 corner{seen.min.x + gap, seen.max.y - gap};
     return {{corner.x, corner.y - height}, {corner.x + height * aspect, corner.y}};

@@ -6,7 +6,7 @@
 namespace vitrine::player {
 
 /// The first place of the way back on the wall of an opened folder: a small picture of the wall that it was
-/// opened on. At least 57 px high, which is 15 mm at 96 dpi. Canvas px.
+/// opened on. At least 15 mm high. Canvas px.
 Box back_mark(const Canvas& canvas);
 
 /// The way back as an item of a plan: no I-Region comes under it. It stands in the corner at the bottom left

@@ -20,7 +20,7 @@ FolderWall::FolderWall(const Canvas& canvas, const WallSettings& settings)
     : idle_(settings.idle), canvas_(canvas), folders_(canvas, settings), wished_depth_(max_depth) {}
 
 void FolderWall::set_canvas(const Canvas& canvas) {
-    if (canvas == canvas_) return;
+    if (canvas == canvas_ && canvas.finger == canvas_.finger) return;
     canvas_ = canvas;
     wished_depth_ = 1;
     folders_.set_canvas(canvas);
@@ -38,9 +38,13 @@ void FolderWall::set_catalogue(const RecordList& records, const ShowHints& hints
 }
 
 void FolderWall::set_controls(const ShowControls& controls) {
+    if (controls.arranged && controls.arranged != arranged_) wished_depth_ = 1;
+    arranged_ = controls.arranged;
     controls_ = controls;
-    for (OpenFolder& level : folders_.levels())
-        level.set_controls(controls);
+    controls_.arranged.reset();
+    folders_.levels().front().set_controls(controls);
+    for (std::size_t k = 1; k < folders_.depth(); ++k)
+        folders_.levels()[k].set_controls(controls_);
 }
 
 void FolderWall::handle_gesture(const Gesture& gesture) {

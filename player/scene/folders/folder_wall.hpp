@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,6 +36,8 @@ class FolderWall final : public Show {
     void set_layout(const Layout& layout) override;
     void source_ready(SourceId source) override;
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
+
+    /// An arrangement is one of the wall of all files: open folders are closed.
     void set_controls(const ShowControls& controls) override;
     WallStep step(std::chrono::nanoseconds now) override;
 
@@ -60,7 +63,8 @@ class FolderWall final : public Show {
     Canvas canvas_;
     RecordList records_;
     ShowHints hints_;
-    ShowControls controls_;
+    ShowControls controls_;  // of open folders
+    std::shared_ptr<const ArrangedWall> arranged_;
     FolderStack folders_;
     std::string wanted_;        // the folder that was tapped; empty: none
     std::size_t wished_depth_;  // number of walls that shall stay open

@@ -220,7 +220,7 @@ TEST_CASE("a file that brought the player down is held back, and of two suspects
 TEST_CASE("a file that was dismissed is kept off until it changes; one that grows stays dismissed") {
     House house({film("a.mp4", 2), photo("b.jpg")});
     house.open();
-    house.files->dismiss(*house.files->find("a.mp4"));
+    house.files->set_dismissed({"a.mp4"});
     CHECK(house.why("a.mp4").visibility == Visibility::dismissed);
     CHECK_FALSE(house.may_show("a.mp4"));
     CHECK(house.files->dismissed() == std::vector<std::string>{"a.mp4"});

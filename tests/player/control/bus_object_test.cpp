@@ -127,7 +127,15 @@ struct Asked {
         const auto remove = [](const CommandCall& call) -> CommandAnswer {
             throw std::runtime_error("there is no '" + call.file + "'");
         };
-        return {{"Status",
+        const auto layout = [=](const CommandCall& call) {
+            note("layout " + call.file);
+            return CommandAnswer{.text = call.file, .pictures = {}};
+        };
+        return {{"SaveLayout", layout},
+                {"LoadLayout", layout},
+                {"ForgetLayout", layout},
+                {"Layouts", [](const CommandCall&) { return CommandAnswer{.text = "[]", .pictures = {}}; }},
+                {"Status",
                  [this](const CommandCall&) {
                      if (on_status) on_status();
                      return CommandAnswer{.text = R"({"state": "showing"})", .pictures = {}};
@@ -214,10 +222,12 @@ TEST_CASE("what is allowed is done, with its words") {
         text(client, "Pause", {.is_on = false});
         text(client, "PinSlot", {.slot = 3});
         CHECK(text(client, "Pin", {.file = "a.jpg", .is_on = false}) == "called a.jpg");
+        CHECK(text(client, "SaveLayout", {.file = "summer"}) == "summer");
+        CHECK(text(client, "Layouts") == "[]");
         text(client, "Reload");
     });
-    CHECK(asked.changes ==
-          std::vector<std::string>{"next", "pause", "resume", "pin slot 3", "unpin a.jpg", "reload"});
+    CHECK(asked.changes == std::vector<std::string>{"next", "pause", "resume", "pin slot 3", "unpin a.jpg",
+                                                    "layout summer", "reload"});
     CHECK_THROWS_WITH_AS(
         asked.serve([](ControlClient& client) { text(client, "Remove", {.file = "b.jpg"}); }),
         "there is no 'b.jpg'", ControlError);

@@ -56,3 +56,17 @@ TEST_CASE("a point belongs to the output that shows it, or to the nearest") {
     CHECK(output_of(canvas, {{80, 0}, {140, 10}}) == canvas.outputs[1]);
     CHECK(output_at(Canvas{300, 100}, {7, 7}) == Box{{0, 0}, {300, 100}});
 }
+
+TEST_CASE("a finger needs 15 mm of a panel, and 57 px where it tells no size or nonsense") {
+    CHECK(finger_on(1920, 1080, {480, 270}) == doctest::Approx(60));
+    CHECK(finger_on(3840, 2160, {1872, 1053}) == doctest::Approx(30.77).epsilon(0.001));
+    CHECK(finger_on(1920, 1080, {}) == usual_finger);
+    CHECK(finger_on(1920, 1080, {16, 9}) == usual_finger);
+    CHECK(finger_on(1920, 1080, {160, 120}) == usual_finger);
+}
+
+TEST_CASE("canvases that differ in the size of a finger alone have the same layouts") {
+    Canvas fine(1280, 720);
+    fine.finger = 200;
+    CHECK(fine == Canvas(1280, 720));
+}

@@ -99,7 +99,7 @@ class HandScript {
             under_finger_[source] = house_.now;
         for (const SourceId source : above)
             if (!taps_) longest_ = std::max(longest_, house_.now - under_finger_[source]);
-        if (is_thorough) CHECK(covered_by_others(frame, house_.wall) < 1);
+        if (is_thorough) CHECK(covered_by_others(frame, house_.wall, house_.change) < 1);
     }
 
     void check_end() {

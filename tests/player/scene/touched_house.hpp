@@ -121,8 +121,15 @@ struct TouchedHouse {
 };
 
 /// The part of the I-Regions that cells of other shots on the wall cover, canvas px^2. Lifted shots are not
-/// counted: they are drawn after the wall's. Neither are those that fade from place to place.
-inline double covered_by_others(const Frame& frame, const std::vector<PlacedShot>& wall) {
+/// counted: they are drawn after the wall's. Neither are those that fade from place to place, or are not
+/// seen.
+/// @param change  the way that the wall goes now
+inline double covered_by_others(const Frame& frame, const std::vector<PlacedShot>& wall,
+                                const std::optional<WallChange>& change = {}) {
+    const auto fades = [&](std::size_t i) {
+        return change && change->way &&
+               std::ranges::any_of(change->way->keys, [&](const WallKey& key) { return key.alphas[i] < 1; });
+    };
     const std::span<const DrawItem> lifted = std::span(frame.items).subspan(wall.size());
     std::vector<const DrawItem*> seats;
     std::vector<bool> is_lifted;
@@ -134,7 +141,7 @@ inline double covered_by_others(const Frame& frame, const std::vector<PlacedShot
     }
     double covered = 0;
     for (std::size_t i = 0; i < wall.size(); ++i) {
-        if (is_lifted[i] || seats[i]->alpha < light) continue;
+        if (is_lifted[i] || seats[i]->alpha < light || seats[i]->alpha <= 0 || fades(i)) continue;
         const Loops region{to_grid(placed_region(wall[i].shot.item, seats[i]->placement))};
         for (std::size_t j = 0; j < wall.size(); ++j) {
             Loops parts;

@@ -40,7 +40,11 @@ struct FolderHouse {
             layout.way = std::make_shared<const WallWay>(way_to(*wanted.way));
             layout.placements = layout.way->keys.back().placements;
         } else {
-            layout = plan({.items = wanted.items, .canvas = wanted.canvas, .budget = budget, .max_scale = 4});
+            layout = plan({.items = wanted.items,
+                           .canvas = wanted.canvas,
+                           .budget = budget,
+                           .max_scale = 4,
+                           .keeps_places = wanted.keeps_places});
         }
         layout.generation = wanted.generation;
         layout.is_final = true;

@@ -186,6 +186,21 @@ TEST_CASE("no I-Region of an opened folder lies under the way back") {
     CHECK(mark.height() >= 57);
 }
 
+TEST_CASE(
+    "the way back is as high as a finger needs on a fine panel, and the wall is not laid out again for it") {
+    FolderHouse house(three_folders());
+    house.run(3s);
+    const auto before = places(house.last.frame);
+    Canvas fine(FolderHouse::canvas());
+    fine.finger = 180;
+    house.wall->set_canvas(fine);
+    house.run(3s);
+    CHECK(places(house.last.frame) == before);
+    REQUIRE(house.tap("b"));
+    house.run(3s);
+    CHECK(house.wall->way_back().height() == doctest::Approx(180));
+}
+
 TEST_CASE("a file that comes to an opened folder moves the others little, and one that goes closes it only "
           "if it was the last") {
     std::vector<MediaRecord> records = three_folders();

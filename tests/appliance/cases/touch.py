@@ -1,0 +1,102 @@
+"""A touch panel on the wall: taps, holds, and two fingers at once. uinput makes the panel, so kernel, udev and libinput are real."""
+import shutil
+from pathlib import Path
+
+from appliance import STILLS
+from machine import HEIGHT, WIDTH, wait_for
+
+FIFO = "/run/rig-touches"
+NEAR = 0.25 * (WIDTH ** 2 + HEIGHT ** 2) ** 0.5  # px: a shot goes so near to its finger, as it stays on the screen
+
+
+def middle(places):
+    return sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places)
+
+
+def place(picture, name):
+    return middle(picture.places_of(STILLS[name]))
+
+
+def distance(a, b):
+    return ((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5
+
+
+class Panel:
+    """A panel that is plugged in."""
+
+    def __init__(self, box):
+        self.box = box
+        shutil.copy(Path(__file__).parent.parent / "touch_panel.pl", box.machine.share)
+        box.machine.mount_share()
+        box.sh(f"install -m 755 /host/touch_panel.pl /tmp; umount /host; modprobe uinput; mkfifo {FIFO}")
+        begin = box.now()
+        box.sh(f"systemd-run -q --unit=rig-panel perl /tmp/touch_panel.pl {WIDTH} {HEIGHT} {FIFO}")
+        box.wait_for_word("input: found 'rig panel'", begin)
+
+    def touch(self, *lines):
+        told = "\n".join(lines)
+        self.box.sh(f"cat >{FIFO} <<'END'\n{told}\nEND")
+
+
+def at(slot, point):
+    return f"{slot} {point[0]:.0f} {point[1]:.0f}"
+
+
+def way(slot, begin, end, steps=8):
+    """The contacts of a finger that moves."""
+    return [at(slot, [b + (e - b) * k / steps for b, e in zip(begin, end)]) for k in range(steps + 1)]
+
+
+def wait_for_share(box, what, name, share):
+    """Until a file's colour covers so much of the panel."""
+    wait_for(what, lambda: box.machine.picture().share_of(STILLS[name]) >= share)
+    box.look(what)
+
+
+def tap(box, panel):
+    first = box.wait_for_wall("the wall before a touch")
+    red = place(first, "red")
+    panel.touch(at(0, red), "rest 0.1", "0 up")
+    wait_for_share(box, "the tapped photo on the whole screen", "red", 0.6)
+    panel.touch(at(0, (WIDTH / 2, HEIGHT / 2)), "rest 0.1", "0 up")
+    back = box.wait_for_wall("the wall after the second tap")
+    assert distance(place(back, "red"), red) < 4, "the tapped photo is back in its place"
+
+
+def hold(box, panel):
+    green = place(box.wait_for_wall("the wall before a hold"), "green")
+    panel.touch(at(1, green))
+    wait_for_share(box, "the held photo large", "green", 0.31)
+    panel.touch("1 up")
+    box.wait_for_wall("the wall after the hold")
+
+
+def drag_two(box, panel):
+    """Two fingers at once, each with a photo of its own."""
+    before = box.wait_for_wall("the wall before two fingers")
+    goals = {"red": place(before, "blue"), "blue": place(before, "red")}
+    steps = [way(slot, place(before, name), goals[name]) for slot, name in enumerate(goals)]
+    panel.touch(*[line for both in zip(*steps) for line in (*both, "rest 0.05")])
+
+    def is_near(picture):
+        return all(picture.places_of(STILLS[name]) and distance(place(picture, name), goal) < NEAR
+                   for name, goal in goals.items())
+
+    wait_for("each photo under its finger", lambda: is_near(box.machine.picture()))
+    box.look("two fingers with a photo each")
+    panel.touch("rest 0.3", "0 up", "1 up")
+    after = box.wait_for_wall("the wall after two fingers")
+    assert is_near(after), "both photos stay where they were let go"
+
+
+def run(box):
+    pid = box.pid()
+    panel = Panel(box)
+    tap(box, panel)
+    hold(box, panel)
+    drag_two(box, panel)
+    begin = box.now()
+    box.sh("systemctl stop rig-panel")
+    box.wait_for_word("input: gone: 'rig panel'", begin)
+    box.wait_for_wall("the wall without the panel")
+    assert box.pid() == pid, "it is the same process"
