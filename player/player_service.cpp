@@ -64,6 +64,9 @@ PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActi
       actions_(std::move(actions)),
       analyzer_(std::filesystem::path(view.settings.state.directory) / "status.json"),
       report_(loop.timer([this] { report_status(); })) {
+    const Settings& settings = view.settings;
+    if (settings.status.played && !settings.status.folder.empty() && !view.is_rehearsed)
+        played_.emplace(settings.state.directory);
     report_.arm(0s);
 }
 
@@ -75,6 +78,7 @@ void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
     analyzer_.look(now);
     memory_.look(now);
+    if (played_) played_->look(view_.stages, view_.sources, now);
     std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});
@@ -88,9 +92,7 @@ void PlayerService::report_status() {
     report_.arm(report_interval);
     const std::span<Screen* const> screens = view_.display.screens();
     const std::uint64_t flips = screens.empty() ? 0 : screens.front()->flips();
-    const double seconds = std::chrono::duration<double>(now_ - std::exchange(reported_, now_)).count();
-    const std::uint64_t before = std::exchange(flips_, flips);
-    rate_ = seconds > 0 && flips >= before ? static_cast<double>(flips - before) / seconds : 0;
+    rate_.note(flips, now_);
     service::status(one_line(report()));
     metrics_.write_if_due(view_.settings.metrics.file, now_, [this] {
         std::vector<std::pair<std::string, std::size_t>> states;
@@ -108,7 +110,7 @@ PlayerReport PlayerService::report() const {
                         .pictures = view_.clock.pictures(),
                         .late = view_.clock.late(),
                         .film_late = view_.sources.late(),
-                        .rate = rate_,
+                        .rate = rate_.rate(),
                         .since_flip =
                             std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
                         .is_paused = controls_.is_paused,

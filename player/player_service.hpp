@@ -5,14 +5,15 @@
 #include "player/control/analyzer_word.hpp"
 #include "player/control/bus_object.hpp"
 #include "player/control/commands.hpp"
+#include "player/control/flip_rate.hpp"
 #include "player/control/health.hpp"
 #include "player/control/metrics_file.hpp"
 #include "player/control/player_report.hpp"
 #include "player/control/rate_limit.hpp"
+#include "player/played_files.hpp"
 #include "player/scene/show_controls.hpp"
 
 #include <chrono>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,6 +43,7 @@ struct PlayerView {
     const Stages& stages;
     const SourcePool& sources;
     const FrameClock& clock;
+    bool is_rehearsed = false;  // what is shown is no play that counts
 };
 
 /// The changes that the service makes to a player.
@@ -92,10 +94,9 @@ class PlayerService {
     AnalyzerWordReader analyzer_;
     FreedMemory memory_{return_freed_memory};
     RateLimit screenshots_{std::chrono::seconds(1)};
-    std::chrono::nanoseconds now_{0};       // the time of the last look()
-    std::chrono::nanoseconds reported_{0};  // time of the last report to systemd
-    std::uint64_t flips_ = 0;               // flips of the first screen at that time
-    double rate_ = 0;                       // flips a second between the last two reports
+    std::chrono::nanoseconds now_{0};    // the time of the last look()
+    FlipRate rate_;                      // of the first screen, between the last two reports
+    std::optional<PlayedFiles> played_;  // none: nobody wants to know
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

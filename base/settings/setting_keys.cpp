@@ -81,6 +81,10 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::restart,
      "Name of a folder in the media folder, for the people who drop files. Its files status.txt and "
      "index.html say for each file if it is on the wall, and if not, why. Empty: there is no such folder."},
+    {"status.played", flag<&S::status, &S::Status::played>(), SettingEffect::restart,
+     "Counts for how many seconds each file is seen, day by day. The folder \"played\" of the status folder "
+     "has "
+     "a table of each of the last 400 days. Needs status.folder."},
     {"log.level",
      choice<&S::log, &S::Log::level>({{{"error", log::Level::error},
                                        {"warning", log::Level::warning},

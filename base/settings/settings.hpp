@@ -31,6 +31,7 @@ struct Settings {
 
     struct Status {
         std::string folder = "_STATUS";  // in the media folder; empty: none
+        bool played = true;              // with how long each file was seen, day by day
     } status;
 
     struct Log {
