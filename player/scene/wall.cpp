@@ -1,5 +1,6 @@
 #include "player/scene/wall.hpp"
 
+#include "base/hints/notice.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using Phase = WallChange::Phase;
 
+constexpr std::chrono::nanoseconds max_notice_motion = std::chrono::milliseconds(250);  // a notice is urgent
 constexpr double worth_replanning = 0.2;  // decrease of the wasted share of the canvas
 
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
@@ -31,6 +33,12 @@ std::set<SourceId> sources_of(std::span<const PlacedShot> shown, std::span<const
     for (const WallShot& shot : wanted)
         sources.insert(shot.source);
     return sources;
+}
+
+/// True: a notice comes, or its next shot.
+bool brings_notice(const WallChange& change) {
+    return std::ranges::any_of(
+        change.wall, [](const PlacedShot& placed) { return notice_named(placed.shot.key.path).has_value(); });
 }
 
 bool is_in(std::span<const WallShot> wanted, SourceId source) {
@@ -307,6 +315,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         return;
     }
     TransitionStyle style = settings_.transition;
+    if (brings_notice(*change_)) style.duration = std::min(style.duration, max_notice_motion);
     const bool is_other_canvas = change_->canvas != shown_canvas_;
     // on the way, hulls of groups might overlap
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
