@@ -83,6 +83,7 @@ struct Settings {
 
     struct Show {
         ShotOrder order = ShotOrder::shuffle;
+        CaptionChoice captions = CaptionChoice::written;
         FilmShow film = FilmShow::automatic;
         std::chrono::seconds dwell{20};
         std::chrono::seconds longest{60};

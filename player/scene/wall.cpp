@@ -1,6 +1,7 @@
 #include "player/scene/wall.hpp"
 
 #include "base/hints/notice.hpp"
+#include "player/scene/caption_place.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
@@ -240,6 +241,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.draw(step.frame);
+    if (!is_changing() && !Wall::is_touched()) step.frame.captions = caption_rooms(shown_);
     step.retired =
         sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
     return step;
