@@ -38,10 +38,10 @@ struct RandomWall {
 
 /// True if a point of a fine grid over the box lies in the polygon.
 bool covers(const Polygon& convex, const Box& box) {
-    for (int i = 0; i <= 40; ++i)
-        for (int j = 0; j <= 40; ++j)
+    for (int i = 0; i <= 20; ++i)
+        for (int j = 0; j <= 20; ++j)
             if (is_inside_convex(convex,
-                                 {box.min.x + box.width() * i / 40, box.min.y + box.height() * j / 40}, 0))
+                                 {box.min.x + box.width() * i / 20, box.min.y + box.height() * j / 20}, 0))
                 return true;
     return false;
 }
@@ -51,7 +51,7 @@ bool covers(const Polygon& convex, const Box& box) {
 TEST_CASE("captions lie inside their cells, over no region, and can be read") {
     std::mt19937 chance(3);
     int placed = 0;
-    for (int wall = 0; wall < 40; ++wall) {
+    for (int wall = 0; wall < 10; ++wall) {
         const RandomWall random(chance);
         const std::vector<Cell> all = cells(random.items, random.layout);
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -76,8 +76,8 @@ TEST_CASE("captions lie inside their cells, over no region, and can be read") {
                         CHECK(!covers(convex_hull(triangle), place->box));
         }
     }
-    MESSAGE(placed << " of 480 captions have room");
-    CHECK(placed > 100);
+    MESSAGE(placed << " of 120 captions have room");
+    CHECK(placed > 60);
 }
 
 TEST_CASE("there is no room in a cell that its region fills, nor for a photo that drifts over all of it") {
