@@ -152,7 +152,8 @@ PlayerView Player::view() const {
             .files = *files_,
             .stages = *stages_,
             .sources = *sources_,
-            .clock = clock_};
+            .clock = clock_,
+            .is_rehearsed = options_.rehearsal.has_value()};
 }
 
 PlayerActions Player::actions() {

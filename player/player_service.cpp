@@ -67,6 +67,9 @@ PlayerService::PlayerService(EventLoop& loop, const PlayerView& view, PlayerActi
                     .take = [this](const WallArrangement& arrangement) { take(arrangement); }}),
       analyzer_(std::filesystem::path(view.settings.state.directory) / "status.json"),
       report_(loop.timer([this] { report_status(); })) {
+    const Settings& settings = view.settings;
+    if (settings.status.played && !settings.status.folder.empty() && !view.is_rehearsed)
+        played_.emplace(settings.state.directory);
     report_.arm(0s);
 }
 
@@ -78,6 +81,7 @@ void PlayerService::look(std::chrono::nanoseconds now) {
     now_ = now;
     analyzer_.look(now);
     arrangement_.look(now, view_.settings.input.keep_arrangement);
+    if (played_) played_->look(view_.stages, view_.sources, now);
     std::vector<ScreenState::Screen> screens;
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});

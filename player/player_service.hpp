@@ -10,11 +10,11 @@
 #include "player/control/metrics_file.hpp"
 #include "player/control/player_report.hpp"
 #include "player/control/rate_limit.hpp"
+#include "player/played_files.hpp"
 #include "player/scene/show_controls.hpp"
 #include "player/stage/stages.hpp"
 
 #include <chrono>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,6 +44,7 @@ struct PlayerView {
     const Stages& stages;
     const SourcePool& sources;
     const FrameClock& clock;
+    bool is_rehearsed = false;  // what is shown is no play that counts
 };
 
 /// The changes that the service makes to a player.
@@ -100,8 +101,9 @@ class PlayerService {
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
     RateLimit screenshots_{std::chrono::seconds(1)};
-    std::chrono::nanoseconds now_{0};  // the time of the last look()
-    FlipRate rate_;
+    std::chrono::nanoseconds now_{0};    // the time of the last look()
+    FlipRate rate_;                      // of the first screen, between the last two reports
+    std::optional<PlayedFiles> played_;  // none: nobody wants to know
     EventLoop::Source report_;
     std::optional<BusObject> bus_;
 };

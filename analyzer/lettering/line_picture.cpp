@@ -57,21 +57,61 @@ LinePtr line_of(cairo_t* cairo, const std::string& text, const LineStyle& style)
     return line;
 }
 
-/// The width of the letters, px. A line that is too long gets an ellipsis.
-int fit(PangoLayout* line, int max_width) {
+/// The letters' width and height, px.
+struct Extent {
     int width = 0;
-    pango_layout_get_pixel_size(line, &width, nullptr);
-    if (width <= max_width) return width;
+    int height = 0;
+};
+
+Extent extent_of(PangoLayout* line) {
+    Extent extent;
+    pango_layout_get_pixel_size(line, &extent.width, &extent.height);
+    return extent;
+}
+
+/// Breaks a caption into lines about as long as each other. Words stay whole, if they are not longer than the
+/// longest line.
+void break_caption(PangoLayout* line, const LineStyle& style, int width) {
+    constexpr int max_lines = 5;
+    constexpr int step = 16;  // px
+    const int lines = std::clamp((width + style.max_width - 1) / style.max_width, style.lines, max_lines);
+    if (lines == 1) return;
+    pango_layout_set_wrap(line, PANGO_WRAP_WORD);
+    int room = width / lines;
+    do {
+        room = std::min(room + step, style.max_width);
+        pango_layout_set_width(line, room * PANGO_SCALE);
+    } while (pango_layout_get_line_count(line) > lines && room < style.max_width);
+    if (extent_of(line).width > style.max_width) pango_layout_set_wrap(line, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize(line, PANGO_ELLIPSIZE_END);
-    pango_layout_set_width(line, max_width * PANGO_SCALE);
-    pango_layout_get_pixel_size(line, &width, nullptr);
-    return width;
+    pango_layout_set_height(line, -lines);
+}
+
+/// Lets the letters fit into their room. What is too long gets an ellipsis.
+Extent fit(PangoLayout* line, const LineStyle& style) {
+    const Extent whole = extent_of(line);
+    if (style.is_caption) {
+        break_caption(line, style, whole.width);
+    } else if (whole.width > style.max_width) {
+        pango_layout_set_ellipsize(line, PANGO_ELLIPSIZE_END);
+        pango_layout_set_width(line, style.max_width * PANGO_SCALE);
+    }
+    return extent_of(line);
+}
+
+/// The style with the plate's height for these letters.
+LineStyle with_room(LineStyle style, const Extent& letters) {
+    constexpr int margin = 6;  // px above and below a caption, and twice that beside it
+    if (!style.is_caption) return style;
+    style.height = letters.height + 2 * margin;
+    style.side = 2 * margin;
+    return style;
 }
 
 void draw_plate(cairo_t* cairo, double width, const LineStyle& style) {
     using std::numbers::pi;
     const double high = style.height;
-    const double corner = high / 4;
+    const double corner = std::min(LineStyle{}.height, style.height) / 4.0;
     cairo_new_sub_path(cairo);
     cairo_arc(cairo, width - corner, corner, corner, -pi / 2, 0);
     cairo_arc(cairo, width - corner, high - corner, corner, 0, pi / 2);
@@ -113,17 +153,18 @@ std::string png_of(cairo_surface_t* surface, const std::filesystem::path& file) 
 
 }  // namespace
 
-void write_line_picture(std::string_view text, const std::filesystem::path& file, const LineStyle& style) {
+void write_line_picture(std::string_view text, const std::filesystem::path& file, const LineStyle& wanted) {
     const std::string shown = one_line(text);
     const Surface probe = new_surface(1, 1);
     const Cairo measure(cairo_create(probe.get()));
-    const int letters = fit(line_of(measure.get(), shown, style).get(), style.max_width);
-    const int width = letters + 2 * style.side;
+    const Extent letters = fit(line_of(measure.get(), shown, wanted).get(), wanted);
+    const LineStyle style = with_room(wanted, letters);
+    const int width = letters.width + 2 * style.side;
     const Surface surface = new_surface(width, style.height);
     const Cairo cairo(cairo_create(surface.get()));
     draw_plate(cairo.get(), width, style);
     const LinePtr line = line_of(cairo.get(), shown, style);
-    fit(line.get(), style.max_width);
+    fit(line.get(), style);
     draw_letters(cairo.get(), line.get(), style);
     cairo_surface_flush(surface.get());
     replace_file(file, png_of(surface.get(), file));

@@ -7,11 +7,13 @@ namespace vitrine::analyzer {
 
 /// The lettering of a line, px.
 struct LineStyle {
-    int letters = 64;      // size of the font
-    int height = 100;      // of the picture
-    int side = 28;         // between the plate's ends and the letters
-    int max_width = 1024;  // of the letters; a longer line ends with an ellipsis
-    double shade = 0.65;   // opacity of the plate
+    int letters = 64;         // size of the font
+    int height = 100;         // of the picture
+    int side = 28;            // between the plate's ends and the letters
+    int max_width = 1024;     // of the letters; a longer line ends with an ellipsis
+    double shade = 0.65;      // opacity of the plate
+    int lines = 1;            // of a caption, about alike in length; more where the letters need it
+    bool is_caption = false;  // it may have several lines; the plate becomes as high as they need
 };
 
 /// Sets one line of text in white on a dark plate with round corners and writes it as PNG (RGBA), as a whole

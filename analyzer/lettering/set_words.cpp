@@ -43,8 +43,11 @@ void set_words(std::span<const std::string> texts, const Settings& settings) {
     const fs::path state = settings.state.directory;
     fs::create_directories(word_folder(state));
     enter_font_sandbox(word_folder(state));
-    for (const std::string& text : texts)
-        write_line_picture(text, word_picture(state, text));
+    for (const std::string& text : texts) {
+        const auto caption = caption_of_key(text);
+        write_line_picture(caption ? caption->text : text, word_picture(state, text),
+                           caption ? LineStyle{.lines = caption->lines, .is_caption = true} : LineStyle{});
+    }
 }
 
 }  // namespace vitrine::analyzer

@@ -80,15 +80,17 @@ std::vector<StatusEntry> on_page(const StatusReport& report) {
 }
 
 std::string status_page(const StatusReport& report, const std::vector<StatusEntry>& files,
-                        const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock) {
+                        const PageParts& beside, const ClockText& clock) {
     std::string html(head);
     html += fmt::format("<h1>{}</h1>\n", html_text(summary(counts_of(report))));
     if (!report.is_player_running) html += fmt::format("<p class=\"remark\">{}</p>\n", player_is_off);
     if (!report.is_online) html += "<p class=\"remark\">The media folder is not there.</p>\n";
     for (const std::string& remark : report.remarks)
         html += fmt::format("<p class=\"remark\">{}</p>\n", html_text(remark));
-    if (has_wall) html += "<img class=\"wall\" src=\"wall.jpg\" alt=\"The wall as it is now\">\n";
+    if (beside.has_wall) html += "<img class=\"wall\" src=\"wall.jpg\" alt=\"The wall as it is now\">\n";
     html += "<p class=\"note\">The outlined part of each picture is never covered.</p>\n";
+    if (beside.has_played)
+        html += "<p class=\"note\"><a href=\"played/\">How long each file was seen, day by day</a></p>\n";
     const auto first_ready = std::ranges::find_if(
         files, [](const StatusEntry& entry) { return entry.file.state == FileState::State::ready; });
     for (auto it = files.begin(); it != files.end(); ++it) {
@@ -96,7 +98,7 @@ std::string status_page(const StatusReport& report, const std::vector<StatusEntr
             html += "<h2>Ready to be shown</h2>\n<ul>\n";
         else if (it == files.begin())
             html += "<h2>Not on the wall</h2>\n<ul>\n";
-        html += card(*it, thumbnails.contains(it->id), clock);
+        html += card(*it, beside.thumbnails.contains(it->id), clock);
         if (std::next(it) == first_ready || std::next(it) == files.end()) html += "</ul>\n";
     }
     if (files.size() < report.files.size())

@@ -16,11 +16,15 @@ constexpr std::size_t max_on_page = 1000;
 /// first.
 std::vector<StatusEntry> on_page(const StatusReport& report);
 
-/// Writes index.html.
-/// @param files       those of on_page()
-/// @param thumbnails  ids of those that lie in thumbnails/
-/// @param has_wall    wall.jpg lies beside the page
+/// What lies beside the page.
+struct PageParts {
+    std::set<std::string> thumbnails;  // ids of those that lie in thumbnails/
+    bool has_wall = false;             // wall.jpg
+    bool has_played = false;           // tables in played/
+};
+
+/// Writes index.html. @param files  those of on_page()
 std::string status_page(const StatusReport& report, const std::vector<StatusEntry>& files,
-                        const std::set<std::string>& thumbnails, bool has_wall, const ClockText& clock);
+                        const PageParts& beside, const ClockText& clock);
 
 }  // namespace vitrine::analyzer

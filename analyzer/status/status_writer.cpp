@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace vitrine::analyzer {
 
@@ -42,9 +43,10 @@ StatusWriter::StatusWriter(EventLoop& loop, fs::path root, const std::string& fo
       make_report_(std::move(make_report)),
       rest_(min_rest),
       thumbnails_(state_ / "thumbnails"),
+      copies_(state_),
       due_(loop.timer([this] { write(); })),
       wall_(loop.timer([this] {
-          copy_wall();
+          copy_from_player();
           look_at_player();
           wall_.arm(wall_interval);
       })) {
@@ -89,23 +91,26 @@ void StatusWriter::write_folder(const StatusReport& report) {
             is_clean_ = true;
         });
     write_part([&] { thumbnails_.update(*folder_, files); });
-    copy_wall();
+    copy_from_player();
     write_part([&] {
         folder_->write("", "index.html",
-                       status_page(report, files, thumbnails_.ids(), has_wall_, clock_text));
+                       status_page(report, files,
+                                   {.thumbnails = thumbnails_.ids(),
+                                    .has_wall = copies_.has_wall(),
+                                    .has_played = copies_.has_played()},
+                                   clock_text));
     });
     write_part([&] { folder_->write("", "status.txt", status_text(report, clock_text)); });
     end_complaints();
 }
 
-void StatusWriter::copy_wall() {
-    const auto jpeg = read_picture(state_ / "wall.jpg");
-    if (!jpeg || !folder_ || !is_online_) return;
-    write_part([&] {
-        folder_->write("", "wall.jpg", *jpeg);
-        if (!has_wall_) touch();
-        has_wall_ = true;
-    });
+void StatusWriter::copy_from_player() {
+    if (!folder_ || !is_online_) return;
+    const auto has_all = [this] { return std::pair(copies_.has_wall(), copies_.has_played()); };
+    const auto before = has_all();
+    write_part([&] { copies_.copy_wall(*folder_); });
+    write_part([&] { copies_.copy_played(*folder_); });
+    if (has_all() != before) touch();
 }
 
 void StatusWriter::look_at_player() {

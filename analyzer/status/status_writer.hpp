@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyzer/status/player_copies.hpp"
 #include "analyzer/status/status_folder.hpp"
 #include "analyzer/status/status_report.hpp"
 #include "analyzer/status/thumbnail_copies.hpp"
@@ -18,9 +19,9 @@ namespace vitrine::analyzer {
 /// Writes the status of all files for those who drop them: STATE/status.json and the status folder of the
 /// media folder, a moment after a change and then no more often than its size allows. Thumbnails are those
 /// that the analysing children left in STATE/thumbnails. The player's files in STATE are its picture of the
-/// wall, wall.jpg, and the reasons why files are not on it, visible.json. Where the
-/// media folder cannot be written, the folder is missing; where one of its files cannot, the others are
-/// written. The log says so once. Runs in the loop.
+/// wall, wall.jpg, how long each file was seen, played/, and the reasons why files are not on it,
+/// visible.json. Where the media folder cannot be written, the folder is missing; where one of its files
+/// cannot, the others are written. The log says so once. Runs in the loop.
 class StatusWriter {
   public:
     using MakeReport = std::function<StatusReport()>;
@@ -41,7 +42,7 @@ class StatusWriter {
 
   private:
     void write_folder(const StatusReport& report);
-    void copy_wall();
+    void copy_from_player();
     void look_at_player();
     void add_player(StatusReport& report);
     void write_part(const std::function<void()>& part);
@@ -56,7 +57,7 @@ class StatusWriter {
     bool is_due_ = false;
     std::string json_;  // the content of status.json
     ThumbnailCopies thumbnails_;
-    bool has_wall_ = false;   // the folder has a picture of the wall
+    PlayerCopies copies_;
     bool is_online_ = false;  // the media folder was there at the last writing
     bool is_clean_ = false;   // nothing half-written is left of an earlier run
     std::map<std::string, bool>

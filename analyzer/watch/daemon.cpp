@@ -4,9 +4,11 @@
 #include "analyzer/status/plain_text.hpp"
 #include "analyzer/status/status_text.hpp"
 #include "analyzer/watch/fault_record.hpp"
+#include "base/hints/hint_words.hpp"
 #include "base/state/acquittal.hpp"
 #include "base/state/blame.hpp"
 #include "base/state/record_json.hpp"
+#include "base/state/word_picture.hpp"
 #include "base/system/journal.hpp"
 #include "base/system/log.hpp"
 
@@ -124,6 +126,21 @@ void request_words(MissingPictures& pictures, const WatchOptions& options,
     }
 }
 
+/// Has the names of all folders and all captions set, and removes other words.
+void set_all_words(MissingPictures& pictures, const WatchOptions& options,
+                   const std::vector<std::string>& paths, const HintFiles& hints) {
+    std::set<std::string> words = shown_folder_names(paths);
+    const bool uses_names = options.captions == CaptionChoice::names;
+    for (const std::string& path : paths) {
+        if (options.captions == CaptionChoice::none) break;
+        const std::string caption = caption_of(hints.hints_for(path).caption.value_or(""), path, uses_names);
+        for (int lines = 1; lines <= caption_forms && !caption.empty(); ++lines)
+            words.insert(caption_key(caption, lines));
+    }
+    remove_other_words(words, options.state);
+    request_words(pictures, options, words);
+}
+
 /// True if the network has seen the photo as it is.
 bool is_refined(const std::optional<MediaRecord>& known, const FileFacts& facts) {
     return known && known->bytes == facts.bytes && known->mtime_ns == facts.mtime_ns &&
@@ -212,9 +229,6 @@ void Daemon::rescan() {
     end_quarantines();
     const std::vector<std::string> paths = schedule_.paths_below("");
     book_.sweep(paths);
-    const std::set<std::string> names = shown_folder_names(paths);
-    if (is_online()) remove_other_words(names, options_.state);
-    request_words(pictures_, options_, names);
     follow_hints();
     std::chrono::milliseconds interval = options_.rescan;
     if (follower_.folder().is_remote())
@@ -228,8 +242,9 @@ void Daemon::rescan() {
 void Daemon::follow_hints() {
     if (is_online()) {
         const std::vector<std::string> paths = schedule_.paths_below("");
-        hint_files_.read(paths, follower_.keyframe_files());
+        hint_files_.read(paths, follower_.sidecars());
         weaver_.set_choices(hint_files_.keyframe_choices());
+        set_all_words(pictures_, options_, paths, hint_files_);
         const auto is_heard = [this](const std::string& path) {
             return hint_files_.hints_for(path).sound.value_or(false);
         };

@@ -52,7 +52,7 @@ void FolderFollower::rescan(Schedule::Time now, const MediaFolder::Attend& atten
     }
     if (!listing.files.empty() || !device_) device_ = folder_.device();
     has_seen_files_ |= !listing.files.empty();
-    std::erase_if(keyframe_files_, [&](const std::string& file) { return !listing.is_unread(file); });
+    std::erase_if(sidecars_, [&](const std::string& file) { return !listing.is_unread(file); });
     compare(listing, "", now);
     remarks_ = listing.remarks;
     inbox_ = listing.inbox;
@@ -88,8 +88,8 @@ FolderFollower::Changes FolderFollower::read_changes() {
     Changes changes;
     for (const DirectoryEvent& event : watch_.read()) {
         const std::string path = relative_to(folder_.root(), event.directory / event.name);
-        has_hint_news_ |= event.name == hint_file_name || is_keyframe_file(event.name);
-        if (is_keyframe_file(event.name)) keyframe_files_.insert(path);
+        has_hint_news_ |= event.name == hint_file_name || is_sidecar(event.name);
+        if (is_sidecar(event.name)) sidecars_.insert(path);
         switch (event.kind) {
         case Kind::written:
             changes.closed.insert(path);
@@ -155,7 +155,7 @@ void FolderFollower::list_below(const std::string& folder, Schedule::Time now) {
 
 void FolderFollower::compare(const MediaFolder::Listing& listing, const std::string& folder,
                              Schedule::Time now) {
-    keyframe_files_.insert(listing.keyframe_files.begin(), listing.keyframe_files.end());
+    sidecars_.insert(listing.sidecars.begin(), listing.sidecars.end());
     std::set<std::string> there;
     for (const MediaFolder::File& file : listing.files)
         there.insert(file.path);

@@ -47,7 +47,7 @@ class FolderFollower {
     bool read_events(Schedule::Time now);
 
     /// The files that choose keyframes, see is_keyframe_file(). One of them may have gone by now.
-    const std::set<std::string>& keyframe_files() const { return keyframe_files_; }
+    const std::set<std::string>& sidecars() const { return sidecars_; }
 
     /// @return true where a file of hints or of keyframes or a folder came, went or changed since the last
     /// call
@@ -84,7 +84,7 @@ class FolderFollower {
     std::vector<std::string> inbox_;
     bool is_online_ = false;
     bool has_hint_news_ = false;
-    std::set<std::string> keyframe_files_;
+    std::set<std::string> sidecars_;
     bool is_remote_ = false;
     bool has_seen_files_ = false;          // since the start of this process
     std::optional<std::uint64_t> device_;  // where files were last seen

@@ -1,5 +1,6 @@
 #include "analyzer/watch/hint_files.hpp"
 
+#include "base/hints/caption.hpp"
 #include "base/hints/hint_file.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
@@ -34,13 +35,21 @@ void HintFiles::read_soon() {
     due_.arm(write_time);
 }
 
-void HintFiles::read(const std::vector<std::string>& paths, const std::set<std::string>& keyframe_files) {
+void HintFiles::read(const std::vector<std::string>& paths, const std::set<std::string>& sidecars) {
     hints_.clear();
     faults_.clear();
     for (const std::string& folder : folders_of(paths))
         read_folder(folder);
     KeyframeChoices choices;
-    for (const std::string& path : keyframe_files) {
+    for (const std::string& path : sidecars) {
+        if (is_caption_file(path)) {
+            const std::string medium = path.substr(0, path.size() - caption_file_ending.size());
+            if (std::ranges::binary_search(paths, medium))
+                read_caption(path, medium);
+            else if (folder_.content(path, 1))
+                faults_.push_back(path + ": there is no such photo or film beside it");
+            continue;
+        }
         const std::string film = path.substr(0, path.size() - keyframe_file_ending.size());
         if (std::ranges::binary_search(paths, film))
             read_keyframes(path, film, choices);
@@ -83,6 +92,14 @@ void HintFiles::read_keyframes(const std::string& path, const std::string& film,
     KeyframeFile file = read_keyframe_choice(*text, path);
     faults_.insert(faults_.end(), file.faults.begin(), file.faults.end());
     if (!file.choice.is_empty()) choices[film] = std::move(file.choice);
+}
+
+void HintFiles::read_caption(const std::string& path, const std::string& medium) {
+    const std::optional<std::string> text = folder_.content(path, max_bytes + 1);
+    if (!text) return;
+    const CaptionText caption = caption_text(*text);
+    if (!caption.fault.empty()) faults_.push_back(path + ": " + caption.fault);
+    if (!caption.text.empty()) hints_[medium].caption = caption.text;
 }
 
 KeyframeChoice HintFiles::keyframes_for(const std::string& path) const {

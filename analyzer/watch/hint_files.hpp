@@ -14,7 +14,8 @@
 namespace vitrine::analyzer {
 
 /// Reads the files that operators put beside the media: `.vitrine.toml`, whose hints it hands to the player
-/// in STATE/hints.json, and the files that choose the keyframes of tapestries. Logs.
+/// in STATE/hints.json with the captions of media, and the files that choose the keyframes of tapestries.
+/// Logs.
 class HintFiles {
   public:
     static constexpr std::size_t max_bytes = 1U << 16;  // in one of them
@@ -29,8 +30,8 @@ class HintFiles {
     void read_soon();
 
     /// Reads all of them anew. @param paths  the media, in order; the folders of these are searched
-    /// @param keyframe_files  those that there may be, see is_keyframe_file()
-    void read(const std::vector<std::string>& paths, const std::set<std::string>& keyframe_files = {});
+    /// @param sidecars  those that there may be, see is_sidecar()
+    void read(const std::vector<std::string>& paths, const std::set<std::string>& sidecars = {});
 
     /// The keyframes that were chosen, by the paths of films.
     const KeyframeChoices& keyframe_choices() const { return choices_; }
@@ -47,6 +48,7 @@ class HintFiles {
   private:
     void read_folder(const std::string& folder);
     void read_keyframes(const std::string& path, const std::string& film, KeyframeChoices& choices);
+    void read_caption(const std::string& path, const std::string& medium);
     void write_hand_over();
 
     const MediaFolder& folder_;

@@ -1,5 +1,6 @@
 #include "analyzer/watch/media_folder.hpp"
 
+#include "base/hints/caption.hpp"
 #include "base/hints/hint_words.hpp"
 #include "base/hints/keyframe_choice.hpp"
 #include "base/state/path_text.hpp"
@@ -100,8 +101,8 @@ struct Walk {
         (void)fd.release();  // closedir closes it
         errno = 0;
         while (const dirent* entry = ::readdir(directory.get())) {
-            if (is_keyframe_file(entry->d_name) && !is_in_inbox(folder))
-                note_keyframe_file(folder, entry->d_name);
+            if (is_sidecar(entry->d_name) && !is_in_inbox(folder))
+                note_sidecar(folder, entry->d_name);
             else if (!is_junk_name(entry->d_name))
                 visit(::dirfd(directory.get()), folder, entry->d_name, depth);
             errno = 0;
@@ -109,9 +110,9 @@ struct Walk {
         if (errno != 0) remark(folder, std::strerror(errno));
     }
 
-    void note_keyframe_file(const std::string& folder, const char* name) {
-        if (listing.keyframe_files.size() < MediaFolder::max_files)
-            listing.keyframe_files.push_back(folder.empty() ? name : folder + "/" + name);
+    void note_sidecar(const std::string& folder, const char* name) {
+        if (listing.sidecars.size() < MediaFolder::max_files)
+            listing.sidecars.push_back(folder.empty() ? name : folder + "/" + name);
     }
 
     void visit(int parent, const std::string& folder, const char* name, int depth) {
@@ -149,11 +150,14 @@ struct Walk {
 
 }  // namespace
 
+bool is_sidecar(std::string_view name) {
+    return is_keyframe_file(name) || is_caption_file(name);
+}
+
 bool is_junk_name(std::string_view name) {
     const std::string lower = lower_case(name);
     return (lower.starts_with('.') && !begins_with_period(name)) || lower.starts_with("~$") ||
-           is_keyframe_file(name) ||
-           std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
+           is_sidecar(name) || std::find(junk_names.begin(), junk_names.end(), lower) != junk_names.end() ||
            std::any_of(junk_endings.begin(), junk_endings.end(),
                        [&](const char* ending) { return lower.ends_with(ending); });
 }

@@ -16,6 +16,10 @@ namespace vitrine::analyzer {
 /// thumbnails, halves of downloads, wastebaskets, our own status folder.
 bool is_junk_name(std::string_view name);
 
+/// True for the names of files beside media that say something of them: is_keyframe_file(),
+/// is_caption_file().
+bool is_sidecar(std::string_view name);
+
 /// True for the path of the inbox, a folder at the root whose files are never shown, and of all that lies in
 /// it: "_INBOX", in upper or lower case.
 bool is_in_inbox(std::string_view path);
@@ -57,10 +61,10 @@ class MediaFolder {
 
     struct Listing {
         std::vector<File> files;
-        std::vector<std::string> keyframe_files;  // see is_keyframe_file(); they are no media
-        std::vector<std::string> inbox;           // files that wait there to be moved out, at most max_inbox
-        std::vector<std::string> unread;          // files and folders that could not be read
-        std::vector<std::string> remarks;         // unreadable folders and exceeded limits, in plain words
+        std::vector<std::string> sidecars;  // see is_sidecar(); they are no media
+        std::vector<std::string> inbox;     // files that wait there to be moved out, at most max_inbox
+        std::vector<std::string> unread;    // files and folders that could not be read
+        std::vector<std::string> remarks;   // unreadable folders and exceeded limits, in plain words
 
         /// True where the path, or a folder that it lies in, could not be read.
         bool is_unread(const std::string& path) const;

@@ -5,6 +5,7 @@
 #include "analyzer/store/store_place.hpp"
 #include "analyzer/watch/analyses.hpp"
 #include "analyzer/watch/schedule.hpp"
+#include "base/settings/choices.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -21,7 +22,8 @@ struct WatchOptions {
     std::filesystem::path state;               // hints.json, status.json, thumbnails/, words/ and wall.jpg
     std::vector<std::string> thumbnail_child;  // makes a thumbnail; the file is appended. Empty: none is made
     std::vector<std::string> words_child;      // sets words; they are appended. Empty: none are set
-    std::string status_folder;                 // in the media folder, for its operators; empty: none
+    CaptionChoice captions = CaptionChoice::none;  // those that are set
+    std::string status_folder;                     // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;
     AnalysisOutputs outputs;          // each analysis writes these

@@ -62,7 +62,8 @@ Hints hints_of(std::string_view path, const FolderHints& folders) {
         hints = merged(hints, hints_in_name(path.substr(begin, end - begin), NamePart::folder));
         hints = merged(hints, said_by(path.substr(0, end)));
     }
-    return merged(hints, hints_in_name(path.substr(begin), NamePart::file));
+    hints = merged(hints, hints_in_name(path.substr(begin), NamePart::file));
+    return merged(hints, said_by(path));
 }
 
 std::string to_json(const FolderHints& folders) {

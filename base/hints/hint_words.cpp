@@ -2,6 +2,7 @@
 
 #include "base/calendar/dates.hpp"
 #include "base/calendar/day_times.hpp"
+#include "base/hints/caption.hpp"
 
 #include <fmt/format.h>
 
@@ -199,7 +200,22 @@ constexpr HintWord sound_word{
     .in_words = [](const Hints& h) { return std::string(*h.sound ? "with sound" : "without sound"); },
     .merge = &merge<&Hints::sound>};
 
-constexpr std::array table{period_word, weekdays_word, hours_word, seconds_word, repeat_word, sound_word};
+constexpr HintWord caption_word{
+    .key = "caption",
+    .allowed = "a text of at most 500 bytes",
+    .assign =
+        [](Hints& h, const HintValue& v) {
+            const std::string* text = std::get_if<std::string>(&v);
+            const CaptionText read = text != nullptr ? caption_text(*text) : CaptionText{};
+            return text != nullptr && read.fault.empty() && assigned(h.caption, std::optional(read.text));
+        },
+    .value = [](const Hints& h) -> std::optional<HintValue> { return h.caption; },
+    .read = [](Hints& /*h*/, std::string_view /*word*/, NameWords& /*words*/) { return false; },
+    .in_words = [](const Hints& h) { return fmt::format("with the caption '{}'", *h.caption); },
+    .merge = &merge<&Hints::caption>};
+
+constexpr std::array table{period_word, weekdays_word, hours_word,  seconds_word,
+                           repeat_word, sound_word,    caption_word};
 
 /// A name taken apart: the hints that it begins with, and what follows them.
 struct NamedHints {
@@ -260,6 +276,12 @@ std::string shown_folder_name(std::string_view path) {
     const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
     const std::string plain = plain_name(name, NamePart::folder);
     return plain.empty() ? std::string(name) : plain;
+}
+
+std::string caption_of(std::string_view written, std::string_view path, bool uses_names) {
+    if (!written.empty() || !uses_names) return std::string(written);
+    const std::string name = plain_name(path.substr(path.rfind('/') + 1), NamePart::file);
+    return caption_text(name).text;
 }
 
 Hints merged(const Hints& outer, const Hints& inner) {

@@ -60,6 +60,12 @@ std::string plain_name(std::string_view name, NamePart part);
 /// @param path  below the media folder, any bytes
 std::string shown_folder_name(std::string_view path);
 
+/// The caption of a file: as it was written or, with `uses_names`, its name without hints, numbers and
+/// ending.
+/// @param written  empty: none
+/// @param path     below the media folder
+std::string caption_of(std::string_view written, std::string_view path, bool uses_names);
+
 /// The hints of something inside something else: an inner hint replaces the outer one.
 Hints merged(const Hints& outer, const Hints& inner);
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 namespace vitrine {
 
@@ -17,6 +18,7 @@ struct Hints {
     std::optional<std::chrono::seconds> dwell;  // time on the wall
     std::optional<int> repeat;                  // turns in a round, compared with other files
     std::optional<bool> sound;
+    std::optional<std::string> caption;  // a line of text, UTF-8; set over the picture where nothing matters
 
     bool operator==(const Hints&) const = default;
 

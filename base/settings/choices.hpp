@@ -54,6 +54,13 @@ enum class FolderMode {
     nested,  // each folder is one place on the wall, and opens
 };
 
+/// The captions on the wall.
+enum class CaptionChoice {
+    none,
+    written,  // by the operator, in a file beside the medium
+    names,    // those, and else the names of files
+};
+
 /// The order in which shots come to the wall (show.order). The shots of one film always come in time order.
 enum class ShotOrder {
     shuffle,

@@ -81,6 +81,10 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::restart,
      "Name of a folder in the media folder, for the people who drop files. Its files status.txt and "
      "index.html say for each file if it is on the wall, and if not, why. Empty: there is no such folder."},
+    {"status.played", flag<&S::status, &S::Status::played>(), SettingEffect::restart,
+     "Counts for how many seconds each file is seen, day by day. The folder \"played\" of the status folder "
+     "has "
+     "a table of each of the last 400 days. Needs status.folder."},
     {"log.level",
      choice<&S::log, &S::Log::level>({{{"error", log::Level::error},
                                        {"warning", log::Level::warning},
@@ -291,6 +295,16 @@ constexpr auto keys = std::to_array<SettingKey>({
      "Dates that count as Sundays for hints of weekdays: on a holiday, what is hinted \"Mo-Fr\" is not "
      "shown, "
      "and what is hinted \"Sat,Sun\" is. \"2026-12-25, 2026-12-26\": these two."},
+    {"show.captions",
+     choice<&S::show, &S::Show::captions>({{{"none", CaptionChoice::none},
+                                            {"written", CaptionChoice::written},
+                                            {"names", CaptionChoice::names}}}),
+     SettingEffect::restart,
+     "Words over the pictures, where nothing matters. \"written\": those of files such as \"lake.jpg.txt\" "
+     "beside "
+     "the media. \"names\": where there is none, the name of the file. \"none\": no captions. A caption that "
+     "has no "
+     "room on the wall is left out."},
     {"show.on_this_day", flag<&S::show, &S::Show::on_this_day>(), SettingEffect::restart,
      "true: files that were taken on this day in other years come first in each round, whatever show.order "
      "says. "

@@ -31,6 +31,7 @@ struct Settings {
 
     struct Status {
         std::string folder = "_STATUS";  // in the media folder; empty: none
+        bool played = true;              // with how long each file was seen, day by day
     } status;
 
     struct Log {
@@ -82,6 +83,7 @@ struct Settings {
 
     struct Show {
         ShotOrder order = ShotOrder::shuffle;
+        CaptionChoice captions = CaptionChoice::written;
         FilmShow film = FilmShow::automatic;
         std::chrono::seconds dwell{20};
         std::chrono::seconds longest{60};

@@ -2,10 +2,29 @@
 
 #include "base/state/name_hash.hpp"
 
+#include <fmt/format.h>
+
 namespace vitrine {
+
+namespace {
+
+constexpr std::string_view caption_mark = "\x02";  // names of folders hardly begin so
+
+}  // namespace
 
 std::filesystem::path word_folder(const std::filesystem::path& state) {
     return state / "words";
+}
+
+std::string caption_key(std::string_view text, int lines) {
+    return fmt::format("{}{}{}", caption_mark, lines, text);
+}
+
+std::optional<CaptionForm> caption_of_key(std::string_view key) {
+    if (!key.starts_with(caption_mark) || key.size() <= caption_mark.size()) return std::nullopt;
+    const int lines = key[caption_mark.size()] - '0';
+    if (lines < 1 || lines > caption_forms) return std::nullopt;
+    return CaptionForm{.text = std::string(key.substr(caption_mark.size() + 1)), .lines = lines};
 }
 
 std::filesystem::path word_picture(const std::filesystem::path& state, std::string_view text) {

@@ -49,7 +49,8 @@ void PlayingShot::start(bool may_be_stored, std::chrono::nanoseconds at) {
 }
 
 SourceState PlayingShot::state() const {
-    return {.path = request_.path,
+    return {.source = request_.source,
+            .path = request_.path,
             .is_film = request_.kind == MediaKind::film,
             .detail = source_->detail(),
             .is_stored = is_stored_,

@@ -22,6 +22,7 @@ namespace vitrine::player {
 
 /// The present state of a source, for reports.
 struct SourceState {
+    SourceId source = 0;
     std::string path;
     bool is_film = false;
     Detail detail = Detail::all;  // a film's; all for a photo

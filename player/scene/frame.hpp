@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/geometry/box.hpp"
+#include "base/geometry/polygon.hpp"
 #include "player/layout/cells/cells.hpp"
 #include "player/scene/zoom_mesh.hpp"
 #include "player/words/word_item.hpp"
@@ -51,16 +52,27 @@ struct FrameName {
     bool operator==(const FrameName&) const = default;
 };
 
+/// The room for a shot's caption on a wall that stands.
+struct CaptionRoom {
+    SourceId source = 0;
+    std::string path;                  // of the shot's file
+    std::shared_ptr<const Cell> cell;  // shared by all frames of a layout
+    Polygon region;                    // canvas px: holds the I-Region wherever it drifts; convex
+
+    bool operator==(const CaptionRoom&) const = default;
+};
+
 /// The content of one refresh of a screen, in the order of drawing; testable without GL.
 struct Frame {
     Vec2 canvas;  // px
     Vec2 view;    // canvas point at the top left, px; moves if the wall is wider than the screen
     std::vector<DrawItem> items;
     std::vector<Plate> plates;
-    std::vector<WordItem> words;   // above all items
-    std::vector<FrameName> names;  // whose pictures become `words`
-    std::vector<Box> covered;      // canvas px: boxes that the items cover completely, if all can be drawn
-    double idle = 0;               // opacity of the idle picture drawn first, in [0, 1]
+    std::vector<WordItem> words;          // above all items
+    std::vector<FrameName> names;         // whose pictures become `words`
+    std::vector<CaptionRoom> captions{};  // whose captions become `words`; empty while the wall changes
+    std::vector<Box> covered;  // canvas px: boxes that the items cover completely, if all can be drawn
+    double idle = 0;           // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started
 };
 

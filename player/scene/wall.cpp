@@ -1,5 +1,7 @@
 #include "player/scene/wall.hpp"
 
+#include "base/hints/notice.hpp"
+#include "player/scene/caption_place.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
@@ -15,6 +17,7 @@ namespace {
 
 using Phase = WallChange::Phase;
 
+constexpr std::chrono::nanoseconds max_notice_motion = std::chrono::milliseconds(250);  // a notice is urgent
 constexpr double worth_replanning = 0.2;  // decrease of the wasted share of the canvas
 
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
@@ -31,6 +34,12 @@ std::set<SourceId> sources_of(std::span<const PlacedShot> shown, std::span<const
     for (const WallShot& shot : wanted)
         sources.insert(shot.source);
     return sources;
+}
+
+/// True: a notice comes, or its next shot.
+bool brings_notice(const WallChange& change) {
+    return std::ranges::any_of(
+        change.wall, [](const PlacedShot& placed) { return notice_named(placed.shot.key.path).has_value(); });
 }
 
 bool is_in(std::span<const WallShot> wanted, SourceId source) {
@@ -243,6 +252,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.draw(step.frame);
+    if (!is_changing() && !Wall::is_touched()) step.frame.captions = caption_rooms(shown_);
     step.retired =
         sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
     return step;
@@ -324,6 +334,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         return;
     }
     TransitionStyle style = settings_.transition;
+    if (brings_notice(*change_)) style.duration = std::min(style.duration, max_notice_motion);
     const bool is_other_canvas = change_->canvas != shown_canvas_;
     // on the way, hulls of groups might overlap
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;

@@ -10,7 +10,12 @@ Box word_place(const Box& box, const WordPicture& picture) {
     return {box.centre() - half, box.centre() + half};
 }
 
-void FolderWords::draw(Frame& frame) {
+void FolderWords::draw(Frame& frame, const ShowHints& hints) {
+    draw_names(frame);
+    captions_.draw(frame, hints);
+}
+
+void FolderWords::draw_names(Frame& frame) {
     if (frame.names.empty()) return;
     std::set<std::string> texts;
     for (const FrameName& name : frame.names)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/frame.hpp"
+#include "player/stage/caption_words.hpp"
 #include "player/words/word_loader.hpp"
 
 #include <filesystem>
@@ -12,18 +13,23 @@
 
 namespace vitrine::player {
 
-/// Draws the names of a frame: asks for their pictures, and adds those that are there as words.
+/// Draws the names and captions of a frame: asks for their pictures, and adds those that are there as words.
 class FolderWords {
   public:
-    explicit FolderWords(std::filesystem::path state) : state_(std::move(state)) {}
+    explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none)
+        : state_(std::move(state)), captions_(state_, captions) {}
 
-    void draw(Frame& frame);
+    /// @param hints  of the files, which have the captions
+    void draw(Frame& frame, const ShowHints& hints = {});
 
   private:
+    void draw_names(Frame& frame);
+
     std::filesystem::path state_;
     std::optional<WordLoader> loader_;  // made when a name is first seen
     std::set<std::string> wanted_;
     std::map<std::string, std::shared_ptr<const WordPicture>> pictures_;  // of wanted texts
+    CaptionWords captions_;
 };
 
 /// The place of a picture in the box for its text: as large as it fits, in the middle.

@@ -36,7 +36,7 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
       painter_(std::make_unique<ScreenPainter>(settings, sources)),
       films_(std::make_unique<AudibleFilms>()),
-      words_(std::make_unique<FolderWords>(settings.state.directory)),
+      words_(std::make_unique<FolderWords>(settings.state.directory, settings.show.captions)),
       listener_(std::make_shared<const SourceListener>(
           SourceListener{.owner = options.number,
                          .call = [this](const SourceEvent& event) { shows_->handle_source_event(event); }})) {
@@ -93,7 +93,7 @@ void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_fo
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
     shows_->fade(frame_);
-    words_->draw(frame_);
+    words_->draw(frame_, files_.hints());
     frame_.time = now - hidden_;
     if (awaits_sources_) sources_.wait_for(frame_, source_patience);
     sources_.advance(frame_);

@@ -162,6 +162,36 @@ class Show(unittest.TestCase):
             dark = sum(max(picture[at:at + 3]) < 60 for at in range(0, len(picture), 3 * 7))
             self.assertLess(dark, len(picture) // (3 * 7) // 10, "nothing becomes dark on the way")
 
+    def test_a_caption_stands_where_nothing_matters_and_the_status_tells_what_is_wrong(self):
+        disc(self.root / "a.png", COLOURS[0])
+        (self.root / "a.png.txt").write_text("Lake\n")
+        (self.root / "b.png.txt").write_text("nothing beside it")
+        disc(self.root / "c.png", COLOURS[1], number=1)
+        (self.root / "c.png.txt").write_bytes(b"x" * 1_000_000)
+        self.analyse()
+
+        status = (self.root / "_STATUS" / "status.txt").read_text()
+        self.assertIn("b.png.txt: there is no such photo or film beside it", status)
+        self.assertIn("c.png.txt: it is longer than 500 bytes", status)
+        self.assertIn("a.png: ready, with the caption 'Lake'", status)
+        self.assertIn("2 files: 2 ready", status)
+        (self.root / "c.png").unlink()
+        self.analyse()
+        shown = {}
+        for captions in ("written", "none"):
+            file = Path(self.folder.name) / f"{captions}.png"
+            subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{2 * WIDTH}x{2 * HEIGHT}", "--pace", "realtime", "--duration", "8s",
+                            "--show.captions", captions, "--show.photo_drift", "false", "--snapshot", file],
+                           check=True, timeout=PATIENCE, capture_output=True)
+            shown[captions] = subprocess.run(["ffmpeg", "-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                                             capture_output=True, check=True).stdout
+        differ = [i // 3 for i in range(0, len(shown["none"]), 3) if shown["none"][i:i + 3] != shown["written"][i:i + 3]]
+        self.assertGreater(len(differ), 100)
+        self.assertGreater(max(shown["written"][3 * i] for i in differ), 200, "letters are white")
+        for i in differ:
+            red, green, blue = shown["none"][3 * i:3 * i + 3]
+            self.assertFalse(red > 180 and green < 100 and blue < 100, "the disc is covered")
+
     def test_a_plans_film_shows_how_the_packing_became_denser(self):
         for i, colour in enumerate(COLOURS):
             disc(self.root / f"{i}.png", colour, 120 + 15 * i, 150 - 8 * i)

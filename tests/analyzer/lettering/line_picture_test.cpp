@@ -5,6 +5,7 @@
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cairo/cairo.h>
 #include <sys/wait.h>
@@ -95,6 +96,43 @@ TEST_CASE("letters keep clear of the plate's edges, and long lines end in time")
     const OnWhite wide = set(home, std::string(200, 'W'));
     CHECK(wide.width <= LineStyle{}.max_width + 2 * LineStyle{}.side);
     CHECK(wide.width > LineStyle{}.max_width / 2);
+}
+
+TEST_CASE("a caption has several lines where it is wanted, with the same letters and contrast") {
+    const TemporaryDirectory home;
+    int width = 1 << 20, height = 0;
+    for (int lines = 1; lines <= caption_forms; ++lines) {
+        const fs::path file = home.path / fmt::format("{}.png", lines);
+        write_line_picture("Party in the garden", file, {.lines = lines, .is_caption = true});
+        const OnWhite caption(file);
+        CHECK(caption.width < width);
+        CHECK(caption.height > height + LineStyle{}.letters / 2);
+        CHECK(inked_columns(caption).size() > 40);
+        double lightest = 0, darkest = 1;
+        for (int x = caption.width / 4; x < caption.width * 3 / 4; ++x)
+            for (int y = 2; y < caption.height - 2; ++y) {
+                lightest = std::max(lightest, caption.grey(x, y));
+                darkest = std::min(darkest, caption.grey(x, y));
+            }
+        CHECK((luminance(lightest) + 0.05) / (luminance(darkest) + 0.05) >= 4.5);
+        width = caption.width;
+        height = caption.height;
+    }
+    for (const std::string& text : {std::string(500, 'W'), std::string(), std::string("\xd7\xa9 \xd7\x9c")}) {
+        const fs::path file = home.path / fmt::format("long {}.png", text.size());
+        write_line_picture(text, file, {.lines = 3, .is_caption = true});
+        CHECK(OnWhite(file).width <= LineStyle{}.max_width + LineStyle{}.side * 2);
+        CHECK(OnWhite(file).height <= 6 * LineStyle{}.height);
+    }
+}
+
+TEST_CASE("the name of a caption's picture tells its form") {
+    const auto form = caption_of_key(caption_key("lake", 2));
+    REQUIRE(form);
+    CHECK(form->text == "lake");
+    CHECK(form->lines == 2);
+    CHECK(!caption_of_key("lake"));
+    CHECK(!caption_of_key("2lake"));
 }
 
 TEST_CASE("any bytes can be set") {

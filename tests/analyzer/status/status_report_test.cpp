@@ -27,7 +27,7 @@ StatusEntry entry(std::string path, State state, std::string reason = "", std::c
 
 std::string page(const StatusReport& report, const std::set<std::string>& thumbnails = {},
                  bool has_wall = false) {
-    return status_page(report, on_page(report), thumbnails, has_wall, moment);
+    return status_page(report, on_page(report), {.thumbnails = thumbnails, .has_wall = has_wall}, moment);
 }
 
 int count(const std::string& text, const std::string& part) {

@@ -1,5 +1,6 @@
 #include "analyzer/status/status_writer.hpp"
 
+#include "base/state/played_times.hpp"
 #include "base/system/atomic_file.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -42,6 +43,19 @@ TEST_CASE("what is said goes to the share and the state directory, with thumbnai
     CHECK(read_file(share.file("thumbnails/" + std::string(id) + ".jpg")) == "thumbnail");
     CHECK(read_file(share.file("wall.jpg")) == "wall");
     CHECK(read_file(share.state.path / "status.json").find("a.jpg") != std::string::npos);
+}
+
+TEST_CASE("how long each file was seen goes to the share as tables") {
+    Share share;
+    share.state.write("played/2026-12-24", played_text("2026-12-24", {{"a.jpg", 10s}, {"=b \"\n.jpg", 5s}}));
+    share.state.write("played/now", played_text("2026-12-24", {{"a.jpg", 12500ms}}));
+    share.state.write("played/other", "x");
+    share.writer.write();
+    CHECK(read_file(share.file("played/2026-12-24.csv")) ==
+          "file,seconds\r\n\"/=b \"\"\\x0a.jpg\",5.0\r\n\"/a.jpg\",12.5\r\n");
+    CHECK(!fs::exists(share.file("played/other.csv")));
+    share.writer.write();
+    CHECK(read_file(share.file("index.html")).find("href=\"played/\"") != std::string::npos);
 }
 
 TEST_CASE("the page tells why the player keeps a file off the wall, and when the player does not run") {

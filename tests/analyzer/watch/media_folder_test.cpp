@@ -27,7 +27,7 @@ std::vector<std::string> paths(const MediaFolder::Listing& listing) {
 TEST_CASE("what programs leave behind is junk, what people name their files is not") {
     for (const char* name : {".DS_Store", "._a.jpg", ".a.jpg.AbC123", "Thumbs.db", "THUMBS.DB", "desktop.ini",
                              "@eaDir", "~$a.doc", "a.jpg~", "a.mp4.part", "a.mp4.crdownload", "a.TMP",
-                             ".~tmp~", "a.filepart", "_STATUS", "a.mp4.tapestry.toml"})
+                             ".~tmp~", "a.filepart", "_STATUS", "a.mp4.tapestry.toml", "a.jpg.txt"})
         CHECK_MESSAGE(is_junk_name(name), name);
     for (const char* name :
          {"a.jpg", "~a.jpg", "tmp", "part", "a b\n'\".jpg", "\xff\xfe", "thumbs.db.jpg", "_a", "$1.jpg"})
@@ -47,7 +47,7 @@ TEST_CASE("files in the inbox at the root are listed apart, and are no media") {
     CHECK(paths(listing) == std::vector<std::string>{"d.jpg", "e/_INBOX/f.jpg"});
     std::sort(listing.inbox.begin(), listing.inbox.end());
     CHECK(listing.inbox == std::vector<std::string>{"_INBOX/a.jpg", "_INBOX/b/c.jpg"});
-    CHECK(listing.keyframe_files.empty());
+    CHECK(listing.sidecars.empty());
     CHECK(std::find(entered.begin(), entered.end(), "_INBOX") == entered.end());
     CHECK(folder.list("_INBOX/b").files.empty());
     CHECK(folder.look_at("_INBOX/a.jpg").presence == Presence::gone);
@@ -75,7 +75,7 @@ TEST_CASE(
     CHECK(paths(listing) == std::vector<std::string>{"a.jpg", "b/c/d.mp4", "b/" + odd});
     CHECK(listing.unread.empty());
     CHECK(entered == std::vector<std::string>{"", "b", "b/c"});
-    CHECK(listing.keyframe_files == std::vector<std::string>{"b/c/d.mp4.tapestry.toml"});
+    CHECK(listing.sidecars == std::vector<std::string>{"b/c/d.mp4.tapestry.toml"});
     CHECK(paths(folder.list("b/c")) == std::vector<std::string>{"b/c/d.mp4"});
     CHECK(folder.list("b/@eaDir").files.empty());
 

@@ -285,6 +285,25 @@ TEST_CASE("a deleted file leaves with the next transition, the last one to the i
     CHECK(house.playing.empty());
 }
 
+TEST_CASE("a notice is there a quarter of a second after its picture is ready") {
+    House house = ::house({photo("a"), photo("b"), photo("c")});
+    house.run(3s);
+    REQUIRE(house.wall.shown().size() == 3);
+    house.wall.set_catalogue(std::vector{photo("!NOW fire.jpg")});
+    std::chrono::nanoseconds began = 0s;
+    while (shown_paths(house) != std::vector<std::string>{"!NOW fire.jpg"} && house.now < 10s) {
+        if (began == 0s && house.playing.size() == 4) began = house.now;
+        house.step();
+    }
+    CHECK(house.now - began <= 400ms);  // with two refreshes of 50 ms before the first picture
+
+    house.wall.set_catalogue(std::vector{photo("a"), photo("b"), photo("c")});
+    const auto over = house.now;
+    while (shown_paths(house).size() != 3 && house.now < over + 10s)
+        house.step();
+    CHECK(house.now - over >= 800ms);  // the wall comes back as any wall does
+}
+
 TEST_CASE("what is wanted meanwhile replaces a change that has not begun to fade, its sources retire") {
     House house = ::house({photo("a"), photo("b")});
     house.readies = false;

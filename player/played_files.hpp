@@ -1,0 +1,31 @@
+#pragma once
+
+#include "player/content/calendar.hpp"
+#include "player/control/play_ledger.hpp"
+#include "player/stage/seen_files.hpp"
+
+#include <chrono>
+#include <filesystem>
+
+namespace vitrine::player {
+
+class SourcePool;
+class Stages;
+
+/// Proof of play: notes for how long each file is seen on a panel, day by day.
+class PlayedFiles {
+  public:
+    /// @param state  the state directory
+    explicit PlayedFiles(const std::filesystem::path& state)
+        : calendar_(state / "catalogue"), ledger_(state / played_folder) {}
+
+    /// Call at every tick. @param now  since the player's start
+    void look(const Stages& stages, const SourcePool& sources, std::chrono::nanoseconds now);
+
+  private:
+    Calendar calendar_;
+    SeenFiles seen_;
+    PlayLedger ledger_;
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,104 @@
+#include "player/scene/caption_place.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+#include "player/layout/layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::array letter_sizes{1.0 / 26, 1.0 / 32, min_caption_letters * 1.001};  // of the canvas' height
+constexpr double margin_share = 0.006;  // of the canvas' height, around the caption
+constexpr int steps_across = 24;
+constexpr int steps_down = 32;
+
+bool is_inside(std::span<const Vec2> outline, Vec2 point) {
+    bool inside = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Vec2 a = outline[i], b = outline[j];
+        if ((a.y > point.y) != (b.y > point.y) && point.x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x)
+            inside = !inside;
+    }
+    return inside;
+}
+
+/// True if a part of the line from a to b lies inside the box (Liang and Barsky).
+bool crosses(const Box& box, Vec2 a, Vec2 b) {
+    const Vec2 way = b - a;
+    double from = 0, to = 1;
+    const auto cut = [&](double step, double room) {
+        if (step == 0) return room > 0;
+        const double at = room / step;
+        if (step < 0)
+            from = std::max(from, at);
+        else
+            to = std::min(to, at);
+        return from < to;
+    };
+    return cut(-way.x, a.x - box.min.x) && cut(way.x, box.max.x - a.x) && cut(-way.y, a.y - box.min.y) &&
+           cut(way.y, box.max.y - a.y);
+}
+
+/// True if the box lies inside the outline.
+bool contains(std::span<const Vec2> outline, const Box& box) {
+    if (!is_inside(outline, box.centre())) return false;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        if (crosses(box, outline[i], outline[(i + 1) % outline.size()])) return false;
+    return true;
+}
+
+std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, Vec2 size, double margin) {
+    const Box all = bounding_box(part);
+    const Vec2 first = all.min + Vec2{margin, margin};
+    const Vec2 way = all.max - size - Vec2{margin, margin} - first;
+    if (way.x < 0 || way.y < 0) return std::nullopt;
+    for (int down = steps_down; down >= 0; --down)
+        for (int across = 0; across <= steps_across; ++across) {
+            const Vec2 at = first + Vec2{way.x * across / steps_across, way.y * down / steps_down};
+            const Box wide{at - Vec2{margin, margin}, at + size + Vec2{margin, margin}};
+            if (contains(part, wide) && clipped(room.region, wide).empty()) return Box{at, at + size};
+        }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall) {
+    std::vector<CaptionRoom> rooms;
+    for (const PlacedShot& placed : wall) {
+        if (!placed.cell) continue;
+        Polygon region = placed_region(placed.shot.item, placed.placement);
+        if (placed.drift.from != placed.drift.to) {
+            const Polygon still = region;
+            region.clear();
+            for (const Vec2 by : {placed.drift.from, placed.drift.to})
+                for (const Vec2 corner : still)
+                    region.push_back(corner + by);
+            region = convex_hull(region);
+        }
+        rooms.push_back({.source = placed.shot.source,
+                         .path = placed.shot.key.path,
+                         .cell = placed.cell,
+                         .region = std::move(region)});
+    }
+    return rooms;
+}
+
+std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,
+                                          Vec2 canvas) {
+    const double margin = canvas.y * margin_share;
+    for (const double letters : letter_sizes)
+        for (std::size_t form = 0; form < forms.size(); ++form) {
+            const double height = letters * canvas.y / forms[form].letters;
+            const Vec2 size{height * forms[form].aspect, height};
+            for (const Polygon& part : room.cell->parts)
+                if (const auto box = place_in(part, room, size, margin)) return CaptionPlace{*box, form};
+        }
+    return std::nullopt;
+}
+
+}  // namespace vitrine::player

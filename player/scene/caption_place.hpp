@@ -1,0 +1,39 @@
+#pragma once
+
+#include "player/layout/canvas.hpp"
+#include "player/scene/frame.hpp"
+#include "player/scene/wall_shot.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine::player {
+
+/// The rooms for the captions of shots that stand.
+std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall);
+
+/// The size of a caption's picture.
+struct CaptionSize {
+    double aspect = 1;   // its width as a share of its height
+    double letters = 1;  // the letters' size as a share of its height
+};
+
+/// Letters are at least so high as a share of the canvas' height.
+inline constexpr double min_caption_letters = 1.0 / 40;
+
+/// The place of a caption and which of its forms has it.
+struct CaptionPlace {
+    Box box;  // canvas px
+    std::size_t form = 0;
+};
+
+/// The place of a caption: inside the shot's own pixels, outside its I-Region and so outside that of every
+/// shot, as large as it can be, in the first form that has room, as low as that can be. None: there is no
+/// room.
+/// @param canvas  its size, px
+std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,
+                                          Vec2 canvas);
+
+}  // namespace vitrine::player

@@ -1,0 +1,86 @@
+#include "player/stage/caption_words.hpp"
+
+#include "base/hints/hint_words.hpp"
+#include "base/state/word_picture.hpp"
+#include "player/scene/caption_place.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::chrono::nanoseconds fade = std::chrono::milliseconds(500);
+
+}  // namespace
+
+void CaptionWords::draw(Frame& frame, const ShowHints& hints) {
+    if (choice_ == CaptionChoice::none) return;
+    follow(frame, hints);
+    take_pictures(frame.canvas);
+    for (auto& [source, caption] : captions_) {
+        if (!caption.place) continue;
+        if (!caption.since) caption.since = frame.time;
+        const double age = std::chrono::duration<double>(frame.time - *caption.since) / fade;
+        frame.words.push_back(
+            {.picture = caption.picture, .place = *caption.place, .alpha = std::clamp(age, 0.0, 1.0)});
+    }
+}
+
+std::string CaptionWords::text_of(const std::string& path, const ShowHints& hints) const {
+    const ShowHints::Entry file = hints.find(path);
+    const std::string written = file ? file->hints.caption.value_or("") : "";
+    return caption_of(written, path, choice_ == CaptionChoice::names);
+}
+
+/// Keeps the captions of the shots that stand as they stood, and begins those of others.
+void CaptionWords::follow(const Frame& frame, const ShowHints& hints) {
+    std::map<SourceId, Caption> before = std::exchange(captions_, {});
+    std::set<std::string> keys;
+    for (const CaptionRoom& room : frame.captions) {
+        std::string text = text_of(room.path, hints);
+        if (text.empty()) continue;
+        for (int lines = 1; lines <= caption_forms; ++lines)
+            keys.insert(caption_key(text, lines));
+        const auto known = before.find(room.source);
+        const bool is_same =
+            known != before.end() && known->second.text == text && known->second.room == room;
+        captions_[room.source] = is_same ? std::move(known->second) : Caption{.room = room, .text = text};
+    }
+    if (keys == wanted_ || frame.captions.empty()) return;  // a wall that changes keeps the pictures
+    std::erase_if(pictures_, [&](const auto& known) { return !keys.contains(known.first); });
+    if (!loader_) loader_.emplace(state_);
+    wanted_ = keys;
+    loader_->want(std::move(keys));
+}
+
+void CaptionWords::take_pictures(Vec2 canvas) {
+    if (!loader_) return;
+    for (LoadedWord& word : loader_->take())
+        if (wanted_.contains(word.text) && word.picture && word.picture->height > 0)
+            pictures_[word.text] = std::move(word.picture);
+    for (auto& [source, caption] : captions_)
+        if (!caption.place) find_place(caption, canvas);
+}
+
+/// Looks for a place when further forms have been read.
+void CaptionWords::find_place(Caption& caption, Vec2 canvas) const {
+    std::vector<std::shared_ptr<const WordPicture>> pictures;
+    std::vector<CaptionSize> sizes;
+    for (int lines = 1; lines <= caption_forms; ++lines) {
+        const auto known = pictures_.find(caption_key(caption.text, lines));
+        if (known == pictures_.end()) continue;
+        const double height = known->second->height;
+        pictures.push_back(known->second);
+        sizes.push_back({.aspect = known->second->width / height, .letters = word_letters / height});
+    }
+    if (sizes.size() == std::exchange(caption.forms, sizes.size())) return;
+    const auto place = caption_place(caption.room, sizes, canvas);
+    if (!place) return;
+    caption.place = place->box;
+    caption.picture = pictures[place->form];
+}
+
+}  // namespace vitrine::player

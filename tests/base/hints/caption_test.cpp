@@ -1,0 +1,38 @@
+#include "base/hints/caption.hpp"
+
+#include "base/hints/folder_hints.hpp"
+#include "base/hints/hint_words.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace vitrine;
+
+TEST_CASE("a caption file is named like a photo or film, with .txt behind") {
+    for (const char* name : {"a.jpg.txt", "A.JPG.TXT", "b c.heic.txt", "film.mp4.txt"})
+        CHECK_MESSAGE(is_caption_file(name), name);
+    for (const char* name : {"notes.txt", "a.jpg", "a.jpg.txt.bak", ".jpg.txt", "a.txt.txt", "a.jpg.url.txt"})
+        CHECK_MESSAGE(!is_caption_file(name), name);
+}
+
+TEST_CASE("a caption is one line of UTF-8") {
+    CHECK(caption_text("\xef\xbb\xbf  Oma am See,\r\n1987\n").text == "Oma am See,  1987");
+    CHECK(caption_text("\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d").fault.empty());
+    CHECK(caption_text(" \n").text.empty());
+    CHECK(caption_text("caf\xe9").fault == "it is not UTF-8");
+    CHECK(caption_text(std::string(1 << 20, 'x')).fault == "it is longer than 500 bytes");
+    CHECK(caption_text(std::string(1 << 20, 'x')).text.empty());
+}
+
+TEST_CASE("where nothing is written, the name may be the caption") {
+    CHECK(caption_of("Oma", "a/01_See.jpg", true) == "Oma");
+    CHECK(caption_of("", "a/20s 01_Am_See.jpg", true) == "Am See");
+    CHECK(caption_of("", "a/01_See.jpg", false).empty());
+}
+
+TEST_CASE("captions of files reach the player with the hints of folders") {
+    FolderHints hints;
+    hints["a/b.jpg"].caption = "Oma \"am\" See";
+    const FolderHints read = folder_hints_from_json(to_json(hints));
+    CHECK(hints_of("a/b.jpg", read).caption == "Oma \"am\" See");
+    CHECK(!hints_of("a/c.jpg", read).caption);
+}

@@ -1,0 +1,95 @@
+#include "player/scene/caption_place.hpp"
+
+#include "base/geometry/convex_hull.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <random>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+constexpr Vec2 canvas{1280, 720};
+constexpr std::array forms{CaptionSize{.aspect = 8, .letters = 64.0 / 90},
+                           CaptionSize{.aspect = 2.2, .letters = 64.0 / 170}};
+
+/// Random regions in a grid, with the cells between them.
+struct RandomWall {
+    std::vector<LayoutItem> items;
+    Layout layout{.canvas = canvas};
+
+    explicit RandomWall(std::mt19937& chance) {
+        const auto share = [&](double from, double to) {
+            return from + (to - from) * static_cast<double>(chance() % 1000) / 1000;
+        };
+        for (int x = 0; x < 4; ++x)
+            for (int y = 0; y < 3; ++y) {
+                std::vector<Vec2> points;
+                for (int i = 0; i < 9; ++i)
+                    points.push_back({320 * (x + share(0.1, 0.8)), 240 * (y + share(0.1, 0.7))});
+                items.push_back({.region = convex_hull(points), .core = {{0, 0}, canvas}});
+                layout.placements.push_back({});
+            }
+    }
+};
+
+/// True if a point of a fine grid over the box lies in the polygon.
+bool covers(const Polygon& convex, const Box& box) {
+    for (int i = 0; i <= 20; ++i)
+        for (int j = 0; j <= 20; ++j)
+            if (is_inside_convex(convex,
+                                 {box.min.x + box.width() * i / 20, box.min.y + box.height() * j / 20}, 0))
+                return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("captions lie inside their cells, over no region, and can be read") {
+    std::mt19937 chance(3);
+    int placed = 0;
+    for (int wall = 0; wall < 10; ++wall) {
+        const RandomWall random(chance);
+        const std::vector<Cell> all = cells(random.items, random.layout);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const CaptionRoom room{.cell = std::make_shared<const Cell>(all[i]),
+                                   .region = random.items[i].region};
+            const auto place = caption_place(room, forms, canvas);
+            if (!place) continue;
+            ++placed;
+            const CaptionSize& size = forms.at(place->form);
+            CHECK(place->box.height() * size.letters >= canvas.y / 40);
+            CHECK(place->box.width() == doctest::Approx(place->box.height() * size.aspect));
+            for (const LayoutItem& item : random.items)
+                CHECK(!covers(item.region, place->box));
+            for (const Vec2 corner : to_polygon(place->box)) {
+                const bool is_on_canvas =
+                    corner.x >= 0 && corner.x <= canvas.x && corner.y >= 0 && corner.y <= canvas.y;
+                CHECK(is_on_canvas);
+            }
+            for (std::size_t other = 0; other < all.size(); ++other)
+                if (other != i)
+                    for (const auto& triangle : all[other].triangles)
+                        CHECK(!covers(convex_hull(triangle), place->box));
+        }
+    }
+    MESSAGE(placed << " of 120 captions have room");
+    CHECK(placed > 60);
+}
+
+TEST_CASE("there is no room in a cell that its region fills, nor for a photo that drifts over all of it") {
+    Cell cell{.parts = {to_polygon({{0, 0}, {400, 300}})}};
+    CaptionRoom room{.cell = std::make_shared<const Cell>(cell),
+                     .region = to_polygon({{10, 10}, {390, 290}})};
+    CHECK(!caption_place(room, forms, canvas));
+    room.region = to_polygon({{10, 10}, {390, 200}});
+    CHECK(caption_place(room, forms, canvas));
+
+    PlacedShot shot{.cell = room.cell};
+    shot.shot.item = {.region = room.region, .core = {{0, 0}, canvas}};
+    shot.drift = {.from = {0, -80}, .to = {0, 80}};
+    CHECK(!caption_place(caption_rooms(std::vector{shot}).front(), forms, canvas));
+}
