@@ -1,6 +1,5 @@
 #include "analyzer/origin/exif_block.hpp"
 
-#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 #include "base/media/heif_reader.hpp"
 

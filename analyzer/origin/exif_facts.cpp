@@ -1,7 +1,7 @@
 #include "analyzer/origin/exif_facts.hpp"
 
 #include "analyzer/origin/time_words.hpp"
-#include "base/media/byte_order.hpp"
+#include "base/media/file_bytes.hpp"
 #include "base/system/handle.hpp"
 
 #include <libexif/exif-data.h>

@@ -1,7 +1,6 @@
 #include "analyzer/origin/film_facts.hpp"
 
 #include "analyzer/origin/time_words.hpp"
-#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 
 #include <algorithm>

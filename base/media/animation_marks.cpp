@@ -1,6 +1,6 @@
 #include "base/media/animation_marks.hpp"
 
-#include "base/media/byte_order.hpp"
+#include "base/media/file_bytes.hpp"
 #include "base/media/gif_extent.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "base/media/completeness.hpp"
 
-#include "base/media/byte_order.hpp"
 #include "base/media/file_bytes.hpp"
 #include "base/media/gif_extent.hpp"
 #include "base/state/media_error.hpp"

@@ -1,6 +1,6 @@
 #include "base/media/heif_reader.hpp"
 
-#include "base/media/byte_order.hpp"
+#include "base/media/file_bytes.hpp"
 #include "base/media/photo_file.hpp"
 #include "base/media/picture_failure.hpp"
 #include "base/state/media_error.hpp"

@@ -1,6 +1,6 @@
 #include "base/media/png_animation.hpp"
 
-#include "base/media/byte_order.hpp"
+#include "base/media/file_bytes.hpp"
 #include "base/media/still_picture.hpp"
 #include "base/media/vips_steps.hpp"
 
