@@ -74,9 +74,9 @@ FileExtent matroska_extent(const FileBytes& file) {
     for (int element = 0; element < 16; ++element) {
         const auto head = file.at<12>(offset);
         if (!head) return extent;
-        const auto id_bytes = static_cast<std::size_t>(std::countl_zero((*head)[0]) + 1);
+        const auto id_bytes = 1 + static_cast<std::size_t>(std::countl_zero((*head)[0]));
         if (id_bytes > 4) return extent;
-        const auto size_bytes = static_cast<std::size_t>(std::countl_zero((*head)[id_bytes]) + 1);
+        const auto size_bytes = 1 + static_cast<std::size_t>(std::countl_zero((*head)[id_bytes]));
         if (size_bytes > 8) return extent;
         const std::uint64_t mask = (std::uint64_t{1} << (7 * size_bytes)) - 1;
         const std::uint64_t size = big_endian(*head, id_bytes, size_bytes) & mask;
