@@ -159,7 +159,7 @@ PlayerView Player::view() const {
 PlayerActions Player::actions() {
     return {.set_controls = [this](const ShowControls& controls) { stages_->set_controls(controls); },
             .set_dismissed = [this](const std::set<std::string>& paths) { files_->set_dismissed(paths); },
-            .arrange = [this](ArrangedWalls walls) { stages_->arrange(std::move(walls)); },
+            .arrange = [this](const ArrangedWalls& walls) { stages_->arrange(walls); },
             .acquit = [this](const std::string& path) { files_->acquit(path); },
             .reload = [this] { reload(); },
             .toggle_guides = [this] { return stages_->toggle_guides(); }};

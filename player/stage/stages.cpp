@@ -61,9 +61,9 @@ void Stages::set_controls(const ShowControls& controls) {
     }
 }
 
-void Stages::arrange(ArrangedWalls walls) {
-    for (auto& [folder, wall] : walls)
-        arranged_[folder] = std::make_shared<const ArrangedWall>(std::move(wall));
+void Stages::arrange(const ArrangedWalls& walls) {
+    for (const auto& [folder, wall] : walls)
+        arranged_[folder] = std::make_shared<const ArrangedWall>(wall);
     set_controls(ShowControls(controls_));
 }
 

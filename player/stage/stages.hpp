@@ -42,7 +42,7 @@ class Stages {
     void set_controls(const ShowControls& controls);
 
     /// Arranges the walls anew. @param walls  by the folder of their stage; others stay as they are
-    void arrange(ArrangedWalls walls);
+    void arrange(const ArrangedWalls& walls);
 
     /// The walls as they stand now: those that a screen shows, and in which no folder is open.
     ArrangedWalls arrangement() const;
