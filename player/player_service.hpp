@@ -51,7 +51,7 @@ struct PlayerView {
 struct PlayerActions {
     std::function<void(const ShowControls&)> set_controls;            // sets the controls of all walls
     std::function<void(const std::set<std::string>&)> set_dismissed;  // takes these files off the wall
-    std::function<void(const ArrangedWalls&)> arrange;                       // arranges the walls anew
+    std::function<void(const ArrangedWalls&)> arrange;                // arranges the walls anew
     std::function<void(const std::string& path)> acquit;  // ends the quarantine of a file; "": of all
     std::function<void()> reload;         // reads the settings again; throws if they are wrong
     std::function<bool()> toggle_guides;  // for placing screens; true: they are drawn now
