@@ -32,7 +32,7 @@ class ArrangementService {
     /// Call when the run ends in order.
     void end_run(bool is_kept);
 
-    /// Those of `vitrinectl layout`. @pre this outlives them
+    /// Returns the handlers of `vitrinectl layout`. @pre this outlives them
     CommandHandlers handlers();
 
   private:

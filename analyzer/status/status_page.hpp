@@ -16,7 +16,7 @@ constexpr std::size_t max_on_page = 1000;
 /// first.
 std::vector<StatusEntry> on_page(const StatusReport& report);
 
-/// What lies beside the page.
+/// Names the files that lie beside the page.
 struct PageParts {
     std::set<std::string> thumbnails;  // ids of those that lie in thumbnails/
     bool has_wall = false;             // wall.jpg

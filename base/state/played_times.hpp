@@ -12,7 +12,7 @@ namespace vitrine {
 // Proof of play: how long each file was seen on a day. The player counts in STATE/played/; the analyzer
 // copies it to the status folder: docs/catalogue.md.
 
-/// How long each file was seen, by its path; "" for those beyond max_played_files.
+/// Maps a file's path to the time for which it was seen; files beyond max_played_files share the path "".
 using PlayedTimes = std::map<std::string, std::chrono::nanoseconds>;
 
 constexpr const char* played_folder = "played";    // below the state directory; written by the player alone

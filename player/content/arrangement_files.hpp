@@ -35,7 +35,7 @@ struct WallArrangement {
 /// The longest text that is read as an arrangement.
 inline constexpr std::size_t max_arrangement_bytes = 8U << 20;
 
-/// As JSON. Paths that are not UTF-8 are there in hex digits, too.
+/// Writes an arrangement as JSON. A path that is not UTF-8 also stands there in hex digits.
 std::string arrangement_json(const WallArrangement& arrangement);
 
 /// @throws std::runtime_error  telling what is wrong with the text

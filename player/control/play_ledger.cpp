@@ -24,7 +24,7 @@ namespace {
 constexpr auto note_period = 1s;
 constexpr auto day_period = 60s;
 
-/// What one run of the writing thread writes.
+/// Holds the files that one run of the writing thread writes.
 struct Writing {
     fs::path folder;
     std::string day;

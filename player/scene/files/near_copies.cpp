@@ -109,7 +109,7 @@ RatedFit refined(const PicturePrint& a, const PicturePrint& b, const Fit& from) 
     return best;
 }
 
-/// How far apart the colours of two pictures are, whatever their exposure: the differences of the shares of
+/// The distance of the colours of two pictures, which exposure does not change: it compares the shares of
 /// red, green and blue in 3 x 3 fields.
 struct ColourDistance {
     double mean = 0;

@@ -24,7 +24,7 @@ PlayLedger::Day day_of(std::chrono::local_seconds clock) {
     return std::chrono::floor<std::chrono::days>(clock);
 }
 
-/// What the files in the folder say of a day, the latest notes included.
+/// Reads the times of a day from the files in the folder, the latest notes included.
 PlayedTimes told(const fs::path& folder, const std::string& day) {
     PlayedTimes times;
     for (const std::string& name : {day, std::string(played_now)})
