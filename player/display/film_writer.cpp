@@ -19,7 +19,8 @@ namespace {
 
 constexpr guint64 pictures_waiting = 4;  // limit of the encoder's queue; each has width * height * 4 bytes
 constexpr GstClockTime room_patience = 2 * GST_MSECOND;    // between two looks for room
-constexpr GstClockTime max_ending_time = 60 * GST_SECOND;  // to encode the queue and write the index
+constexpr GstClockTime max_ending_time = 60 * GST_SECOND;  // to encode the queue and write the last fragment
+constexpr guint fragment_milliseconds = 2000;
 
 void unref_element(GstElement* element) {
     gst_object_unref(element);
@@ -114,8 +115,11 @@ struct FilmWriter::Chain {
         gst_util_set_object_arg(G_OBJECT(elements[2]), "caps", "video/x-raw, format=I420");
         gst_util_set_object_arg(G_OBJECT(elements[3]), "speed-preset", "superfast");
         gst_util_set_object_arg(G_OBJECT(elements[3]), "pass", "quant");
-        g_object_set(elements[3], "quantizer", 20, "key-int-max", 60, nullptr);
-        g_object_set(elements[5], "faststart", TRUE, nullptr);
+        // A fragmented film has no list of edits: with reordered pictures, players lose the last ones.
+        g_object_set(elements[3], "quantizer", 20, "key-int-max", 60, "bframes", 0, nullptr);
+        // In fragments, so that an index does not grow in memory and a film that is cut off can be opened.
+        g_object_set(elements[5], "fragment-duration", fragment_milliseconds, nullptr);
+        gst_util_set_object_arg(G_OBJECT(elements[6]), "buffer-mode", "unbuffered");
         g_object_set(elements[6], "location", path.c_str(), nullptr);
     }
 

@@ -9,7 +9,8 @@
 
 namespace vitrine::player {
 
-/// Writes pictures into an MP4 file (H.264) that starts to play before it is loaded whole. Encodes on
+/// Writes pictures into an MP4 file (H.264) in fragments: it starts to play before it is loaded whole, a film
+/// that is cut off plays up to its last fragment, and memory does not grow with the film. Encodes on
 /// GStreamer's threads; add() waits if the encoder falls behind by more than a few pictures.
 class FilmWriter {
   public:

@@ -47,7 +47,8 @@ Film read_film(const std::filesystem::path& path) {
     GstElement* sink = gst_bin_get_by_name(GST_BIN(pipeline), "end");
     gst_element_set_state(pipeline, GST_STATE_PLAYING);
     Film film;
-    while (GstSample* sample = gst_app_sink_pull_sample(GST_APP_SINK(sink))) {
+    // A film that is cut off ends with an error, after which no sample comes.
+    while (GstSample* sample = gst_app_sink_try_pull_sample(GST_APP_SINK(sink), 5 * GST_SECOND)) {
         const GstBuffer* buffer = gst_sample_get_buffer(sample);
         const GstSegment* segment = gst_sample_get_segment(sample);
         const auto begin = gst_segment_to_stream_time(segment, GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
@@ -129,6 +130,21 @@ TEST_CASE("a film holds every picture for its time") {
     CHECK(film.pictures == 50);
     CHECK(film.end == 2s);
     CHECK(film.profile.find("4:4:4") == std::string::npos);  // television sets do not play it
+}
+
+TEST_CASE("a film that is cut off plays up to its last fragment") {
+    const TemporaryDirectory directory;
+    const std::filesystem::path path = directory.path / "wall.mp4";
+    const std::filesystem::path cut = directory.path / "cut.mp4";
+    OffscreenScreen screen({.width = 128, .height = 72, .film = path, .film_rate = 25});
+
+    for (int i = 0; i < 400; ++i) {  // 16 s
+        screen.begin_frame();
+        screen.present(i * 40ms);
+    }
+    std::filesystem::copy_file(path, cut);  // it is as if the player was killed here
+
+    CHECK(read_film(cut).pictures >= 100);
 }
 
 TEST_CASE("a film that is not finished by hand ends with its screen") {
