@@ -18,13 +18,6 @@ struct BandSums {
     double without_ms = 0;
 };
 
-double covered_px(const PlanRequest& request, const Layout& layout) {
-    double covered = 0;
-    for (std::size_t i = 0; i < request.items.size(); ++i)
-        covered += seat_of(request.items[i].item, layout.placements[i]).area;
-    return covered;
-}
-
 double hidden_px(const PlanRequest& request, const Layout& layout) {
     double hidden = 0;
     for (std::size_t i = 0; i < request.items.size(); ++i)

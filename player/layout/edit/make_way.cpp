@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,10 +16,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double farthest = 0.25;  // share of the canvas' diagonal that an item moves for another at most
-constexpr double near = 0.05;      // share of the diagonal that an item moves at most after it was let go
-constexpr double smaller = 0.85;   // factor of a wish's scale without room
-constexpr int tries = 8;           // sizes of the wishes
+constexpr double max_way = 0.25;  // share of the canvas' diagonal that an item moves for another at most
+constexpr double near = 0.05;     // share of the diagonal that an item moves at most after it was let go
+constexpr double smaller = 0.85;  // factor of a wish's scale without room
+constexpr int tries = 8;          // sizes of the wishes
 constexpr double band_clearance = 1.0 / 32;  // canvas px between what rests and the edge of an output
 
 Vec2 place_of(const LayoutItem& item, const Placement& at) {
@@ -126,7 +127,9 @@ bool is_sound(const WallState& wall, const Layout& layout, std::span<const Wish>
     return measure.hidden == 0 && is_box_within(measure.bounds, {{0, 0}, layout.canvas});
 }
 
-bool is_local(const WallState& wall, const Layout& layout, std::span<const Wish> wishes) {
+/// @param farthest  share of the canvas' diagonal that an item without a wish moves from its home at most
+bool is_local(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
+              double farthest = max_way) {
     const double limit = farthest * length(wall.canvas);
     for (std::size_t i = 0; i < wall.items.size(); ++i) {
         if (std::ranges::find(wishes, i, &Wish::item) != wishes.end()) continue;
@@ -171,38 +174,129 @@ Layout grown_in_place(const WallState& wall, const Layout& layout, std::span<con
 }
 
 /// True if all items that were let go are near the places that they have in another layout.
+/// @param limit  share of the canvas' diagonal
 bool keeps_let_go(const WallState& wall, const Layout& layout, const Layout& other,
-                  std::span<const Wish> wishes) {
+                  std::span<const Wish> wishes, double limit) {
     return std::ranges::all_of(wishes, [&](const Wish& wish) {
         const LayoutItem& item = wall.items[wish.item];
         const Vec2 way =
             place_of(item, layout.placements[wish.item]) - place_of(item, other.placements[wish.item]);
-        return !wish.is_let_go || length(way) <= near * length(wall.canvas);
+        return !wish.is_let_go || length(way) <= limit * length(wall.canvas);
     });
 }
 
-/// Lets all items grow until they fill the canvas. Those that were let go stay near their places, or exactly
-/// there.
-Layout settled(const WallState& wall, const Layout& layout, std::span<const Wish> wishes,
-               const EditRules& rules) {
-    Layout begin = grown_in_place(wall, layout, wishes, rules);
-    WallState now = wall;
-    now.homes = begin.placements;
-    PlanRequest request = request_of(now, {}, rules);
-    request.is_coarse = false;
-    for (std::size_t i = 0; i < wall.items.size(); ++i)
-        request.items[i].home = scaled_about(wall.items[i], begin.placements[i], wall.homes[i].scale);
-    for (const bool is_kept : {false, true}) {
-        for (const Wish& wish : wishes)
-            request.items[wish.item].is_pinned = is_kept || !wish.is_let_go;
-        const auto grown =
-            planned_in(window_of(now, wishes, rules), request, {.should_stop = rules.should_stop});
-        if (grown && is_sound(wall, *grown, wishes) && is_local(wall, *grown, wishes) &&
-            keeps_let_go(wall, *grown, layout, wishes))
-            return *grown;
+/// The search for a layout in which all items are as large as they were and pictures fill the canvas, after
+/// some were let go.
+class Settling {
+  public:
+    /// @param made  in it the wishes have room; it is the result where nothing better is found
+    Settling(const WallState& wall, const Layout& made, std::span<const Wish> wishes, const EditRules& rules)
+        : wall_(wall),
+          made_(made),
+          wishes_(wishes),
+          rules_(rules),
+          costs_(request_of(wall, {}, rules)),
+          good_enough_(cost_of_plan(costs_, {.canvas = wall.canvas, .placements = wall.homes}) + slack),
+          best_(grown_in_place(wall, made, wishes, rules)) {}
+
+    /// First all grow from where they are. Those that were let go stay near their places, or exactly there.
+    /// If an item remains small in a corner then, or a part of the canvas is left open, the others make way
+    /// anew: from where they grew to if nothing stays, and from their homes. At last those that were let go
+    /// may move a little farther.
+    Layout best() {
+        const Layout begin = best_;
+        if (is_better_grown(begin, false)) return best_;
+        const Layout free = last_.value_or(begin);
+        if (is_better_grown(begin, true)) return best_;
+        for (const double size : {1.0, 0.8, 0.6, 0.45}) {
+            if (is_better_anew(free.placements, size)) return best_;
+            if (is_better_anew(wall_.homes, size)) return best_;
+        }
+        near_ = loosely_near;
+        last_ = free;
+        if (is_last_better()) return best_;
+        if (far_cost_ + hole < cost_of_plan(costs_, best_)) return far_;
+        return best_;
     }
-    return begin;
-}
+
+  private:
+    static constexpr double slack = 0.1;          // of the cost over that of the wall before
+    static constexpr double loosely_near = 0.15;  // share of the diagonal
+    static constexpr double loosely_local = 0.4;  // share of the diagonal
+    static constexpr double hole = 0.6;           // cost of a fifth of the canvas without a picture
+
+    /// @return true: the best layout is good enough now
+    bool is_better_grown(const Layout& begin, bool is_kept) {
+        WallState now = wall_;
+        now.homes = begin.placements;
+        PlanRequest request = request_of(now, {}, rules_);
+        for (std::size_t i = 0; i < wall_.items.size(); ++i)
+            request.items[i].home = scaled_about(wall_.items[i], begin.placements[i], wall_.homes[i].scale);
+        for (const Wish& wish : wishes_)
+            request.items[wish.item].is_pinned = is_kept || !wish.is_let_go;
+        return is_better(now, std::move(request));
+    }
+
+    /// @param from  places of the others
+    /// @param size  of those that were let go, of their sizes there
+    bool is_better_anew(const std::vector<Placement>& from, double size) {
+        std::vector<Wish> sized(wishes_.begin(), wishes_.end());
+        for (Wish& wish : sized)
+            if (wish.is_let_go)
+                wish.at = scaled_about(wall_.items[wish.item], made_.placements[wish.item],
+                                       from[wish.item].scale * size);
+        const std::vector<Wish> given = heard(wall_, sized, 1, rules_);
+        if (given.size() < wishes_.size()) return false;
+        WallState now = wall_;
+        now.homes = from;
+        PlanRequest request = request_of(now, given, rules_);
+        for (std::size_t i = 0; i < wall_.items.size(); ++i)
+            if (!request.items[i].is_pinned) request.items[i].home = wall_.homes[i];
+        return is_better(now, std::move(request));
+    }
+
+    bool is_better(const WallState& from, PlanRequest request) {
+        request.is_coarse = false;
+        last_ = planned_in(window_of(from, wishes_, rules_), request, {.should_stop = rules_.should_stop});
+        note_far();
+        return is_last_better();
+    }
+
+    bool is_last_better() {
+        if (last_ && is_sound(wall_, *last_, wishes_) && is_local(wall_, *last_, wishes_) &&
+            keeps_let_go(wall_, *last_, made_, wishes_, near_)) {
+            const double cost = cost_of_plan(costs_, *last_);
+            if (!cost_ || cost < *cost_) {
+                best_ = *last_;
+                cost_ = cost;
+            }
+        }
+        return cost_ && *cost_ <= good_enough_;
+    }
+
+    void note_far() {
+        if (!last_ || !is_sound(wall_, *last_, wishes_) || !is_local(wall_, *last_, wishes_, loosely_local) ||
+            !keeps_let_go(wall_, *last_, made_, wishes_, loosely_near))
+            return;
+        const double cost = cost_of_plan(costs_, *last_);
+        if (cost >= far_cost_) return;
+        far_ = *last_;
+        far_cost_ = cost;
+    }
+
+    const WallState& wall_;
+    const Layout& made_;
+    std::span<const Wish> wishes_;
+    const EditRules& rules_;
+    PlanRequest costs_;
+    double good_enough_;
+    Layout best_;
+    std::optional<double> cost_;  // of the best one; none: it is only grown in place
+    std::optional<Layout> last_;  // the last one that was tried
+    double near_ = near;
+    Layout far_;  // the best one in which others move too far
+    double far_cost_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
@@ -217,7 +311,7 @@ WallState made_way(const WallState& wall, std::span<const Wish> wishes, const Ed
         if (!layout) continue;
         next.placements = layout->placements;
         if (std::ranges::none_of(given, &Wish::is_let_go)) return next;
-        next.placements = next.homes = settled(wall, *layout, given, rules).placements;
+        next.placements = next.homes = Settling(wall, *layout, given, rules).best().placements;
         return next;
     }
     return next;

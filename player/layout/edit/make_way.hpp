@@ -20,7 +20,8 @@ struct Wish {
 /// wishes only, and an item returns exactly once nothing is in its place. A wish that cannot be given room
 /// becomes smaller; one that is on another is not heard.
 ///
-/// An item that was let go, and all others, keep the places that they get: their homes.
+/// An item that was let go, and all others, keep the places that they get: their homes. If a fifth of the
+/// canvas would be left without a picture, others move farther then: up to two fifths of the diagonal.
 /// @param wishes  at most one for each item; the first ones go before
 WallState made_way(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules);
 

@@ -193,31 +193,30 @@ PlanRequest request_on(const PlanRequest& request, const Box& output, std::vecto
     return part;
 }
 
-/// The share of what the outputs show that no picture reaches, sampled.
-double unseen_share(const PlanRequest& request, const Layout& layout) {
-    int missing = 0;
-    for (const Box& output : request.canvas.outputs)
-        for (int y = 0; y < samples; ++y)
-            for (int x = 0; x < samples; ++x) {
-                const Vec2 point{output.min.x + (x + 0.5) / samples * output.width(),
-                                 output.min.y + (y + 0.5) / samples * output.height()};
-                bool is_seen = false;
-                for (std::size_t i = 0; i < request.items.size() && !is_seen; ++i) {
-                    const Box core = placed_core(request.items[i].item, layout.placements[i]);
-                    is_seen = point.x >= core.min.x && point.x <= core.max.x && point.y >= core.min.y &&
-                              point.y <= core.max.y;
-                }
-                if (!is_seen) ++missing;
-            }
-    return static_cast<double>(missing) /
-           (samples * samples * std::max(1.0, static_cast<double>(request.canvas.outputs.size())));
+/// The parts of the canvas that are seen.
+std::vector<Box> seen_parts(const Canvas& canvas) {
+    return canvas.outputs.empty() ? std::vector<Box>{{{0, 0}, canvas}} : canvas.outputs;
 }
 
-double covered_px(const PlanRequest& request, const Layout& layout) {
-    double covered = 0;
+/// The share of what is seen that no picture reaches, sampled.
+double unseen_share(const PlanRequest& request, const Layout& layout) {
+    std::vector<Box> pictures;
     for (std::size_t i = 0; i < request.items.size(); ++i)
-        covered += seat_of(request.items[i].item, layout.placements[i]).area;
-    return covered;
+        pictures.push_back(placed_core(request.items[i].item, layout.placements[i]));
+    const std::vector<Box> parts = seen_parts(request.canvas);
+    int missing = 0;
+    for (const Box& part : parts)
+        for (int y = 0; y < samples; ++y)
+            for (int x = 0; x < samples; ++x) {
+                const Vec2 point{part.min.x + (x + 0.5) / samples * part.width(),
+                                 part.min.y + (y + 0.5) / samples * part.height()};
+                const bool is_seen = std::ranges::any_of(pictures, [&point](const Box& picture) {
+                    return point.x >= picture.min.x && point.x <= picture.max.x && point.y >= picture.min.y &&
+                           point.y <= picture.max.y;
+                });
+                if (!is_seen) ++missing;
+            }
+    return static_cast<double>(missing) / (samples * samples * static_cast<double>(parts.size()));
 }
 
 /// The cost of sizes that differ.
@@ -239,6 +238,13 @@ double spread_cost(const PlanRequest& request, const Layout& layout) {
 }
 
 }  // namespace
+
+double covered_px(const PlanRequest& request, const Layout& layout) {
+    double covered = 0;
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+        covered += seat_of(request.items[i].item, layout.placements[i]).area;
+    return covered;
+}
 
 bool is_under_band(const Canvas& canvas, const LayoutItem& item, const Placement& at) {
     if (canvas.bands.empty()) return false;
@@ -334,8 +340,8 @@ Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, 
 
 double cost_of_plan(const PlanRequest& request, const Layout& layout) {
     double shown = 0;
-    for (const Box& output : request.canvas.outputs)
-        shown += output.area();
+    for (const Box& part : seen_parts(request.canvas))
+        shown += part.area();
     const double unseen = request.fills ? unseen_share(request, layout) : 0;
     return emptiness * unseen - covered_px(request, layout) / shown + spread_cost(request, layout);
 }

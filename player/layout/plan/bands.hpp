@@ -12,6 +12,9 @@ namespace vitrine::player {
 // more pinned item. That holds only as far as the search succeeds. So each layout is checked, and if the
 // check fails, each output is planned by itself: that always holds.
 
+/// The area of all I-Regions in a layout, canvas px^2.
+double covered_px(const PlanRequest& request, const Layout& layout);
+
 /// The least clearance that a search keeps, canvas px; the grid of exact areas rounds by 1/512.
 inline constexpr double min_clearance = 1.0 / 64;
 
@@ -42,8 +45,8 @@ Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const
 /// The same with the best of some ways to share the items out. What has a place may come to another output.
 Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
 
-/// The cost of a layout, as the filling counts it (pack/filling.hpp), of what the outputs show: smaller is
-/// better.
+/// The cost of a layout, as the filling counts it (pack/filling.hpp), of what is seen of the canvas: smaller
+/// is better.
 double cost_of_plan(const PlanRequest& request, const Layout& layout);
 
 }  // namespace vitrine::player

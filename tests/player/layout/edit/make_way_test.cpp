@@ -1,7 +1,9 @@
 #include "player/layout/edit/make_way.hpp"
 
+#include "player/layout/edit/edit_window.hpp"
 #include "player/layout/pack/energy.hpp"
 #include "tests/player/layout/edit/wished_wall.hpp"
+#include "tests/player/layout/real_items.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,6 +11,50 @@
 
 using namespace vitrine;
 using namespace vitrine::player;
+
+namespace {
+
+/// The share of the canvas that no picture reaches, on a grid of points.
+double open_share(const WallState& wall) {
+    constexpr int samples = 64;
+    int open = 0;
+    for (int k = 0; k < samples * samples; ++k) {
+        const Vec2 point{(k % samples + 0.5) / samples * wall.canvas.x,
+                         (k / samples + 0.5) / samples * wall.canvas.y};
+        bool is_seen = false;
+        for (std::size_t i = 0; i < wall.items.size(); ++i)
+            is_seen =
+                is_seen || is_box_within({point, point}, placed_core(wall.items[i], wall.placements[i]));
+        open += is_seen ? 0 : 1;
+    }
+    return static_cast<double>(open) / (samples * samples);
+}
+
+}  // namespace
+
+TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
+    std::vector<double> open;
+    Random random(1);
+    for (std::uint64_t k = 0; k < 20; ++k) {
+        PlanRequest request = random_request(8, k + 1);
+        request.canvas = {640, 360};
+        request.budget = 300'000;
+        for (std::size_t i = 0; i < request.items.size(); ++i)
+            request.items[i].item = real_items()[(i + k) % real_items().size()];
+        WallState wall = wall_state(items_of(request), plan(request));
+        for (int drop = 0; drop < 5; ++drop) {
+            const std::size_t held = uniform_index(random, wall.items.size());
+            Wish wish = wish_at(wall, held, {640 * uniform(random), 360 * uniform(random)});
+            wish.is_let_go = true;
+            wall = made_way(wall, std::vector{wish}, {.seed = k, .max_scale = 4});
+            open.push_back(open_share(wall));
+        }
+    }
+    std::ranges::sort(open);
+    CHECK(open[open.size() / 2] <= 0.02);
+    CHECK(open[open.size() * 9 / 10] <= 0.09);
+    CHECK(open.back() <= 0.2);
+}
 
 TEST_CASE("the others make way locally: none goes farther than a quarter of the diagonal, most stay") {
     std::vector<double> ways;
