@@ -19,10 +19,13 @@ class PlayedFiles {
     explicit PlayedFiles(const std::filesystem::path& state)
         : calendar_(state / "catalogue"), ledger_(state / played_folder) {}
 
-    /// Call at every tick. @param now  since the player's start
+    /// Looks ten times a second. Call at every tick. @param now  since the player's start
     void look(const Stages& stages, const SourcePool& sources, std::chrono::nanoseconds now);
 
   private:
+    static constexpr std::chrono::milliseconds interval{100};
+
+    std::chrono::nanoseconds next_look_{0};
     Calendar calendar_;
     SeenFiles seen_;
     PlayLedger ledger_;

@@ -18,7 +18,7 @@ class SeenFiles {
     static constexpr std::chrono::seconds patience{
         5};  // a screen that took no picture for longer is not seen
 
-    /// Call at every tick. @param now  since the player's start
+    /// Call several times a second. @param now  since the player's start
     /// @return  paths; each once, however often it is seen
     std::set<std::string> look(const Stages& stages, const SourcePool& sources, std::chrono::nanoseconds now);
 
