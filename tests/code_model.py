@@ -40,6 +40,7 @@ class Reader:
         self.classes = {}
         self.functions = {}
         self.names = {}  # of files, as the compiler names them, from the root
+        self.texts = {}  # of files, in bytes
 
     def name_in_tree(self, location):
         """The file of a location as a path from the root, or None for what stands outside."""
@@ -138,7 +139,16 @@ class Reader:
         self.functions[usr] = self.signature(cursor, name, lines)
         self.read_local_classes(cursor)
 
+    def text_of(self, cursor):
+        name = cursor.extent.start.file.name
+        if name not in self.texts:
+            self.texts[name] = Path(name).read_bytes()
+        return self.texts[name][cursor.extent.start.offset:cursor.extent.end.offset]
+
     def read_local_classes(self, cursor):
+        """Walking through a function takes long, so only those with such a word are walked through."""
+        if not re.search(rb"\b(class|struct)\b", self.text_of(cursor)):
+            return
         for child in cursor.walk_preorder():
             if child.kind in CLASSES and child != cursor and child.is_definition():
                 self.read_class(child)

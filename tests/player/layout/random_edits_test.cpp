@@ -24,7 +24,7 @@ void write_picture(const RandomEdits& edits, std::uint64_t seed) {
 
 // The bench makes a million (`packing --only edits`).
 TEST_CASE("nothing overlaps or leaves the canvas after any of many random edits") {
-    for (std::uint64_t seed = 1001; seed <= 1020; ++seed) {
+    for (std::uint64_t seed = 1001; seed <= 1008; ++seed) {
         RandomEdits edits(seed);
         for (int k = 0; k < 100; ++k) {
             const auto fault = edits.step();
