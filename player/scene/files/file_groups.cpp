@@ -15,22 +15,6 @@ namespace {
 
 constexpr std::size_t max_candidates = 8;  // that a photo is compared with
 
-/// Bits of 64 in which the hashes of near-copies differ at most, as far as time and name speak for it.
-int max_hash_distance(Kinship kinship) {
-    switch (kinship) {
-    case Kinship::copies:
-    case Kinship::sequence:
-        return 44;
-    case Kinship::neighbours:
-        return 28;
-    case Kinship::unknown:
-        return 30;
-    case Kinship::strangers:
-        break;
-    }
-    return -1;
-}
-
 bool is_ready(const RecordList::Record& record) {
     return record && record->state == MediaState::ready && !record->shots.empty();
 }
@@ -115,7 +99,7 @@ std::vector<RecordList::Record> FileGroups::candidates(const Known& photo) const
         const int distance = std::popcount(photo.hash ^ other.hash);
         if (distance > max_distance) continue;
         const Kinship kin = kinship(photo.facts, other.facts);
-        if (distance > max_hash_distance(kin)) continue;
+        if (distance > copy_limits(kin).max_hash_distance) continue;
         const bool is_kin = kin == Kinship::copies || kin == Kinship::sequence;
         near.emplace_back(is_kin ? distance - max_distance : distance, &other);
     }

@@ -200,26 +200,26 @@ Kinship kinship(const PhotoFacts& a, const PhotoFacts& b) {
     return is_unknown ? Kinship::unknown : Kinship::strangers;
 }
 
-double min_likeness(Kinship kinship) {
+CopyLimits copy_limits(Kinship kinship) {
     switch (kinship) {
     case Kinship::copies:
     case Kinship::sequence:
-        return 0.8;
+        return {.min_likeness = 0.8, .max_hash_distance = 44};
     case Kinship::neighbours:
-        return 0.95;
+        return {.min_likeness = 0.95, .max_hash_distance = 28};
     case Kinship::unknown:
-        return 0.92;
+        return {.min_likeness = 0.92, .max_hash_distance = 30};
     case Kinship::strangers:
         break;
     }
-    return 2;
+    return {};
 }
 
 bool are_near_copies(const MediaRecord& a, const MediaRecord& b) {
     if (a.kind != MediaKind::photo || b.kind != MediaKind::photo || a.shots.empty() || b.shots.empty())
         return false;
     const Kinship kin = kinship(facts_of(a), facts_of(b));
-    const double wanted = min_likeness(kin);
+    const double wanted = copy_limits(kin).min_likeness;
     const Shot& one = a.shots.front();
     const Shot& other = b.shots.front();
     if (!are_shaped_alike(a, b)) return false;

@@ -35,8 +35,13 @@ PhotoFacts facts_of(const MediaRecord& record);
 
 Kinship kinship(const PhotoFacts& a, const PhotoFacts& b);
 
-/// The least likeness of near-copies with this kinship. Above 1 for strangers.
-double min_likeness(Kinship kinship);
+/// The limits of near-copies.
+struct CopyLimits {
+    double min_likeness = 2;     // above 1: however alike, they are none
+    int max_hash_distance = -1;  // bits of 64 in which the hashes of their looks differ at most
+};
+
+CopyLimits copy_limits(Kinship kinship);
 
 /// True for two photos that show one take: frames of a burst, copies, crops and other exposures.
 bool are_near_copies(const MediaRecord& a, const MediaRecord& b);
