@@ -96,8 +96,8 @@ int wanted_brick_height(const Settings& settings) {
     return static_cast<int>(std::lround(std::min<double>(height, max_height) / 2 / kept_height));
 }
 
-/// @param name  as the person gave it
-Tapestry head_of(const MediaFile& file, const fs::path& name) {
+/// A tapestry of the file, still without levels. @param name  as the person gave it
+Tapestry begun_tapestry(const MediaFile& file, const fs::path& name) {
     return {.path = file.path() == name.string() ? name.filename().string() : file.path(),
             .bytes = file.bytes(),
             .mtime_ns = file.mtime_ns()};
@@ -122,7 +122,7 @@ class Weaving {
         : request_(request),
           settings_(settings),
           file_(request.file, settings.media.root),
-          head_(head_of(file_, request.file)),
+          head_(begun_tapestry(file_, request.file)),
           content_{.bytes = head_.bytes, .mtime_ns = head_.mtime_ns},
           choice_{.max_levels = request.levels, .is_uniform = request.is_uniform},
           pyramid_{.retarget = {}, .max_bytes = request.max_bytes},

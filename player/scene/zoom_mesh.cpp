@@ -64,8 +64,4 @@ ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer) {
     return mesh;
 }
 
-double zoom_coverage(double growth, double share) {
-    return growth < 0 ? 1 : share / ((1 - share) * growth + share);
-}
-
 }  // namespace vitrine::player

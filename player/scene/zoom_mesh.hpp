@@ -36,9 +36,4 @@ struct ZoomMesh {
 /// and drawn everywhere over the coarser one; its opacity is its share of the width at that time
 ZoomMesh zoom_mesh(const ZoomField& field, double left, bool is_to_finer);
 
-/// Opacity, in [0, 1], of a finer level's tile over the coarser one's at a point of this growth. If both
-/// levels show the same, they blend evenly; if the finer one shows something new (growth < 0), it is opaque.
-/// @param share  position between the coarser level (0) and the finer one (1)
-double zoom_coverage(double growth, double share);
-
 }  // namespace vitrine::player

@@ -33,7 +33,8 @@ std::optional<Keyframes> level_in(const std::string& line, std::size_t candidate
     return level;
 }
 
-std::string head_of(const PlanSubject& subject) {
+/// The first line of a plan for this content, without the folder at its end.
+std::string first_words(const PlanSubject& subject) {
     return fmt::format("vitrine-plan 2 {} {} {} ", subject.content.bytes, subject.content.mtime_ns,
                        subject.choice.empty() ? no_choice : subject.choice);
 }
@@ -46,7 +47,7 @@ std::optional<WeavePlan> read_plan(const fs::path& directory, const PlanSubject&
     if (!fs::exists(directory / plan_name, error)) return std::nullopt;
     std::istringstream lines(read_file(directory / plan_name));
     std::string line;
-    const std::string head = head_of(subject);
+    const std::string head = first_words(subject);
     if (!std::getline(lines, line) || !line.starts_with(head)) return std::nullopt;
     WeavePlan plan{.folder = line.substr(head.size()), .levels = {}};
     if (!plan.folder.starts_with("tiles-") || plan.folder.find_first_of("/.") != std::string::npos)
@@ -63,7 +64,7 @@ std::optional<WeavePlan> read_plan(const fs::path& directory, const PlanSubject&
 }
 
 void write_plan(const fs::path& directory, const PlanSubject& subject, const WeavePlan& plan) {
-    std::string text = head_of(subject) + plan.folder + "\n";
+    std::string text = first_words(subject) + plan.folder + "\n";
     for (const Keyframes& level : plan.levels)
         text += fmt::format("{}\n", fmt::join(level, " "));
     replace_file(directory / plan_name, text);

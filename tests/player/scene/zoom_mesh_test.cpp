@@ -59,14 +59,3 @@ TEST_CASE("a tile's triangles cover it once") {
     }
     CHECK(area == doctest::Approx(32 * 100));
 }
-
-TEST_CASE("the finer level is seen as far as it has the width, at the ends all or nothing") {
-    for (const double growth : {0.05, 1.0, 3.0}) {
-        CHECK(zoom_coverage(growth, 0) == 0);
-        CHECK(zoom_coverage(growth, 1) == 1);
-    }
-    CHECK(zoom_coverage(1, 0.3) == doctest::Approx(0.3));
-    CHECK(zoom_coverage(0.05, 0.3) > 0.85);
-    CHECK(zoom_coverage(3, 0.3) < 0.15);
-    CHECK(zoom_coverage(-1, 0) == 1);
-}
