@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 HEAD = """// Made by cmake/embed.py.
-#include "analyzer/tapestry/export/page_files.hpp"
+#include "analyzer/tapestry/export/page_folder.hpp"
 
 #include <array>
 

@@ -6,7 +6,7 @@
 #include "player/display/display.hpp"
 #include "player/display/gl_device.hpp"
 #include "player/render/renderer.hpp"
-#include "player/render/upload_choice.hpp"
+#include "player/render/uploaded_pictures.hpp"
 
 #include <sys/epoll.h>
 

@@ -3,7 +3,7 @@
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/models/model_file.hpp"
 #include "analyzer/origin/read_origin.hpp"
-#include "analyzer/status/thumbnail_place.hpp"
+#include "analyzer/status/thumbnail_copies.hpp"
 #include "base/media/colour.hpp"
 #include "base/state/catalogue.hpp"
 #include "base/state/media_error.hpp"

@@ -1,6 +1,5 @@
 #include "analyzer/status/thumbnail_copies.hpp"
 
-#include "analyzer/status/thumbnail_place.hpp"
 #include "base/system/atomic_file.hpp"
 
 #include <chrono>

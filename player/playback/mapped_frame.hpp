@@ -1,5 +1,7 @@
 #pragma once
 
+#include "player/playback/sample.hpp"
+
 #include <gst/video/video.h>
 
 namespace vitrine::player {
@@ -32,5 +34,12 @@ class MappedFrame {
     GstVideoFrame frame_{};
     bool is_mapped_ = false;
 };
+
+inline ColourCode colour_code(const GstVideoColorimetry& colours) {
+    ColourCode code{.is_full_range = colours.range == GST_VIDEO_COLOR_RANGE_0_255};
+    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT709) code.matrix = ColourCode::Matrix::bt709;
+    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT2020) code.matrix = ColourCode::Matrix::bt2020;
+    return code;
+}
 
 }  // namespace vitrine::player

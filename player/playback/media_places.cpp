@@ -1,6 +1,6 @@
 #include "player/playback/media_places.hpp"
 
-#include "player/scene/stored_request.hpp"
+#include "player/scene/shot_request.hpp"
 
 #include <unistd.h>
 

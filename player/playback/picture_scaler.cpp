@@ -1,6 +1,5 @@
 #include "player/playback/picture_scaler.hpp"
 
-#include "player/playback/colour_code.hpp"
 #include "player/playback/mapped_frame.hpp"
 #include "player/playback/shared_frame.hpp"
 

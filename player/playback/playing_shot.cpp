@@ -1,6 +1,6 @@
 #include "player/playback/playing_shot.hpp"
 
-#include "player/scene/stored_request.hpp"
+#include "player/scene/shot_request.hpp"
 
 #include <algorithm>
 #include <cmath>

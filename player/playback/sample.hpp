@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/geometry/vec2.hpp"
+#include "player/playback/colour_code.hpp"
 
 #include <array>
 #include <chrono>
@@ -30,16 +31,6 @@ inline bool is_rgb(PixelLayout layout) {
 /// planes: uploaded or, if it can, in the decoder's own memory (shared). If the processor draws, BGRA at the
 /// shown size costs least.
 enum class PictureForm { bgra, planes, shared };
-
-/// The meaning of a picture's brightness and colour differences.
-struct ColourCode {
-    enum class Matrix { bt601, bt709, bt2020 };
-
-    Matrix matrix = Matrix::bt601;
-    bool is_full_range = false;  // true: 0 to 255; false: 16 to 235 and 16 to 240
-
-    bool operator==(const ColourCode&) const = default;
-};
 
 /// The planes of a picture in memory that both a graphics card and the processor can read: Linux' dma-bufs.
 struct SharedPlanes {

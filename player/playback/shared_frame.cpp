@@ -1,6 +1,6 @@
 #include "player/playback/shared_frame.hpp"
 
-#include "player/playback/colour_code.hpp"
+#include "player/playback/mapped_frame.hpp"
 
 #include <gst/allocators/gstdmabuf.h>
 #include <gst/video/video.h>

@@ -1,6 +1,6 @@
 #include "player/render/picture_program.hpp"
 
-#include "player/render/colour_matrix.hpp"
+#include "player/playback/colour_code.hpp"
 #include "player/render/shaders.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 
+#include <optional>
 #include <string>
 
 namespace vitrine::player {
@@ -18,5 +19,10 @@ struct ShotRequest {
 
     bool operator==(const ShotRequest&) const = default;
 };
+
+/// The request for the same shot in the store: its path is relative to the store, its times are those of the
+/// stored file, and its size is at most the stored size, which is enlarged in drawing. None: the record names
+/// no place in the store. The file may have been removed since; that is noticed when it is opened.
+std::optional<ShotRequest> stored_request(const ShotRequest& request);
 
 }  // namespace vitrine::player

@@ -1,6 +1,5 @@
 #include "analyzer/tapestry/export/page_folder.hpp"
 
-#include "analyzer/tapestry/export/page_files.hpp"
 #include "base/system/atomic_file.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string_view>
 
 namespace vitrine::analyzer {
 
@@ -30,5 +32,14 @@ class PageFolder {
     std::filesystem::path folder_;
     std::filesystem::path data_;  // of the new page; empty: none is begun, or it is published
 };
+
+/// A file of the page that shows a tapestry in a browser.
+struct PageFile {
+    std::string_view name;
+    std::string_view content;
+};
+
+/// The files below page/, which the build puts into the program: index.html first, then what it reads.
+std::span<const PageFile> page_files();
 
 }  // namespace vitrine::analyzer

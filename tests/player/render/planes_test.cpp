@@ -1,5 +1,5 @@
-#include "player/render/colour_matrix.hpp"
 
+#include "player/playback/colour_code.hpp"
 #include "tests/player/render/drawn_wall.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "player/render/upload_choice.hpp"
+#include "player/render/uploaded_pictures.hpp"
 #include "tests/player/render/drawn_wall.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "player/scene/stored_request.hpp"
+#include "player/scene/shot_request.hpp"
 
 #include <doctest/doctest.h>
 
