@@ -18,6 +18,7 @@ namespace {
 using Phase = WallChange::Phase;
 
 constexpr std::chrono::nanoseconds max_notice_motion = std::chrono::milliseconds(250);  // a notice is urgent
+constexpr int dark_patience = 6;          // times the patience, as long as there is nothing to show
 constexpr double worth_replanning = 0.2;  // decrease of the wasted share of the canvas
 
 bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& wanted) {
@@ -125,6 +126,15 @@ void give_up_pending(const WallChange& change, WallSources& sources, WallEntries
         sources.set_failed(source);
         slots.source_failed(source, now);
     }
+}
+
+/// The time after which late sources are given up. It is longer as long as nothing at all can be shown: a file
+/// that is given up is avoided for a minute, and a slow box would show nothing for ever.
+std::chrono::nanoseconds patience_for(const WallChange& change, std::span<const PlacedShot> shown,
+                                      const WallSources& sources, std::chrono::nanoseconds patience) {
+    const auto is_ready = [&](const PlacedShot& placed) { return sources.is_ready(placed); };
+    const bool is_dark = shown.empty() && std::ranges::none_of(change.wall, is_ready);
+    return is_dark ? dark_patience * patience : patience;
 }
 
 /// Shows the shots of the first wall whose sources are ready.
@@ -329,7 +339,7 @@ std::optional<WallPlan> Wall::follow_slots() {
 void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     const bool can_arrive_singly = shown_.empty() && !settings_.is_calm && !settings_.comes_at_once;
     if (!is_ready(*change_, sources_, can_arrive_singly)) {
-        if (now - *change_->waiting_since >= settings_.patience)
+        if (now - *change_->waiting_since >= patience_for(*change_, shown_, sources_, settings_.patience))
             give_up_pending(*change_, sources_, slots_, now);
         return;
     }
@@ -345,7 +355,10 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
     else
         begin_transition(*change_, shown_, style, now);
-    if (change_->phase == Phase::arriving) return show_arrived(*change_, sources_, slots_, now);
+    if (change_->phase == Phase::arriving) {
+        change_->waiting_since = now;  // the others may come as late after the first
+        return show_arrived(*change_, sources_, slots_, now);
+    }
     tell_appeared(*change_, slots_);
 }
 

@@ -239,6 +239,28 @@ TEST_CASE("a source that does not get ready in time gives way to another") {
     CHECK(house.playing.size() == 2);
 }
 
+TEST_CASE("a wall without a picture waits a minute for its first one, and as long for the others as ever") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.readies = false;
+    house.run(50s);
+    REQUIRE(house.requests == 2);  // nothing is given up
+    house.wall.source_ready(house.playing.begin()->first);
+    house.run(8s);
+    CHECK(house.requests == 2);
+    house.wall.source_ready(house.playing.rbegin()->first);
+    house.run(3s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "b"});
+}
+
+TEST_CASE("after a minute without a picture others are asked for") {
+    House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
+    house.readies = false;
+    house.run(59s);
+    REQUIRE(house.requests == 2);
+    house.run(3s);
+    CHECK(house.requests > 2);
+}
+
 TEST_CASE("a change of turn keeps the others playing and starts the new one in the old one's place") {
     House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
     house.run(2s);
