@@ -128,8 +128,8 @@ void give_up_pending(const WallChange& change, WallSources& sources, WallEntries
     }
 }
 
-/// The time after which late sources are given up. It is longer as long as nothing at all can be shown: a file
-/// that is given up is avoided for a minute, and a slow box would show nothing for ever.
+/// The time after which late sources are given up. It is longer as long as nothing at all can be shown: a
+/// file that is given up is avoided for a minute, and a slow box would show nothing for ever.
 std::chrono::nanoseconds patience_for(const WallChange& change, std::span<const PlacedShot> shown,
                                       const WallSources& sources, std::chrono::nanoseconds patience) {
     const auto is_ready = [&](const PlacedShot& placed) { return sources.is_ready(placed); };
