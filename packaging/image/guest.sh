@@ -35,7 +35,7 @@ settle() {
     : >"$root/etc/machine-id"
     mkdir -p "$root/data" "$root/var/lib/vitrine" "$root/var/cache/vitrine" "$root/var/cache/samba"
     inside passwd -q -l root
-    inside systemctl -q enable systemd-networkd systemd-timesyncd smbd vitrine-setup vitrine.target
+    inside systemctl -q enable systemd-networkd systemd-timesyncd smbd avahi-daemon wsdd vitrine-setup vitrine.target
     inside systemctl -q mask getty@tty1.service nmbd.service samba-ad-dc.service apt-daily.timer apt-daily-upgrade.timer \
         dpkg-db-backup.timer e2scrub_all.timer e2scrub_reap.service systemd-machine-id-commit.service \
         systemd-networkd-wait-online.service systemd-pstore.service

@@ -116,7 +116,8 @@ def first_boot(work):
         leave(box, "share-password.txt", PASSWORD)
         box.reboot()
 
-        box.wait_until_active("smbd")
+        for daemon in ("smbd", "avahi-daemon", "wsdd"):
+            box.wait_until_active(daemon)
         check_password_is_taken(box)
         client = ShareClient(box.machine.share_port, PASSWORD)
         fill(box, client)

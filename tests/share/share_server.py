@@ -17,17 +17,16 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "packaging/debian/smb.conf"
 PATIENCE = 60  # seconds
 
 
-def unpacked():
-    """The folder with Debian's smbd; it is kept. Raises NotHere where none can be had."""
+def unpack(name, *packages):
+    """The folder `name` of the cache with what Debian's packages hold. Raises NotHere where they cannot be had."""
     cache = cache_directory()
+    kept = cache / name.replace(":", "_")
     try:
-        libraries = run("dpkg-query", "-W", "-f", "${Version}", "samba-libs")
-        kept = cache / f"samba-{libraries.replace(':', '_')}"
         if kept.exists():
             return kept
         cache.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=cache, prefix="making-") as made:
-            run("apt-get", "-q", "download", f"samba={libraries}", f"samba-common-bin={libraries}", cwd=made)
+            run("apt-get", "-q", "download", *packages, cwd=made)
             for package in Path(made).glob("*.deb"):
                 run("dpkg", "-x", package, Path(made) / "root")
             if not kept.exists():  # by another checkout, meanwhile
@@ -36,7 +35,16 @@ def unpacked():
     except FileNotFoundError as error:
         raise NotHere(f"not installed: {error.filename}") from error
     except subprocess.CalledProcessError as error:
-        raise NotHere(f"no smbd of Debian's mirror: {error.stderr.strip()[-600:]}") from error
+        raise NotHere(f"{' '.join(packages)}: not on Debian's mirror: {error.stderr.strip()[-600:]}") from error
+
+
+def unpacked():
+    """The folder with Debian's smbd; it is kept. Raises NotHere where none can be had."""
+    try:
+        libraries = run("dpkg-query", "-W", "-f", "${Version}", "samba-libs")
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:
+        raise NotHere("not installed: samba-libs") from error
+    return unpack(f"samba-{libraries}", f"samba={libraries}", f"samba-common-bin={libraries}")
 
 
 def free_port():
