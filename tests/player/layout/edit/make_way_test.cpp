@@ -35,7 +35,7 @@ double open_share(const WallState& wall) {
 TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
     std::vector<double> open;
     Random random(1);
-    for (std::uint64_t k = 0; k < 20; ++k) {
+    for (std::uint64_t k = 0; k < 5; ++k) {
         PlanRequest request = random_request(8, k + 1);
         request.canvas = {640, 360};
         request.budget = 300'000;
