@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 #include <glib.h>
 #include <pango/pangocairo.h>
+#include <qrencode.h>
 
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +22,10 @@ struct CairoFree {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 
     void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+};
+
+struct CodeFree {
+    void operator()(QRcode* code) const { QRcode_free(code); }
 };
 
 struct PangoFree {
@@ -166,6 +172,26 @@ void write_line_picture(std::string_view text, const std::filesystem::path& file
     const LinePtr line = line_of(cairo.get(), shown, style);
     fit(line.get(), style);
     draw_letters(cairo.get(), line.get(), style);
+    cairo_surface_flush(surface.get());
+    replace_file(file, png_of(surface.get(), file));
+}
+
+void write_code_picture(const std::string& text, const std::filesystem::path& file) {
+    constexpr int quiet = 4;  // modules around the code
+    const std::unique_ptr<QRcode, CodeFree> code(QRcode_encodeString8bit(text.c_str(), 0, QR_ECLEVEL_M));
+    if (!code) throw std::runtime_error(fmt::format("draw the QR code of '{}': no such text", file.string()));
+    const int side = code->width + 2 * quiet;
+    const Surface surface = new_surface(side, side);
+    const Cairo cairo(cairo_create(surface.get()));
+    cairo_set_source_rgb(cairo.get(), 1, 1, 1);
+    cairo_paint(cairo.get());
+    cairo_set_source_rgb(cairo.get(), 0, 0, 0);
+    const std::span modules(code->data, static_cast<std::size_t>(code->width) * code->width);
+    for (int y = 0; y < code->width; ++y)
+        for (int x = 0; x < code->width; ++x)
+            if ((modules[static_cast<std::size_t>(y) * code->width + x] & 1) != 0)
+                cairo_rectangle(cairo.get(), quiet + x, quiet + y, 1, 1);
+    cairo_fill(cairo.get());
     cairo_surface_flush(surface.get());
     replace_file(file, png_of(surface.get(), file));
 }

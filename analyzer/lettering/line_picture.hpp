@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace vitrine::analyzer {
@@ -23,5 +24,12 @@ struct LineStyle {
 /// @throws std::runtime_error, std::system_error naming the file, if it cannot be drawn or written
 void write_line_picture(std::string_view text, const std::filesystem::path& file,
                         const LineStyle& style = {});
+
+/// Writes a text as a QR code (ISO/IEC 18004, correction of level M): black modules of one pixel each on
+/// white, with a quiet zone of four modules, as PNG (RGBA), as a whole or not at all.
+/// @param text  without zero bytes
+/// @throws std::runtime_error, std::system_error naming the file, if the text is empty or too long for a
+/// code, or the file cannot be written
+void write_code_picture(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace vitrine::analyzer

@@ -44,6 +44,10 @@ void set_words(std::span<const std::string> texts, const Settings& settings) {
     fs::create_directories(word_folder(state));
     enter_font_sandbox(word_folder(state));
     for (const std::string& text : texts) {
+        if (const auto code = code_of_key(text)) {
+            write_code_picture(*code, word_picture(state, text));
+            continue;
+        }
         const auto caption = caption_of_key(text);
         write_line_picture(caption ? caption->text : text, word_picture(state, text),
                            caption ? LineStyle{.lines = caption->lines, .is_caption = true} : LineStyle{});

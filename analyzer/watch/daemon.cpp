@@ -126,14 +126,17 @@ void request_words(MissingPictures& pictures, const WatchOptions& options,
     }
 }
 
-/// Has the names of all folders and all captions set, and removes other words.
+/// Has the names of all folders, all captions and QR codes set, and removes other words.
 void set_all_words(MissingPictures& pictures, const WatchOptions& options,
                    const std::vector<std::string>& paths, const HintFiles& hints) {
     std::set<std::string> words = shown_folder_names(paths);
     const bool uses_names = options.captions == CaptionChoice::names;
+    if (!options.wall_code.empty()) words.insert(code_key(options.wall_code));
     for (const std::string& path : paths) {
-        if (options.captions == CaptionChoice::none) break;
-        const std::string caption = caption_of(hints.hints_for(path).caption.value_or(""), path, uses_names);
+        const Hints wishes = hints.hints_for(path);
+        if (wishes.code) words.insert(code_key(*wishes.code));
+        if (options.captions == CaptionChoice::none) continue;
+        const std::string caption = caption_of(wishes.caption.value_or(""), path, uses_names);
         for (int lines = 1; lines <= caption_forms && !caption.empty(); ++lines)
             words.insert(caption_key(caption, lines));
     }

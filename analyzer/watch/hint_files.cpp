@@ -42,12 +42,8 @@ void HintFiles::read(const std::vector<std::string>& paths, const std::set<std::
         read_folder(folder);
     KeyframeChoices choices;
     for (const std::string& path : sidecars) {
-        if (is_caption_file(path)) {
-            const std::string medium = path.substr(0, path.size() - caption_file_ending.size());
-            if (std::ranges::binary_search(paths, medium))
-                read_caption(path, medium);
-            else if (folder_.content(path, 1))
-                faults_.push_back(path + ": there is no such photo or film beside it");
+        if (is_caption_file(path) || is_code_file(path)) {
+            read_words(path, paths);
             continue;
         }
         const std::string film = path.substr(0, path.size() - keyframe_file_ending.size());
@@ -94,12 +90,23 @@ void HintFiles::read_keyframes(const std::string& path, const std::string& film,
     if (!file.choice.is_empty()) choices[film] = std::move(file.choice);
 }
 
-void HintFiles::read_caption(const std::string& path, const std::string& medium) {
-    const std::optional<std::string> text = folder_.content(path, max_bytes + 1);
+/// A caption or the text of a QR code.
+void HintFiles::read_words(const std::string& path, const std::vector<std::string>& paths) {
+    const bool is_code = is_code_file(path);
+    const std::size_t ending = is_code ? code_file_ending.size() : caption_file_ending.size();
+    const std::string medium = path.substr(0, path.size() - ending);
+    const bool is_beside = std::ranges::binary_search(paths, medium);
+    const std::optional<std::string> text = folder_.content(path, is_beside ? max_bytes + 1 : 1);
     if (!text) return;
-    const CaptionText caption = caption_text(*text);
-    if (!caption.fault.empty()) faults_.push_back(path + ": " + caption.fault);
-    if (!caption.text.empty()) hints_[medium].caption = caption.text;
+    if (!is_beside) {
+        faults_.push_back(path + ": there is no such photo or film beside it");
+        return;
+    }
+    const CaptionText read = is_code ? code_text(*text) : caption_text(*text);
+    if (!read.fault.empty()) faults_.push_back(path + ": " + read.fault);
+    if (read.text.empty()) return;
+    Hints& hints = hints_[medium];
+    (is_code ? hints.code : hints.caption) = read.text;
 }
 
 KeyframeChoice HintFiles::keyframes_for(const std::string& path) const {

@@ -14,8 +14,8 @@
 namespace vitrine::analyzer {
 
 /// Reads the files that operators put beside the media: `.vitrine.toml`, whose hints it hands to the player
-/// in STATE/hints.json with the captions of media, and the files that choose the keyframes of tapestries.
-/// Logs.
+/// in STATE/hints.json with the captions and QR codes of media, and the files that choose the keyframes of
+/// tapestries. Logs.
 class HintFiles {
   public:
     static constexpr std::size_t max_bytes = 1U << 16;  // in one of them
@@ -48,7 +48,7 @@ class HintFiles {
   private:
     void read_folder(const std::string& folder);
     void read_keyframes(const std::string& path, const std::string& film, KeyframeChoices& choices);
-    void read_caption(const std::string& path, const std::string& medium);
+    void read_words(const std::string& path, const std::vector<std::string>& paths);
     void write_hand_over();
 
     const MediaFolder& folder_;

@@ -151,7 +151,7 @@ struct Walk {
 }  // namespace
 
 bool is_sidecar(std::string_view name) {
-    return is_keyframe_file(name) || is_caption_file(name);
+    return is_keyframe_file(name) || is_caption_file(name) || is_code_file(name);
 }
 
 bool is_junk_name(std::string_view name) {

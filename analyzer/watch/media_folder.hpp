@@ -17,7 +17,7 @@ namespace vitrine::analyzer {
 bool is_junk_name(std::string_view name);
 
 /// True for the names of files beside media that say something of them: is_keyframe_file(),
-/// is_caption_file().
+/// is_caption_file() and is_code_file().
 bool is_sidecar(std::string_view name);
 
 /// True for the path of the inbox, a folder at the root whose files are never shown, and of all that lies in

@@ -214,8 +214,21 @@ constexpr HintWord caption_word{
     .in_words = [](const Hints& h) { return fmt::format("with the caption '{}'", *h.caption); },
     .merge = &merge<&Hints::caption>};
 
-constexpr std::array table{period_word, weekdays_word, hours_word,  seconds_word,
-                           repeat_word, sound_word,    caption_word};
+constexpr HintWord code_word{
+    .key = "qr",
+    .allowed = "a text of 1 to 250 bytes",
+    .assign =
+        [](Hints& h, const HintValue& v) {
+            const CaptionText read = code_text(text_in(v));
+            return read.fault.empty() && assigned(h.code, std::optional(read.text));
+        },
+    .value = [](const Hints& h) -> std::optional<HintValue> { return h.code; },
+    .read = [](Hints& /*h*/, std::string_view /*word*/, NameWords& /*words*/) { return false; },
+    .in_words = [](const Hints& h) { return fmt::format("with the QR code '{}'", *h.code); },
+    .merge = &merge<&Hints::code>};
+
+constexpr std::array table{period_word, weekdays_word, hours_word,   seconds_word,
+                           repeat_word, sound_word,    caption_word, code_word};
 
 /// A name taken apart: the hints that it begins with, and what follows them.
 struct NamedHints {

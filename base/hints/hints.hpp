@@ -19,6 +19,7 @@ struct Hints {
     std::optional<int> repeat;                  // turns in a round, compared with other files
     std::optional<bool> sound;
     std::optional<std::string> caption;  // a line of text, UTF-8; set over the picture where nothing matters
+    std::optional<std::string> code;     // the text of a QR code, UTF-8; drawn in the same way
 
     bool operator==(const Hints&) const = default;
 

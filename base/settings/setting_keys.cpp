@@ -305,6 +305,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "the media. \"names\": where there is none, the name of the file. \"none\": no captions. A caption that "
      "has no "
      "room on the wall is left out."},
+    {"show.qr",
+     text<&S::show, &S::Show::qr>("a text of at most 250 bytes, such as an address, or nothing",
+                                  [](const std::string& value) { return value.size() <= 250; }),
+     SettingEffect::restart,
+     "A QR code for the whole wall, such as \"https://example.org\". It stands where nothing matters, over "
+     "the "
+     "shot that stands longest and has room for it, and on the idle picture. \"\": none."},
     {"show.on_this_day", flag<&S::show, &S::Show::on_this_day>(), SettingEffect::restart,
      "true: files that were taken on this day in other years come first in each round, whatever show.order "
      "says. "

@@ -93,6 +93,7 @@ struct Settings {
         double pan_speed = 30;     // canvas px a second
         std::string background = "#101014";
         std::string holidays;      // dates_named()
+        std::string qr;            // the text of a QR code for the whole wall; empty: none
         bool on_this_day = false;  // files taken on this day in other years come first
     } show;
 

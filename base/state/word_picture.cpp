@@ -9,6 +9,7 @@ namespace vitrine {
 namespace {
 
 constexpr std::string_view caption_mark = "\x02";  // names of folders hardly begin so
+constexpr std::string_view code_mark = "\x03";
 
 }  // namespace
 
@@ -25,6 +26,15 @@ std::optional<CaptionForm> caption_of_key(std::string_view key) {
     const int lines = key[caption_mark.size()] - '0';
     if (lines < 1 || lines > caption_forms) return std::nullopt;
     return CaptionForm{.text = std::string(key.substr(caption_mark.size() + 1)), .lines = lines};
+}
+
+std::string code_key(std::string_view text) {
+    return fmt::format("{}{}", code_mark, text);
+}
+
+std::optional<std::string> code_of_key(std::string_view key) {
+    if (!key.starts_with(code_mark)) return std::nullopt;
+    return std::string(key.substr(code_mark.size()));
 }
 
 std::filesystem::path word_picture(const std::filesystem::path& state, std::string_view text) {

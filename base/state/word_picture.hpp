@@ -28,6 +28,12 @@ struct CaptionForm {
 /// The caption of a caption_key(). None: it is an ordinary text.
 std::optional<CaptionForm> caption_of_key(std::string_view key);
 
+/// The name of the picture of a QR code, in place of a text: a pixel a module, with a quiet zone.
+std::string code_key(std::string_view text);
+
+/// The text of a code_key(). None: it is an ordinary text or a caption.
+std::optional<std::string> code_of_key(std::string_view key);
+
 /// The size of the letters in the pictures, px.
 constexpr int word_letters = 64;
 

@@ -63,6 +63,9 @@ void WordLayer::draw(std::span<const WordItem> words, const ToNdc& view) {
     for (const WordItem& word : words) {
         if (!word.picture || word.alpha <= 0) continue;
         glBindTexture(GL_TEXTURE_2D, texture_of(word.picture).texture.id());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                        word.is_sharp ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, word.is_sharp ? GL_NEAREST : GL_LINEAR);
         set(place_, word.place.min);
         set(size_, word.place.max - word.place.min);
         glUniform1f(alpha_, static_cast<float>(word.alpha));
@@ -83,8 +86,6 @@ const WordLayer::Texture& WordLayer::texture_of(const std::shared_ptr<const Word
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture->width, picture->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  picture->rgba.data());
     glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return texture;

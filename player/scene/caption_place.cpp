@@ -51,16 +51,32 @@ bool contains(std::span<const Vec2> outline, const Box& box) {
     return true;
 }
 
-std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, Vec2 size, double margin) {
+/// A size on the canvas with a margin around it, px.
+struct Room {
+    Vec2 size;
+    double margin = 0;
+    double grid = 0;  // its corner lies on multiples of this; 0: anywhere
+};
+
+Vec2 on_grid(Vec2 at, double grid) {
+    return grid > 0 ? Vec2{std::round(at.x / grid) * grid, std::round(at.y / grid) * grid} : at;
+}
+
+std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, const Room& wanted,
+                            const Box& taken) {
+    const auto [size, margin, grid] = wanted;
     const Box all = bounding_box(part);
     const Vec2 first = all.min + Vec2{margin, margin};
     const Vec2 way = all.max - size - Vec2{margin, margin} - first;
     if (way.x < 0 || way.y < 0) return std::nullopt;
     for (int down = steps_down; down >= 0; --down)
         for (int across = 0; across <= steps_across; ++across) {
-            const Vec2 at = first + Vec2{way.x * across / steps_across, way.y * down / steps_down};
+            const Vec2 at =
+                on_grid(first + Vec2{way.x * across / steps_across, way.y * down / steps_down}, grid);
             const Box wide{at - Vec2{margin, margin}, at + size + Vec2{margin, margin}};
-            if (contains(part, wide) && clipped(room.region, wide).empty()) return Box{at, at + size};
+            if (intersection(wide, taken).is_empty() && contains(part, wide) &&
+                clipped(room.region, wide).empty())
+                return Box{at, at + size};
         }
     return std::nullopt;
 }
@@ -89,16 +105,39 @@ std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall) {
 }
 
 std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,
-                                          Vec2 canvas) {
+                                          Vec2 canvas, const Box& taken) {
     const double margin = canvas.y * margin_share;
     for (const double letters : letter_sizes)
         for (std::size_t form = 0; form < forms.size(); ++form) {
             const double height = letters * canvas.y / forms[form].letters;
             const Vec2 size{height * forms[form].aspect, height};
             for (const Polygon& part : room.cell->parts)
-                if (const auto box = place_in(part, room, size, margin)) return CaptionPlace{*box, form};
+                if (const auto box = place_in(part, room, {size, margin}, taken))
+                    return CaptionPlace{*box, form};
         }
     return std::nullopt;
+}
+
+std::optional<Box> code_place(const CaptionRoom& room, int modules, Vec2 canvas, const Box& taken) {
+    const double least = std::max(min_code_module, std::ceil(min_code_side * canvas.y / modules));
+    for (double module = std::max(least, std::floor(max_code_side * canvas.y / modules)); module >= least;
+         --module)
+        for (const Polygon& part : room.cell->parts)
+            if (const auto box = place_in(part, room,
+                                          {.size = {module * modules, module * modules},
+                                           .margin = canvas.y * margin_share,
+                                           .grid = 1},
+                                          taken))
+                return box;
+    return std::nullopt;
+}
+
+Box idle_code_place(int modules, Vec2 canvas) {
+    const double module = std::max(min_code_module, std::floor(max_code_side * canvas.y / modules));
+    const double side = module * modules;
+    const double margin = std::round(canvas.y / 20);
+    const Vec2 end{std::floor(canvas.x) - margin, std::floor(canvas.y) - margin};
+    return {end - Vec2{side, side}, end};
 }
 
 }  // namespace vitrine::player

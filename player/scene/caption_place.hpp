@@ -33,7 +33,22 @@ struct CaptionPlace {
 /// shot, as large as it can be, in the first form that has room, as low as that can be. None: there is no
 /// room.
 /// @param canvas  its size, px
+/// @param taken   canvas px: another thing of this shot stands there
 std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,
-                                          Vec2 canvas);
+                                          Vec2 canvas, const Box& taken = {});
+
+/// A module of a QR code is at least so many canvas px wide, and a whole number of them.
+inline constexpr double min_code_module = 3;
+
+/// The sides of a QR code with its quiet zone, as shares of the canvas' height.
+inline constexpr double min_code_side = 0.1;
+inline constexpr double max_code_side = 0.2;
+
+/// The place of a QR code, found like that of a caption, at whole px. None: there is no room.
+/// @param modules  on each side, with the quiet zone
+std::optional<Box> code_place(const CaptionRoom& room, int modules, Vec2 canvas, const Box& taken = {});
+
+/// The place of the wall's QR code on the idle picture: at its lower right.
+Box idle_code_place(int modules, Vec2 canvas);
 
 }  // namespace vitrine::player

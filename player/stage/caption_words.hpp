@@ -12,20 +12,28 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace vitrine::player {
 
-/// Draws the captions of the shots that stand, where nothing matters: asks for their pictures and adds those
-/// that are there as words. Looks for a place once for each shot and cell.
+/// Draws the captions and QR codes of the shots that stand, where nothing matters: asks for their pictures
+/// and adds those that are there as words. Looks for a place once for each shot and cell.
 class CaptionWords {
   public:
-    CaptionWords(std::filesystem::path state, CaptionChoice choice)
-        : state_(std::move(state)), choice_(choice) {}
+    /// @param wall_code  the text of the wall's own QR code; empty: none
+    CaptionWords(std::filesystem::path state, CaptionChoice choice, std::string wall_code)
+        : state_(std::move(state)), choice_(choice), wall_code_(std::move(wall_code)) {}
 
     /// @param hints  of the files
     void draw(Frame& frame, const ShowHints& hints);
 
   private:
+    enum class Kind {
+        code,
+        caption,
+        wall_code
+    };  // codes look for a place first, the wall's after all others
+
     struct Caption {
         CaptionRoom room;
         std::string text;
@@ -35,17 +43,23 @@ class CaptionWords {
         std::optional<std::chrono::nanoseconds> since;  // when it was first drawn
     };
 
-    std::string text_of(const std::string& path, const ShowHints& hints) const;
+    using Captions = std::map<std::pair<Kind, SourceId>, Caption>;
+
+    std::string text_of(Kind kind, const std::string& path, const ShowHints& hints) const;
+    void draw_idle_code(Frame& frame) const;
     void follow(const Frame& frame, const ShowHints& hints);
     void take_pictures(Vec2 canvas);
-    void find_place(Caption& caption, Vec2 canvas) const;
+    void find_place(Kind kind, Caption& caption, Vec2 canvas) const;
+    void find_code_place(Caption& caption, Vec2 canvas, const Box& taken) const;
+    Box taken_beside(Kind kind, const Caption& caption) const;
 
     std::filesystem::path state_;
     CaptionChoice choice_;
+    std::string wall_code_;
     std::optional<WordLoader> loader_;  // made when a caption is first wanted
     std::set<std::string> wanted_;
     std::map<std::string, std::shared_ptr<const WordPicture>> pictures_;  // of wanted keys
-    std::map<SourceId, Caption> captions_;
+    Captions captions_;
 };
 
 }  // namespace vitrine::player

@@ -16,8 +16,9 @@ namespace vitrine::player {
 /// Draws the names and captions of a frame: asks for their pictures, and adds those that are there as words.
 class FolderWords {
   public:
-    explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none)
-        : state_(std::move(state)), captions_(state_, captions) {}
+    explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none,
+                         std::string wall_code = {})
+        : state_(std::move(state)), captions_(state_, captions, std::move(wall_code)) {}
 
     /// @param hints  of the files, which have the captions
     void draw(Frame& frame, const ShowHints& hints = {});

@@ -36,7 +36,8 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
       painter_(std::make_unique<ScreenPainter>(settings, sources)),
       films_(std::make_unique<AudibleFilms>()),
-      words_(std::make_unique<FolderWords>(settings.state.directory, settings.show.captions)),
+      words_(
+          std::make_unique<FolderWords>(settings.state.directory, settings.show.captions, settings.show.qr)),
       listener_(std::make_shared<const SourceListener>(
           SourceListener{.owner = options.number,
                          .call = [this](const SourceEvent& event) { shows_->handle_source_event(event); }})) {

@@ -20,6 +20,7 @@ struct WordItem {
     std::shared_ptr<const WordPicture> picture;  // shared by all frames that show it
     Box place;                                   // canvas px
     double alpha = 1;                            // opacity of the whole, [0, 1]
+    bool is_sharp = false;                       // its pixels are drawn as squares
 
     bool operator==(const WordItem&) const = default;
 };

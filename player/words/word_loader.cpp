@@ -23,8 +23,12 @@ std::shared_ptr<const WordPicture> read_word(const std::filesystem::path& file) 
     start_vips();
     PhotoFile photo(file.string());
     const VipsPtr<VipsSource> source = open_source(photo);
-    const VipsPtr<VipsImage> image =
+    const VipsPtr<VipsImage> read =
         step([&](auto** out) { return vips_pngload_source(source.get(), out, nullptr); });
+    const VipsPtr<VipsImage> image = step([&](auto** out) {  // an opaque picture comes without opacity
+        return vips_image_hasalpha(read.get()) != 0 ? vips_copy(read.get(), out, nullptr)
+                                                    : vips_addalpha(read.get(), out, nullptr);
+    });
     const int width = vips_image_get_width(image.get());
     const int height = vips_image_get_height(image.get());
     if (width > max_width || height > max_height || vips_image_get_bands(image.get()) != bands ||

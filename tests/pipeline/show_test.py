@@ -7,6 +7,7 @@ Draws its own photos and films and writes their records itself, so that every pi
 how fast the machine is: off screen the player's clock waits for every picture.
 """
 import json
+import os
 import random
 import shutil
 import subprocess
@@ -76,8 +77,9 @@ class Show(unittest.TestCase):
     def settings(self):
         return ["--media.root", str(self.root), "--state.directory", str(self.state), "--analyzer.saliency", "plain", "--analyzer.quiet_milliseconds", "100"]
 
-    def analyse(self):
-        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings()], check=True, timeout=PATIENCE, capture_output=True)
+    def analyse(self, *options):
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings(), *options],
+                       check=True, timeout=PATIENCE, capture_output=True)
 
     def play(self, *options):
         film = Path(self.folder.name) / "wall.mp4"
@@ -191,6 +193,62 @@ class Show(unittest.TestCase):
         for i in differ:
             red, green, blue = shown["none"][3 * i:3 * i + 3]
             self.assertFalse(red > 180 and green < 100 and blue < 100, "the disc is covered")
+
+    def snapshot(self, name, *arguments, side=3):
+        """A picture of the wall as it stands after some seconds, and what the reader of QR codes finds on it."""
+        file = Path(self.folder.name) / f"{name}.png"
+        subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{side * WIDTH}x{side * HEIGHT}", "--pace", "realtime",
+                        "--duration", "4s", "--show.photo_drift", "false", "--snapshot", file, *arguments],
+                       check=True, timeout=PATIENCE, capture_output=True)
+        raw = subprocess.run(["ffmpeg", "-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                             capture_output=True, check=True).stdout
+        codes = subprocess.run([BUILD / "tests" / "pipeline" / "read_codes", str(side * WIDTH), str(side * HEIGHT)], input=raw,
+                               capture_output=True, check=True).stdout.decode().splitlines()
+        return raw, codes
+
+    def test_qr_codes_on_the_wall_can_be_read(self):
+        count = int(os.environ.get("VITRINE_CODES", "4"))
+        chance = random.Random(21)
+        for i, colour in enumerate(COLOURS[:2]):
+            disc(self.root / f"{i}.png", colour, 480, 270, number=i)
+        read = 0
+        for k in range(count):
+            text = "https://example.org/" + "".join(chance.choice("abcdefghij0123456789/-") for _ in range(chance.randrange(40)))
+            for old in self.root.glob("*.url.txt"):
+                old.unlink()
+            (self.root / f"{chance.randrange(2)}.png.url.txt").write_text(text + "\n")
+            self.analyse()
+            _, codes = self.snapshot(f"code{k}", "--seed", str(k + 1))
+            if codes == [text]:
+                read += 1
+            else:
+                print(f"seed {k + 1}: {text} read as {codes}", file=sys.stderr)
+        print(f"{read} of {count} QR codes were read", file=sys.stderr)
+        self.assertGreaterEqual(read, 0.99 * count)
+
+    def test_the_walls_own_qr_code_stands_on_it_and_on_the_idle_picture_and_faults_are_told(self):
+        wish = ("--show.qr", "https://example.org/wall")
+        for i, colour in enumerate(COLOURS[:3]):
+            disc(self.root / f"{i}.png", colour, 480, 270, number=i)
+        (self.root / "0.png.url.txt").write_bytes(b"x" * 1_000_000)
+        (self.root / "1.png.url.txt").write_text(" \n")
+        (self.root / "2.png.url.txt").write_bytes(b"\xff\xfe")
+        (self.root / "gone.png.url.txt").write_text("https://example.org")
+        self.analyse(*wish)
+        status = (self.root / "_STATUS" / "status.txt").read_text()
+        for told in ("0.png.url.txt: it is longer than 250 bytes", "1.png.url.txt: it is empty",
+                     "2.png.url.txt: it is not UTF-8", "gone.png.url.txt: there is no such photo or film beside it",
+                     "3 files: 3 ready"):
+            self.assertIn(told, status)
+
+        bare, none = self.snapshot("bare")
+        shown, codes = self.snapshot("wall", *wish)
+        self.assertEqual((none, codes), ([], ["https://example.org/wall"]))
+        for at in range(0, len(bare), 3):
+            if bare[at:at + 3] != shown[at:at + 3]:
+                self.assertLess(max(bare[at:at + 3]) - min(bare[at:at + 3]), 60, "a disc is covered")
+        shutil.rmtree(self.state / "catalogue")
+        self.assertEqual(self.snapshot("idle", *wish)[1], ["https://example.org/wall"])
 
     def test_a_plans_film_shows_how_the_packing_became_denser(self):
         for i, colour in enumerate(COLOURS):
