@@ -1,5 +1,6 @@
 #include "player/stage/caption_words.hpp"
 
+#include "base/calendar/dates.hpp"
 #include "base/hints/hint_words.hpp"
 #include "base/state/word_picture.hpp"
 #include "player/scene/caption_place.hpp"
@@ -16,9 +17,23 @@ constexpr std::chrono::nanoseconds fade = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void CaptionWords::draw(Frame& frame, const ShowHints& hints) {
+std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
+                            CaptionChoice choice) {
+    const ShowHints::Entry file = hints.find(path);
+    const std::string written = file ? file->hints.caption.value_or("") : "";
+    CaptionSources sources{
+        .written = written, .own = "", .path = choice == CaptionChoice::names ? std::string_view(path) : ""};
+    if (!record) return caption_of(sources);
+    sources.own = record->origin.caption;
+    const auto day = record->origin.day_of_camera();
+    if (day && hints.today && is_anniversary(*day, *hints.today)) sources.day = day;
+    return caption_of(sources);
+}
+
+void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& files) {
     if (choice_ == CaptionChoice::none) return;
-    follow(frame, hints);
+    follow(frame,
+           [&](const std::string& path) { return caption_on_wall(path, hints, files.find(path), choice_); });
     take_pictures(frame.canvas);
     for (auto& [source, caption] : captions_) {
         if (!caption.place) continue;
@@ -29,18 +44,12 @@ void CaptionWords::draw(Frame& frame, const ShowHints& hints) {
     }
 }
 
-std::string CaptionWords::text_of(const std::string& path, const ShowHints& hints) const {
-    const ShowHints::Entry file = hints.find(path);
-    const std::string written = file ? file->hints.caption.value_or("") : "";
-    return caption_of(written, path, choice_ == CaptionChoice::names);
-}
-
 /// Keeps the captions of the shots that stand as they stood, and begins those of others.
-void CaptionWords::follow(const Frame& frame, const ShowHints& hints) {
+void CaptionWords::follow(const Frame& frame, const TextOf& text_of) {
     std::map<SourceId, Caption> before = std::exchange(captions_, {});
     std::set<std::string> keys;
     for (const CaptionRoom& room : frame.captions) {
-        std::string text = text_of(room.path, hints);
+        std::string text = text_of(room.path);
         if (text.empty()) continue;
         for (int lines = 1; lines <= caption_forms; ++lines)
             keys.insert(caption_key(text, lines));

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +16,12 @@
 
 namespace vitrine::player {
 
+/// The caption of a file on the wall. One that was taken on this day in another year tells its year, if such
+/// files come first.
+/// @param record  null: nothing is known of the file
+std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
+                            CaptionChoice choice);
+
 /// Draws the captions of the shots that stand, where nothing matters: asks for their pictures and adds those
 /// that are there as words. Looks for a place once for each shot and cell.
 class CaptionWords {
@@ -22,8 +29,8 @@ class CaptionWords {
     CaptionWords(std::filesystem::path state, CaptionChoice choice)
         : state_(std::move(state)), choice_(choice) {}
 
-    /// @param hints  of the files
-    void draw(Frame& frame, const ShowHints& hints);
+    /// @param hints, files  have the captions
+    void draw(Frame& frame, const ShowHints& hints, const RecordList& files);
 
   private:
     struct Caption {
@@ -35,8 +42,9 @@ class CaptionWords {
         std::optional<std::chrono::nanoseconds> since;  // when it was first drawn
     };
 
-    std::string text_of(const std::string& path, const ShowHints& hints) const;
-    void follow(const Frame& frame, const ShowHints& hints);
+    using TextOf = std::function<std::string(const std::string& path)>;
+
+    void follow(const Frame& frame, const TextOf& text_of);
     void take_pictures(Vec2 canvas);
     void find_place(Caption& caption, Vec2 canvas) const;
 

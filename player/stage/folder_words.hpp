@@ -19,8 +19,8 @@ class FolderWords {
     explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none)
         : state_(std::move(state)), captions_(state_, captions) {}
 
-    /// @param hints  of the files, which have the captions
-    void draw(Frame& frame, const ShowHints& hints = {});
+    /// @param hints, files  have the captions
+    void draw(Frame& frame, const ShowHints& hints = {}, const RecordList& files = {});
 
   private:
     void draw_names(Frame& frame);
