@@ -44,7 +44,7 @@ void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& 
     }
 }
 
-/// Keeps the captions of the shots that stand as they stood, and begins those of others.
+/// Keeps the captions of the shots that stay where they are, and begins others once the wall stands.
 void CaptionWords::follow(const Frame& frame, const TextOf& text_of) {
     std::map<SourceId, Caption> before = std::exchange(captions_, {});
     std::set<std::string> keys;
@@ -54,11 +54,19 @@ void CaptionWords::follow(const Frame& frame, const TextOf& text_of) {
         for (int lines = 1; lines <= caption_forms; ++lines)
             keys.insert(caption_key(text, lines));
         const auto known = before.find(room.source);
-        const bool is_same =
-            known != before.end() && known->second.text == text && known->second.room == room;
-        captions_[room.source] = is_same ? std::move(known->second) : Caption{.room = room, .text = text};
+        const bool is_known = known != before.end() && known->second.text == text;
+        if (is_known && ((!room.next && known->second.room == room) ||
+                         (known->second.place && keeps_place(*known->second.place, room, frame.items))))
+            captions_[room.source] = std::move(known->second);
+        else if (!room.next)
+            captions_[room.source] = {.text = text};
+        else
+            continue;
+        captions_[room.source].room = room;
     }
-    if (keys == wanted_ || frame.captions.empty()) return;  // a wall that changes keeps the pictures
+    const bool is_changing =
+        std::ranges::any_of(frame.captions, [](const CaptionRoom& room) { return room.next != nullptr; });
+    if (keys == wanted_ || frame.captions.empty() || is_changing) return;  // it keeps the pictures
     std::erase_if(pictures_, [&](const auto& known) { return !keys.contains(known.first); });
     if (!loader_) loader_.emplace(state_);
     wanted_ = keys;
@@ -71,7 +79,7 @@ void CaptionWords::take_pictures(Vec2 canvas) {
         if (wanted_.contains(word.text) && word.picture && word.picture->height > 0)
             pictures_[word.text] = std::move(word.picture);
     for (auto& [source, caption] : captions_)
-        if (!caption.place) find_place(caption, canvas);
+        if (!caption.place && !caption.room.next) find_place(caption, canvas);
 }
 
 /// Looks for a place when further forms have been read.
