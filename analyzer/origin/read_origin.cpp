@@ -3,6 +3,7 @@
 #include "analyzer/origin/exif_block.hpp"
 #include "analyzer/origin/exif_facts.hpp"
 #include "analyzer/origin/film_facts.hpp"
+#include "analyzer/origin/own_caption.hpp"
 #include "base/media/media_type.hpp"
 #include "base/state/media_error.hpp"
 #include "base/system/log.hpp"
@@ -15,7 +16,9 @@ MediaOrigin camera_facts(const std::string& path) {
     try {
         const MediaFormat format = media_format(path);
         if (format == MediaFormat::mp4) return film_facts(path);
-        return exif_facts(exif_block(path, format));
+        MediaOrigin origin = exif_facts(exif_block(path, format));
+        origin.caption = own_caption(path, format);
+        return origin;
     } catch (const MediaError& error) {  // whoever decodes the file says so
         log::debug("no time of a camera: {}", error.what());
         return {};

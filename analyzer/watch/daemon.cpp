@@ -126,19 +126,36 @@ void request_words(MissingPictures& pictures, const WatchOptions& options,
     }
 }
 
+/// All captions that a file may have on the wall, in all their forms.
+std::set<std::string> caption_keys(const WatchOptions& options, const std::string& path,
+                                   const HintFiles& hints, const FileStates& states) {
+    std::set<std::string> keys;
+    if (options.captions == CaptionChoice::none) return keys;
+    const std::string written = hints.hints_for(path).caption.value_or("");
+    const FileStates::OwnCaption own = states.caption(path);
+    const bool uses_names = options.captions == CaptionChoice::names;
+    CaptionSources sources{
+        .written = written, .own = own.text, .path = uses_names ? std::string_view(path) : ""};
+    const auto add = [&] {
+        const std::string caption = caption_of(sources);
+        for (int lines = 1; lines <= caption_forms && !caption.empty(); ++lines)
+            keys.insert(caption_key(caption, lines));
+    };
+    add();
+    if (!options.tells_years || !own.day) return keys;
+    sources.day = own.day;
+    add();
+    return keys;
+}
+
 /// Has the names of all folders, all captions and QR codes set, and removes other words.
 void set_all_words(MissingPictures& pictures, const WatchOptions& options,
-                   const std::vector<std::string>& paths, const HintFiles& hints) {
+                   const std::vector<std::string>& paths, const HintFiles& hints, const FileStates& states) {
     std::set<std::string> words = shown_folder_names(paths);
-    const bool uses_names = options.captions == CaptionChoice::names;
     if (!options.wall_code.empty()) words.insert(code_key(options.wall_code));
     for (const std::string& path : paths) {
-        const Hints wishes = hints.hints_for(path);
-        if (wishes.code) words.insert(code_key(*wishes.code));
-        if (options.captions == CaptionChoice::none) continue;
-        const std::string caption = caption_of(wishes.caption.value_or(""), path, uses_names);
-        for (int lines = 1; lines <= caption_forms && !caption.empty(); ++lines)
-            words.insert(caption_key(caption, lines));
+        if (const auto code = hints.hints_for(path).code) words.insert(code_key(*code));
+        words.merge(caption_keys(options, path, hints, states));
     }
     remove_other_words(words, options.state);
     request_words(pictures, options, words);
@@ -247,7 +264,7 @@ void Daemon::follow_hints() {
         const std::vector<std::string> paths = schedule_.paths_below("");
         hint_files_.read(paths, follower_.sidecars());
         weaver_.set_choices(hint_files_.keyframe_choices());
-        set_all_words(pictures_, options_, paths, hint_files_);
+        set_all_words(pictures_, options_, paths, hint_files_, book_.states());
         const auto is_heard = [this](const std::string& path) {
             return hint_files_.hints_for(path).sound.value_or(false);
         };
@@ -402,6 +419,7 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
         break;
     }
     book_.store(record);
+    request_words(pictures_, options_, caption_keys(options_, record.path, hint_files_, book_.states()));
     if (book_.is_news(record)) log_record(record);
 }
 
@@ -466,6 +484,8 @@ StatusReport Daemon::report() const {
     report.remarks.insert(report.remarks.end(), follower_.remarks().begin(), follower_.remarks().end());
     for (FileState& file : files()) {
         Hints hints = hint_files_.hints_for(file.path);
+        const FileStates::OwnCaption own = book_.states().caption(file.path);
+        if (!hints.caption && !own.text.empty()) hints.caption = own.text;
         std::string id = record_id(file.path);
         KeyframeChoice keyframes = hint_files_.keyframes_for(file.path);
         report.files.push_back({.file = std::move(file),

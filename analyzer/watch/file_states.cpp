@@ -23,7 +23,10 @@ FileState::State state_of(MediaState state) {
 }  // namespace
 
 void FileStates::note_record(const MediaRecord& record) {
-    found_[record.path] = {.state = record.state, .reason = record.reason, .fault = record.fault};
+    found_[record.path] = {.state = record.state,
+                           .reason = record.reason,
+                           .fault = record.fault,
+                           .caption = {.text = record.origin.caption, .day = record.origin.day_of_camera()}};
     if (is_outdated(record))
         outdated_.insert(record.path);
     else
@@ -33,6 +36,11 @@ void FileStates::note_record(const MediaRecord& record) {
 void FileStates::forget_file(const std::string& path) {
     found_.erase(path);
     outdated_.erase(path);
+}
+
+FileStates::OwnCaption FileStates::caption(const std::string& path) const {
+    const auto known = found_.find(path);
+    return known == found_.end() ? OwnCaption{} : known->second.caption;
 }
 
 const FileStates::Found* FileStates::found(const std::string& path, Schedule::Progress progress) const {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,14 @@ class FileStates {
     /// The files whose records an earlier version of the analysis wrote.
     const std::set<std::string>& outdated_files() const { return outdated_; }
 
+    /// What must be known of a file so that its captions can be set.
+    struct OwnCaption {
+        std::string text;                              // that the file says itself; empty: nothing
+        std::optional<std::chrono::local_days> day{};  // on which a camera took it
+    };
+
+    OwnCaption caption(const std::string& path) const;
+
     StateCounts counts(const Schedule& schedule) const;
 
     /// The quarantined files that are to be tried again.
@@ -44,6 +53,7 @@ class FileStates {
         MediaState state = MediaState::waiting;
         std::string reason;
         Fault fault;
+        OwnCaption caption{};
     };
 
     const Found* found(const std::string& path, Schedule::Progress progress) const;

@@ -85,6 +85,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
     options.captions = settings.show.captions;
     options.wall_code = settings.show.qr;
+    options.tells_years = settings.show.on_this_day;
     options.words_child = {"/proc/self/exe", config, "set-words", "--"};
     options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
     options.weave = {"/proc/self/exe",

@@ -40,4 +40,12 @@ std::optional<std::set<std::chrono::local_days>> dates_named(std::string_view te
     return dates;
 }
 
+bool is_anniversary(std::chrono::local_days day, std::chrono::local_days today) {
+    const std::chrono::year_month_day now(today), then(day);
+    if (now.year() == then.year() || now.month() != then.month()) return false;
+    constexpr std::chrono::day leap{29}, last{28};
+    const bool is_leap_day = then.month() == std::chrono::February && then.day() == leap;
+    return now.day() == (is_leap_day && !now.year().is_leap() ? last : then.day());
+}
+
 }  // namespace vitrine

@@ -20,4 +20,7 @@ std::optional<std::chrono::local_days> date_named(std::string_view text);
 /// @return  none: another text, or a date that does not exist
 std::optional<std::set<std::chrono::local_days>> dates_named(std::string_view text);
 
+/// True for the same day in another year. In years without a 29 February the 28th stands for it, too.
+bool is_anniversary(std::chrono::local_days day, std::chrono::local_days today);
+
 }  // namespace vitrine

@@ -291,10 +291,16 @@ std::string shown_folder_name(std::string_view path) {
     return plain.empty() ? std::string(name) : plain;
 }
 
-std::string caption_of(std::string_view written, std::string_view path, bool uses_names) {
-    if (!written.empty() || !uses_names) return std::string(written);
-    const std::string name = plain_name(path.substr(path.rfind('/') + 1), NamePart::file);
-    return caption_text(name).text;
+std::string caption_of(const CaptionSources& sources) {
+    std::string text(sources.written);
+    if (text.empty()) text = caption_text(sources.own).text;
+    if (text.empty() && !sources.path.empty()) {
+        const std::string_view name = sources.path.substr(sources.path.rfind('/') + 1);
+        text = caption_text(plain_name(name, NamePart::file)).text;
+    }
+    if (!sources.day) return text;
+    const auto year = static_cast<int>(std::chrono::year_month_day(*sources.day).year());
+    return text.empty() ? std::to_string(year) : fmt::format("{} · {}", year, text);
 }
 
 Hints merged(const Hints& outer, const Hints& inner) {

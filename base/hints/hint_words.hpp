@@ -2,7 +2,9 @@
 
 #include "base/hints/hints.hpp"
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,11 +62,17 @@ std::string plain_name(std::string_view name, NamePart part);
 /// @param path  below the media folder, any bytes
 std::string shown_folder_name(std::string_view path);
 
-/// The caption of a file: as it was written or, with `uses_names`, its name without hints, numbers and
-/// ending.
-/// @param written  empty: none
-/// @param path     below the media folder
-std::string caption_of(std::string_view written, std::string_view path, bool uses_names);
+/// All that can be the caption of a file.
+struct CaptionSources {
+    std::string_view written;                      // by the operator; empty: nothing
+    std::string_view own;                          // what the file itself says; empty: nothing
+    std::string_view path;                         // below the media folder; empty: names are no captions
+    std::optional<std::chrono::local_days> day{};  // told by its year; none: the day does not matter
+};
+
+/// The caption of a file: what was written, else what the file says, else its name without hints, numbers and
+/// ending. The year stands before it: "2019 · At the lake", or alone. May be empty.
+std::string caption_of(const CaptionSources& sources);
 
 /// The hints of something inside something else: an inner hint replaces the outer one.
 Hints merged(const Hints& outer, const Hints& inner);

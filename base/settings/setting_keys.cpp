@@ -302,7 +302,8 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::restart,
      "Words over the pictures, where nothing matters. \"written\": those of files such as \"lake.jpg.txt\" "
      "beside "
-     "the media. \"names\": where there is none, the name of the file. \"none\": no captions. A caption that "
+     "the media, or in photos. \"names\": where there is none, the name of the file. \"none\": no captions. "
+     "A caption that "
      "has no "
      "room on the wall is left out."},
     {"show.qr",
@@ -315,7 +316,7 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"show.on_this_day", flag<&S::show, &S::Show::on_this_day>(), SettingEffect::restart,
      "true: files that were taken on this day in other years come first in each round, whatever show.order "
      "says. "
-     "The time that the camera wrote counts, where it was taken."},
+     "The time that the camera wrote counts, where it was taken. Their captions tell the year."},
     {"input.devices",
      text<&S::input, &S::Input::devices>(
          "\"auto\", \"none\" or device nodes like \"/dev/input/event3\", separated by commas",

@@ -32,8 +32,15 @@ struct TimeTaken {
 struct MediaOrigin {
     std::optional<TimeTaken> taken;  // none: every clock was wrong, or an earlier analysis did not ask
     std::string content_id;          // the same in photo and film of a Live Photo; empty: none
+    std::string caption{};           // a line of UTF-8 that somebody wrote into the file; empty: none
 
     bool operator==(const MediaOrigin&) const = default;
+
+    /// The day on which a camera took it, there. None: a file's own time says nothing about the day.
+    std::optional<std::chrono::local_days> day_of_camera() const {
+        if (!taken || taken->source == TimeSource::file) return std::nullopt;
+        return std::chrono::floor<std::chrono::days>(taken->local());
+    }
 };
 
 /// True from 1990 to a day after `now`. A camera whose battery was empty begins in 1904, 1970 or 1980; a

@@ -226,6 +226,7 @@ MediaOrigin to_origin(const Json& json) {
     if (json.contains("content_id")) origin.content_id = json["content_id"].get<std::string>();
     if (!origin.content_id.empty() && !is_content_id(origin.content_id))
         throw std::runtime_error("record: 'content_id' is no identifier");
+    if (json.contains("caption")) origin.caption = json["caption"].get<std::string>();
     return origin;
 }
 
@@ -292,6 +293,7 @@ std::string to_json(const MediaRecord& record) {
     if (record.fault != Fault{}) json["fault"] = to_object(record.fault);
     if (record.origin.taken) json["taken"] = to_object(*record.origin.taken);
     if (!record.origin.content_id.empty()) json["content_id"] = record.origin.content_id;
+    if (!record.origin.caption.empty()) json["caption"] = record.origin.caption;
     if (record.sound) json["sound"] = to_object(*record.sound);
     if (!is_utf8(record.path)) json["path_hex"] = to_hex(record.path);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

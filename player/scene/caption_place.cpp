@@ -81,27 +81,60 @@ std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, const 
     return std::nullopt;
 }
 
+/// The I-Region of a shot wherever its photo drifts.
+Polygon drifting_region(const PlacedShot& placed) {
+    const Polygon still = placed_region(placed.shot.item, placed.placement);
+    if (placed.drift.from == placed.drift.to) return still;
+    Polygon all;
+    for (const Vec2 by : {placed.drift.from, placed.drift.to})
+        for (const Vec2 corner : still)
+            all.push_back(corner + by);
+    return convex_hull(all);
+}
+
 }  // namespace
 
 std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall) {
     std::vector<CaptionRoom> rooms;
-    for (const PlacedShot& placed : wall) {
-        if (!placed.cell) continue;
-        Polygon region = placed_region(placed.shot.item, placed.placement);
-        if (placed.drift.from != placed.drift.to) {
-            const Polygon still = region;
-            region.clear();
-            for (const Vec2 by : {placed.drift.from, placed.drift.to})
-                for (const Vec2 corner : still)
-                    region.push_back(corner + by);
-            region = convex_hull(region);
-        }
-        rooms.push_back({.source = placed.shot.source,
-                         .path = placed.shot.key.path,
-                         .cell = placed.cell,
-                         .region = std::move(region)});
+    for (const PlacedShot& placed : wall)
+        if (placed.cell)
+            rooms.push_back({.source = placed.shot.source,
+                             .path = placed.shot.key.path,
+                             .cell = placed.cell,
+                             .region = drifting_region(placed)});
+    return rooms;
+}
+
+std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
+                                            std::span<const PlacedShot> incoming) {
+    std::vector<CaptionRoom> rooms;
+    for (const PlacedShot& after : incoming) {
+        const PlacedShot* const now = find_source(shown, after.shot.source);
+        if (now == nullptr || !now->cell || !after.cell || now->placement != after.placement) continue;
+        Polygon region = drifting_region(*now);
+        const Polygon later = drifting_region(after);
+        region.insert(region.end(), later.begin(), later.end());
+        rooms.push_back({.source = now->shot.source,
+                         .path = now->shot.key.path,
+                         .cell = now->cell,
+                         .next = after.cell,
+                         .region = convex_hull(region)});
     }
     return rooms;
+}
+
+bool keeps_place(const Box& caption, const CaptionRoom& room, std::span<const DrawItem> items) {
+    const auto holds = [&](const Cell& cell) {
+        return std::ranges::any_of(cell.parts, [&](const Polygon& part) { return contains(part, caption); });
+    };
+    const auto touches = [&](const Polygon& part) { return area(clipped(part, caption)) > 1; };
+    const auto covers = [&](const DrawItem& item) {
+        if (item.source == room.source || item.alpha <= 0) return false;
+        return !item.cell || std::ranges::any_of(item.cell->parts, touches) ||
+               std::ranges::any_of(item.cell->filler, touches);
+    };
+    return holds(*room.cell) && (!room.next || holds(*room.next)) && clipped(room.region, caption).empty() &&
+           std::ranges::none_of(items, covers);
 }
 
 std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,

@@ -14,6 +14,14 @@ namespace vitrine::player {
 /// The rooms for the captions of shots that stand.
 std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall);
 
+/// The rooms for the captions of shots that stay where they are while a wall changes into the next.
+std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
+                                            std::span<const PlacedShot> incoming);
+
+/// True if a caption that stands may stay: its box lies in the shot's own pixels, now and after the change,
+/// outside its I-Region, and under nothing that is drawn of another shot.
+bool keeps_place(const Box& caption, const CaptionRoom& room, std::span<const DrawItem> items);
+
 /// The size of a caption's picture.
 struct CaptionSize {
     double aspect = 1;   // its width as a share of its height

@@ -52,12 +52,13 @@ struct FrameName {
     bool operator==(const FrameName&) const = default;
 };
 
-/// The room for a shot's caption on a wall that stands.
+/// The room for a shot's caption. While the wall changes, only a shot that stays where it is has one.
 struct CaptionRoom {
     SourceId source = 0;
-    std::string path;                  // of the shot's file
-    std::shared_ptr<const Cell> cell;  // shared by all frames of a layout
-    Polygon region;                    // canvas px: holds the I-Region wherever it drifts; convex
+    std::string path;                    // of the shot's file
+    std::shared_ptr<const Cell> cell;    // shared by all frames of a layout
+    std::shared_ptr<const Cell> next{};  // its cell after the change; null: the wall stands
+    Polygon region;                      // canvas px: holds the I-Region wherever it drifts; convex
 
     bool operator==(const CaptionRoom&) const = default;
 };
@@ -70,7 +71,7 @@ struct Frame {
     std::vector<Plate> plates;
     std::vector<WordItem> words;          // above all items
     std::vector<FrameName> names;         // whose pictures become `words`
-    std::vector<CaptionRoom> captions{};  // whose captions become `words`; empty while the wall changes
+    std::vector<CaptionRoom> captions{};  // whose captions become `words`
     std::vector<Box> covered;  // canvas px: boxes that the items cover completely, if all can be drawn
     double idle = 0;           // opacity of the idle picture drawn first, in [0, 1]
     std::chrono::nanoseconds time{0};  // since the player started

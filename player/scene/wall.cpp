@@ -262,7 +262,9 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.draw(step.frame);
-    if (!is_changing() && !Wall::is_touched()) step.frame.captions = caption_rooms(shown_);
+    if (!Wall::is_touched())
+        step.frame.captions =
+            is_changing() ? kept_caption_rooms(shown_, change_->wall) : caption_rooms(shown_);
     step.retired =
         sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
     return step;

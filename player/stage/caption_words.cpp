@@ -1,5 +1,6 @@
 #include "player/stage/caption_words.hpp"
 
+#include "base/calendar/dates.hpp"
 #include "base/hints/hint_words.hpp"
 #include "base/state/word_picture.hpp"
 #include "player/scene/caption_place.hpp"
@@ -16,9 +17,22 @@ constexpr std::chrono::nanoseconds fade = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void CaptionWords::draw(Frame& frame, const ShowHints& hints) {
+std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
+                            CaptionChoice choice) {
+    const ShowHints::Entry file = hints.find(path);
+    const std::string written = file ? file->hints.caption.value_or("") : "";
+    CaptionSources sources{
+        .written = written, .own = "", .path = choice == CaptionChoice::names ? std::string_view(path) : ""};
+    if (!record) return caption_of(sources);
+    sources.own = record->origin.caption;
+    const auto day = record->origin.day_of_camera();
+    if (day && hints.today && is_anniversary(*day, *hints.today)) sources.day = day;
+    return caption_of(sources);
+}
+
+void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& files) {
     if (choice_ == CaptionChoice::none && wall_code_.empty() && frame.captions.empty()) return;
-    follow(frame, hints);
+    follow(frame, [&](Kind kind, const std::string& path) { return text_of(kind, path, hints, files); });
     take_pictures(frame.canvas);
     for (auto& [key, caption] : captions_) {
         if (!caption.place) continue;
@@ -40,35 +54,47 @@ void CaptionWords::draw_idle_code(Frame& frame) const {
                            .is_sharp = true});
 }
 
-std::string CaptionWords::text_of(Kind kind, const std::string& path, const ShowHints& hints) const {
+std::string CaptionWords::text_of(Kind kind, const std::string& path, const ShowHints& hints,
+                                  const RecordList& files) const {
     if (kind == Kind::wall_code) return wall_code_;
+    if (kind == Kind::caption)
+        return choice_ == CaptionChoice::none ? "" : caption_on_wall(path, hints, files.find(path), choice_);
     const ShowHints::Entry file = hints.find(path);
-    if (kind == Kind::code) return file ? file->hints.code.value_or("") : "";
-    if (choice_ == CaptionChoice::none) return "";
-    const std::string written = file ? file->hints.caption.value_or("") : "";
-    return caption_of(written, path, choice_ == CaptionChoice::names);
+    return file ? file->hints.code.value_or("") : "";
 }
 
-/// Keeps the captions of the shots that stand as they stood, and begins those of others.
-void CaptionWords::follow(const Frame& frame, const ShowHints& hints) {
+/// True if the shot and its words stay where they are, also while the wall changes.
+bool CaptionWords::stays(const Caption& caption, const CaptionRoom& room, std::span<const DrawItem> items) {
+    if (!room.next && caption.room == room) return true;
+    return caption.place && keeps_place(*caption.place, room, items);
+}
+
+/// Keeps the words of the shots that stay where they are, and begins others once the wall stands.
+void CaptionWords::follow(const Frame& frame, const TextOf& text_of) {
     Captions before = std::exchange(captions_, {});
     std::set<std::string> keys;
     if (!wall_code_.empty()) keys.insert(code_key(wall_code_));
     for (const CaptionRoom& room : frame.captions)
         for (const Kind kind : {Kind::code, Kind::caption, Kind::wall_code}) {
-            std::string text = text_of(kind, room.path, hints);
+            std::string text = text_of(kind, room.path);
             if (text.empty()) continue;
             if (kind == Kind::code) keys.insert(code_key(text));
             for (int lines = 1; kind == Kind::caption && lines <= caption_forms; ++lines)
                 keys.insert(caption_key(text, lines));
             const auto known = before.find({kind, room.source});
-            const bool is_same =
-                known != before.end() && known->second.text == text && known->second.room == room;
-            captions_[{kind, room.source}] =
-                is_same ? std::move(known->second) : Caption{.room = room, .text = text};
+            const bool is_known = known != before.end() && known->second.text == text;
+            if (is_known && stays(known->second, room, frame.items))
+                captions_[{kind, room.source}] = std::move(known->second);
+            else if (!room.next)
+                captions_[{kind, room.source}] = {.text = std::move(text)};
+            else
+                continue;
+            captions_[{kind, room.source}].room = room;
         }
-    const bool is_changing = frame.captions.empty() && !wanted_.empty();  // such a wall keeps the pictures
-    if (keys == wanted_ || is_changing) return;
+    const bool is_changing =
+        std::ranges::any_of(frame.captions, [](const CaptionRoom& room) { return room.next != nullptr; });
+    if (keys == wanted_ || (frame.captions.empty() && !wanted_.empty()) || is_changing)
+        return;  // it keeps the pictures
     std::erase_if(pictures_, [&](const auto& known) { return !keys.contains(known.first); });
     if (!loader_) loader_.emplace(state_);
     wanted_ = keys;
@@ -85,7 +111,7 @@ void CaptionWords::take_pictures(Vec2 canvas) {
     });
     for (auto& [key, caption] : captions_) {
         const bool is_walls = key.first == Kind::wall_code;
-        if (caption.place || (is_walls && has_wall_code)) continue;
+        if (caption.place || caption.room.next || (is_walls && has_wall_code)) continue;
         find_place(key.first, caption, canvas);
         has_wall_code |= is_walls && caption.place;
     }

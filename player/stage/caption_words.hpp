@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,12 @@
 
 namespace vitrine::player {
 
+/// The caption of a file on the wall. One that was taken on this day in another year tells its year, if such
+/// files come first.
+/// @param record  null: nothing is known of the file
+std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
+                            CaptionChoice choice);
+
 /// Draws the captions and QR codes of the shots that stand, where nothing matters: asks for their pictures
 /// and adds those that are there as words. Looks for a place once for each shot and cell.
 class CaptionWords {
@@ -24,8 +31,8 @@ class CaptionWords {
     CaptionWords(std::filesystem::path state, CaptionChoice choice, std::string wall_code)
         : state_(std::move(state)), choice_(choice), wall_code_(std::move(wall_code)) {}
 
-    /// @param hints  of the files
-    void draw(Frame& frame, const ShowHints& hints);
+    /// @param hints, files  have the captions
+    void draw(Frame& frame, const ShowHints& hints, const RecordList& files);
 
   private:
     enum class Kind {
@@ -44,10 +51,13 @@ class CaptionWords {
     };
 
     using Captions = std::map<std::pair<Kind, SourceId>, Caption>;
+    using TextOf = std::function<std::string(Kind kind, const std::string& path)>;
 
-    std::string text_of(Kind kind, const std::string& path, const ShowHints& hints) const;
+    static bool stays(const Caption& caption, const CaptionRoom& room, std::span<const DrawItem> items);
+    std::string text_of(Kind kind, const std::string& path, const ShowHints& hints,
+                        const RecordList& files) const;
     void draw_idle_code(Frame& frame) const;
-    void follow(const Frame& frame, const ShowHints& hints);
+    void follow(const Frame& frame, const TextOf& text_of);
     void take_pictures(Vec2 canvas);
     void find_place(Kind kind, Caption& caption, Vec2 canvas) const;
     void find_code_place(Caption& caption, Vec2 canvas, const Box& taken) const;

@@ -10,9 +10,9 @@ Box word_place(const Box& box, const WordPicture& picture) {
     return {box.centre() - half, box.centre() + half};
 }
 
-void FolderWords::draw(Frame& frame, const ShowHints& hints) {
+void FolderWords::draw(Frame& frame, const ShowHints& hints, const RecordList& files) {
     draw_names(frame);
-    captions_.draw(frame, hints);
+    captions_.draw(frame, hints, files);
 }
 
 void FolderWords::draw_names(Frame& frame) {

@@ -20,8 +20,8 @@ class FolderWords {
                          std::string wall_code = {})
         : state_(std::move(state)), captions_(state_, captions, std::move(wall_code)) {}
 
-    /// @param hints  of the files, which have the captions
-    void draw(Frame& frame, const ShowHints& hints = {});
+    /// @param hints, files  have the captions
+    void draw(Frame& frame, const ShowHints& hints = {}, const RecordList& files = {});
 
   private:
     void draw_names(Frame& frame);

@@ -94,7 +94,7 @@ void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_fo
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
     shows_->fade(frame_);
-    words_->draw(frame_, files_.hints());
+    words_->draw(frame_, files_.hints(), files_.all());
     frame_.time = now - hidden_;
     if (awaits_sources_) sources_.wait_for(frame_, source_patience);
     sources_.advance(frame_);

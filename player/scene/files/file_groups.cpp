@@ -57,11 +57,14 @@ void FileGroups::set_files(const RecordList& files) {
     files_ = files;
     for (const RecordList::Record& record : added)
         add(record);
-    if (!touched_.empty()) regroup();
+    if (!touched_.empty()) regroup_touched();
 }
 
 void FileGroups::remove(const MediaRecord& record) {
     touched_.insert(record.path);
+    std::erase_if(compared_, [&](const auto& known) {
+        return known.first.first == record.path || known.first.second == record.path;
+    });
     for (auto* links : {&near_, &live_}) {
         const auto found = links->find(record.path);
         if (found == links->end()) continue;
@@ -147,36 +150,63 @@ std::set<std::string> FileGroups::connected(const std::string& path) const {
     return found;
 }
 
-FileGroup FileGroups::group_of(const std::set<std::string>& paths) const {
-    std::vector<RecordList::Record> photos;
-    FileGroup group;
-    for (const std::string& path : paths) {
-        const RecordList::Record record = files_.find(path);
-        if (!record || record->kind != MediaKind::photo) continue;
-        photos.push_back(record);
-        if (const auto film = live_.find(path); film != live_.end() && !film->second.empty())
-            group.films[path] = *film->second.begin();
-    }
-    std::ranges::sort(photos, is_better);
-    for (const RecordList::Record& photo : photos)
-        group.photos.push_back(photo->path);
-    return group;
+/// True where the photo may stand in for the best one of its group.
+bool FileGroups::is_near(const RecordList::Record& best, const RecordList::Record& photo) {
+    const auto linked = near_.find(best->path);
+    if (linked != near_.end() && linked->second.contains(photo->path)) return true;
+    const auto key = std::minmax(best->path, photo->path);
+    const auto known = compared_.find(key);
+    if (known != compared_.end()) return known->second;
+    return compared_[key] = are_near_copies(*best, *photo);
 }
 
-void FileGroups::regroup() {
-    GroupList::Changes changes;
-    for (const std::string& path : touched_) {
-        if (changes.contains(path)) continue;
-        const std::set<std::string> paths = connected(path);
-        if (paths.size() == 1) {
-            changes[path] = nullptr;
-            continue;
+/// Parts photos that are linked somehow: the best has with it those that are near to itself, and so on with
+/// the others. So pictures that change slowly do not become one by a chain.
+/// @param photos  the best first
+std::vector<FileGroup> FileGroups::groups_among(std::vector<RecordList::Record> photos) {
+    std::vector<FileGroup> groups;
+    while (!photos.empty()) {
+        const RecordList::Record best = photos.front();
+        const auto others = std::stable_partition(photos.begin(), photos.end(), [&](const auto& photo) {
+            return photo == best || is_near(best, photo);
+        });
+        FileGroup& group = groups.emplace_back();
+        for (auto member = photos.begin(); member != others; ++member) {
+            group.photos.push_back((*member)->path);
+            if (const auto film = live_.find((*member)->path); film != live_.end() && !film->second.empty())
+                group.films[(*member)->path] = *film->second.begin();
         }
-        const auto group = std::make_shared<const FileGroup>(group_of(paths));
-        for (const std::string& member : paths)
-            changes[member] =
-                std::make_shared<const GroupedFile>(GroupedFile{.path = member, .group = group});
+        photos.erase(photos.begin(), others);
     }
+    return groups;
+}
+
+/// Gives these files their groups anew.
+void FileGroups::regroup(const std::set<std::string>& paths, GroupList::Changes& changes) {
+    std::vector<RecordList::Record> photos;
+    for (const std::string& path : paths) {
+        changes[path] = nullptr;
+        const RecordList::Record record = files_.find(path);
+        if (record && record->kind == MediaKind::photo) photos.push_back(record);
+    }
+    std::ranges::sort(photos, is_better);
+    for (FileGroup& found : groups_among(std::move(photos))) {
+        if (found.photos.size() + found.films.size() < 2) continue;
+        const auto group = std::make_shared<const FileGroup>(std::move(found));
+        const auto add = [&](const std::string& path) {
+            changes[path] = std::make_shared<const GroupedFile>(GroupedFile{.path = path, .group = group});
+        };
+        std::ranges::for_each(group->photos, add);
+        for (const std::string& photo : group->photos)
+            if (const auto films = live_.find(photo); films != live_.end())
+                std::ranges::for_each(films->second, add);
+    }
+}
+
+void FileGroups::regroup_touched() {
+    GroupList::Changes changes;
+    for (const std::string& path : touched_)
+        if (!changes.contains(path)) regroup(connected(path), changes);
     groups_.apply(changes);
     touched_.clear();
 }

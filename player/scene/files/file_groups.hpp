@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -38,16 +39,19 @@ class FileGroups {
     void link(const std::string& a, const std::string& b);
     void join_live_pairs(const RecordList::Record& record);
     std::set<std::string> connected(const std::string& path) const;
-    FileGroup group_of(const std::set<std::string>& paths) const;
-    void regroup();
+    bool is_near(const RecordList::Record& best, const RecordList::Record& photo);
+    std::vector<FileGroup> groups_among(std::vector<RecordList::Record> photos);
+    void regroup(const std::set<std::string>& paths, GroupList::Changes& changes);
+    void regroup_touched();
 
     RecordList files_;
     std::vector<Known> photos_;
-    std::unordered_map<std::string, std::size_t> place_;    // of a photo in photos_, by its path
-    std::map<std::string, std::set<std::string>> near_;     // path -> paths of its near-copies
-    std::map<std::string, std::set<std::string>> live_;     // photo -> films, and film -> photos
-    std::map<std::string, std::set<std::string>> by_name_;  // names that Live Photos share -> paths
-    std::set<std::string> touched_;                         // paths whose groups may be others now
+    std::unordered_map<std::string, std::size_t> place_;            // of a photo in photos_, by its path
+    std::map<std::string, std::set<std::string>> near_;             // path -> paths of its near-copies
+    std::map<std::pair<std::string, std::string>, bool> compared_;  // are they near-copies; beside near_
+    std::map<std::string, std::set<std::string>> live_;             // photo -> films, and film -> photos
+    std::map<std::string, std::set<std::string>> by_name_;          // names that Live Photos share -> paths
+    std::set<std::string> touched_;                                 // paths whose groups may be others now
     GroupList groups_;
 };
 

@@ -1,5 +1,7 @@
 #include "player/scene/files/shot_rotation.hpp"
 
+#include "base/calendar/dates.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -15,13 +17,6 @@ int shots_of(const RecordList::Record& record) {
 std::int64_t taken_ns(const MediaRecord& record) {
     if (!record.origin.taken) return record.mtime_ns;
     return std::chrono::nanoseconds(record.origin.taken->at.time_since_epoch()).count();
-}
-
-/// The day on which a camera took it, there. A file's own time says nothing about the day.
-std::optional<std::chrono::local_days> day_taken(const MediaRecord& record) {
-    const auto& taken = record.origin.taken;
-    if (!taken || taken->source == TimeSource::file) return std::nullopt;
-    return std::chrono::floor<std::chrono::days>(taken->local());
 }
 
 int repeat_of(const ShowHints::Entry& said) {
@@ -45,7 +40,7 @@ void ShotRotation::set_files(const RecordList& files, const ShowHints& hints) {
         const int repeat = repeat_of(hints.find(path));
         files_[path] = {.mtime_ns = now->mtime_ns,
                         .taken_ns = taken_ns(*now),
-                        .day = day_taken(*now),
+                        .day = now->origin.day_of_camera(),
                         .shots = shots_of(now),
                         .repeat = repeat};
         for (int shot = shots_of(before); shot < shots_of(now); ++shot) {
@@ -161,16 +156,11 @@ std::vector<ShotKey> ShotRotation::ordered(std::vector<ShotKey> keys) {
     return keys;
 }
 
-/// True for a shot that was taken on this day in another year. In years without a 29 February the 28th stands
-/// for it, too.
+/// True for a shot that was taken on this day in another year.
 bool ShotRotation::is_anniversary(const ShotKey& key) const {
     const auto file = files_.find(key.path);
     if (!hints_.today || file == files_.end() || !file->second.day) return false;
-    const std::chrono::year_month_day today(*hints_.today), taken(*file->second.day);
-    if (today.year() == taken.year() || today.month() != taken.month()) return false;
-    constexpr std::chrono::day leap{29}, last{28};
-    const bool is_leap_day = taken.month() == std::chrono::February && taken.day() == leap;
-    return today.day() == (is_leap_day && !today.year().is_leap() ? last : taken.day());
+    return vitrine::is_anniversary(*file->second.day, *hints_.today);
 }
 
 /// Each file keeps the places that it drew, but fills them in time order.

@@ -51,6 +51,7 @@ constexpr const char* reader = R"(
     odd) echo "an answer that nobody expects"; exit 0 ;;
     killed) [ -e "$0.gate" ] || kill -KILL $$; state=ready ;;
     half) state=waiting ;;
+    says) state=ready; fault=',"caption":"'$name'"' ;;
     cut) state=waiting; [ -z "$as_it_is" ] || state=ready ;;
     *) state=ready ;;
     esac
@@ -789,6 +790,27 @@ TEST_CASE("names of folders are set as pictures, also for folders that come late
     CHECK(house.comes_true([&] { return set() == "Rome;Trips;"; }));
     house.drop("Oslo/a.jpg");
     CHECK(house.comes_true([&] { return set() == "Rome;Trips;Oslo;"; }));
+}
+
+TEST_CASE("captions that photos have themselves are set as pictures, where no text lies beside them") {
+    House house;
+    const fs::path setter =
+        house.home.write("set.sh", "for text; do printf '%s;' \"$text\" >> \"$0.log\"; done\n");
+    const auto set = [&] {
+        std::ifstream log(setter.string() + ".log");
+        return std::string(std::istreambuf_iterator<char>(log), {});
+    };
+    house.drop("a.jpg", "says Lake\n");
+    WatchOptions options = house.options();
+    options.captions = CaptionChoice::written;
+    options.words_child = {"/bin/sh", setter.string()};
+    house.daemon = std::make_unique<Daemon>(house.loop, options);
+    CHECK(house.comes_true([&] {
+        return set() == "\x02"
+                        "1Lake;\x02"
+                        "2Lake;\x02"
+                        "3Lake;";
+    }));
 }
 
 TEST_CASE("a run that ends by itself sets the names of folders before") {

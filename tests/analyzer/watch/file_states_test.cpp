@@ -94,3 +94,14 @@ TEST_CASE("a deleted file, and one that only an earlier run has seen, are not li
     way.schedule.lose_file("a", way.clock);
     CHECK(way.now().path.empty());
 }
+
+TEST_CASE("the caption of a photo is known until the file is forgotten") {
+    FileStates states;
+    MediaRecord record{.path = "a.jpg", .state = MediaState::ready};
+    record.origin.caption = "Lake";
+    states.note_record(record);
+    CHECK(states.caption("a.jpg").text == "Lake");
+    CHECK(!states.caption("a.jpg").day);
+    states.forget_file("a.jpg");
+    CHECK(states.caption("a.jpg").text.empty());
+}

@@ -24,9 +24,17 @@ TEST_CASE("a caption is one line of UTF-8") {
 }
 
 TEST_CASE("where nothing is written, the name may be the caption") {
-    CHECK(caption_of("Oma", "a/01_See.jpg", true) == "Oma");
-    CHECK(caption_of("", "a/20s 01_Am_See.jpg", true) == "Am See");
-    CHECK(caption_of("", "a/01_See.jpg", false).empty());
+    CHECK(caption_of({.written = "Oma", .own = "Opa", .path = "a/01_See.jpg"}) == "Oma");
+    CHECK(caption_of({.written = "", .own = "Opa", .path = "a/01_See.jpg"}) == "Opa");
+    CHECK(caption_of({.written = "", .own = std::string(501, 'x'), .path = ""}).empty());
+    CHECK(caption_of({.written = "", .own = "", .path = "a/20s 01_Am_See.jpg"}) == "Am See");
+    CHECK(caption_of({}).empty());
+}
+
+TEST_CASE("the year stands before a caption, or alone") {
+    const std::chrono::local_days day{std::chrono::year(2019) / 5 / 1};
+    CHECK(caption_of({.written = "", .own = "Lake", .path = "", .day = day}) == "2019 · Lake");
+    CHECK(caption_of({.written = "", .own = "", .path = "", .day = day}) == "2019");
 }
 
 TEST_CASE("captions of files reach the player with the hints of folders") {

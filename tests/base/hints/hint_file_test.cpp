@@ -23,7 +23,7 @@ TEST_CASE("a fault names file, line and what is allowed, and what is right count
         all += fault + "\n";
     CHECK(all.find("summer/.vitrine.toml:2: there is no key 'huors'; there are period, weekdays, hours, "
                    "seconds, repeat, "
-                   "sound, caption\n") != std::string::npos);
+                   "sound, caption, qr\n") != std::string::npos);
     CHECK(
         all.find(
             "summer/.vitrine.toml:3: the value of 'hours' is not allowed; it must be times like \"08-18\"") !=

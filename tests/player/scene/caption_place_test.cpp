@@ -80,6 +80,25 @@ TEST_CASE("captions lie inside their cells, over no region, and can be read") {
     CHECK(placed > 60);
 }
 
+TEST_CASE("a caption keeps its place while nothing of another shot is drawn there and its cell goes on") {
+    const auto cell = [](Vec2 from, Vec2 to) {
+        return std::make_shared<const Cell>(Cell{.parts = {to_polygon({from, to})}});
+    };
+    CaptionRoom room{.source = 1,
+                     .cell = cell({0, 0}, {400, 300}),
+                     .next = cell({0, 0}, {400, 250}),
+                     .region = to_polygon({{10, 10}, {390, 100}})};
+    const Box caption{{100, 150}, {200, 200}};
+    CHECK(keeps_place(caption, room, {}));
+    CHECK(!keeps_place({{100, 210}, {200, 260}}, room, {}));
+    CHECK(!keeps_place({{100, 80}, {200, 130}}, room, {}));
+    std::vector<DrawItem> items{{.source = 1, .cell = room.cell},
+                                {.source = 2, .cell = cell({400, 0}, {800, 300})}};
+    CHECK(keeps_place(caption, room, items));
+    items[1].cell = cell({150, 0}, {800, 300});
+    CHECK(!keeps_place(caption, room, items));
+}
+
 TEST_CASE("there is no room in a cell that its region fills, nor for a photo that drifts over all of it") {
     Cell cell{.parts = {to_polygon({{0, 0}, {400, 300}})}};
     CaptionRoom room{.cell = std::make_shared<const Cell>(cell),

@@ -282,6 +282,26 @@ TEST_CASE("a change of turn keeps the others playing and starts the new one in t
     }
 }
 
+TEST_CASE(
+    "a shot that stays where it is has room for its caption all the time, the others while the wall stands") {
+    House house = ::house({photo("a"), photo("b"), photo("c"), photo("d")});
+    while (house.wall.shown().size() < 3)
+        house.step();
+    int changing = 0;
+    while (shown_paths(house).front() == "a") {
+        const WallStep step = house.step();
+        if (shown_paths(house).front() != "a") break;
+        std::set<std::string> paths;
+        for (const CaptionRoom& room : step.frame.captions)
+            paths.insert(room.path);
+        CHECK(paths.contains("b"));
+        CHECK(paths.contains("c"));
+        CHECK(paths.contains("a") != house.wall.is_changing());
+        if (house.wall.is_changing()) ++changing;
+    }
+    CHECK(changing > 3);
+}
+
 TEST_CASE("the newcomer is given the seat of the shot before it: the middle and the area of its region") {
     House house = ::house({photo("a"), photo("b"), photo("c")}, 2);
     while (house.planned.size() < 2)

@@ -71,12 +71,21 @@ TEST_CASE("a picture that is set later is found then, and is read once") {
 
 TEST_CASE("a file that is no picture of words is passed over") {
     const TemporaryDirectory home;
-    write_png(home.path / "opaque.png", 3, 2, 3);
     write_png(home.path / "high.png", 3, 600, 4);
     home.write("broken.png", "\x89PNG\r\n\x1a\n");
     home.write("empty.png", "");
-    for (const char* name : {"opaque.png", "high.png", "broken.png", "empty.png", "none.png", "."}) {
+    for (const char* name : {"high.png", "broken.png", "empty.png", "none.png", "."}) {
         CAPTURE(name);
         CHECK(load_word(home.path / name) == nullptr);
     }
+}
+
+TEST_CASE("a picture without opacity covers what is under it") {
+    const TemporaryDirectory home;
+    write_png(home.path / "opaque.png", 3, 2, 3);
+    const auto picture = load_word(home.path / "opaque.png");
+    REQUIRE(picture != nullptr);
+    REQUIRE(picture->rgba.size() == 3 * 2 * 4);
+    for (std::size_t byte = 3; byte < picture->rgba.size(); byte += 4)
+        CHECK(picture->rgba[byte] == std::byte{255});
 }

@@ -213,6 +213,31 @@ TEST_CASE("a camera that wrote no zone may be whole quarters of an hour off its 
     CHECK_FALSE(are_live_pair(still, taken(film("IMG_1.MOV", 1, 3s), 7min)));
 }
 
+TEST_CASE("pictures that change slowly are no chain: each is near to the best of its group") {
+    const Scene scene(7);
+    std::vector<MediaRecord> records;
+    for (int i = 0; i < 7; ++i)
+        records.push_back(
+            taken(seen("pan" + std::to_string(i) + ".jpg", scene.print({0.06 * i, 0}, 0.6), i == 0 ? 9 : 1),
+                  i * 200ms));
+    FileGroups groups;
+    groups.set_files(records);
+    const auto first = groups.groups().find("pan0.jpg");
+    REQUIRE(first);
+    CHECK(first->group->photos.size() > 1);
+    for (const MediaRecord& record : records) {
+        const auto entry = groups.groups().find(record.path);
+        if (!entry) continue;
+        for (const std::string& photo : entry->group->photos) {
+            const auto& best = *std::ranges::find(records, entry->group->photos.front(), &MediaRecord::path);
+            const auto& member = *std::ranges::find(records, photo, &MediaRecord::path);
+            CHECK(are_near_copies(best, member));
+        }
+    }
+    const auto last = groups.groups().find("pan6.jpg");
+    CHECK((!last || last->group != first->group));
+}
+
 TEST_CASE("groups follow files that come and go") {
     std::vector<MediaRecord> records = folder();
     FileGroups groups;
