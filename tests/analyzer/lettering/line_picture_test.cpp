@@ -17,6 +17,7 @@
 #include <cstring>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 using namespace vitrine;
@@ -163,4 +164,27 @@ TEST_CASE("words are set in a sandbox that reads fonts and writes pictures only"
     const OnWhite words(word_picture(home.path / "state", "Holidays"));
     CHECK(inked_columns(words).size() > 100);
     CHECK(fs::exists(word_picture(home.path / "state", "שלום")));
+}
+
+TEST_CASE("a QR code is black on white, with a quiet zone of four modules") {
+    const TemporaryDirectory home;
+    write_code_picture("https://example.org/lake", home.path / "code.png");
+    const OnWhite code(home.path / "code.png");
+    CHECK(code.width == code.height);
+    CHECK((code.width - 8 - 17) % 4 == 0);  // ISO/IEC 18004: 17 + 4 modules a version
+    for (int at = 0; at < code.width; ++at)
+        for (const int edge : {0, 3, code.width - 4, code.width - 1}) {
+            CHECK(code.grey(at, edge) == 1);
+            CHECK(code.grey(edge, at) == 1);
+        }
+    for (int x = 4; x < 11; ++x)  // the edge of a finder pattern
+        CHECK(code.grey(x, 4) == 0);
+    CHECK(code.grey(5, 5) == 1);
+    CHECK(code.grey(7, 7) == 0);
+}
+
+TEST_CASE("a text too long for a QR code is a fault, not half a code") {
+    const TemporaryDirectory home;
+    CHECK_THROWS_AS(write_code_picture(std::string(3000, 'a'), home.path / "code.png"), std::runtime_error);
+    CHECK(!fs::exists(home.path / "code.png"));
 }

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 
 using namespace vitrine;
@@ -111,4 +112,51 @@ TEST_CASE("there is no room in a cell that its region fills, nor for a photo tha
     shot.shot.item = {.region = room.region, .core = {{0, 0}, canvas}};
     shot.drift = {.from = {0, -80}, .to = {0, 80}};
     CHECK(!caption_place(caption_rooms(std::vector{shot}).front(), forms, canvas));
+}
+
+TEST_CASE("a QR code stands on whole pixels, in its cell, beside region and caption, and can be read") {
+    std::mt19937 chance(4);
+    const Box caption{{0, 600}, {1280, 640}};
+    int placed = 0;
+    for (int wall = 0; wall < 20; ++wall) {
+        const RandomWall random(chance);
+        const std::vector<Cell> all = cells(random.items, random.layout);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const CaptionRoom room{.cell = std::make_shared<const Cell>(all[i]),
+                                   .region = random.items[i].region};
+            const int modules = 29 + 4 * static_cast<int>(chance() % 3);
+            const auto box = code_place(room, modules, canvas, caption);
+            if (!box) continue;
+            ++placed;
+            const double module = box->width() / modules;
+            CHECK(box->width() == box->height());
+            CHECK(module == std::floor(module));
+            CHECK(module >= min_code_module);
+            CHECK(box->height() >= min_code_side * canvas.y);
+            CHECK(box->min.x == std::floor(box->min.x));
+            CHECK(box->min.y == std::floor(box->min.y));
+            CHECK((box->max.y <= caption.min.y || box->min.y >= caption.max.y));
+            for (const LayoutItem& item : random.items)
+                CHECK(!covers(item.region, *box));
+        }
+    }
+    MESSAGE(placed << " of 240 codes have room");
+    CHECK(placed > 20);
+}
+
+TEST_CASE("a QR code that is too small to be read is left out") {
+    const CaptionRoom room{
+        .cell = std::make_shared<const Cell>(Cell{.parts = {to_polygon({{0, 0}, {100, 100}})}})};
+    CHECK(code_place(room, 29, canvas));
+    CHECK(!code_place(room, 37, canvas));
+}
+
+TEST_CASE("the wall's QR code on the idle picture lies on the canvas") {
+    for (const int modules : {29, 45, 73}) {
+        const Box box = idle_code_place(modules, canvas);
+        CHECK(box.width() >= min_code_module * modules);
+        CHECK(box.max.x <= canvas.x);
+        CHECK(box.max.y <= canvas.y);
+        CHECK(box.min.y >= 0);
+    }
 }
