@@ -4,8 +4,8 @@
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
-using namespace vitrine;
 using namespace vitrine;
 
 namespace {
@@ -16,9 +16,9 @@ constexpr const char* former = "0123456789abcdef";
 void leave_film(const TemporaryDirectory& state, const std::string& path) {
     Catalogue(state.path / "catalogue").store({.path = path, .state = MediaState::ready});
     std::filesystem::rename(state.path / "catalogue" / (record_id(path) + ".json"),
-                            state.path / "catalogue" / (std::string(former) + ".json"));
-    state.write(std::string("tapestry/") + former + "/index.json", "tiles");
-    state.write(std::string("thumbnails/") + former + "/thumbnail.jpg", "picture");
+                            state.path / "catalogue" / fmt::format("{}.json", former));
+    state.write(fmt::format("tapestry/{}/index.json", former), "tiles");
+    state.write(fmt::format("thumbnails/{}/thumbnail.jpg", former), "picture");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ TEST_CASE("a record that has its name of today wins over one of version 0.1") {
 
 TEST_CASE("a record of version 0.1 that cannot be read stays where it is") {
     const TemporaryDirectory state;
-    const auto damaged = state.write(std::string("catalogue/") + former + ".json", "{ not json");
+    const auto damaged = state.write(fmt::format("catalogue/{}.json", former), "{ not json");
     rename_former(state.path);
     CHECK(std::filesystem::exists(damaged));
 }
