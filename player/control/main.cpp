@@ -102,6 +102,16 @@ void print_outputs(const Json& outputs) {
     }
 }
 
+void print_wall(const Json& wall) {
+    print(fmt::format("boxes     '{}', here is '{}'; {}", wall.value("name", ""), wall.value("this", ""),
+                      wall.value("link", "")));
+    for (const Json& box : wall.at("boxes")) {
+        print(fmt::format("  {:<8} {}", box.value("name", ""), box.value("says", "")));
+        for (const Json& path : box.at("lacks"))
+            print(fmt::format("          lacks {}", path.get<std::string>()));
+    }
+}
+
 void print_status(const Json& status) {
     print(fmt::format("state     {}{}", status.value("state", ""),
                       status.value("paused", false) ? ", paused" : ""));
@@ -117,6 +127,7 @@ void print_status(const Json& status) {
     for (const auto& [key, word] : {std::pair("pinned", "pinned"), std::pair("removed", "removed")})
         for (const Json& file : status.at(key))
             print(fmt::format("{:<9} {}", word, file.get<std::string>()));
+    if (status.contains("wall")) print_wall(status.at("wall"));
     print(fmt::format("wall      {} items of {} files", status.at("cells").size(), status.value("files", 0)));
     print_cells(status);
 }
