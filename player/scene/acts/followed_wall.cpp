@@ -78,13 +78,19 @@ bool FollowedWall::is_next(const WallAct& act) const {
     return !act.change || leaders_time(act, now_ + epoch_) <= act.change->began + begins_late;
 }
 
-/// Shows the act that waits, if its time has come.
+/// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
 void FollowedWall::take_waiting() {
     if (!waiting_) return;
     if (!sources_.are_there(*waiting_) && now_ - waiting_since_ < patience) return;
-    if (!is_next(*waiting_)) {
+    if (!is_next(*waiting_) && shown_) {
+        std::optional<WallChange>& change = waiting_->change;
+        if (change && leaders_time(*waiting_, now_ + epoch_) < change->began) return;
+        if (change && change->phase == WallChange::Phase::arriving) {
+            waiting_->shown = std::move(change->wall);  // it need not come out of nothing
+            change.reset();
+        }
         before_ = std::exchange(last_, {});
-        if (!before_.empty()) fades_since_ = now_;
+        fades_since_ = now_;
     }
     shown_ = std::exchange(waiting_, std::nullopt);
 }

@@ -105,6 +105,7 @@ class SharedHouse {
         start_leader();
         for (int i = 0; i < options_.followers; ++i) {
             boxes.push_back(box("f" + std::to_string(i)));
+            if (options_.is_disciplined) ask_for_time(boxes.back());
             start_follower(boxes.size() - 1);
         }
     }
@@ -195,7 +196,7 @@ class SharedHouse {
         if (box.talk) box.talk->say_again();
         const std::size_t i = static_cast<std::size_t>(&box - boxes.data());
         for (const auto& [topic, message] : kept_)
-            send(i, message);
+            if (i != 0 || !is_of_leader(message.topic.kind)) send(i, message);
     }
 
     Ns way() { return std::chrono::microseconds(std::uniform_int_distribution(15'000, 25'000)(random_)); }
@@ -244,11 +245,14 @@ class SharedHouse {
                 cut(i);
             else if (!boxes[i].is_linked && options_.cuts > 0)
                 heal(i);
-            if (!boxes[i].is_linked) continue;
-            const Ns there = way();
-            const Ns back = way();
-            boxes[i].clock.take_answer(truth, there, back, boxes[0].clock.read(truth - back).real);
+            if (boxes[i].is_linked && options_.is_disciplined) ask_for_time(boxes[i]);
         }
+    }
+
+    void ask_for_time(TestBox& box) {
+        const Ns there = way();
+        const Ns back = way();
+        box.clock.take_answer(truth, there, back, boxes[0].clock.read(truth - back).real);
     }
 
     bool is_leader_changing() {

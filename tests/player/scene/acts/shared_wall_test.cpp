@@ -97,10 +97,14 @@ TEST_CASE("a box that has not got a shot shows the last act, says so, and comes 
     house.run(6s);
     TestBox& box = house.boxes[1];
     box.missing = {"e", "d"};
-    house.run(8s);
+    bool has_said = false;
+    for (int second = 0; second < 8; ++second) {
+        house.run(1s);
+        REQUIRE(box.talk->told());
+        has_said |= !box.talk->told()->lacking.empty();
+    }
+    CHECK(has_said);
     CHECK(box.gaps == 0);
-    REQUIRE(box.talk->told());
-    CHECK_FALSE(box.talk->told()->lacking.empty());
     CHECK(share_in_step(house.boxes[0], house.boxes[2], house.truth - 5s) >= 0.99);
     box.missing.clear();
     house.run(10s);
