@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+
 namespace vitrine {
 
 using Json = nlohmann::ordered_json;
@@ -57,6 +59,15 @@ WallMessage wall_message(std::string_view line) {
 
 std::string checked_payload(std::string_view text) {
     return checked_object(text).dump();
+}
+
+std::optional<int> payload_version(std::string_view payload) {
+    const Json json = checked_object(payload);
+    const auto version = json.find("version");
+    constexpr std::uint64_t most = 1'000'000;
+    if (version == json.end() || !version->is_number_unsigned() || version->get<std::uint64_t>() > most)
+        return std::nullopt;
+    return version->get<int>();
 }
 
 std::string link_payload(bool is_connected, std::string_view says) {

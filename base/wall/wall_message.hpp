@@ -2,6 +2,7 @@
 
 #include "base/wall/wall_topic.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,15 +29,19 @@ WallMessage wall_message(std::string_view line);
 /// @throws BrokenLine with a sentence
 std::string checked_payload(std::string_view text);
 
+/// The "version" of a payload. None: it has none, or none that is a small whole number. @throws BrokenLine
+std::optional<int> payload_version(std::string_view payload);
+
 /// The payload of a message of the kind `link`: the state of the connection.
 std::string link_payload(bool is_connected, std::string_view says);
 
-/// The state that such a payload tells. @throws BrokenLine
+/// The state of the connection to the other boxes.
 struct LinkState {
     bool is_connected = false;
     std::string says;  // a sentence for the operator
 };
 
+/// The state that a payload of the kind `link` tells. @throws BrokenLine
 LinkState link_state(std::string_view payload);
 
 }  // namespace vitrine

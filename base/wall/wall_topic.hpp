@@ -11,7 +11,7 @@ struct WallTopic {
     enum class Kind {
         act,      // of the leader, kept for boxes that come later: which shots are where, from when on
         prepare,  // of the leader, kept: the files that the next act needs
-        ready,    // of a follower: it has all files of a `prepare`
+        ready,    // of a follower, kept: it has all files of a `prepare`
         touch,    // of a follower: a visitor's hand on it
         box,      // of each box about itself, kept; `gone` is added where it is gone
         link,     // of vitrine-link to its player: the state of the connection; it never travels
