@@ -15,6 +15,11 @@ class FrameClock {
     /// The time at which the next frame is due.
     std::chrono::nanoseconds due() const { return due_of(index_); }
 
+    /// The time at which the frame of this moment was due.
+    std::chrono::nanoseconds last_due(std::chrono::nanoseconds now) const {
+        return due_of(index_after(now) - 1);
+    }
+
     /// Call when the next frame has been shown. Frames whose time is over are left out and count as late.
     void advance(std::chrono::nanoseconds now);
 

@@ -24,6 +24,7 @@
 #include "player/stage/stage_settings.hpp"
 #include "player/stage/stages.hpp"
 #include "player/stage/wall_picture.hpp"
+#include "player/wall_link/wall_link.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       options_(options),
       signals_(watch_signals()),
       clock_(settings.output.frame_rate),
+      wall_(loop_, settings_),
       tick_(loop_.timer([this] { tick(); })) {
     make_display();
     const std::filesystem::path state = settings.state.directory;
@@ -79,7 +81,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
         ShowDays{.holidays = *dates_named(settings.show.holidays), .on_this_day = settings.show.on_this_day},
         rehearsal, [this] { give_files(); });
     make_sources();
-    stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures());
+    stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures(), wall_.others());
     if (!is_paced_by_pictures() && !settings.output.sound.empty())
         sound_ = std::make_unique<WallSound>(media_places(settings), alsa_sink(settings.output.sound));
     if (!settings.status.folder.empty() && !options.rehearsal)
@@ -153,6 +155,7 @@ PlayerView Player::view() const {
             .stages = *stages_,
             .sources = *sources_,
             .clock = clock_,
+            .wall = wall_,
             .is_rehearsed = options_.rehearsal.has_value()};
 }
 
@@ -171,7 +174,7 @@ void Player::begin_stages() {
 }
 
 void Player::run() {
-    start_ = EventLoop::Clock::now();
+    wall_.begin();
     tick_.arm(0s);
     service::ready("starting");
     loop_.run();
@@ -180,11 +183,12 @@ void Player::run() {
 
 /// True: time waits for the pictures; false: pictures that are late are skipped.
 bool Player::is_paced_by_pictures() const {
-    return display_->traits().can_wait_for_pictures && !options_.is_realtime;
+    return display_->traits().can_wait_for_pictures && !options_.is_realtime &&
+           settings_.wall.role == WallRole::alone;
 }
 
 std::chrono::nanoseconds Player::now() const {
-    return is_paced_by_pictures() ? clock_.due() : EventLoop::Clock::now() - start_;
+    return is_paced_by_pictures() ? clock_.due() : wall_.now();
 }
 
 void Player::give_files() {
@@ -193,6 +197,7 @@ void Player::give_files() {
 
 /// Draws one frame, or waits until one can be drawn.
 void Player::tick() {
+    wall_.follow_clocks(stages_->first().wall());
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
     display_->follow_display(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt, time);
@@ -212,7 +217,10 @@ void Player::tick() {
     handle_input(time);
     look_at_files(time);
     sources_->update();
-    stages_->show(time, display_->renderer(), display_->has_old_picture() && time < old_picture_patience);
+    const std::chrono::nanoseconds frame = wall_.is_shared() ? clock_.last_due(time) : time;
+    wall_.direct(stages_->first(), display_->screens(), frame);
+    stages_->show(frame, display_->renderer(), display_->has_old_picture() && time < old_picture_patience);
+    wall_.speak(stages_->first().wall(), frame);
     play_sound(time);
     take_wall_picture(time);
     if (is_paced_by_pictures())
@@ -235,7 +243,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
     }
     if (input_devices_->has_input()) display_->wake(time);
     input_devices_->deliver_input(
-        display_->screens(), start_,
+        display_->screens(), wall_.start(),
         [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, event); });
 }
 
@@ -247,7 +255,7 @@ void Player::look_at_files(std::chrono::nanoseconds time) {
 /// Updates the sound to the films now on the walls; silent while no wall is shown.
 void Player::play_sound(std::chrono::nanoseconds time) {
     if (!sound_) return;
-    sound_->follow(stages_->audible(), (start_ + time).time_since_epoch());
+    sound_->follow(stages_->audible(), (wall_.start() + time).time_since_epoch());
     for (const SoundEvent& event : sound_->take_events())
         log::write(event.is_trouble ? log::Level::warning : log::Level::info, "sound: " + event.text);
 }

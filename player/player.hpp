@@ -4,6 +4,7 @@
 #include "base/system/event_loop.hpp"
 #include "player/frame_clock.hpp"
 #include "player/input/rehearsal.hpp"
+#include "player/wall_link/wall_link.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -88,7 +89,7 @@ class Player {
     std::unique_ptr<PlayerService> service_;
     std::unique_ptr<InputDevices> input_devices_;
     FrameClock clock_;
-    EventLoop::Clock::time_point start_;
+    WallLink wall_;
     EventLoop::Source tick_;
 };
 

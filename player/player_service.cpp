@@ -13,6 +13,7 @@
 #include "player/scene/show.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stages.hpp"
+#include "player/wall_link/wall_link.hpp"
 
 #include <fmt/format.h>
 
@@ -300,7 +301,10 @@ CommandHandlers PlayerService::handlers() {
                                              : "no guides are drawn any more");
     };
     CommandHandlers handlers{
-        {"Status", [this, text](const Call&) { return text(to_json(report(), analyzer_.word().summary)); }},
+        {"Status",
+         [this, text](const Call&) {
+             return text(to_json(report(), analyzer_.word().summary, view_.wall.report()));
+         }},
         {"Why", why},
         {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = take_screenshots()}; }},
         {"Next", [this](const Call&) { return next(); }},

@@ -35,6 +35,7 @@ class DisplaySession;
 class FrameClock;
 class SourcePool;
 class VisibleFiles;
+class WallLink;
 
 /// The parts of a player that the service reads. Each outlives the service.
 struct PlayerView {
@@ -44,6 +45,7 @@ struct PlayerView {
     const Stages& stages;
     const SourcePool& sources;
     const FrameClock& clock;
+    const WallLink& wall;
     bool is_rehearsed = false;  // what is shown is no play that counts
 };
 

@@ -3,7 +3,7 @@
 
     architecture.py [ROOT [BUILD]]
 
-Reads the #include lines of base, analyzer and player and, where BUILD holds compile_commands.json, their classes and
+Reads the #include lines of base, analyzer, player and link and, where BUILD holds compile_commands.json, their classes and
 functions as the compiler sees them (tests/code_model.py). Prints each offence with the rule it breaks and exits 1
 where there is one. Without BUILD the rules on classes and functions are not checked, and the last line says so.
 """
@@ -37,7 +37,7 @@ CLOCK = re.compile(r"\b(steady_clock|system_clock|high_resolution_clock|random_d
 
 
 def sources(root):
-    return sorted(p for top in ("base", "analyzer", "player") for p in (root / top).rglob("*.[ch]pp"))
+    return sorted(p for top in ("base", "analyzer", "player", "link") for p in (root / top).rglob("*.[ch]pp"))
 
 
 def includes(text):
@@ -45,11 +45,11 @@ def includes(text):
 
 
 def is_ours(include):
-    return include.split("/")[0] in ("base", "analyzer", "player", "tests")
+    return include.split("/")[0] in ("base", "analyzer", "player", "link", "tests")
 
 
 def allowed_tops(top):
-    return {"base": {"base"}, "analyzer": {"base", "analyzer"}, "player": {"base", "player"}}[top]
+    return {"base": {"base"}, "analyzer": {"base", "analyzer"}, "player": {"base", "player"}, "link": {"base", "link"}}[top]
 
 
 def check_may_use(name, include):

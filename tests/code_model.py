@@ -25,7 +25,7 @@ from batches import batches  # noqa: E402
 
 UNIT = 4000  # lines of sources that are read as one
 LIBRARY = "/usr/lib/llvm-14/lib/libclang.so.1"
-TOPS = ("base", "analyzer", "player")
+TOPS = ("base", "analyzer", "player", "link")
 CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
 FUNCTIONS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR,
              CursorKind.CONVERSION_FUNCTION, CursorKind.FUNCTION_TEMPLATE)

@@ -32,7 +32,7 @@ sys.path.insert(0, str(TREE / "cmake"))
 sys.dont_write_bytecode = True
 from batches import batches
 
-PROGRAMS = ("base", "analyzer", "player")
+PROGRAMS = ("base", "analyzer", "player", "link")
 BATCH = 2500  # lines
 # The analyzer's paths take longer than all other checks together; a batch includes sources by intention.
 CHECKS = "-clang-analyzer-*,-bugprone-suspicious-include"

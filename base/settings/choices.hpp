@@ -89,4 +89,11 @@ enum class KmsApi {
     legacy,  // the calls that are older than atomic requests, even if the driver has both
 };
 
+/// The part of this box in a wall of several boxes (wall.role).
+enum class WallRole {
+    alone,   // it knows of no other box
+    lead,    // it decides what the whole wall shows
+    follow,  // it draws its part of what the leader decides
+};
+
 }  // namespace vitrine

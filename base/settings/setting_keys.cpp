@@ -5,6 +5,7 @@
 #include "base/media/colour.hpp"
 #include "base/settings/canvas_words.hpp"
 #include "base/settings/output_words.hpp"
+#include "base/wall/wall_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,28 @@ bool is_screen(const std::string& value) {
 
 bool is_device_list(const std::string& value) {
     return value == "auto" || value == "none" || value.starts_with('/');
+}
+
+bool is_wall_name_or_empty(const std::string& value) {
+    return value.empty() || is_wall_name(value);
+}
+
+std::string fault_of_wall_name(const std::string& value) {
+    return wall_name_fault(value);
+}
+
+/// A host name, an address, or nothing.
+bool is_host(const std::string& value) {
+    constexpr std::size_t max_length = 253;
+    constexpr std::string_view inner = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.:%";
+    return value.size() <= max_length && !value.starts_with('-') &&
+           value.find_first_not_of(inner) == std::string::npos;
+}
+
+/// A path of a socket, for which the kernel has little room.
+bool is_socket_path(const std::string& value) {
+    constexpr std::size_t max_length = 107;
+    return value.starts_with('/') && value.size() <= max_length;
 }
 
 constexpr auto keys = std::to_array<SettingKey>({
@@ -432,6 +455,35 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::restart,
      "Device for the sound of films whose hints say `sound`: \"default\" or another device of ALSA, which "
      "`aplay -L` lists, such as \"hdmi:CARD=PCH,DEV=0\". Empty: the wall is always silent."},
+    {"wall.role",
+     choice<&S::wall, &S::Wall::role>(
+         {{{"alone", WallRole::alone}, {"lead", WallRole::lead}, {"follow", WallRole::follow}}}),
+     SettingEffect::restart,
+     "Several boxes can show one wall. \"alone\": this box knows of no other. \"lead\": this box has the "
+     "media folder and decides what all show. \"follow\": it draws its part of what the leader decides. "
+     "`vitrinectl wall lead` and `vitrinectl wall join` write this section."},
+    {"wall.name",
+     text<&S::wall, &S::Wall::name>("letters, digits, '-', '_' and '.', or nothing", is_wall_name_or_empty,
+                                    fault_of_wall_name),
+     SettingEffect::restart,
+     "Name of the wall, the same on all its boxes. It has letters, digits, '-', '_' and '.', a letter or "
+     "digit "
+     "first, and at most 63 of them."},
+    {"wall.box",
+     text<&S::wall, &S::Wall::box>("letters, digits, '-', '_' and '.', or nothing", is_wall_name_or_empty,
+                                   fault_of_wall_name),
+     SettingEffect::restart,
+     "Name of this box, which no other box of the wall has. output.canvas of the leader names it. Empty: the "
+     "name of the host."},
+    {"wall.leader", text<&S::wall, &S::Wall::leader>("a host name, an address, or nothing", is_host),
+     SettingEffect::restart, "Host name or address of the leader. Only a follower needs it."},
+    {"wall.key", text<&S::wall, &S::Wall::key>("a path", is_not_empty), SettingEffect::restart,
+     "File with the key of the wall, the same on all its boxes. Whoever has it can show pictures on the "
+     "wall."},
+    {"wall.socket",
+     text<&S::wall, &S::Wall::socket>("a path of at most 107 bytes, from the root", is_socket_path),
+     SettingEffect::restart,
+     "Socket at which vitrine-link, which speaks to the other boxes, waits for the player."},
 });
 
 }  // namespace

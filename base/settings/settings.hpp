@@ -120,6 +120,15 @@ struct Settings {
         KmsApi api = KmsApi::best;
         std::string sound = "default";  // a device of ALSA; empty: silent
     } output;
+
+    struct Wall {
+        WallRole role = WallRole::alone;
+        std::string name;    // of the wall, is_wall_name()
+        std::string box;     // of this box, is_wall_name(); empty: the host's name
+        std::string leader;  // host name or address; a follower's
+        std::string key = "/etc/vitrine/wall.key";
+        std::string socket = "/run/vitrine-link/link.sock";
+    } wall;
 };
 
 }  // namespace vitrine

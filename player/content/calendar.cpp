@@ -1,5 +1,6 @@
 #include "player/content/calendar.hpp"
 
+#include "base/system/kept_clock.hpp"
 #include "base/system/local_time.hpp"
 
 #include <sys/stat.h>
@@ -14,7 +15,6 @@ using std::chrono::system_clock;
 namespace {
 
 constexpr system_clock::time_point built{std::chrono::seconds(VITRINE_BUILT)};  // set by CMake
-constexpr auto set_by_network = "/run/systemd/timesync/synchronized";
 
 system_clock::time_point changed_at(const fs::path& file) {
     struct stat status {};
@@ -38,8 +38,7 @@ Calendar::Calendar(const fs::path& catalogue) : earliest_(built) {
 
 std::optional<std::chrono::local_seconds> Calendar::now() const {
     const system_clock::time_point now = system_clock::now();
-    std::error_code missing;
-    if (now < earliest_.time() && !fs::exists(set_by_network, missing)) return std::nullopt;
+    if (now < earliest_.time() && !is_clock_kept_right()) return std::nullopt;
     return local_time(now);
 }
 

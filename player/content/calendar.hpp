@@ -29,7 +29,7 @@ class Calendar {
     /// of a wrong clock
     explicit Calendar(const std::filesystem::path& catalogue);
 
-    /// None: the clock is not plausible yet. A clock that systemd-timesyncd has set is plausible.
+    /// None: the clock is not plausible yet. A clock that is kept right is plausible.
     std::optional<std::chrono::local_seconds> now() const;
 
   private:

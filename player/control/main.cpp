@@ -1,3 +1,4 @@
+#include "base/system/error.hpp"
 #include "player/control/commands.hpp"
 #include "player/control/control_client.hpp"
 #include "player/display/picture.hpp"
@@ -14,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -102,6 +104,16 @@ void print_outputs(const Json& outputs) {
     }
 }
 
+void print_wall(const Json& wall) {
+    print(fmt::format("boxes     '{}', here is '{}'; {}", wall.value("name", ""), wall.value("this", ""),
+                      wall.value("link", "")));
+    for (const Json& box : wall.at("boxes")) {
+        print(fmt::format("  {:<8} {}", box.value("name", ""), box.value("says", "")));
+        for (const Json& path : box.at("lacks"))
+            print(fmt::format("          lacks {}", path.get<std::string>()));
+    }
+}
+
 void print_status(const Json& status) {
     print(fmt::format("state     {}{}", status.value("state", ""),
                       status.value("paused", false) ? ", paused" : ""));
@@ -117,6 +129,7 @@ void print_status(const Json& status) {
     for (const auto& [key, word] : {std::pair("pinned", "pinned"), std::pair("removed", "removed")})
         for (const Json& file : status.at(key))
             print(fmt::format("{:<9} {}", word, file.get<std::string>()));
+    if (status.contains("wall")) print_wall(status.at("wall"));
     print(fmt::format("wall      {} items of {} files", status.at("cells").size(), status.value("files", 0)));
     print_cells(status);
 }
@@ -269,6 +282,7 @@ std::string footer() {
     return fmt::format(
         "FILE is a path on this machine, a path in the media folder, or the share's path on another "
         "machine.\n"
+        "`vitrinectl wall --help` tells how several boxes show one wall.\n"
         "Anyone may ask; {} are for members of the group vitrine-admin.\n"
         "\n"
         "Exit status: 0 done; 1 failed; 2 there is no such file in the media folder; 3 not allowed; 4 the "
@@ -308,7 +322,15 @@ void add_commands(CLI::App& app, Words& words) {
     }
 }
 
+/// `vitrinectl wall` changes this machine and not what a player shows: a script of another package does it.
+[[noreturn]] void run_wall(char** words) {
+    ::execv(VITRINE_WALL_COMMAND, words);
+    if (errno == ENOENT) throw std::runtime_error("walls of several boxes need the package vitrine-wall");
+    throw_errno("run '{}'", VITRINE_WALL_COMMAND);
+}
+
 int run(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "wall") run_wall(argv + 1);
     CLI::App app("Asks the running player of Vitrine, or changes what it shows.", "vitrinectl");
     app.require_subcommand(0, 1)->fallthrough()->footer(footer());
     Words words;

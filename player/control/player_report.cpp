@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::player {
 
@@ -76,6 +77,21 @@ std::string mode_of(const ScreenReport& screen) {
     return fmt::format("{} {}x{}{}", screen.name, screen.width, screen.height, rate);
 }
 
+Json wall_json(const WallReport& wall) {
+    const auto leader = std::ranges::find_if(wall.boxes, &WallReport::Box::leads);
+    Json boxes = Json::array();
+    for (const WallReport::Box& box : wall.boxes)
+        boxes.push_back({{"name", box.name},
+                         {"leads", box.leads},
+                         {"gone", box.is_gone},
+                         {"act", box.generation},
+                         {"right_clock", box.has_right_clock},
+                         {"microseconds_off", box.difference.count()},
+                         {"lacks", box.lacking},
+                         {"says", in_words(box, leader == wall.boxes.end() ? nullptr : &*leader)}});
+    return {{"name", wall.name}, {"this", wall.own}, {"link", wall.link}, {"boxes", std::move(boxes)}};
+}
+
 }  // namespace
 
 std::string one_line(const PlayerReport& report) {
@@ -95,7 +111,24 @@ std::string one_line(const PlayerReport& report) {
         report.pictures, report.late);
 }
 
-std::string to_json(const PlayerReport& report, const std::string& analyzer) {
+std::string in_words(const WallReport::Box& box, const WallReport::Box* leader) {
+    if (box.is_gone)
+        return box.leads ? "leads, and is gone: the others go on with what they show" : "is gone";
+    std::string words = box.leads ? "leads" : "follows";
+    if (!box.leads && leader == nullptr) return words + ", without a leader so far";
+    if (!box.leads) {
+        const bool is_in_step = box.run == leader->run && box.generation == leader->generation;
+        words += is_in_step ? ", in step" : ", not in step so far";
+    }
+    if (!box.has_right_clock) return words + ", by its own clock: nobody keeps the system's right";
+    words +=
+        fmt::format(", its time {:.1f} ms off", std::abs(static_cast<double>(box.difference.count())) / 1000);
+    if (!box.lacking.empty()) words += fmt::format("; it lacks {} of the files", box.lacking.size());
+    return words;
+}
+
+std::string to_json(const PlayerReport& report, const std::string& analyzer,
+                    const std::optional<WallReport>& wall) {
     Json json{{"state", name_of(report.state)},
               {"paused", report.is_paused},
               {"display", report.display},
@@ -125,6 +158,7 @@ std::string to_json(const PlayerReport& report, const std::string& analyzer) {
                            {"pictures", source.tier},
                            {"stored", source.is_stored},
                            {"late", source.late}});
+    if (wall) json["wall"] = wall_json(*wall);
     json["outputs"] = std::move(outputs);
     json["cells"] = std::move(cells);
     json["sources"] = std::move(sources);

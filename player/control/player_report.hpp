@@ -34,6 +34,29 @@ struct SourceReport {
     std::uint64_t late = 0;  // late pictures so far
 };
 
+/// A wall of several boxes, as this box knows it.
+struct WallReport {
+    struct Box {
+        std::string name;
+        bool leads = false;
+        bool is_gone = false;
+        std::int64_t run = 0;  // of the leader, and the number of its act that is shown; 0: none yet
+        std::uint64_t generation = 0;
+        bool has_right_clock = false;
+        std::chrono::microseconds difference{0};  // of its time from its system's clock
+        std::vector<std::string> lacking = {};    // paths of shots that it has not got
+    };
+
+    std::string name;
+    std::string own;   // the name of this box
+    std::string link;  // what vitrine-link says
+    std::vector<Box> boxes;
+};
+
+/// What a box of a wall does, in words: "follows, in step, its clock 40 us off".
+/// @param leader  what the leader shows; nullptr: no leader is known
+std::string in_words(const WallReport::Box& box, const WallReport::Box* leader);
+
 /// The facts about the player at one moment, for reports.
 struct PlayerReport {
     ShowState state = ShowState::no_panel;
@@ -74,7 +97,9 @@ std::string one_line(const PlayerReport& report);
 
 /// For programs, with the analyzer's own word where it has left one.
 /// @param analyzer  AnalyzerWord::summary
-std::string to_json(const PlayerReport& report, const std::string& analyzer);
+/// @param wall      none: the wall is this box's alone
+std::string to_json(const PlayerReport& report, const std::string& analyzer,
+                    const std::optional<WallReport>& wall = {});
 
 /// For programs, with a sentence for people and the analyzer's own word where it has left one.
 /// @param analyzer  AnalyzerWord::entry() of the file

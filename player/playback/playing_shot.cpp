@@ -30,7 +30,7 @@ void tell_file(const PoolState& pool, const std::string& path, FileNews news) {
 }  // namespace
 
 PlayingShot::PlayingShot(ShotRequest request, PoolState& pool) : pool_(pool), request_(std::move(request)) {
-    start(true, {});
+    start(true, request_.at);
 }
 
 /// Prefers the copy in the store.

@@ -3,6 +3,7 @@
 #include "base/state/record.hpp"
 #include "player/scene/frame.hpp"
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,7 @@ struct ShotRequest {
     Shot shot;
     int width = 0;  // px of the upright picture: its shown size, but not more than its own
     int height = 0;
+    std::chrono::nanoseconds at{0};  // how long it has been shown elsewhere when it is first seen here
 
     bool operator==(const ShotRequest&) const = default;
 };

@@ -23,6 +23,8 @@
 namespace vitrine::player {
 
 class ChangePace;
+class FollowedWall;
+class LedWall;
 
 /// A request for a layout.
 struct WallPlan {
@@ -91,6 +93,11 @@ class Show {
     /// The pace of the show's changes, for what changes the picture besides. nullptr: the show only moves
     /// slowly.
     virtual ChangePace* pace() { return nullptr; }
+
+    /// The show as one that leads a wall of several boxes, or follows. nullptr: it does not.
+    virtual LedWall* led() { return nullptr; }
+
+    virtual FollowedWall* followed() { return nullptr; }
 
     /// The folder that a visitor looks into; empty: none.
     virtual std::string opened_folder() const { return {}; }

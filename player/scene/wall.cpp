@@ -250,7 +250,8 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     if (!change_ && is_left_alone) slots_.advance(now);
     if (!(change_ && change_->is_fading()) && is_left_alone) step.plan = follow_slots();
     if (change_ && change_->way && !change_->is_fading())
-        begin_way(*change_, shown_, settings_.photos_drift && change_->drifts_after, now);
+        begin_way(*change_, shown_, settings_.photos_drift && change_->drifts_after,
+                  now + settings_.touch_lead);
     if (!step.plan && change_ && change_->phase == Phase::wasteful)
         step.plan = plan_anew(*change_, ++generation_);
     if (change_ && change_->phase == Phase::laid_out) {
@@ -264,7 +265,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     touch_.draw(step.frame);
     if (!Wall::is_touched())
         step.frame.captions =
-            is_changing() ? kept_caption_rooms(shown_, change_->wall) : caption_rooms(shown_);
+            is_in_change(*this) ? kept_caption_rooms(shown_, change_->wall) : caption_rooms(shown_);
     step.retired =
         sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
     return step;
@@ -339,7 +340,8 @@ std::optional<WallPlan> Wall::follow_slots() {
 
 /// Starts the fade when everything is ready and the time has come. Gives up on sources that are too late.
 void Wall::wait_for_sources(std::chrono::nanoseconds now) {
-    const bool can_arrive_singly = shown_.empty() && !settings_.is_calm && !settings_.comes_at_once;
+    const bool can_arrive_singly =
+        shown_.empty() && !settings_.is_calm && !settings_.comes_at_once && settings_.lead.count() == 0;
     if (!is_ready(*change_, sources_, can_arrive_singly)) {
         if (now - *change_->waiting_since >= patience_for(*change_, shown_, sources_, settings_.patience))
             give_up_pending(*change_, sources_, slots_, now);
@@ -351,15 +353,16 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     // on the way, hulls of groups might overlap
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
     const auto due = is_other_canvas ? std::nullopt : slots_.due();
-    if ((due && now < *due - style.duration) || !may_begin(pace_, now)) return;
+    if ((due && now < *due - style.duration - settings_.lead) || !may_begin(pace_, now)) return;
+    const std::chrono::nanoseconds begin = now + settings_.lead;
     if (settings_.photos_drift) give_drifts(change_->wall, shown_, change_->canvas.bands);
     if (is_other_canvas && !shown_.empty())
-        begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, now);
+        begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, begin);
     else
-        begin_transition(*change_, shown_, style, now);
+        begin_transition(*change_, shown_, style, begin);
     if (change_->phase == Phase::arriving) {
-        change_->waiting_since = now;  // the others may come as late after the first
-        return show_arrived(*change_, sources_, slots_, now);
+        change_->waiting_since = begin;  // the others may come as late after the first
+        return show_arrived(*change_, sources_, slots_, begin);
     }
     tell_appeared(*change_, slots_);
 }

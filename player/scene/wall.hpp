@@ -26,7 +26,18 @@ struct WallSettings {
     std::chrono::nanoseconds patience = std::chrono::seconds(10);  // time to wait for a late source
     EditRules touch;                                               // rules by which a finger moves shots
     std::chrono::nanoseconds idle = std::chrono::seconds(30);      // then a tapped shot returns to its place
-    std::chrono::nanoseconds hint{0};  // alone so long, shots show that they can be touched; 0: never
+    std::chrono::nanoseconds hint{0};        // alone so long, shots show that they can be touched; 0: never
+    std::chrono::nanoseconds lead{0};        // time from the decision of a change to its begin, so that other
+                                             // boxes learn of it; the first wall then comes as a whole
+    std::chrono::nanoseconds touch_lead{0};  // the same for changes by touch
+};
+
+/// What a wall draws from. Lent until the wall's next call.
+struct WallParts {
+    std::span<const PlacedShot> shown;        // without the shots that fade in
+    const Canvas& canvas;                     // of `shown`
+    const std::optional<WallChange>& change;  // none: the wall stands
+    const LiftedShots& lifted;
 };
 
 /// The wall on the screen over time. WallEntries decides which shots are shown. The wall requests a layout
@@ -84,8 +95,7 @@ class Wall final : public Show {
     /// True while a visitor touches the wall, and until all is back in its place.
     bool is_touched() const { return touch_.is_active() || (change_ && change_->is_by_touch); }
 
-    /// True while a change of the wall is seen.
-    bool is_changing() const { return change_ && change_->is_fading(); }
+    WallParts parts() const { return {shown_, shown_canvas_, change_, touch_.lifted()}; }
 
     /// The shots on the wall, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }
@@ -111,5 +121,11 @@ class Wall final : public Show {
     ChangePace pace_;
     std::vector<ShotRequest> restored_;  // requests for shots that are in the store since the last step
 };
+
+/// True while a change of the wall is seen.
+inline bool is_in_change(const Wall& wall) {
+    const std::optional<WallChange>& change = wall.parts().change;
+    return change && change->is_fading();
+}
 
 }  // namespace vitrine::player

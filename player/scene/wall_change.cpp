@@ -33,6 +33,7 @@ void let_drift(DrawItem& item, const PlacedShot& before, PlacedShot after, doubl
 
 /// The next moment of a way. A shot in a hand is still seen in the place that it leaves.
 Frame way_frame(const WallChange& change, std::span<const PlacedShot> shown, nanoseconds now) {
+    if (now < change.began) return standing_frame(change.canvas, shown, now);
     const std::vector<WallKey>& keys = change.way->keys;
     const double share = std::clamp(std::chrono::duration<double>(now - change.began) /
                                         std::chrono::duration<double>(change.duration),

@@ -78,6 +78,8 @@ class WallTouch {
     /// Draws the lifted shots above the wall, and dims what waits.
     void draw(Frame& frame) const { lifted_.draw(frame); }
 
+    const LiftedShots& lifted() const { return lifted_; }
+
     /// The needs since the last call.
     TouchNeeds take_needs() { return std::exchange(needs_, {}); }
 

@@ -50,6 +50,11 @@ std::vector<PlacedOutput> placed_outputs(const CanvasWords& words, std::span<con
     return placed;
 }
 
+/// The begin of the names of this box's outputs on a wall of several boxes; empty: there is no such wall.
+std::string own_prefix(const Settings& settings) {
+    return settings.wall.role == WallRole::alone ? "" : box_name(settings) + "/";
+}
+
 double near_whole(double px) {
     return std::abs(px - std::round(px)) < whole_px ? std::round(px) : px;
 }
@@ -105,6 +110,10 @@ void OutputCanvas::read_words() {
     if (text_ == settings_.output.canvas) return;
     text_ = settings_.output.canvas;
     words_ = canvas_named(text_);
+    const std::string own = own_prefix(settings_);
+    if (!own.empty())
+        for (OutputPlace& place : words_.places)
+            if (place.output.starts_with(own)) place.output.erase(0, own.size());
 }
 
 void OutputCanvas::take(SharedCanvas shared) {
@@ -117,18 +126,43 @@ void OutputCanvas::take(SharedCanvas shared) {
         log::warning("output.canvas: {}, with the modes that they have", overlap);
 }
 
+void OutputCanvas::see(const KnownOutput& output, std::chrono::nanoseconds now) {
+    const auto same =
+        std::ranges::find_if(seen_, [&](const Seen& seen) { return seen.output.name == output.name; });
+    if (same == seen_.end())
+        seen_.push_back({.output = output, .last = now});
+    else
+        *same = {.output = output, .last = now};
+}
+
+std::map<std::string, ActPart> OutputCanvas::parts() const {
+    std::map<std::string, ActPart> parts;
+    const std::string own = own_prefix(settings_);
+    for (const auto& [name, part] : now_.parts)
+        parts[name.find('/') == std::string::npos ? own + name : name] = {
+            .box = part.box, .turned = static_cast<int>(part.rotation) * 90};
+    return parts;
+}
+
+void OutputCanvas::show_parts(const WallAct& act) {
+    SharedCanvas shared;
+    const std::string own = own_prefix(settings_);
+    for (const auto& [name, part] : act.parts)
+        if (name.starts_with(own))
+            shared.parts[name.substr(own.size())] = {.box = part.box, .rotation = rotation_of(part.turned)};
+    if (!shared.parts.empty()) shared.canvas = act.canvas;
+    take(std::move(shared));
+}
+
 void OutputCanvas::follow(std::span<Screen* const> screens, std::chrono::nanoseconds now) {
+    if (settings_.wall.role == WallRole::follow) return;  // acts tell
     read_words();
     if (words_.places.empty() && !is_shared()) return;
-    for (const Screen* screen : screens) {
-        const KnownOutput output = known_output(settings_, *screen);
-        const auto same =
-            std::ranges::find_if(seen_, [&](const Seen& seen) { return seen.output.name == output.name; });
-        if (same == seen_.end())
-            seen_.push_back({.output = output, .last = now});
-        else
-            *same = {.output = output, .last = now};
-    }
+    for (const Screen* screen : screens)
+        see(known_output(settings_, *screen), now);
+    if (others_)
+        for (const KnownOutput& output : others_->outputs)
+            see(output, now);
     if (!screens.empty())
         std::erase_if(seen_, [&](const Seen& seen) { return now - seen.last >= kept_without; });
     std::vector<KnownOutput> outputs;

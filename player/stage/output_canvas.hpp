@@ -3,12 +3,15 @@
 #include "base/settings/canvas_words.hpp"
 #include "player/layout/canvas.hpp"
 #include "player/render/view.hpp"
+#include "player/scene/acts/wall_act.hpp"
 #include "player/stage/canvas_guide.hpp"
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -29,6 +32,11 @@ struct KnownOutput {
     View view;
 
     bool operator==(const KnownOutput&) const = default;
+};
+
+/// The outputs of the other boxes of a wall, named BOX/OUTPUT.
+struct OtherOutputs {
+    std::vector<KnownOutput> outputs;
 };
 
 /// An output's part of the canvas.
@@ -62,7 +70,9 @@ std::string overlap_of(const SharedCanvas& shared);
 class OutputCanvas {
   public:
     /// @param settings  outlive this
-    explicit OutputCanvas(const Settings& settings) : settings_(settings) {}
+    /// @param others    outputs of other boxes, as they are now
+    explicit OutputCanvas(const Settings& settings, std::shared_ptr<const OtherOutputs> others = {})
+        : settings_(settings), others_(std::move(others)) {}
 
     /// Takes the outputs that are there now. @param now  since the player's start
     void follow(std::span<Screen* const> screens, std::chrono::nanoseconds now);
@@ -74,6 +84,12 @@ class OutputCanvas {
     bool is_shared() const { return !now_.parts.empty(); }
 
     const SharedCanvas& shared() const { return now_; }
+
+    /// The parts of all outputs, by BOX/OUTPUT.
+    std::map<std::string, ActPart> parts() const;
+
+    /// Takes the canvas of an act, and the parts that this box has of it.
+    void show_parts(const WallAct& act);
 
     /// The part of a frame's canvas that a screen shows. A frame of the canvas before is drawn as before.
     View view_on(const Screen& screen, Vec2 canvas) const;
@@ -88,10 +104,12 @@ class OutputCanvas {
     };
 
     void read_words();
+    void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
 
     const Settings& settings_;  // outlive this
-    std::string text_;          // of words_
+    std::shared_ptr<const OtherOutputs> others_;
+    std::string text_;  // of words_
     CanvasWords words_;
     std::vector<Seen> seen_;
     SharedCanvas now_;

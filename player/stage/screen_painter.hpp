@@ -13,6 +13,8 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -27,14 +29,22 @@ namespace vitrine::player {
 class ScreenPainter {
   public:
     /// @param settings, sources  outlive this
-    ScreenPainter(const Settings& settings, const SourcePool& sources)
-        : settings_(settings), outputs_(settings), sources_(sources) {}
+    /// @param others            outputs of other boxes on the same canvas, as they are now
+    ScreenPainter(const Settings& settings, const SourcePool& sources,
+                  std::shared_ptr<const OtherOutputs> others = {})
+        : settings_(settings), outputs_(settings, std::move(others)), sources_(sources) {}
 
     /// @param screens  lent until the next call
     /// @param now      since the player's start
     void set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now);
 
     std::span<Screen* const> screens() const { return screens_; }
+
+    /// The parts of the canvas that all outputs show, those of other boxes too, by BOX/OUTPUT.
+    std::map<std::string, ActPart> parts() const { return outputs_.parts(); }
+
+    /// Shows the parts of this box in an act from now on.
+    void show_parts(const WallAct& act) { outputs_.show_parts(act); }
 
     /// The canvas that the screens show together, or else the one that fills the largest of them.
     /// @pre there is a screen

@@ -1,5 +1,8 @@
 #include "player/stage/show_modes.hpp"
 
+#include "player/playback/source_events.hpp"
+#include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/led_wall.hpp"
 #include "player/scene/folders/folder_wall.hpp"
 #include "player/scene/pan/panning_wall.hpp"
 #include "player/scene/wall.hpp"
@@ -12,7 +15,10 @@ namespace vitrine::player {
 
 namespace {
 
-std::unique_ptr<Show> make_wall(const Settings& settings, const Canvas& canvas, SourceId last_source) {
+constexpr std::chrono::nanoseconds lead = std::chrono::milliseconds(500);
+constexpr std::chrono::nanoseconds touch_lead = std::chrono::milliseconds(60);
+
+WallSettings wall_settings(const Settings& settings, SourceId last_source) {
     WallSettings wall{.slots = slot_settings(settings),
                       .transition = {.duration = settings.show.motion, .cells = cell_style(settings)},
                       .nests = settings.layout.folders == FolderMode::nested,
@@ -24,6 +30,11 @@ std::unique_ptr<Show> make_wall(const Settings& settings, const Canvas& canvas, 
                       .idle = settings.input.idle,
                       .hint = settings.input.hint};
     wall.slots.last_source = last_source;
+    return wall;
+}
+
+std::unique_ptr<Show> make_wall(const Settings& settings, const Canvas& canvas, SourceId last_source) {
+    const WallSettings wall = wall_settings(settings, last_source);
     if (wall.nests) return std::make_unique<FolderWall>(canvas, wall);
     return std::make_unique<Wall>(canvas, wall);
 }
@@ -48,6 +59,22 @@ const std::array<ShowMode, 2>& show_modes() {
 }
 
 }  // namespace
+
+std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, std::uint64_t owner) {
+    const SourceId last_source = sources_of(owner);
+    if (owner == 0 && settings.wall.role == WallRole::follow)
+        return std::make_unique<FollowedWall>(canvas, last_source);
+    if (owner != 0 || settings.wall.role == WallRole::alone || !can_lead(settings))
+        return show_mode(settings).make(settings, canvas, last_source);
+    WallSettings wall = wall_settings(settings, last_source);
+    wall.lead = lead;
+    wall.touch_lead = touch_lead;
+    return std::make_unique<LedWall>(canvas, wall);
+}
+
+bool can_lead(const Settings& settings) {
+    return show_mode(settings).mode == WallMode::fit && settings.layout.folders != FolderMode::nested;
+}
 
 const ShowMode& show_mode(const Settings& settings) {
     const WallMode mode = settings.show.calm ? WallMode::fit : settings.layout.mode;

@@ -3,6 +3,7 @@
 #include "base/settings/settings.hpp"
 #include "player/scene/show.hpp"
 
+#include <cstdint>
 #include <memory>
 
 namespace vitrine::player {
@@ -16,6 +17,14 @@ struct ShowMode {
     bool has_turns = true;  // shots take turns in numbered slots, so they can be asked for and pinned
     Factory make;           // the show's sources are numbered from `last_source` on
 };
+
+/// The wall of a stage as the settings want it. A box of a wall of several boxes leads or follows with its
+/// first stage.
+/// @param owner  of the show's sources; 0: the first stage
+std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, std::uint64_t owner);
+
+/// True if a box with these settings can lead: its wall is packed, and not a browser of folders.
+bool can_lead(const Settings& settings);
 
 /// The mode that the settings name.
 const ShowMode& show_mode(const Settings& settings);

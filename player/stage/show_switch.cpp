@@ -46,7 +46,7 @@ ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool await
     : settings_(settings),
       owner_(owner),
       awaits_tiles_(awaits_tiles),
-      wall_(show_mode(settings).make(settings, canvas_, sources_of(owner))) {}
+      wall_(make_show(settings, canvas_, owner)) {}
 
 void ShowSwitch::set_canvas(const Canvas& canvas) {
     canvas_ = canvas;

@@ -5,6 +5,8 @@
 #include "base/system/log.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/led_wall.hpp"
 #include "player/stage/audible_films.hpp"
 #include "player/stage/folder_words.hpp"
 #include "player/stage/gesture_dispatch.hpp"
@@ -34,7 +36,7 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       shows_(std::make_unique<ShowSwitch>(settings, options.number, awaits_sources_)),
       gestures_(std::make_unique<GestureDispatch>(*shows_, files_)),
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
-      painter_(std::make_unique<ScreenPainter>(settings, sources)),
+      painter_(std::make_unique<ScreenPainter>(settings, sources, std::move(options.others))),
       films_(std::make_unique<AudibleFilms>()),
       words_(
           std::make_unique<FolderWords>(settings.state.directory, settings.show.captions, settings.show.qr)),
@@ -42,12 +44,13 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
           SourceListener{.owner = options.number,
                          .call = [this](const SourceEvent& event) { shows_->handle_source_event(event); }})) {
     sources_.listen(listener_);
+    if (settings.wall.role != WallRole::alone) hidden_since_.reset();  // shared time stands never still
 }
 
 Stage::~Stage() = default;
 
-const Show& Stage::wall() const {
-    return std::as_const(*shows_).wall();
+Show& Stage::wall() const {
+    return shows_->wall();
 }
 
 std::span<Screen* const> Stage::screens() const {
@@ -55,6 +58,7 @@ std::span<Screen* const> Stage::screens() const {
 }
 
 void Stage::handle_input(const InputEvent& event) {
+    if (FollowedWall* const followed = wall().followed()) return followed->note_touch(event);
     gestures_->handle_input(event);
 }
 
@@ -71,12 +75,13 @@ void Stage::expect_screen(int width, int height) {
 void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
     painter_->set_screens(std::move(screens), now);
     if (painter_->screens().empty()) {
-        if (!hidden_since_) hidden_since_ = now;
+        if (!hidden_since_ && settings_.wall.role == WallRole::alone) hidden_since_ = now;
         return;
     }
     if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
     const Canvas canvas = painter_->canvas();
     if (canvas != shows_->canvas() || canvas.finger != shows_->canvas().finger) set_canvas(canvas);
+    if (LedWall* const led = wall().led()) led->set_parts(painter_->parts());
 }
 
 void Stage::set_canvas(const Canvas& canvas) {
@@ -93,6 +98,9 @@ void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_fo
     gestures_->dispatch(now);
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
+    if (const FollowedWall* const followed = wall().followed();
+        followed != nullptr && followed->shown() != nullptr)
+        painter_->show_parts(*followed->shown());
     shows_->fade(frame_);
     words_->draw(frame_, files_.hints(), files_.all());
     frame_.time = now - hidden_;

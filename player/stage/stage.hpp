@@ -25,6 +25,7 @@ namespace vitrine::player {
 class AudibleFilms;
 class FolderWords;
 class GestureDispatch;
+struct OtherOutputs;
 class Renderer;
 class Screen;
 class ScreenPainter;
@@ -41,12 +42,14 @@ struct StageOptions {
     std::uint64_t number = 0;     // owner number of the stage's sources; different for each stage
     std::string folder;           // below the media folder; empty: the whole media folder
     bool awaits_sources = false;  // the clock stands still until the layout and the sources are ready
+    std::shared_ptr<const OtherOutputs>
+        others;  // outputs of other boxes, as they are now; none: there are none
 };
 
 /// One show and the screens that show it. `output.canvas` determines the canvas, and the part of it that each
 /// screen shows; else the largest screen does. Every other screen shows the whole canvas in its own
 /// resolution, between black bars if its shape differs. While no screen shows the stage, its time stands
-/// still.
+/// still, unless it shares its time with other boxes.
 class Stage {
   public:
     /// @param settings, sources  outlive this
@@ -104,7 +107,7 @@ class Stage {
     /// The frame of the last show().
     const Frame& frame() const { return frame_; }
 
-    const Show& wall() const;
+    Show& wall() const;
 
   private:
     void set_canvas(const Canvas& canvas);

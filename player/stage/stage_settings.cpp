@@ -4,7 +4,10 @@
 #include "base/settings/output_words.hpp"
 #include "player/scene/change_pace.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vitrine::player {
@@ -66,6 +69,12 @@ SourceOptions source_options(const Settings& settings, bool keeps_time) {
 
 MediaPlaces media_places(const Settings& settings) {
     return {.media = settings.media.root, .store = settings.state.directory + "/store"};
+}
+
+std::string box_name(const Settings& settings) {
+    if (!settings.wall.box.empty()) return settings.wall.box;
+    std::array<char, 65> host{};  // as long as Linux has them
+    return ::gethostname(host.data(), host.size() - 1) == 0 ? host.data() : "box";
 }
 
 View view_of(const Settings& settings, int width, int height) {

@@ -8,6 +8,7 @@
 #include "player/scene/wall_slots.hpp"
 
 #include <chrono>
+#include <string>
 
 namespace vitrine::player {
 
@@ -23,6 +24,9 @@ std::chrono::nanoseconds change_spacing(const Settings& settings);
 SourceOptions source_options(const Settings& settings, bool keeps_time);
 
 MediaPlaces media_places(const Settings& settings);
+
+/// The name of this box in a wall of several boxes: the host's, if none is set.
+std::string box_name(const Settings& settings);
 
 /// The view of a canvas on a screen of this size, px.
 View view_of(const Settings& settings, int width, int height);

@@ -20,8 +20,9 @@ constexpr auto guide_time = std::chrono::minutes(10);
 
 }  // namespace
 
-Stages::Stages(const Settings& settings, SourcePool& sources, bool awaits_sources)
-    : settings_(settings), sources_(sources), awaits_sources_(awaits_sources) {
+Stages::Stages(const Settings& settings, SourcePool& sources, bool awaits_sources,
+               std::shared_ptr<const OtherOutputs> others)
+    : settings_(settings), sources_(sources), awaits_sources_(awaits_sources), others_(std::move(others)) {
     make_anew();
 }
 
@@ -39,7 +40,10 @@ void Stages::make_anew() {
         number_of_[output] = number_of_folder.emplace(folder, number_of_folder.size()).first->second;
     stages_.resize(number_of_folder.size());
     for (const auto& [folder, i] : number_of_folder) {
-        const StageOptions options{.number = i, .folder = folder, .awaits_sources = awaits_sources_};
+        const StageOptions options{.number = i,
+                                   .folder = folder,
+                                   .awaits_sources = awaits_sources_,
+                                   .others = i == 0 ? others_ : nullptr};
         stages_[i] = std::make_unique<Stage>(settings_, options, sources_);
         stages_[i]->set_controls(controls_);
     }

@@ -3,6 +3,7 @@
 #include "player/scene/change_pace.hpp"
 #include "player/scene/files/show_files.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/stage/output_canvas.hpp"
 #include "player/stage/stage.hpp"
 
 #include <chrono>
@@ -25,7 +26,9 @@ class Stages {
   public:
     /// @param settings, sources  outlive this
     /// @param awaits_sources     the clock stands still until the sources of a frame are ready
-    Stages(const Settings& settings, SourcePool& sources, bool awaits_sources);
+    /// @param others            outputs of other boxes on the canvas of the first stage, as they are now
+    Stages(const Settings& settings, SourcePool& sources, bool awaits_sources,
+           std::shared_ptr<const OtherOutputs> others = {});
 
     /// Asks for new stages, because the settings have changed.
     void ask_anew() { is_asked_anew_ = true; }
@@ -85,6 +88,7 @@ class Stages {
     const Settings& settings_;  // outlives this
     SourcePool& sources_;       // outlives this
     bool awaits_sources_;
+    std::shared_ptr<const OtherOutputs> others_;
     ShowControls controls_;
     std::map<std::string, std::shared_ptr<const ArrangedWall>>
         arranged_;                                  // by folder, until new stages are made

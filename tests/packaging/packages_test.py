@@ -14,19 +14,22 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 GIT = ["git", "-c", "safe.directory=*", "-C", ROOT]
 BUILD, OUT = (Path(word) for word in sys.argv[1:])
-NAMES = ("vitrine", "vitrine-analyzer", "vitrine-player")
+NAMES = ("vitrine", "vitrine-analyzer", "vitrine-player", "vitrine-wall")
 # One of each kind, in the package that has to have it; what is in none of them fails the build (dh_missing).
 HELD = {
     "vitrine-analyzer": ["usr/bin/vitrine-analyzer", "etc/vitrine/vitrine.toml", "lib/systemd/system/vitrine-analyzer.service",
                          "usr/lib/sysusers.d/vitrine.conf", "usr/lib/tmpfiles.d/vitrine.conf",
                          "usr/share/man/man1/vitrine-analyzer.1.gz", "usr/share/man/man5/vitrine.toml.5.gz",
                          "usr/share/doc/vitrine/operator.md", "usr/share/doc/vitrine/technician.md",
-                         "usr/share/doc/vitrine/appliance.md", "usr/share/doc/vitrine/catalogue.md",
+                         "usr/share/doc/vitrine/appliance.md", "usr/share/doc/vitrine/wall.md", "usr/share/doc/vitrine/catalogue.md",
                          "usr/share/doc/vitrine/images/status.jpg", "usr/share/vitrine/face_detection_yunet.onnx",
                          "usr/share/vitrine/text_detection.onnx",
                          "usr/share/vitrine/u2netp.onnx"],
     "vitrine-player": ["usr/bin/vitrine-player", "lib/systemd/system/vitrine-player.service",
                        "lib/systemd/system/vitrine.target", "usr/share/man/man1/vitrine-player.1.gz"],
+    "vitrine-wall": ["usr/bin/vitrine-link", "lib/systemd/system/vitrine-link.service", "lib/systemd/system/vitrine-wall-fetch.path",
+                     "usr/lib/sysusers.d/vitrine-wall.conf", "usr/lib/vitrine-wall/wall", "usr/lib/vitrine-wall/templates/mosquitto.conf",
+                     "usr/share/man/man1/vitrine-link.1.gz"],
     "vitrine": ["usr/share/doc/vitrine/examples/smb.conf", "usr/share/doc/vitrine/README.Debian"]}
 # Of the tags that lintian may have for packages whose binaries were not compiled with Debian's flags.
 OF_BUILT = {"hardening-no-fortify-functions", "hardening-no-bindnow", "hardening-no-relro", "hardening-no-pie",

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Every script of packaging/ can be parsed, and shellcheck, where it is there, finds nothing in it.
+# Every script of packaging/ and link/ can be parsed, and shellcheck, where it is there, finds nothing in it.
 set -eu
-cd "$(dirname "$0")/../../packaging"
-scripts=$(grep -rlE '^#!/(bin/sh|usr/bin/env bash)' . | sort)
+cd "$(dirname "$0")/../.."
+scripts=$(grep -rlE '^#!/(bin/sh|usr/bin/env bash)' packaging link | sort)
 for script in $scripts; do
     case $(head -n 1 "$script") in
     *bash) bash -n "$script" ;;

@@ -13,7 +13,11 @@ from pathlib import Path
 
 SKIPPED = 77
 UNITS = Path(sys.argv.pop(1))
-MOST = {"vitrine-analyzer.service": 1.0, "vitrine-player.service": 2.0}  # of 10, which is a service without a sandbox
+PROGRAMS = ("vitrine-analyzer.service", "vitrine-player.service")
+# of 10, which is a service without a sandbox; those of a wall speak to the network
+MOST = {"vitrine-analyzer.service": 1.0, "vitrine-player.service": 2.0, "vitrine-link.service": 1.3,
+        "vitrine-wall-share.service": 1.3, "vitrine-wall-fetch.service": 1.3}
+OTHERS = ("vitrine.target", "vitrine-wall-fetch.path", "vitrine-wall-fetch.timer")
 
 
 def run(*command):
@@ -36,11 +40,11 @@ class Units(unittest.TestCase):
 
     def test_every_line_is_known_to_systemd(self):
         with tempfile.TemporaryDirectory() as folder:
-            for unit in (*MOST, "vitrine.target"):
+            for unit in (*MOST, *OTHERS):
                 text = re.sub(r"^(ExecStart)=.*", r"\1=/bin/true", (UNITS / unit).read_text(), flags=re.M)
                 text = re.sub(r"^Documentation=.*\n", "", text, flags=re.M)  # installed with the programs
                 (Path(folder) / unit).write_text(text)
-            for unit in (*MOST, "vitrine.target"):
+            for unit in (*MOST, *OTHERS):
                 said = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", str(Path(folder) / unit))
                 ours = [line for line in said.stderr.splitlines() if "vitrine" in line]
                 self.assertEqual(ours, [])
@@ -51,8 +55,15 @@ class Units(unittest.TestCase):
         self.assertEqual(dict(assignments("vitrine-analyzer.service"))["StartLimitIntervalSec"], "0")  # a server comes back
         self.assertEqual(player["FileDescriptorStoreMax"], "1")  # of the card, with the last picture
 
+    def test_what_speaks_to_the_network_has_a_user_of_its_own_and_opens_no_port(self):
+        link = dict(assignments("vitrine-link.service"))
+        self.assertEqual((link["User"], link["SocketBindDeny"]), ("vitrine-link", "any"))
+        self.assertIn("/var/lib/vitrine", link["InaccessiblePaths"])
+        for unit in PROGRAMS:
+            self.assertEqual(dict(assignments(unit))["IPAddressDeny"], "any")
+
     def test_both_are_watched_and_told_when_settings_change(self):
-        for unit in MOST:
+        for unit in PROGRAMS:
             service = dict(assignments(unit))
             self.assertEqual(service["Type"], "notify")
             self.assertIn("WatchdogSec", service)

@@ -113,7 +113,7 @@ void FolderStack::advance_zoom(WallStep& step) {
     }
     ChangePace& pace = *outer().wall().pace();
     const bool is_changing =
-        outer().wall().is_changing() || (!zoom_->is_opening && top().wall().is_changing());
+        is_in_change(outer().wall()) || (!zoom_->is_opening && is_in_change(top().wall()));
     if (!is_ready || is_changing || !pace.is_free(outer().local(now_))) return;
     pace.note_change(outer().local(now_));
     top().wall().pace()->note_change(top().local(now_));

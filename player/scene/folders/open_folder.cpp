@@ -69,7 +69,7 @@ void OpenFolder::set_layout(const Layout& layout) {
 
 /// Adds the names to the frame while nothing moves on the wall.
 void OpenFolder::name_folders(std::chrono::nanoseconds local) {
-    if (wall_->is_touched() || wall_->is_changing() || wall_->shown().empty()) return names_.reset();
+    if (wall_->is_touched() || is_in_change(*wall_) || wall_->shown().empty()) return names_.reset();
     if (!names_)
         names_ = {folder_names(wall_->shown(), frame_.canvas, folder_.empty() ? Box{} : way_back()), local};
     const double alpha = eased(std::chrono::duration<double>(local - names_->since) / fade_time);

@@ -118,3 +118,16 @@ TEST_CASE("a colour is six digits after a hash and nothing else") {
         CHECK_FALSE(colour_named(text));
     }
 }
+
+TEST_CASE("the part of a box in a wall is read, and a name with odd characters is one clear sentence") {
+    Settings settings;
+    read_settings("[wall]\nrole = \"follow\"\nname = \"lobby\"\nbox = \"left\"\nleader = \"10.0.0.1\"\n",
+                  "wall.toml", settings);
+    CHECK(settings.wall.role == WallRole::follow);
+    CHECK(settings.wall.name == "lobby");
+    CHECK(settings.wall.leader == "10.0.0.1");
+    CHECK(error_of("[wall]\nname = \"a/b\"\n").find("'a/b' is no name") != std::string::npos);
+    CHECK(error_of("[wall]\nrole = \"both\"\n") != "");
+    CHECK(error_of("[wall]\nleader = \"a b\"\n") != "");
+    CHECK(error_of("[wall]\nsocket = \"link.sock\"\n") != "");
+}

@@ -5,7 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -148,4 +152,40 @@ TEST_CASE("the diagonal of a canvas goes on from one guide to the next") {
     for (const double x : {400.0, 500.0, 640.0})
         CHECK(is_marked(right, {x, x * 240 / 680}));
     CHECK_FALSE(is_marked(left, {100, 70}));
+}
+
+TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keeps its place for a minute") {
+    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0 turned 90");
+    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
+    const auto others = std::make_shared<OtherOutputs>();
+    OutputCanvas outputs(pair.settings, others);
+    const std::vector<Screen*> own{pair.display.screens()[0]};
+    outputs.follow(own, 0s);
+    CHECK(outputs.shared().parts.size() == 1);
+    others->outputs = {{"there/DP-1", 80, 50, {}}};
+    outputs.follow(own, 1s);
+    CHECK(Vec2(outputs.shared().canvas) == Vec2{160, 80});
+    const std::map<std::string, ActPart> parts = outputs.parts();
+    REQUIRE(parts.size() == 2);
+    CHECK(parts.at("here/offscreen-1") == ActPart{.box = {{0, 0}, {100, 50}}});
+    CHECK(parts.at("there/DP-1") == ActPart{.box = {{110, 0}, {160, 80}}, .turned = 90});
+    others->outputs.clear();
+    outputs.follow(own, 60s);
+    CHECK(outputs.shared().parts.size() == 2);
+    outputs.follow(own, 62s);
+    CHECK(outputs.shared().parts.size() == 1);
+}
+
+TEST_CASE("a box that follows shows the parts that an act gives it") {
+    Pair pair("");
+    pair.settings.wall = {.role = WallRole::follow, .box = "there"};
+    const WallAct act{.canvas = {300, 100},
+                      .parts = {{"here/offscreen-1", {.box = {{0, 0}, {100, 100}}}},
+                                {"there/offscreen-1", {.box = {{200, 50}, {300, 100}}, .turned = 180}}}};
+    pair.outputs.show_parts(act);
+    pair.follow(pair.display.screens(), 1s);
+    const View view = pair.outputs.view_on(*pair.display.screens()[0], {300, 100});
+    CHECK(view.part == Box{{200, 50}, {300, 100}});
+    CHECK(view.rotation == Rotation::half);
+    CHECK_FALSE(pair.outputs.view_on(*pair.display.screens()[1], {300, 100}).part);
 }

@@ -1,0 +1,7 @@
+#include "base/wall/broken_line.hpp"
+
+namespace vitrine {
+
+BrokenLine::~BrokenLine() = default;
+
+}  // namespace vitrine

@@ -1,0 +1,103 @@
+#include "player/scene/acts/followed_sources.hpp"
+
+#include <algorithm>
+
+namespace vitrine::player {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr SourceId kept_digits = 1'000'000;  // photo_drift tells photos apart by these
+constexpr auto retry_pause = std::chrono::seconds(3);
+constexpr auto opening_time = std::chrono::milliseconds(500);  // a film plays by then
+
+template <typename Change> void change_shots(WallAct& act, Change change) {
+    const auto change_all = [&](std::vector<PlacedShot>& wall) {
+        for (PlacedShot& placed : wall)
+            change(placed.shot);
+    };
+    change_all(act.shown);
+    if (!act.change) return;
+    change_all(act.change->wall);
+    if (!act.change->transition) return;
+    for (auto* const wall : {&act.change->transition->old_wall, &act.change->transition->new_wall})
+        for (ChangingShot& shot : *wall)
+            change(shot.placed.shot);
+}
+
+}  // namespace
+
+SourceId FollowedSources::own_number(std::int64_t run, SourceId source) {
+    SourceId& own = own_[{run, source}];
+    if (own != 0) return own;
+    const SourceId digits = (source % kept_digits + kept_digits - base_ % kept_digits) % kept_digits;
+    return own = base_ + digits + kept_digits * ++given_;
+}
+
+WallAct FollowedSources::translated(WallAct act) {
+    change_shots(act, [&](WallShot& shot) { shot.source = own_number(act.name.run, shot.source); });
+    return act;
+}
+
+void FollowedSources::set_ready(SourceId source) {
+    const auto found = sources_.find(source);
+    if (found != sources_.end()) found->second.state = State::ready;
+}
+
+void FollowedSources::set_failed(SourceId source, nanoseconds now) {
+    const auto found = sources_.find(source);
+    if (found == sources_.end()) return;
+    found->second.state = State::failed;
+    found->second.since = now;
+}
+
+std::vector<ShotRequest> FollowedSources::ask_for(const WallAct& act, std::optional<nanoseconds> at,
+                                                  nanoseconds now) {
+    std::vector<ShotRequest> requests;
+    for (const auto& [source, placed] : shots_of(act)) {
+        ShotRequest request = request_of(placed);
+        const auto [place, is_new] = sources_.try_emplace(source, Source{.request = request, .since = now});
+        if (!is_new && place->second.request == request) continue;
+        place->second.request = request;
+        if (is_new && at && placed.began < *at) request.at = *at + opening_time - placed.began;
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+std::vector<SourceId> FollowedSources::give_up_failed(nanoseconds now) {
+    std::vector<SourceId> given_up;
+    for (const auto& [source, entry] : sources_)
+        if (entry.state == State::failed && now - entry.since >= retry_pause) given_up.push_back(source);
+    for (const SourceId source : given_up)
+        sources_.erase(source);
+    return given_up;
+}
+
+bool FollowedSources::are_there(const WallAct& act) const {
+    return lacking(act).empty();
+}
+
+std::set<std::string> FollowedSources::lacking(const WallAct& act) const {
+    std::set<std::string> paths;
+    for (const auto& [source, placed] : shots_of(act)) {
+        const auto found = sources_.find(source);
+        if (found == sources_.end() || found->second.state != State::ready)
+            paths.insert(placed.shot.key.path);
+    }
+    return paths;
+}
+
+std::vector<SourceId> FollowedSources::retire_all_but(const std::set<SourceId>& kept) {
+    std::vector<SourceId> retired;
+    for (const auto& [source, entry] : sources_)
+        if (!kept.contains(source)) retired.push_back(source);
+    for (const SourceId source : retired) {
+        sources_.erase(source);
+        std::erase_if(own_, [&](const auto& pair) { return pair.second == source; });
+    }
+    return retired;
+}
+
+}  // namespace vitrine::player

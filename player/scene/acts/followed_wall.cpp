@@ -1,0 +1,146 @@
+#include "player/scene/acts/followed_wall.hpp"
+
+#include "player/scene/caption_place.hpp"
+#include "player/scene/crossfade.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr std::size_t max_touches = 200;             // between two calls
+constexpr auto patience = std::chrono::seconds(10);  // with shots that are not there
+constexpr auto fade_time =
+    std::chrono::milliseconds(800);  // from what was shown to an act that goes on elsewhere
+constexpr auto begins_late = std::chrono::milliseconds(100);  // so late a change is still seen as it is meant
+
+/// True for a later act, and for one of another run of the leader, whose clock may have been wrong.
+bool is_newer(const ActName& one, const ActName& other) {
+    return one.run != other.run || one.generation > other.generation;
+}
+
+/// The time of the leader's wall. @param shared  since 1970
+nanoseconds leaders_time(const WallAct& act, nanoseconds shared) {
+    return shared - act.epoch;
+}
+
+void append(std::vector<ShotRequest>& all, std::vector<ShotRequest> more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+void FollowedWall::take(const WallAct& act) {
+    const std::optional<WallAct>& last = waiting_ ? waiting_ : shown_;
+    if (last && !is_newer(act.name, last->name)) return;
+    if (!waiting_) waiting_since_ = now_;
+    waiting_ = sources_.translated(act);
+}
+
+void FollowedWall::prepare(const WallAct& coming) {
+    if (!prepared_ || is_newer(coming.name, prepared_->name)) prepared_ = sources_.translated(coming);
+}
+
+bool FollowedWall::is_between_acts() const {
+    return waiting_.has_value() || !shown_ || has_ended(*shown_, leaders_time(*shown_, now_ + epoch_));
+}
+
+FollowedState FollowedWall::state() const {
+    FollowedState state;
+    if (shown_) {
+        state.shown = shown_->name;
+        state.lacking = sources_.lacking(*shown_);
+    }
+    for (const auto* act : {&waiting_, &prepared_})
+        if (*act) state.lacking.merge(sources_.lacking(**act));
+    if (prepared_ && sources_.are_there(*prepared_)) state.prepared = prepared_->name;
+    return state;
+}
+
+void FollowedWall::note_touch(const InputEvent& event) {
+    const auto* const contact = std::get_if<Contact>(&event);
+    auto* const last = touches_.empty() ? nullptr : std::get_if<Contact>(&touches_.back());
+    if (contact != nullptr && last != nullptr && contact->kind == Contact::Kind::move &&
+        last->kind == Contact::Kind::move && last->finger == contact->finger)
+        *last = *contact;
+    else if (touches_.size() < max_touches)
+        touches_.push_back(event);
+}
+
+/// True if the act begins with the wall that is shown now.
+bool FollowedWall::is_next(const WallAct& act) const {
+    if (!shown_ || act.name.run != shown_->name.run || act.name.generation != shown_->name.generation + 1)
+        return false;
+    return !act.change || leaders_time(act, now_ + epoch_) <= act.change->began + begins_late;
+}
+
+/// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
+void FollowedWall::take_waiting() {
+    if (!waiting_) return;
+    if (!sources_.are_there(*waiting_) && now_ - waiting_since_ < patience) return;
+    if (!is_next(*waiting_) && shown_) {
+        std::optional<WallChange>& change = waiting_->change;
+        if (change && leaders_time(*waiting_, now_ + epoch_) < change->began) return;
+        if (change && change->phase == WallChange::Phase::arriving) {
+            waiting_->shown = std::move(change->wall);  // it need not come out of nothing
+            change.reset();
+        }
+        before_ = std::exchange(last_, {});
+        fades_since_ = now_;
+    }
+    shown_ = std::exchange(waiting_, std::nullopt);
+}
+
+/// The frame of the shown act, which may fade in over what was shown before.
+Frame FollowedWall::next_frame() {
+    if (!shown_) return Frame{.canvas = canvas_, .idle = 1, .time = now_};
+    Frame frame = act_frame(*shown_, leaders_time(*shown_, now_ + epoch_));
+    last_ = frame.items;
+    if (fades_since_) {
+        const double progress =
+            std::chrono::duration<double>(now_ - *fades_since_) / std::chrono::duration<double>(fade_time);
+        if (progress < 1)
+            fade_in(frame, before_, progress);
+        else
+            fades_since_.reset(), before_.clear();
+    }
+    frame.time = now_;
+    return frame;
+}
+
+WallStep FollowedWall::step(nanoseconds now) {
+    now_ = now;
+    WallStep step;
+    if (prepared_) append(step.requests, sources_.ask_for(*prepared_, std::nullopt, now));
+    for (const auto* act : {&shown_, &waiting_})
+        if (*act) append(step.requests, sources_.ask_for(**act, leaders_time(**act, now_ + epoch_), now));
+    take_waiting();
+    step.frame = next_frame();
+    if (shown_ && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
+        step.frame.captions = caption_rooms(last_wall(*shown_));
+    std::set<SourceId> kept;
+    for (const auto* act : {&shown_, &waiting_, &prepared_})
+        if (*act)
+            for (const auto& [source, placed] : shots_of(**act))
+                kept.insert(source);
+    for (const DrawItem& item : before_)
+        kept.insert(item.source);
+    step.retired = sources_.retire_all_but(kept);
+    for (const SourceId source : sources_.give_up_failed(now))
+        step.retired.push_back(source);
+    return step;
+}
+
+std::vector<SlotShot> FollowedWall::standing() const {
+    std::vector<SlotShot> all;
+    if (!shown_) return all;
+    for (const PlacedShot& placed : last_wall(*shown_))
+        all.push_back({.slot = placed.shot.slot, .key = placed.shot.key, .at = placed.placement});
+    return all;
+}
+
+}  // namespace vitrine::player

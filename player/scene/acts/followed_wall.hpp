@@ -1,0 +1,100 @@
+#pragma once
+
+#include "player/input/contact.hpp"
+#include "player/scene/acts/followed_sources.hpp"
+#include "player/scene/acts/wall_act.hpp"
+#include "player/scene/show.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine::player {
+
+/// How far a box is with what the leader shows.
+struct FollowedState {
+    std::optional<ActName> shown;        // the act that is drawn; none: none yet
+    std::optional<ActName> prepared;     // the preparation whose shots are all there
+    std::set<std::string> lacking = {};  // paths of shots that the box has not got, or not yet
+
+    bool operator==(const FollowedState&) const = default;
+};
+
+/// The wall of a box that follows: it draws the leader's acts at shared time, and decides nothing. Without
+/// news it goes on with the last act, whose films play in loops.
+///
+/// A new act is taken once its shots are there, or some seconds later without those that are not; until then
+/// the last act is shown. If the new act does not begin with the wall that is shown, it fades in.
+class FollowedWall final : public Show {
+  public:
+    /// @param last_source  the sources are numbered from here on
+    FollowedWall(const Canvas& canvas, SourceId last_source) : canvas_(canvas), sources_(last_source) {}
+
+    void set_canvas(const Canvas& canvas) override { canvas_ = canvas; }
+
+    using Show::set_catalogue;
+
+    void set_catalogue(const RecordList& /*records*/, const ShowHints& /*hints*/) override {}
+
+    void set_layout(const Layout& /*layout*/) override {}
+
+    void source_ready(SourceId source) override { sources_.set_ready(source); }
+
+    /// A shot that is not there is asked for again every few seconds.
+    void source_failed(SourceId source, std::chrono::nanoseconds now) override {
+        sources_.set_failed(source, now);
+    }
+
+    WallStep step(std::chrono::nanoseconds now) override;
+
+    std::vector<SlotShot> standing() const override;
+
+    FollowedWall* followed() override { return this; }
+
+    /// Sets the clock that all boxes share. @param epoch  shared time, since 1970, at this wall's time 0
+    void set_epoch(std::chrono::nanoseconds epoch) { epoch_ = epoch; }
+
+    /// Takes an act from now on. Ignores one that is older than the last one.
+    void take(const WallAct& act);
+
+    /// Opens the shots of an act that is about to come.
+    void prepare(const WallAct& coming);
+
+    /// True: nothing moves now and no act waits, so the clock may jump.
+    bool is_between_acts() const;
+
+    FollowedState state() const;
+
+    /// Notes a visitor's touch, canvas px, for the leader.
+    void note_touch(const InputEvent& event);
+
+    /// The touches since the last call. Of each finger's moves only the last counts.
+    std::vector<InputEvent> take_touches() { return std::exchange(touches_, {}); }
+
+    /// The act that is drawn; nullptr: none yet.
+    const WallAct* shown() const { return shown_ ? &*shown_ : nullptr; }
+
+  private:
+    bool is_next(const WallAct& act) const;
+    void take_waiting();
+    Frame next_frame();
+
+    Canvas canvas_;
+    FollowedSources sources_;
+    std::chrono::nanoseconds epoch_{0};
+    std::chrono::nanoseconds now_{0};
+    std::optional<WallAct> shown_;
+    std::optional<WallAct> waiting_;  // will be shown once its shots are there
+    std::chrono::nanoseconds waiting_since_{0};
+    std::optional<WallAct> prepared_;
+    std::vector<DrawItem> last_;                           // items of the last frame
+    std::vector<DrawItem> before_;                         // items of what fades out
+    std::optional<std::chrono::nanoseconds> fades_since_;  // none: no act fades in
+    std::vector<InputEvent> touches_;
+};
+
+}  // namespace vitrine::player

@@ -1,0 +1,116 @@
+#include "player/scene/acts/leader_talk.hpp"
+
+#include "player/scene/acts/act_json.hpp"
+#include "player/scene/acts/led_wall.hpp"
+#include "player/scene/acts/touch_json.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+namespace vitrine::player {
+
+namespace {
+
+using Kind = WallTopic::Kind;
+
+constexpr std::size_t longest = max_act_bytes - 65536;  // bytes; the line around it needs some
+constexpr std::size_t max_touches = 100;                // messages between two frames
+constexpr int fingers_of_box = 1000;
+
+/// The same way with every second moment.
+WallWay coarser(const WallWay& way) {
+    WallWay half{.keys = {}, .homes = way.homes, .wayless = way.wayless};
+    for (std::size_t k = 1 - way.keys.size() % 2; k < way.keys.size(); k += 2)
+        half.keys.push_back(way.keys[k]);
+    return half;
+}
+
+/// An act as text. If it is too long, its way is seen in fewer moments; empty: it is still too long.
+std::string fitting_json(WallAct act) {
+    std::string text = to_json(act);
+    while (text.size() > longest && act.change && act.change->way && act.change->way->keys.size() > 1) {
+        act.change->way = std::make_shared<const WallWay>(coarser(*act.change->way));
+        text = to_json(act);
+    }
+    return text.size() > longest ? std::string() : text;
+}
+
+WallMessage message_of(Kind kind, std::string payload) {
+    return {.topic = {.kind = kind, .box = {}}, .is_retained = true, .payload = std::move(payload)};
+}
+
+}  // namespace
+
+void LeaderTalk::hear_more(const WallMessage& message) {
+    const std::string& box = message.topic.box;
+    if (message.topic.kind == Kind::act)
+        throw std::runtime_error("another box leads this wall, too; only one may");
+    if (message.topic.kind == Kind::ready) {
+        const ActName ready = ready_from_json(message.payload);
+        if (ready.run == run_ && ready.generation <= preparation_) ready_[box] = ready.generation;
+    }
+    if (message.topic.kind == Kind::touch && touches_.size() < max_touches)
+        touches_.emplace_back(box, message.payload);
+}
+
+std::vector<InputEvent> LeaderTalk::take_touches(std::chrono::nanoseconds now) {
+    std::vector<InputEvent> all;
+    for (const auto& [box, payload] : std::exchange(touches_, {})) {
+        const auto number = std::distance(others().begin(), others().find(box));
+        for (InputEvent event : touches_from_json(payload, now)) {
+            if (auto* const contact = std::get_if<Contact>(&event))
+                contact->finger += fingers_of_box * (static_cast<int>(number) + 1);
+            all.push_back(event);
+        }
+    }
+    return all;
+}
+
+/// The last preparation that all boxes have which are waited for. None: nobody is waited for.
+std::optional<std::uint64_t> LeaderTalk::others_ready() const {
+    std::optional<std::uint64_t> least;
+    for (const auto& [box, note] : others()) {
+        const auto ready = ready_.find(box);
+        if (note.is_gone || note.leads || ready == ready_.end()) continue;
+        if (ready->second + 1 >= preparation_) least = std::min(least.value_or(ready->second), ready->second);
+    }
+    return least;
+}
+
+std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& moment, BoxNote& note) {
+    note.leads = true;
+    LedWall* const led = show.led();
+    if (led == nullptr) return {};
+    LedNews news = led->take_news();
+    const std::chrono::nanoseconds epoch = moment.epoch + moment.now - news.now;
+    const bool needs_act = epoch_ && *epoch_ != epoch && !news.act;
+    std::vector<WallMessage> said;
+    if (news.preparation) {
+        preparation_ = news.preparation->name.generation;
+        news.preparation->name.run = run_;
+        said.push_back(message_of(Kind::prepare, fitting_json(std::move(*news.preparation))));
+    }
+    if (news.act) {
+        news.act->name.run = run_;
+        news.act->epoch = epoch;
+        epoch_ = epoch;
+        said_ = news.act->name;
+        said.push_back(message_of(Kind::act, fitting_json(std::move(*news.act))));
+    }
+    std::erase_if(said, [](const WallMessage& message) { return message.payload.empty(); });
+    led->heed({.ready = others_ready(), .needs_act = needs_act});
+    note.shown = said_;
+    for (const WallMessage& message : said) {
+        std::erase_if(kept_, [&](const WallMessage& old) { return old.topic.kind == message.topic.kind; });
+        kept_.push_back(message);
+    }
+    return std::exchange(says_again_, false) ? kept_ : said;
+}
+
+void LeaderTalk::say_again() {
+    BoxTalk::say_again();
+    says_again_ = true;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/geometry/box.hpp"
+#include "player/scene/lifted_shots.hpp"
+#include "player/scene/transition.hpp"
+#include "player/scene/wall_change.hpp"
+#include "player/scene/wall_shot.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::player {
+
+/// An output's part of the canvas of a wall of several boxes.
+struct ActPart {
+    Box box;         // canvas px
+    int turned = 0;  // degrees clockwise by which the output hangs turned: 0, 90, 180 or 270
+
+    bool operator==(const ActPart&) const = default;
+};
+
+/// The words of a wall over several boxes by which everyone knows which act is meant.
+struct ActName {
+    std::int64_t run = 0;          // of the leader, another number at each of its starts
+    std::uint64_t generation = 0;  // counts the acts of a run from 1
+
+    bool operator==(const ActName&) const = default;
+};
+
+/// All that a box needs to draw the same wall as the leader: a value, complete in itself. The leader sends
+/// what its own wall draws from, so nothing is computed twice.
+///
+/// A shot is named by its file in the store, whose name tells path, bytes and time of the medium. All times
+/// of shots and of the change are of the leader's wall; `epoch` makes shared time of them.
+struct WallAct {
+    ActName name;
+    std::chrono::nanoseconds epoch{0};     // shared time, since 1970, at which the leader's wall has time 0
+    Vec2 canvas;                           // px
+    std::map<std::string, ActPart> parts;  // by BOX/OUTPUT
+    CellStyle cells;                       // of the moments on the way
+    std::chrono::nanoseconds fade{0};      // time in which a shot of the first wall fades in
+    std::vector<PlacedShot> shown;         // the wall before the change; without a change, the wall
+    std::optional<WallChange> change;      // none: the wall stands
+};
+
+/// The wall after the change.
+const std::vector<PlacedShot>& last_wall(const WallAct& act);
+
+/// True once nothing of the change is left to be seen. @param now  of the leader's wall
+bool has_ended(const WallAct& act, std::chrono::nanoseconds now);
+
+/// The frame of an act at any time: before its change, in it, and after it. @param now  of the leader's wall
+Frame act_frame(const WallAct& act, std::chrono::nanoseconds now);
+
+/// The shots of an act by their source, each once.
+std::map<SourceId, PlacedShot> shots_of(const WallAct& act);
+
+}  // namespace vitrine::player

@@ -1,0 +1,180 @@
+#include "player/wall_link/wall_link.hpp"
+
+#include "base/system/log.hpp"
+#include "player/display/screen.hpp"
+#include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/follower_talk.hpp"
+#include "player/scene/acts/leader_talk.hpp"
+#include "player/scene/acts/led_wall.hpp"
+#include "player/stage/show_modes.hpp"
+#include "player/stage/stage.hpp"
+#include "player/stage/stage_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr std::size_t max_heard = 1000;  // messages between two frames
+
+std::unique_ptr<BoxTalk> make_talk(const Settings& settings) {
+    if (settings.wall.role == WallRole::alone) return nullptr;
+    if (settings.wall.role == WallRole::follow) return std::make_unique<FollowerTalk>(box_name(settings));
+    const std::int64_t run = std::chrono::system_clock::now().time_since_epoch().count();
+    return std::make_unique<LeaderTalk>(box_name(settings), std::max<std::int64_t>(run, 1));
+}
+
+WallReport::Box report_of(const std::string& name, const BoxNote& note) {
+    return {.name = name,
+            .leads = note.leads,
+            .is_gone = note.is_gone,
+            .run = note.shown ? note.shown->run : 0,
+            .generation = note.shown ? note.shown->generation : 0,
+            .has_right_clock = note.has_right_clock,
+            .difference = note.difference,
+            .lacking = note.lacking};
+}
+
+}  // namespace
+
+WallLink::WallLink(EventLoop& loop, const Settings& settings)
+    : settings_(settings),
+      clock_(settings.wall.role),
+      others_(std::make_shared<OtherOutputs>()),
+      talk_(make_talk(settings)) {
+    if (!talk_) return;
+    log::info("wall: this box is '{}' and {}", talk_->box(),
+              settings.wall.role == WallRole::lead ? "leads" : "follows");
+    if (settings.wall.role == WallRole::lead && !can_lead(settings))
+        log::error(
+            "wall: only a wall with layout.mode = \"fit\", and without nested folders, can lead others: "
+            "they keep what they show");
+    call(loop);
+}
+
+void WallLink::call(EventLoop& loop) {
+    const auto begin = [this] {
+        log::info("wall: connected to vitrine-link");
+        talk_->say_again();
+    };
+    const auto end = [this](const std::string& why) {
+        is_linked_ = false;
+        link_says_ = "vitrine-link is not there: " + why;
+        complain(link_says_);
+    };
+    caller_.emplace(loop, settings_.wall.socket,
+                    LineCaller::Handlers{
+                        .begin = begin, .line = [this](const std::string& line) { hear(line); }, .end = end});
+}
+
+void WallLink::follow_clocks(Show& show) {
+    const LedWall* const led = show.led();
+    const FollowedWall* const followed = show.followed();
+    const bool is_changing = led != nullptr && led->parts().change && led->parts().change->is_fading();
+    clock_.follow(followed != nullptr ? followed->is_between_acts() : !is_changing);
+}
+
+void WallLink::hear(const std::string& line) {
+    WallMessage message = wall_message(line);
+    if (message.topic.kind == WallTopic::Kind::link) {
+        const LinkState state = link_state(message.payload);
+        if (state.is_connected && !is_linked_) talk_->say_again();
+        if (state.is_connected != is_linked_) log::info("wall: {}", state.says);
+        is_linked_ = state.is_connected;
+        link_says_ = state.says;
+        return;
+    }
+    if (heard_.size() < max_heard) heard_.push_back(std::move(message));
+}
+
+/// Logs each complaint once in a row.
+void WallLink::complain(const std::string& why) {
+    if (why == complaint_) return;
+    complaint_ = why;
+    log::warning("wall: {}", why);
+}
+
+BoxMoment WallLink::moment(std::chrono::nanoseconds now) const {
+    const WallClock& shared = clock_.shared().value();
+    return {
+        .now = now,
+        .epoch = shared.epoch(),
+        .own = {.outputs = outputs_,
+                .has_right_clock = shared.is_right(),
+                .difference = std::chrono::duration_cast<std::chrono::microseconds>(shared.difference())}};
+}
+
+void WallLink::direct(Stage& stage, std::span<Screen* const> screens, std::chrono::nanoseconds now) {
+    if (!talk_) return;
+    outputs_ = outputs_of(screens);
+    for (const WallMessage& message : std::exchange(heard_, {})) {
+        try {
+            talk_->hear(message);
+        } catch (const std::runtime_error& fault) {
+            complain(fault.what());
+        }
+    }
+    follow_others();
+    talk_->direct(stage.wall(), moment(now));
+    touch(stage, now);
+}
+
+/// Takes the outputs of the boxes that are there.
+void WallLink::follow_others() {
+    others_->outputs.clear();
+    for (const auto& [box, note] : talk_->others()) {
+        if (note.is_gone) continue;
+        for (const BoxOutput& output : note.outputs)
+            others_->outputs.push_back({.name = box + "/" + output.name,
+                                        .width = output.width,
+                                        .height = output.height,
+                                        .view = {.rotation = rotation_of(output.turned)}});
+    }
+}
+
+void WallLink::speak(Show& show, std::chrono::nanoseconds now) {
+    if (!talk_) return;
+    for (const WallMessage& message : talk_->speak(show, moment(now)))
+        caller_->send(line_of(message));
+}
+
+std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) const {
+    std::vector<BoxOutput> outputs;
+    for (const Screen* screen : screens) {
+        const View view = view_of(settings_, screen->width(), screen->height());
+        outputs.push_back({.name = screen->name(),
+                           .width = screen->width(),
+                           .height = screen->height(),
+                           .turned = static_cast<int>(view.rotation) * 90});
+    }
+    return outputs;
+}
+
+/// Touches the stage as other boxes were touched.
+void WallLink::touch(Stage& stage, std::chrono::nanoseconds now) {
+    try {
+        for (const InputEvent& event : talk_->take_touches(now))
+            stage.handle_input(event);
+    } catch (const std::runtime_error& fault) {
+        complain(fault.what());
+    }
+}
+
+std::optional<WallReport> WallLink::report() const {
+    if (!talk_) return std::nullopt;
+    WallReport report{.name = settings_.wall.name, .own = talk_->box(), .link = link_says_, .boxes = {}};
+    BoxNote own = talk_->told().value_or(BoxNote{});
+    own.has_right_clock = clock_.shared()->is_right();
+    report.boxes.push_back(report_of(talk_->box(), own));
+    for (const auto& [box, note] : talk_->others())
+        report.boxes.push_back(report_of(box, note));
+    return report;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,449 @@
+#!/usr/bin/env python3
+"""Two boxes of a wall and their broker, in network namespaces of their own on made-up addresses.
+
+    link_test.py BUILD_DIRECTORY [unittest arguments]
+
+`vitrinectl wall` writes the settings of both below a folder of the test; mosquitto, rsync and chrony are Debian's.
+A machine that lacks one of them, or may not make namespaces, prints NOT RUN.
+"""
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SKIPPED = 77
+BUILD = Path(sys.argv[1]).resolve()
+SOURCE = Path(__file__).resolve().parents[2]
+LINK, WALL, FETCH = BUILD / "link" / "vitrine-link", SOURCE / "link" / "wall" / "wall", SOURCE / "link" / "wall" / "fetch"
+INSIDE = "VITRINE_LINK_TEST_INSIDE"
+PATIENCE = 60  # seconds until what must come is given up
+SILENCE = 1.5  # seconds in which what must not come would have come
+LEADER, FOLLOWER = "10.77.0.1", "10.77.0.2"
+ACT = {"version": 1, "generation": 7, "at": 0.1, "name": "Zürich"}
+
+
+def missing():
+    """What this machine lacks, in words."""
+    lacks = [name for name in ("mosquitto", "mosquitto_pub", "mosquitto_sub", "rsync", "chronyd", "ip", "unshare", "nsenter")
+             if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin")]
+    if not lacks and subprocess.run(["unshare", "--net", "true"], capture_output=True).returncode != 0:
+        lacks.append("the right to make a network namespace")
+    return lacks
+
+
+def until(what, holds):
+    end = time.monotonic() + PATIENCE
+    while not (found := holds()):
+        if time.monotonic() > end:
+            raise AssertionError(f"not within {PATIENCE} s: {what}")
+        time.sleep(0.02)
+    return found
+
+
+class Player:
+    """The end of a player at the socket of its link."""
+
+    def __init__(self, path):
+        self.lines, self.begun = [], b""
+        until(f"{path} listens", path.exists)
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.connect(str(path))
+        self.socket.setblocking(False)
+
+    def send(self, topic, payload, retain=False):
+        self.socket.sendall(json.dumps({"topic": topic, "retain": retain, "payload": payload}).encode() + b"\n")
+
+    def read(self):
+        try:
+            while piece := self.socket.recv(65536):
+                self.begun += piece
+        except (BlockingIOError, ConnectionResetError):
+            pass
+        *lines, self.begun = self.begun.split(b"\n")
+        self.lines += map(json.loads, lines)
+        return self.lines
+
+    def all(self, topic):
+        return [line["payload"] for line in self.read() if line["topic"] == topic]
+
+    def hears(self, topic, payload=None):
+        until(f"{topic} {payload}", lambda: payload in self.all(topic) if payload is not None else self.all(topic))
+
+    def is_connected(self):
+        states = self.all("link")
+        return bool(states) and states[-1]["connected"]
+
+    def close(self):
+        self.socket.close()
+
+
+class Box:
+    """The files of one box, as `vitrinectl wall` writes them."""
+
+    def __init__(self, folder, name, inside=()):
+        self.root, self.name, self.inside = Path(folder) / name, name, list(inside)
+        self.settings = self.root / "etc/vitrine/vitrine.toml"
+        self.settings.parent.mkdir(parents=True)
+        self.state = self.root / "state"
+        for part in ("catalogue", "store"):
+            (self.state / part).mkdir(parents=True)
+        self.settings.write_text(f'[state]\ndirectory = "{self.state}"\n\n[wall]\n# a comment\n#role = "alone"\nbox = "{name}"\n')
+        self.key = self.root / "etc/vitrine/wall.key"
+        self.link = None
+
+    def environment(self):
+        return {**os.environ, "VITRINE_WALL_ROOT": str(self.root), "VITRINE_LINK": f"{LINK} --config {self.settings}"}
+
+    def wall(self, *words):
+        return subprocess.run([WALL, *words], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
+
+    def fetch(self):
+        return subprocess.run([*self.inside, FETCH], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
+
+    def written(self, name):
+        """A file that was written, with the paths of this test in place of the machine's."""
+        path = self.root / name
+        path.write_text(path.read_text().replace("/etc/vitrine/wall/", f"{self.root}/etc/vitrine/wall/"))
+        return path
+
+    def socket(self):
+        return self.root / "link.sock"
+
+    def start(self):
+        self.socket().unlink(missing_ok=True)
+        self.log = open(self.root / "log", "a")
+        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket()],
+                                     stderr=self.log)
+        return Player(self.socket())
+
+    def said(self):
+        return (self.root / "log").read_text()
+
+    def stop(self, number=signal.SIGTERM):
+        if self.link:
+            self.link.send_signal(number)
+            code = self.link.wait(PATIENCE)
+            self.log.close()
+            self.link = None
+            return code
+
+
+class TwoBoxes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix="vitrine-link-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = temporary.name
+        # The namespace of the follower, joined to this one by a cable.
+        far = subprocess.Popen(["unshare", "--net", "sleep", "3600"])
+        cls.addClassCleanup(far.wait)
+        cls.addClassCleanup(far.kill)
+        inside = ["nsenter", "--net", "--target", str(far.pid)]
+        until("a namespace", lambda: os.readlink(f"/proc/{far.pid}/ns/net") != os.readlink("/proc/self/ns/net"))
+        for command in (["ip", "link", "set", "lo", "up"], ["ip", "link", "add", "near", "type", "veth", "peer", "name", "far"],
+                        ["ip", "link", "set", "far", "netns", str(far.pid)], ["ip", "address", "add", f"{LEADER}/24", "dev", "near"],
+                        ["ip", "link", "set", "near", "up"], [*inside, "ip", "address", "add", f"{FOLLOWER}/24", "dev", "far"],
+                        [*inside, "ip", "link", "set", "far", "up"]):
+            subprocess.run(command, check=True)
+        cls.left, cls.right = Box(cls.folder, "left"), Box(cls.folder, "right", inside)
+        cls.late, cls.stranger = Box(cls.folder, "late", inside), Box(cls.folder, "stranger", inside)
+        assert cls.left.wall("lead", "lobby").returncode == 0
+        other = Path(cls.folder) / "other.key"
+        other.write_text("5" * 64 + "\n")
+        for box, key in ((cls.right, cls.left.key), (cls.late, cls.left.key), (cls.stranger, other)):
+            said = box.wall("join", "lobby", str(key), LEADER)
+            assert said.returncode == 0, said.stderr
+        for name in ("etc/mosquitto/conf.d/vitrine-wall.conf", "etc/vitrine/wall/rsyncd.conf"):
+            cls.left.written(name)
+        # Debian's own settings of the broker, which include ours, and the broker's user.
+        conf = re.sub(r"^(pid_file|persistence_location|log_dest) .*\n", "", Path("/etc/mosquitto/mosquitto.conf").read_text(), flags=re.M)
+        cls.conf = cls.left.root / "etc/mosquitto/mosquitto.conf"
+        cls.conf.write_text(conf.replace("/etc/mosquitto", str(cls.conf.parent)))
+        shutil.chown(cls.left.root / "etc/vitrine/wall/broker.psk", "root", "mosquitto")
+        Path(cls.folder).chmod(0o755)
+        cls.broker = None
+
+    @classmethod
+    def start_broker(cls):
+        cls.broker = subprocess.Popen(["mosquitto", "-c", cls.conf],
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    @classmethod
+    def stop_broker(cls):
+        if cls.broker:
+            cls.broker.kill()
+            cls.broker.wait()
+            cls.broker = None
+
+    def setUp(self):
+        self.start_broker()
+        self.addCleanup(self.stop_broker)
+        self.players = []
+        for box in (self.left, self.right, self.late, self.stranger):
+            self.addCleanup(box.stop, signal.SIGKILL)
+
+    def start(self, box):
+        player = box.start()
+        self.addCleanup(player.close)
+        return player
+
+    def start_both(self):
+        players = self.start(self.left), self.start(self.right)
+        for player in players:
+            until("a connection", player.is_connected)
+        return players
+
+    def publish(self, topic, payload, key=None, identity="lobby"):
+        """A stranger, or a box that has gone wrong. @return  true: the broker took the message"""
+        said = subprocess.run([*self.right.inside, "mosquitto_pub", "-h", LEADER, "-p", "8883", "--psk", key or self.left.key.read_text().strip(),
+                               "--psk-identity", identity, "-q", "1", "-r", "-t", topic, "-s"], input=payload, capture_output=True, timeout=PATIENCE)
+        return said.returncode == 0
+
+    def test_messages_travel_both_ways_and_a_late_box_gets_what_is_kept(self):
+        left, right = self.start_both()
+        left.send("act", ACT, retain=True)
+        right.hears("act", ACT)
+        right.send("ready/right", {"generation": 7})
+        left.hears("ready/right", {"generation": 7})
+        right.send("box/right", {"outputs": 1}, retain=True)
+        left.hears("box/right", {"outputs": 1})
+        began = time.monotonic()
+        late = self.start(self.late)
+        late.hears("act", ACT)
+        late.hears("box/right", {"outputs": 1})
+        print(f"a box that came late had the act after {time.monotonic() - began:.2f} s")
+        again = Player(self.right.socket())  # a player that was restarted
+        self.addCleanup(again.close)
+        again.hears("act", ACT)
+        self.assertTrue(again.is_connected())
+        self.assertEqual(left.all("act"), [], "the leader hears no act")
+
+    def test_a_box_that_dies_is_marked_as_gone_and_one_whose_player_dies_too(self):
+        left, right = self.start_both()
+        late = self.start(self.late)
+        until("a connection", late.is_connected)
+        right.send("box/right", {"outputs": 1}, retain=True)
+        late.send("box/late", {"outputs": 2}, retain=True)
+        left.hears("box/right", {"outputs": 1})
+        left.hears("box/late", {"outputs": 2})
+        self.right.stop(signal.SIGKILL)
+        late.close()
+        left.hears("box/right", {"gone": True})
+        left.hears("box/late", {"gone": True})
+
+    def test_a_broker_that_was_restarted_has_all_again(self):
+        left, right = self.start_both()
+        left.send("act", ACT, retain=True)
+        right.hears("act", ACT)
+        self.stop_broker()
+        until("both know", lambda: not left.is_connected() and not right.is_connected())
+        left.send("act", {**ACT, "generation": 8}, retain=True)  # while nobody hears it
+        right.send("ready/right", {"generation": 8})
+        right.send("touch/right", {"x": 1})
+        self.start_broker()
+        right.hears("act", {**ACT, "generation": 8})
+        left.hears("ready/right", {"generation": 8})
+        self.start(self.late).hears("act", {**ACT, "generation": 8})
+        self.assertEqual(left.all("touch/right"), [], "a touch of then moves nothing now")
+
+    def test_a_box_without_the_key_gets_nothing_and_gives_nothing(self):
+        left, right = self.start_both()
+        left.send("act", ACT, retain=True)
+        right.hears("act", ACT)
+        stranger = self.start(self.stranger)
+        stranger.send("box/stranger", {"outputs": 1}, retain=True)
+        until("a sentence", lambda: any("no connection" in state["says"] for state in stranger.all("link")))
+        self.assertFalse(self.publish("vitrine/lobby/act", b'{"version":1,"generation":66}', key="6" * 64))
+        self.assertFalse(self.publish("vitrine/lobby/act", b'{"version":1,"generation":66}', identity="other"))
+        plain = subprocess.run([*self.right.inside, "mosquitto_sub", "-h", LEADER, "-p", "8883", "-t", "#", "-W", "1"], capture_output=True)
+        self.assertEqual(plain.stdout, b"")
+        time.sleep(SILENCE)
+        self.assertEqual(stranger.all("act"), [])
+        self.assertEqual(left.all("box/stranger"), [])
+        self.assertEqual(right.all("act"), [ACT])
+
+    def test_a_message_of_another_version_or_of_no_sense_is_a_sentence_and_goes_no_further(self):
+        _, right = self.start_both()
+        hostile = [b'{"version":2}', b"nonsense", b"[1]", b"{}", b"\xff\xfe", b"[" * 100000, b'{"version":1,"a":1e999}', b"x" * 1050000]
+        for payload in hostile:
+            self.publish("vitrine/lobby/act", payload)
+        self.publish("vitrine/lobby/act", json.dumps(ACT).encode())
+        right.hears("act", ACT)
+        self.assertEqual(right.all("act"), [ACT])
+        until("a sentence", lambda: any("version 2" in state["says"] for state in right.all("link")))
+        self.assertLessEqual(self.right.said().count("a message is refused"), 3, "the log is not flooded")
+
+    def test_a_follower_that_sends_what_only_the_leader_may_is_let_go(self):
+        left, right = self.start_both()
+        right.send("act", ACT, retain=True)
+        until("the end", lambda: "which is for the leader" in self.right.said())
+        self.assertEqual(left.all("act"), [])
+
+    def test_a_prepare_wakes_the_fetching_of_files(self):
+        left, right = self.start_both()
+        wanted = self.right.root / "wanted"
+        self.assertFalse(wanted.exists())
+        left.send("prepare", {"version": 1, "files": []}, retain=True)
+        right.hears("prepare")
+        until("a file", wanted.exists)
+        self.assertFalse((self.left.root / "wanted").exists())
+
+    def test_a_stop_is_quick(self):
+        self.start_both()
+        began = time.monotonic()
+        self.assertEqual(self.right.stop(), 0)
+        self.assertLess(time.monotonic() - began, 10)
+
+    def test_a_follower_fetches_catalogue_and_store_with_the_secret_alone(self):
+        share = subprocess.Popen(["rsync", "--daemon", "--no-detach", f"--config={self.left.root}/etc/vitrine/wall/rsyncd.conf", "--dparam=uid=root"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(share.wait)
+        self.addCleanup(share.kill)
+        (self.left.state / "store" / "a.mp4").write_bytes(b"clip" * 1000)
+        (self.left.state / "catalogue" / "1.json").write_text("{}")
+        (self.right.state / "catalogue" / "old.json").write_text("{}")
+        os.utime(self.left.state / "store" / "a.mp4", (1000000000, 1000000000))
+        until("a share", lambda: self.right.fetch().returncode == 0)
+        self.assertEqual((self.right.state / "store" / "a.mp4").read_bytes(), b"clip" * 1000)
+        self.assertEqual((self.right.state / "store" / "a.mp4").stat().st_mtime, 1000000000)
+        self.assertEqual([p.name for p in (self.right.state / "catalogue").glob("*.json")], ["1.json"])
+        self.assertNotEqual(self.stranger.fetch().returncode, 0)
+        self.assertEqual(list((self.stranger.state / "store").iterdir()), [])
+        # Nothing can be written there, with the secret either.
+        secret = self.right.root / "etc/vitrine/wall/fetch.secret"
+        pushed = subprocess.run([*self.right.inside, "rsync", f"--password-file={secret}", "--port=8730", secret, f"vitrine@{LEADER}::store/b"],
+                                capture_output=True)
+        self.assertNotEqual(pushed.returncode, 0)
+        self.assertFalse((self.left.state / "store" / "b").exists())
+
+    def clock_settings(self, box):
+        """Debian's own settings of chronyd, which include ours; no pools, and no files of this machine."""
+        conf = box.root / "etc/chrony/chrony.conf"
+        text = re.sub(r"^(pool|sourcedir|driftfile|ntsdumpdir|logdir|rtcsync|leapsectz).*\n", "", Path("/etc/chrony/chrony.conf").read_text(), flags=re.M)
+        conf.write_text(text.replace("/etc/chrony", str(conf.parent)) + f"pidfile {box.root}/chronyd.pid\nbindcmdaddress /\ncmdport 0\n")
+        return conf
+
+    def test_a_follower_asks_the_leader_for_the_time_with_the_key_alone(self):
+        clock = subprocess.Popen(["chronyd", "-d", "-x", "-u", "root", "-f", self.clock_settings(self.left)],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(clock.wait)
+        self.addCleanup(clock.kill)
+        asked = {}
+        for box in (self.right, self.stranger):  # -Q only tells the difference
+            asked[box] = subprocess.Popen([*box.inside, "chronyd", "-Q", "-u", "root", "-t", "8", "-f", self.clock_settings(box)], text=True,
+                                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        said = {box: process.communicate(timeout=PATIENCE)[0] for box, process in asked.items()}
+        self.assertIn("System clock wrong by", said[self.right])
+        self.assertNotIn("System clock wrong by", said[self.stranger])
+
+
+class Roles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="vitrine-wall-")
+        self.addCleanup(folder.cleanup)
+        self.box = Box(folder.name, "one")
+        self.good = Path(folder.name) / "good.key"
+        self.good.write_text("a" * 64 + "\n")
+
+    def fails(self, *words):
+        """One sentence, and nothing is written."""
+        before = self.files()
+        said = self.box.wall(*words)
+        self.assertEqual(said.returncode, 1)
+        self.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
+        self.assertEqual(self.files(), before)
+        return said.stderr
+
+    def files(self):
+        return {str(p.relative_to(self.box.root)): p.read_bytes() for p in self.box.root.rglob("*") if p.is_file()}
+
+    def test_what_a_role_wrote_is_taken_back(self):
+        keys = self.box.root / "etc/chrony/chrony.keys"
+        keys.parent.mkdir()
+        keys.write_text("# of the machine\n1 MD5 abc\n")
+        for words in (("lead", "lobby"), ("join", "lobby", str(self.good), "10.0.0.1")):
+            before = self.files()
+            said = self.box.wall(*words)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            for path in sorted(set(self.files()) - set(before)):
+                if path not in ("etc/vitrine/wall.key", "etc/chrony/chrony.keys"):
+                    self.assertIn(f"wrote /{path}", said.stdout)
+                self.assertNotIn("@", self.files()[path].decode().replace("vitrine@", ""), path)
+            role = "leads" if words[0] == "lead" else "follows"
+            self.assertIn(f"this box {role}", self.box.wall("status").stdout)
+            self.assertEqual(self.box.wall("leave").returncode, 0)
+            self.assertEqual({**self.files(), "etc/vitrine/wall.key": b""}, {**before, "etc/vitrine/wall.key": b""})
+            self.assertIn("no part of a wall", self.box.wall("status").stdout)
+
+    def test_secrets_are_for_their_users_alone_and_tell_nothing_of_the_key(self):
+        self.assertEqual(self.box.wall("lead", "lobby").returncode, 0)
+        key = self.box.key.read_text().strip()
+        self.assertEqual(self.box.key.stat().st_mode & 0o077, 0)
+        for path, content in self.files().items():
+            if not path.endswith((".key", "broker.psk")):
+                self.assertNotIn(key, content.decode(), path)
+        for name, mode in (("vitrine/wall/broker.psk", 0o640), ("chrony/chrony.keys", 0o640), ("vitrine/wall/share.secret", 0o400)):
+            self.assertEqual((self.box.root / "etc" / name).stat().st_mode & 0o777, mode, name)
+
+    def test_both_sides_of_a_wall_make_the_same_secrets_and_another_key_makes_others(self):
+        self.assertEqual(self.box.wall("lead", "lobby").returncode, 0)
+        shared = (self.box.root / "etc/vitrine/wall/share.secret").read_text().strip().split(":")[1]
+        for key, same in ((self.box.key, self.assertEqual), (self.good, self.assertNotEqual)):
+            other = Box(tempfile.mkdtemp(dir=self.good.parent), "two")
+            self.assertEqual(other.wall("join", "lobby", str(key), "10.0.0.1").returncode, 0)
+            same((other.root / "etc/vitrine/wall/fetch.secret").read_text().strip(), shared)
+
+    def test_bad_words_are_one_sentence_and_change_nothing(self):
+        bad = self.good.parent / "bad.key"
+        for content in ("", "a" * 63, "a" * 65, "g" * 64, "a" * 64 + "\n" + "b" * 64, "\0" * 64):
+            bad.write_text(content)
+            self.assertIn("is no key of a wall", self.fails("join", "lobby", str(bad), "10.0.0.1"))
+        self.assertIn("there is no key", self.fails("join", "lobby", "/nowhere", "10.0.0.1"))
+        self.assertIn("the key is missing", self.fails("join", "lobby"))
+        for name in ("", "a/b", "a b", "-a", "ä", "a;reboot", "a|b", "a\nb", "$(id)"):
+            self.assertIn("is no name", self.fails("lead", name))
+        self.assertIn("at most 63", self.fails("lead", "a" * 64))
+        self.assertIn("is no address", self.fails("join", "lobby", str(self.good), "a b"))
+        self.assertIn("is no network", self.fails("lead", "lobby", "--net", "all of them"))
+        self.assertIn("is not understood", self.fails("lead", "lobby", "hall"))
+        self.assertIn("no part of a wall", self.fails("leave"))
+        self.assertIn("there is no command", self.fails("lend"))
+
+    def test_a_box_has_one_role(self):
+        self.assertEqual(self.box.wall("lead", "lobby").returncode, 0)
+        self.assertIn("leads the wall 'lobby'", self.fails("join", "lobby", str(self.good), "10.0.0.1"))
+        self.assertIn("leads the wall 'lobby'", self.fails("lead", "hall"))
+
+    def test_a_network_that_is_given_is_the_only_one(self):
+        self.assertEqual(self.box.wall("lead", "lobby", "--net", "10.0.7.0/24").returncode, 0)
+        self.assertIn("hosts allow = 10.0.7.0/24\n", (self.box.root / "etc/vitrine/wall/rsyncd.conf").read_text())
+        self.assertIn("allow 10.0.7.0/24\n", (self.box.root / "etc/chrony/conf.d/vitrine-wall.conf").read_text())
+
+    def test_a_link_without_a_part_or_a_key_says_so_in_a_sentence(self):
+        for options, sentence in (((), "no part of a wall"), (("--wall.role", "lead"), "wall.name is missing"),
+                                  (("--wall.role", "follow", "--wall.name", "lobby"), "wall.leader is missing"),
+                                  (("--wall.role", "lead", "--wall.name", "lobby", "--wall.key", "/nowhere"), "cannot be read"),
+                                  (("--wall.role", "lead", "--wall.name", "lobby", "--wall.key", "/etc/hostname"), "is no key")):
+            said = subprocess.run([LINK, "--config", self.box.settings, *options], text=True, capture_output=True, timeout=PATIENCE)
+            self.assertEqual(said.returncode, 1)
+            self.assertIn(sentence, said.stderr)
+            self.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
+
+
+if __name__ == "__main__":
+    if lacks := missing():
+        print(f"NOT RUN: this machine lacks {', '.join(lacks)}")
+        sys.exit(SKIPPED)
+    if INSIDE not in os.environ:
+        os.environ[INSIDE] = "1"
+        os.execvp("unshare", ["unshare", "--net", sys.executable, *sys.argv])
+    os.environ["PATH"] += ":/usr/sbin:/sbin"
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)

@@ -1,0 +1,186 @@
+#include "player/scene/acts/act_json.hpp"
+
+#include "player/scene/acts/box_note.hpp"
+#include "player/scene/acts/touch_json.hpp"
+#include "tests/player/scene/acts/shared_house.hpp"
+#include "tests/player/scene/changing_wall.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+const char* const stored = "0123456789abcdef0123456789abcdef01234567/0.mkv";
+
+/// An act with a transition in which shots move, come and leave.
+WallAct act(std::uint64_t seed, const CellStyle& style = {}) {
+    ChangingWall wall({1280, 720}, 6, seed, random_item, style);
+    WallAct made{.name = {.run = 12, .generation = 7},
+                 .epoch = 1'800'000'000s + 1ns,
+                 .canvas = {1280, 720},
+                 .parts = {{"a/HDMI-A-1", {.box = {{0, 0}, {640, 720}}}},
+                           {"b/DP-1", {.box = {{660.1, 0}, {1280, 720}}, .turned = 90}}},
+                 .cells = style,
+                 .fade = 800ms,
+                 .shown = wall.shown()};
+    for (PlacedShot& placed : made.shown)
+        placed.shot.picture = placed.shot.item.core.max;
+    std::vector<PlacedShot> next = wall.turned();
+    for (PlacedShot& placed : next)
+        placed.shot.picture = placed.shot.item.core.max;
+    WallChange& change = made.change.emplace(WallChange{.canvas = {1280, 720}, .wall = std::move(next)});
+    begin_transition(change, made.shown, {.cells = style}, 5s);
+    return made;
+}
+
+bool is_same(const Frame& one, const Frame& other) {
+    return std::ranges::equal(one.items, other.items, [](const DrawItem& a, const DrawItem& b) {
+        return a.source == b.source && a.placement == b.placement && a.alpha == b.alpha &&
+               a.local == b.local && a.picture == b.picture && a.cell->parts == b.cell->parts &&
+               a.cell->filler == b.cell->filler && a.cell->triangles == b.cell->triangles &&
+               a.cell->filler_triangles == b.cell->filler_triangles &&
+               a.cell->edge_coverage == b.cell->edge_coverage;
+    });
+}
+
+/// How many of so many changed acts are tried. VITRINE_ACTS=100000: all.
+int count(int usual) {
+    const char* const wanted = std::getenv("VITRINE_ACTS");
+    return wanted != nullptr ? std::atoi(wanted) : usual;
+}
+
+}  // namespace
+
+TEST_CASE("an act is read as it was written, and gives the same frames bit by bit") {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const WallAct before = act(seed, {.feather = seed == 2 ? 24.0 : 1.0});
+        const std::string text = to_json(before);
+        const WallAct after = act_from_json(text);
+        CHECK(to_json(after) == text);
+        CHECK(after.name == before.name);
+        CHECK(after.parts == before.parts);
+        CHECK(after.epoch == before.epoch);
+        for (const auto now : {4s, 5s, 6s, 9s})
+            for (const auto more : {0ms, 130ms, 400ms})
+                CHECK(is_same(act_frame(before, now + more), act_frame(after, now + more)));
+    }
+}
+
+TEST_CASE("a way of a touched wall is read as it was written") {
+    WallAct before = act(4);
+    WayRequest request{.wall = {.canvas = {1280, 720}}, .wishes = {}};
+    WallKey key;
+    for (const PlacedShot& placed : before.shown) {
+        key.placements.push_back(placed.placement);
+        key.cells.push_back(placed.cell);
+        key.alphas.push_back(0.1 + 0.2);
+    }
+    before.change->transition.reset();
+    before.change->wall = before.shown;
+    before.change->way = std::make_shared<const WallWay>(WallWay{.keys = {key, key}, .homes = {}});
+    before.change->duration = 300ms;
+    const WallAct after = act_from_json(to_json(before));
+    CHECK(to_json(after) == to_json(before));
+    for (const auto passed : {-100ms, 0ms, 200ms, 400ms})
+        CHECK(is_same(act_frame(before, 5s + passed), act_frame(after, 5s + passed)));
+}
+
+TEST_CASE("a shot is named by its file in the store, and by no other file") {
+    WallAct before = act(5);
+    for (PlacedShot& placed : before.shown)
+        placed.shot.shot.stored = StoredShot{.file = stored, .begin = 2s, .width = 640, .height = 360};
+    before.change.reset();
+    const std::string text = to_json(before);
+    const WallAct after = act_from_json(text);
+    CHECK(after.shown[0].shot.shot.stored == before.shown[0].shot.shot.stored);
+    for (const char* const bad : {"../../etc/passwd", "/etc/passwd", "a"}) {
+        std::string hostile = text;
+        hostile.replace(hostile.find(stored), std::string(stored).size(), bad);
+        CHECK_THROWS_AS(act_from_json(hostile), std::runtime_error);
+    }
+}
+
+TEST_CASE("an act of another version, and what is none, gives a sentence") {
+    const std::string text = to_json(act(6));
+    const auto fault = [](const std::string& of) -> std::string {
+        try {
+            (void)act_from_json(of);
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    std::string other = text;
+    other.replace(other.find("\"version\":1"), 11, "\"version\":2");
+    CHECK(fault(other) == "the leader of the wall sends acts of another version; both need the same Vitrine");
+    CHECK_FALSE(fault("").empty());
+    CHECK_FALSE(fault("[]").empty());
+    CHECK_FALSE(fault(R"({"version":1})").empty());
+    CHECK_FALSE(fault(std::string(200'000, '[')).empty());
+    CHECK_FALSE(fault(std::string(2 << 20, ' ')).empty());
+}
+
+TEST_CASE("changed acts are refused, or can be drawn at any time") {
+    std::mt19937_64 random(20);
+    const auto below = [&](std::size_t most) { return static_cast<std::size_t>(random() % most); };
+    const std::vector<std::string> texts{to_json(act(7)), to_json(act(8, {.feather = 20}))};
+    const std::vector<std::string> words{"-1", "0",    "1e308", "1e-300", "null", "[]",
+                                         "{}", "true", "\"\"",  "1e9",    "-1e6", "9223372036854775807"};
+    int drawn = 0;
+    for (int k = 0; k < count(400); ++k) {
+        std::string text = texts[below(texts.size())];
+        for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+            const std::size_t begin = text.find_first_of("0123456789-", below(text.size()));
+            if (begin == std::string::npos) continue;
+            const std::size_t end = text.find_first_not_of("0123456789.e-+", begin);
+            if (below(4) == 0)
+                text[below(text.size())] = static_cast<char>(below(256));
+            else
+                text.replace(begin, end - begin, words[below(words.size())]);
+        }
+        try {
+            const WallAct read = act_from_json(text);
+            for (const auto now : {4s, 5s, 9s})
+                (void)act_frame(read, now + 300ms);
+            ++drawn;
+        } catch (const std::runtime_error&) {
+            continue;
+        }
+    }
+    CHECK(drawn > 0);
+}
+
+TEST_CASE("what boxes tell of themselves is read as it was written, and bounded") {
+    const BoxNote note{.leads = true,
+                       .outputs = {{.name = "HDMI-A-1", .width = 1920, .height = 1080, .turned = 270}},
+                       .shown = ActName{.run = 5, .generation = 6},
+                       .lacking = {"a.jpg"},
+                       .has_right_clock = true,
+                       .difference = -40us};
+    CHECK(box_note_from_json(to_json(note)) == note);
+    CHECK(box_note_from_json(R"({"gone":true})").is_gone);
+    for (const char* const bad : {"", "[]", R"({"outputs":[{"name":"a","width":0,"height":1,"turned":0}]})",
+                                  R"({"outputs":7})", R"({"lacking":[7]})", R"({"gone":"yes"})"})
+        CHECK_THROWS_AS(box_note_from_json(bad), std::runtime_error);
+    const ActName name{.run = 1, .generation = 2};
+    CHECK(ready_from_json(ready_to_json(name)) == name);
+    CHECK_THROWS_AS(ready_from_json("{}"), std::runtime_error);
+}
+
+TEST_CASE("touches travel as they were made") {
+    const std::vector<InputEvent> events{
+        Contact{.kind = Contact::Kind::move, .finger = 2, .at = {0.1, 700}, .time = 3s},
+        Wheel{.notches = -1.5, .at = {3, 4}, .time = 3s}};
+    CHECK(touches_from_json(touches_to_json(events), 3s) == events);
+    CHECK_THROWS_AS(touches_from_json(R"({"events":[{"kind":9,"finger":0,"at":[0,0]}]})", 3s),
+                    std::runtime_error);
+    CHECK_THROWS_AS(touches_from_json("7", 3s), std::runtime_error);
+}

@@ -1,0 +1,128 @@
+// Boxes of one wall show the same frames at the same time, whatever the network does.
+
+#include "tests/player/scene/acts/shared_house.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+
+using namespace vitrine;
+using namespace vitrine::player;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Seconds of virtual time. VITRINE_SHARED=1800: half an hour.
+Ns duration(Ns usual) {
+    const char* const wanted = std::getenv("VITRINE_SHARED");
+    return wanted != nullptr ? std::chrono::seconds(std::atoi(wanted)) : usual;
+}
+
+Ns percentile(const std::vector<Ns>& sorted, double share) {
+    return sorted.empty() ? 1h
+                          : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+TEST_CASE("three boxes with clocks of their own show the same frames, and changes begin together") {
+    SharedHouse house({.seed = 3, .cuts = 0.01});
+    house.run(duration(60s));
+    for (std::size_t i = 1; i < house.boxes.size(); ++i) {
+        const double same = share_in_step(house.boxes[0], house.boxes[i], 10s);
+        const std::vector<Ns> apart = begins_apart(house.boxes[0], house.boxes[i]);
+        INFO("box ", i, ": ", same, " in step, ", apart.size(), " changes, p99 ",
+             percentile(apart, 0.99).count());
+        CHECK(same >= 0.999);
+        CHECK(apart.size() >= 10);
+        CHECK(percentile(apart, 0.99) <= 16'700us);
+        CHECK(house.boxes[i].back == 0);
+        CHECK(house.boxes[i].gaps == 0);
+    }
+    CHECK(house.faults == 0);
+}
+
+TEST_CASE("boxes whose clocks nobody keeps right are not in step") {
+    SharedHouse house({.seed = 3, .is_disciplined = false});
+    house.run(30s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i)
+        CHECK(share_in_step(house.boxes[0], house.boxes[i], 10s) < 0.9);
+}
+
+TEST_CASE("a box that comes late is in step with its first picture") {
+    SharedHouse house({.seed = 5});
+    house.run(7s);
+    house.kill(2);
+    house.run(9s);
+    house.start_follower(2);
+    const Ns started = house.truth;
+    house.boxes[2].frames.clear();
+    house.run(6s);
+    const auto& frames = house.boxes[2].frames;
+    const auto first = std::ranges::find_if(frames, &ShownFrame::is_whole);
+    REQUIRE(first != frames.end());
+    CHECK(first->truth - started < 2s);
+    CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.999);
+}
+
+TEST_CASE("leader and followers are killed and connections cut: nothing is dark, goes back or is lost") {
+    SharedHouse house({.seed = 11, .cuts = 0.05});
+    std::mt19937_64 random(7);
+    const Ns end = duration(60s);
+    while (house.truth < end) {
+        house.run(std::chrono::milliseconds(std::uniform_int_distribution(500, 9000)(random)));
+        const std::size_t victim = random() % house.boxes.size();
+        house.kill(victim);
+        house.run(std::chrono::milliseconds(std::uniform_int_distribution(100, 4000)(random)));
+        if (victim == 0)
+            house.start_leader();
+        else
+            house.start_follower(victim);
+    }
+    house.run(3s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i)
+        if (!house.boxes[i].is_linked) house.heal(i);
+    house.run(12s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i) {
+        CHECK(house.boxes[i].gaps == 0);
+        CHECK(house.boxes[i].back == 0);
+        CHECK(share_in_step(house.boxes[0], house.boxes[i], house.truth - 4s) >= 0.99);
+    }
+    CHECK(house.faults == 0);
+}
+
+TEST_CASE("a box that has not got a shot shows the last act, says so, and comes as soon as it has it") {
+    SharedHouse house({.seed = 2});
+    house.run(6s);
+    TestBox& box = house.boxes[1];
+    box.missing = {"e", "d"};
+    bool has_said = false;
+    for (int second = 0; second < 8; ++second) {
+        house.run(1s);
+        REQUIRE(box.talk->told());
+        has_said |= !box.talk->told()->lacking.empty();
+    }
+    CHECK(has_said);
+    CHECK(box.gaps == 0);
+    CHECK(share_in_step(house.boxes[0], house.boxes[2], house.truth - 5s) >= 0.99);
+    box.missing.clear();
+    house.run(10s);
+    CHECK(share_in_step(house.boxes[0], box, house.truth - 3s) >= 0.99);
+}
+
+TEST_CASE("a touch on a box that follows moves the wall of all") {
+    SharedHouse house({.seed = 4,
+                       .wall = {.slots = {.count = 3, .order = ShotOrder::name, .dwell = 1h},
+                                .lead = 500ms,
+                                .touch_lead = 60ms}});
+    house.run(6s);
+    house.followed(1).note_touch(Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}});
+    house.run(100ms);
+    const std::vector<InputEvent> touches = house.boxes[0].talk->take_touches(1s);
+    REQUIRE(touches.size() == 1);
+    const auto& contact = std::get<Contact>(touches[0]);
+    CHECK(contact.at == Vec2{200, 300});
+    CHECK(contact.finger >= 1000);
+    CHECK(contact.time == 1s);
+}
