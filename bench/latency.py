@@ -96,7 +96,9 @@ def make_film(path):
 
 
 def make_photo(path, i):
-    ffmpeg("-f", "lavfi", "-i", f"mandelbrot=size=1000x750:rate=1:start_scale={3 - i * 0.4}", "-frames:v", 1, "-vf", "scale=4000:3000", "-q:v", 3, path)
+    """Patterns that are not alike: near-copies would be one for the wall."""
+    pattern = ["mandelbrot=start_scale=3:", "testsrc2=", "sierpinski=", "smptehdbars="][i]
+    ffmpeg("-f", "lavfi", "-i", f"{pattern}size=1000x750:rate=1", "-frames:v", 1, "-vf", "scale=4000:3000,noise=alls=12", "-q:v", 3, path)
 
 
 def measure_latency(root, state, photos, film):
@@ -113,7 +115,20 @@ def measure_latency(root, state, photos, film):
         seen = shown.when(rf"source {source} appears", at)
         print(f"{file.name}: {known - at:.2f} s until the player knows of it, {seen - at:.2f} s until its first frame is drawn", flush=True)
         shown.when(f"wall of {i + 1} item", at)  # the crossfade is not part of the next
-    return analyzer, player
+    return analyzer, player, shown
+
+
+def measure_notice(root, photo, shown):
+    """A notice of 12 megapixels, from its landing until it is all that the screen shows."""
+    file = photo.with_name("!NOW 20min fire.jpg")
+    os.rename(photo, file)
+    at = land(file, root)
+    known = shown.when(r"new: '!NOW", at)
+    source = shown.line(r"source (\d+): '!NOW", at)[1]
+    seen = shown.when(rf"source {source} appears", at)
+    whole = shown.when("wall of 1 item", seen)
+    print(f"a notice of 12 MP: {known - at:.2f} s until the player knows of it, {seen - at:.2f} s until it comes, "
+          f"{whole - at:.2f} s until it is the whole screen", flush=True)
 
 
 def record_of(state, name):
@@ -161,7 +176,10 @@ def main():
             film = Path(sys.argv[2])
         else:
             make_film(film)
-        programs = measure_latency(root, state, photos, film)
+        *programs, shown = measure_latency(root, state, photos, film)
+        notice = work / "notice.jpg"
+        make_photo(notice, 3)
+        measure_notice(root, notice, shown)
         end = time.monotonic() + PATIENCE
         while sum("stored" in shot for shot in record_of(state, film.name)["shots"]) < 4 and time.monotonic() < end:
             time.sleep(0.5)

@@ -1,6 +1,7 @@
 #include "player/player_service.hpp"
 
 #include "base/settings/settings.hpp"
+#include "base/state/path_text.hpp"
 #include "base/state/record_json.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
@@ -194,6 +195,8 @@ FileReport PlayerService::report_file(const std::string& given, const std::strin
     for (const std::string& name : names)
         if (const auto record = view_.files.find(name)) return describe(*record);
     FileReport unknown{.path = given, .state = "unknown"};
+    if (std::ranges::any_of(names, is_in_inbox))
+        unknown.reason = "It is in the inbox: it is shown once somebody has moved it out.";
     for (const std::string& name : names)
         unknown.places.push_back(fmt::format("{}/{}", root, name));
     return unknown;

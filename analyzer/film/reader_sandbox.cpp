@@ -39,11 +39,12 @@ std::optional<MediaFormat> format_of(const MediaFile& file) {
     return std::nullopt;
 }
 
-void load_readers(MediaFormat format) {
+void load_readers(MediaFormat format, bool holds_film) {
     init_vips();  // it writes the thumbnails of films, too
-    if (kind_of(format) == MediaKind::photo) return;
+    const bool is_photo = kind_of(format) == MediaKind::photo;
+    if (is_photo && !holds_film) return;
     start_gstreamer();
-    load_decoders(format);
+    load_decoders(is_photo ? MediaFormat::mp4 : format);
     for (const char* factory : own_elements)
         load_element(factory);
 }
@@ -77,7 +78,7 @@ class Descriptors {
 
 void enter_reader_sandbox(const MediaFile& file, const ReaderNeeds& needs) {
     const std::optional<MediaFormat> format = format_of(file);
-    if (format) load_readers(*format);
+    if (format) load_readers(*format, needs.holds_film);
     Descriptors folders, models;  // models and libraries
     for (const fs::path& folder : folders_for(format, needs)) {
         std::error_code ignored;

@@ -13,6 +13,7 @@ struct ReaderNeeds {
     std::vector<std::filesystem::path> folders;    // written below; made where they are not there
     std::filesystem::path film_folder;             // one more if the file is a film; empty: none
     std::vector<std::string> models;               // files to read; empty names are passed over
+    bool holds_film = false;                       // the photo may have a film, an MP4, inside
     std::vector<std::filesystem::path> libraries;  // folders to read below, where they are there
 };
 

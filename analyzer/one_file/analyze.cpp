@@ -85,6 +85,21 @@ std::optional<Box> to_source(const cv::Rect& part, cv::Size frame, const MediaRe
     return Box{{part.x * x, part.y * y}, {part.br().x * x, part.br().y * y}};
 }
 
+/// The faces and lines of text in a photo's only sample, px of the source.
+std::vector<Box> marks_of(const std::vector<Sample>& samples, cv::Size frame, const MediaRecord& record) {
+    std::vector<Box> marks;
+    if (record.kind != MediaKind::photo || samples.empty()) return marks;
+    const cv::Size map = map_size(frame);
+    const double scale = static_cast<double>(record.width) / map.width;
+    const auto add = [&](const Box& box) {
+        if (marks.size() < Shot::max_marks) marks.push_back({box.min * scale, box.max * scale});
+    };
+    for (const Face& face : samples.front().faces)
+        add(face.box);
+    std::ranges::for_each(samples.front().lines, add);
+    return marks;
+}
+
 /// The kind of a shot: plain where all its samples are, a title where no more than one in five is a picture.
 PictureKind kind_of(const std::vector<Sample>& samples) {
     const auto count = [&](PictureKind kind) {
@@ -151,6 +166,7 @@ class ShotWriter {
         if (record_.shots.size() >= max_shots) return;
         const cv::Size frame = bars.whole().size();
         shot.picture = to_source(active, frame, record_);
+        shot.marks = marks_of(samples, frame, record_);
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
                                                   {record_.width, record_.height}, settings_);
         record_.shots.push_back(evidence.shot);

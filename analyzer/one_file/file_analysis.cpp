@@ -5,6 +5,8 @@
 #include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/one_file/explain_sheet.hpp"
+#include "analyzer/one_file/inner_film.hpp"
+#include "analyzer/origin/motion_photo.hpp"
 #include "analyzer/status/thumbnail.hpp"
 #include "analyzer/store/store_writer.hpp"
 #include "analyzer/tapestry/tapestry_state.hpp"
@@ -167,7 +169,10 @@ class FileAnalysis {
     void finish_outputs(MediaRecord& record) {
         const MediaFile& file = file_.media();
         if (frames_) frames_->finish(record, {.bytes = file.bytes(), .mtime_ns = file.mtime_ns()});
-        if (store_) store_->finish(record);
+        if (!store_) return;
+        store_->finish(record);
+        if (record.kind == MediaKind::photo && media_format(file.name()) == MediaFormat::jpeg)
+            add_inner_film(record, file.name(), file_.store_place(), settings_for(file_, outputs_));
     }
 
     void grow(const MediaRecord& part) {
@@ -231,6 +236,17 @@ MediaRecord analysed_record(const AnalysedFile& file, const AnalysisOutputs& out
     return file.stamped(FileAnalysis(file, outputs, events).record());
 }
 
+/// True: it may be a motion photo, whose film is to be stored. A file that cannot be read has none.
+bool may_store_film(const AnalysedFile& file, const AnalysisOutputs& outputs) {
+    const std::string name = file.media().name();
+    try {
+        return outputs.stored && file.media().is_plain() && media_format(name) == MediaFormat::jpeg &&
+               may_hold_film(name);
+    } catch (const MediaError&) {
+        return false;
+    }
+}
+
 /// The folder in the store comes first, and also where nothing is stored: libraries use it.
 ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     const StorePlace place = file.store_place();
@@ -239,6 +255,7 @@ ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
         .models = {settings.face_model, settings.face_cascade, settings.saliency_model, settings.text_model}};
     if (outputs.stored || outputs.growth) needs.folders.push_back(place.store / place.id);
     if (outputs.thumbnail) needs.folders.push_back(file.thumbnail().parent_path());
+    needs.holds_film = may_store_film(file, outputs);
     if (outputs.frames && lacks_tapestry(file)) needs.film_folder = file.tapestry();
     return needs;
 }

@@ -27,6 +27,8 @@ Store::Store(fs::path directory, const StoreBounds& bounds)
 
 bool Store::lacks(const MediaRecord& record) const {
     if (!is_on() || record.state != MediaState::ready) return false;
+    if (record.film && record.film->is_there() && !fs::exists(directory_ / record.film->shot.stored->file))
+        return true;
     return std::any_of(record.shots.begin(), record.shots.end(), [&](const Shot& shot) {
         if (!shot.stored) return true;
         return !shot.stored->is_dropped &&
@@ -45,8 +47,11 @@ bool Store::lacks_sound(const MediaRecord& record) const {
 }
 
 void Store::mark_dropped(MediaRecord& record) const {
-    for (Shot& shot : record.shots)
+    const auto mark = [&](Shot& shot) {
         if (shot.stored && dropped_.contains(shot.stored->file)) shot.stored->is_dropped = true;
+    };
+    std::ranges::for_each(record.shots, mark);
+    if (record.film) mark(record.film->shot);
     if (record.sound && dropped_.contains(record.sound->file)) record.sound->is_dropped = true;
 }
 
@@ -55,6 +60,7 @@ void Store::note_record(const MediaRecord& record) {
     names.clear();
     for (const Shot& shot : record.shots)
         if (shot.stored && !shot.stored->is_dropped) names.insert(shot.stored->file);
+    if (record.film && record.film->is_there()) names.insert(record.film->shot.stored->file);
     if (record.sound && !record.sound->is_dropped && !record.sound->file.empty())
         names.insert(record.sound->file);
     for (const std::string& name : names)

@@ -123,6 +123,7 @@ void FileBook::refine(const std::vector<MediaRecord>& found) {
         if (known->shots.size() != 1 || refined.shots.size() != 1) continue;
         known->shots.front().region = refined.shots.front().region;
         known->shots.front().picture = refined.shots.front().picture;
+        known->shots.front().marks = refined.shots.front().marks;
         known->shots.front().certainty = refined.shots.front().certainty;
         known->shots.front().analysis = refined.shots.front().analysis;
         write_record(std::move(*known));

@@ -162,10 +162,6 @@ bool is_junk_name(std::string_view name) {
                        [&](const char* ending) { return lower.ends_with(ending); });
 }
 
-bool is_in_inbox(std::string_view path) {
-    return lower_case(path.substr(0, path.find('/'))) == "_inbox";
-}
-
 /// Opens folder by folder, so that no link below the root is followed. openat2() would do that at once, but a
 /// service that systemd keeps from making setuid files does not have it.
 UniqueFd MediaFolder::open(const std::string& path, int flags) const {

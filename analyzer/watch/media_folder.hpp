@@ -20,10 +20,6 @@ bool is_junk_name(std::string_view name);
 /// is_caption_file() and is_code_file().
 bool is_sidecar(std::string_view name);
 
-/// True for the path of the inbox, a folder at the root whose files are never shown, and of all that lies in
-/// it: "_INBOX", in upper or lower case.
-bool is_in_inbox(std::string_view path);
-
 /// The folder whose photos and films are shown, as it is now. Links are skipped: none leads out of it. Paths
 /// are relative to it, with '/' between folders and any bytes in names.
 class MediaFolder {

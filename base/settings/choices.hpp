@@ -22,6 +22,12 @@ enum class EnergyMode {
     paper,   // eq. 3.4 by descent alone, for reproducing the paper
 };
 
+/// The shots that stand beside each other on a new wall.
+enum class NeighbourChoice {
+    any,
+    alike,  // shots of one moment or of like colours, where packing allows
+};
+
 /// The allowed places of items (layout.order).
 enum class LayoutOrder {
     free,     // each item where it fits best

@@ -69,6 +69,7 @@ struct Settings {
         int seed = 1;
         EnergyMode energy = EnergyMode::screen;
         LayoutOrder order = LayoutOrder::free;
+        NeighbourChoice neighbours = NeighbourChoice::any;
         double max_enlargement = 1.5;  // canvas px per source px
         double clearance = 2;          // canvas px between two I-Regions
         CellMethod cells = CellMethod::taut;

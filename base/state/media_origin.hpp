@@ -43,6 +43,9 @@ struct MediaOrigin {
     }
 };
 
+/// The longest pause between two pictures of one moment, such as an afternoon at a lake.
+constexpr std::chrono::hours longest_pause{2};
+
 /// True from 1990 to a day after `now`. A camera whose battery was empty begins in 1904, 1970 or 1980; a
 /// clock a day ahead may be that of another zone.
 bool is_plausible(std::chrono::sys_time<std::chrono::milliseconds> taken,

@@ -39,4 +39,8 @@ std::string from_hex(std::string_view hex) {
     return bytes;
 }
 
+bool is_in_inbox(std::string_view path) {
+    return lower_case(path.substr(0, path.find('/'))) == "_inbox";
+}
+
 }  // namespace vitrine

@@ -18,4 +18,8 @@ std::string to_hex(std::string_view bytes);
 /// @throws std::runtime_error if these are no pairs of lower-case hex digits
 std::string from_hex(std::string_view hex);
 
+/// True for the path of the inbox, a folder at the root whose files are never shown, and of all that lies in
+/// it: "_INBOX", in upper or lower case.
+bool is_in_inbox(std::string_view path);
+
 }  // namespace vitrine

@@ -57,8 +57,9 @@ struct Stretch {
 
 struct Shot {
     /// 2: bars are searched, and lines of text. 3: a photo's print, and when a medium was taken. 4: the
-    /// caption in a photo. A record says nothing of earlier ones.
-    static constexpr int current_analysis = 4;
+    /// caption in a photo. 5: the film in a photo, faces and lines. A record says nothing of earlier ones.
+    static constexpr int current_analysis = 5;
+    static constexpr std::size_t max_marks = 100;
     static constexpr int last_of_films = 3;  // films found by it lack nothing
 
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
@@ -70,12 +71,25 @@ struct Shot {
     std::optional<ShotLook> look;       // of a picture in its middle; none: an earlier analysis found it
     std::optional<PicturePrint> print;  // of a photo; none: an earlier analysis found it
     std::optional<Box> picture;         // px of the upright picture within its bars; none: it has no bars
+    std::vector<Box> marks{};           // of a photo, px of the upright picture: faces and lines of text
     std::optional<StoredShot> stored;   // the file to play; none: the medium itself, or not made yet
     int analysis = current_analysis;    // the version of the analysis that found it
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 
     bool operator==(const Shot&) const = default;
+};
+
+/// The short film inside the file of a photo, as phones write it. It is played from the store only.
+struct InnerFilm {
+    Shot shot;      // of the film, whose times are its own
+    int width = 0;  // px of its upright pictures, square pixels
+    int height = 0;
+
+    bool operator==(const InnerFilm&) const = default;
+
+    /// True: the store has it.
+    bool is_there() const { return shot.stored && !shot.stored->is_dropped; }
 };
 
 /// The facts about one file. The analyzer writes them, the player reads them.
@@ -95,6 +109,7 @@ struct MediaRecord {
     int height = 0;
     std::chrono::nanoseconds duration{0};  // 0 for a photo
     std::vector<Shot> shots;               // in time order, not overlapping; a photo has one
+    std::optional<InnerFilm> film;         // of a motion photo
     std::vector<Stretch> between;          // all of a film that is no shot, in time order; none: not told
     MediaOrigin origin;                    // when it was taken
     std::optional<StoredSound> sound;      // for a film whose sound may be played; none: it is not stored

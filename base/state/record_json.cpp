@@ -153,8 +153,18 @@ Json to_object(const Shot& shot) {
     }
     if (shot.picture)
         json["picture"] = Json::array({to_array(shot.picture->min), to_array(shot.picture->max)});
+    for (const Box& mark : shot.marks)
+        json["marks"].push_back(Json::array({to_array(mark.min), to_array(mark.max)}));
     if (shot.stored) json["stored"] = to_object(*shot.stored);
     return json;
+}
+
+std::vector<Box> to_marks(const Json& json) {
+    if (json.size() > Shot::max_marks) throw std::runtime_error("record: a shot has too many marks");
+    std::vector<Box> marks;
+    for (const Json& mark : json)
+        marks.push_back({to_vec2(mark.at(0)), to_vec2(mark.at(1))});
+    return marks;
 }
 
 Shot to_shot(const Json& json) {
@@ -177,8 +187,22 @@ Shot to_shot(const Json& json) {
     }
     if (json.contains("picture"))
         shot.picture = Box{to_vec2(json["picture"].at(0)), to_vec2(json["picture"].at(1))};
+    if (json.contains("marks")) shot.marks = to_marks(json["marks"]);
     if (json.contains("stored")) shot.stored = to_stored(json["stored"]);
     return shot;
+}
+
+Json to_object(const InnerFilm& film) {
+    return {{"width", film.width}, {"height", film.height}, {"shot", to_object(film.shot)}};
+}
+
+InnerFilm to_film(const Json& json) {
+    InnerFilm film{.shot = to_shot(json.at("shot")),
+                   .width = whole<int>(json, "width"),
+                   .height = whole<int>(json, "height")};
+    if (film.width <= 0 || film.height <= 0 || film.shot.end <= film.shot.begin)
+        throw std::runtime_error("record: the film in a photo has no size or no time");
+    return film;
 }
 
 Json to_object(const Stretch& stretch) {
@@ -251,6 +275,7 @@ MediaRecord to_record(const Json& json) {
     if (json.at("shots").size() > max_shots) throw std::runtime_error("record: too many shots");
     for (const Json& shot : json.at("shots"))
         record.shots.push_back(to_shot(shot));
+    if (json.contains("film")) record.film = to_film(json["film"]);
     if (json.contains("between")) record.between = to_stretches(json["between"]);
     record.origin = to_origin(json);
     if (json.contains("sound")) record.sound = to_sound(json["sound"]);
@@ -287,6 +312,7 @@ std::string to_json(const MediaRecord& record) {
               {"height", record.height},
               {"duration_ns", record.duration.count()},
               {"shots", shots}};
+    if (record.film) json["film"] = to_object(*record.film);
     for (const Stretch& stretch : record.between)
         json["between"].push_back(to_object(stretch));
     if (record.inode != 0) json["inode"] = record.inode;

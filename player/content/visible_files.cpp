@@ -115,7 +115,7 @@ FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
     FileVisibility judged = judge_file(file);
     if (!may_be_shown(judged.visibility)) return judged;
     judged.visibility = judge_folder(content_, file.path);
-    return seen_on(std::move(judged), content_.files, hints_.groups);
+    return seen_on(std::move(judged), content_.files, hints_.groups, Moments(ready_));
 }
 
 void VisibleFiles::follow_catalogue(const CatalogueChange& change, const RecordList& records) {
@@ -187,7 +187,8 @@ void VisibleFiles::look(std::chrono::nanoseconds time, Time now,
         if (const RecordList::Record record = records_.find(path)) open.insert(content_name(*record));
     if (crash_note_.note_open(open, now)) apply_filters();
     note_.write_if_due(now, [this] {
-        return VisibleState{.files = judged_.all(), .on_wall = content_.files, .groups = hints_.groups};
+        return VisibleState{
+            .files = judged_.all(), .on_wall = content_.files, .groups = hints_.groups, .records = ready_};
     });
 }
 

@@ -31,9 +31,11 @@ bool is_same(const VisibleState& a, const VisibleState& b) {
 std::string text_of(const VisibleState& state) {
     std::vector<FileVisibility> files;
     files.reserve(state.files.size());
+    const Moments moments(state.records);
     for (const JudgedFiles::List::Entry& file : state.files) {
-        files.push_back(has_passed_filters(file->visibility) ? seen_on(*file, state.on_wall, state.groups)
-                                                             : *file);
+        files.push_back(has_passed_filters(file->visibility)
+                            ? seen_on(*file, state.on_wall, state.groups, moments)
+                            : *file);
     }
     return visible_json(files);
 }
@@ -51,8 +53,10 @@ bool write_state(const VisibleState& state, const fs::path& file) {
 
 }  // namespace
 
-FileVisibility seen_on(FileVisibility file, const std::set<std::string>& on_wall, const GroupList& groups) {
+FileVisibility seen_on(FileVisibility file, const std::set<std::string>& on_wall, const GroupList& groups,
+                       const Moments& moments) {
     if (on_wall.contains(file.path)) file.visibility = Visibility::on_wall;
+    if (may_be_shown(file.visibility)) file.detail = moments.words_for(file.path);
     if (file.visibility != Visibility::waits_for_turn) return file;
     const GroupList::Entry entry = groups.find(file.path);
     if (!entry) return file;

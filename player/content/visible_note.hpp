@@ -2,6 +2,7 @@
 
 #include "base/state/visibility.hpp"
 #include "player/content/judged_files.hpp"
+#include "player/scene/files/moments.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -18,10 +19,13 @@ struct VisibleState {
     JudgedFiles::List files;
     std::set<std::string> on_wall;  // paths of the files that are shown now
     GroupList groups;
+    RecordList records;  // the whole catalogue
 };
 
-/// The same judgement of a file that may be shown, with what hangs: itself, or another of its group.
-FileVisibility seen_on(FileVisibility file, const std::set<std::string>& on_wall, const GroupList& groups);
+/// The same judgement of a file that may be shown, with what hangs: itself, or another of its group; and with
+/// its moment.
+FileVisibility seen_on(FileVisibility file, const std::set<std::string>& on_wall, const GroupList& groups,
+                       const Moments& moments);
 
 /// Keeps STATE/visible.json up to date. The file is replaced by rename, at most once a second, for many files
 /// less often, and only if its content has changed. In between its time is set, as proof that the player

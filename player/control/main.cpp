@@ -204,7 +204,8 @@ CommandAnswer look_for_unknown(CommandAnswer report) {
     }
     if (is_there) {
         json["state"] = "new";
-        json["says"] = "It is in the media folder and has not been looked at yet.";
+        if (json.value("reason", "").empty())
+            json["says"] = "It is in the media folder and has not been looked at yet.";
     } else if (may_look) {
         json["says"] = "There is no such file in the media folder.";
     }

@@ -39,6 +39,7 @@ void add_word(Json& json, const std::string& object) {
 }
 
 std::string answer(const FileReport& report) {
+    if (report.state == "unknown" && !report.reason.empty()) return report.reason;
     if (report.state == "unknown") return "It is not in the media folder, or has not been looked at yet.";
     FileVisibility file = report.visibility;
     if (!report.slots.empty()) file.visibility = Visibility::on_wall;  // the report is newer than the list

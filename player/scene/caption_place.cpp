@@ -62,6 +62,11 @@ Vec2 on_grid(Vec2 at, double grid) {
     return grid > 0 ? Vec2{std::round(at.x / grid) * grid, std::round(at.y / grid) * grid} : at;
 }
 
+bool touches_any(const Box& box, std::span<const Box> others) {
+    return std::ranges::any_of(others,
+                               [&](const Box& other) { return !intersection(box, other).is_empty(); });
+}
+
 std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, const Room& wanted,
                             const Box& taken) {
     const auto [size, margin, grid] = wanted;
@@ -74,8 +79,8 @@ std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, const 
             const Vec2 at =
                 on_grid(first + Vec2{way.x * across / steps_across, way.y * down / steps_down}, grid);
             const Box wide{at - Vec2{margin, margin}, at + size + Vec2{margin, margin}};
-            if (intersection(wide, taken).is_empty() && contains(part, wide) &&
-                clipped(room.region, wide).empty())
+            if (intersection(wide, taken).is_empty() && !touches_any(wide, room.avoided) &&
+                contains(part, wide) && clipped(room.region, wide).empty())
                 return Box{at, at + size};
         }
     return std::nullopt;
@@ -92,21 +97,34 @@ Polygon drifting_region(const PlacedShot& placed) {
     return convex_hull(all);
 }
 
+/// The bezels, and the faces and lines of text of a shot wherever its photo drifts, canvas px.
+std::vector<Box> avoided_by(const PlacedShot& placed, std::span<const Box> bezels) {
+    std::vector<Box> avoided(bezels.begin(), bezels.end());
+    const auto& [scale, offset] = placed.placement;
+    for (const Box& mark : placed.shot.shot.marks) {
+        const Box still{mark.min * scale + offset, mark.max * scale + offset};
+        avoided.push_back(united(moved(still, placed.drift.from), moved(still, placed.drift.to)));
+    }
+    return avoided;
+}
+
 }  // namespace
 
-std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall) {
+std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall, std::span<const Box> bezels) {
     std::vector<CaptionRoom> rooms;
     for (const PlacedShot& placed : wall)
         if (placed.cell)
             rooms.push_back({.source = placed.shot.source,
                              .path = placed.shot.key.path,
                              .cell = placed.cell,
-                             .region = drifting_region(placed)});
+                             .region = drifting_region(placed),
+                             .avoided = avoided_by(placed, bezels)});
     return rooms;
 }
 
 std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
-                                            std::span<const PlacedShot> incoming) {
+                                            std::span<const PlacedShot> incoming,
+                                            std::span<const Box> bezels) {
     std::vector<CaptionRoom> rooms;
     for (const PlacedShot& after : incoming) {
         const PlacedShot* const now = find_source(shown, after.shot.source);
@@ -118,7 +136,8 @@ std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
                          .path = now->shot.key.path,
                          .cell = now->cell,
                          .next = after.cell,
-                         .region = convex_hull(region)});
+                         .region = convex_hull(region),
+                         .avoided = avoided_by(after, bezels)});
     }
     return rooms;
 }

@@ -11,12 +11,13 @@
 
 namespace vitrine::player {
 
-/// The rooms for the captions of shots that stand.
-std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall);
+/// The rooms for the captions of shots that stand. @param bezels  canvas px
+std::vector<CaptionRoom> caption_rooms(std::span<const PlacedShot> wall, std::span<const Box> bezels = {});
 
 /// The rooms for the captions of shots that stay where they are while a wall changes into the next.
 std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
-                                            std::span<const PlacedShot> incoming);
+                                            std::span<const PlacedShot> incoming,
+                                            std::span<const Box> bezels = {});
 
 /// True if a caption that stands may stay: its box lies in the shot's own pixels, now and after the change,
 /// outside its I-Region, and under nothing that is drawn of another shot.

@@ -59,6 +59,7 @@ struct CaptionRoom {
     std::shared_ptr<const Cell> cell;    // shared by all frames of a layout
     std::shared_ptr<const Cell> next{};  // its cell after the change; null: the wall stands
     Polygon region;                      // canvas px: holds the I-Region wherever it drifts; convex
+    std::vector<Box> avoided{};          // canvas px: bezels, and faces and lines of text wherever they drift
 
     bool operator==(const CaptionRoom&) const = default;
 };

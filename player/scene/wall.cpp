@@ -7,6 +7,7 @@
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <set>
 #include <utility>
@@ -26,10 +27,11 @@ bool is_same(std::span<const PlacedShot> wall, const std::vector<WallShot>& want
                       [](const PlacedShot& a, const WallShot& b) { return a.shot.source == b.source; });
 }
 
-std::set<SourceId> sources_of(std::span<const PlacedShot> shown, std::span<const PlacedShot> coming,
+/// The sources of all walls that are seen or come, and of the shots that are wanted.
+std::set<SourceId> sources_of(std::initializer_list<std::span<const PlacedShot>> walls,
                               std::span<const WallShot> wanted) {
     std::set<SourceId> sources;
-    for (const auto& wall : {shown, coming})
+    for (const auto& wall : walls)
         for (const PlacedShot& placed : wall)
             sources.insert(placed.shot.source);
     for (const WallShot& shot : wanted)
@@ -75,7 +77,8 @@ std::vector<PlanItem> plan_items(std::span<const WallShot> wanted, std::span<con
     std::map<int, std::size_t> used;  // of those that leave, by slot
     std::vector<PlanItem> items;
     for (const WallShot& shot : wanted) {
-        PlanItem& item = items.emplace_back(PlanItem{.item = shot.item, .group = group_of(shot)});
+        PlanItem& item = items.emplace_back(PlanItem{
+            .item = shot.item, .look = shot.shot.look, .taken = shot.taken, .group = group_of(shot)});
         const std::vector<const PlacedShot*>& left = leaving[shot.slot];
         if (const PlacedShot* same = find_source(shown, shot.source))
             item.previous = same->placement;
@@ -144,12 +147,18 @@ void show_arrived(WallChange& change, const WallSources& sources, WallEntries& s
     tell_appeared(change, slots);
 }
 
+WallSettings with_numbers(WallSettings settings) {
+    std::shared_ptr<SourceId>& numbers = settings.slots.numbers;
+    if (!numbers) numbers = std::make_shared<SourceId>(settings.slots.last_source);
+    return settings;
+}
+
 }  // namespace
 
 Wall::Wall(const Canvas& canvas, const WallSettings& settings)
-    : settings_(settings),
+    : settings_(with_numbers(settings)),
       canvas_(canvas),
-      slots_(settings.slots, settings.nests),
+      slots_(settings_.slots, settings.nests),
       touch_({.edits = settings.touch,
               .cells = settings.transition.cells,
               .idle = settings.idle,
@@ -216,6 +225,7 @@ void Wall::set_layout(const Layout& layout) {
 
 void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
     sources_.set_failed(source);
+    touched_film_.source_failed(source);
     slots_.source_failed(source, now);
 }
 
@@ -263,11 +273,13 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.draw(step.frame);
+    touched_film_.draw(step.frame);
     if (!Wall::is_touched())
-        step.frame.captions =
-            is_in_change(*this) ? kept_caption_rooms(shown_, change_->wall) : caption_rooms(shown_);
-    step.retired =
-        sources_.retire_all_but(sources_of(shown_, change_ ? change_->wall : shown_, slots_.shots()));
+        step.frame.captions = is_in_change(*this)
+                                  ? kept_caption_rooms(shown_, change_->wall, shown_canvas_.bands)
+                                  : caption_rooms(shown_, shown_canvas_.bands);
+    step.retired = sources_.retire_all_but(
+        sources_of({shown_, change_ ? change_->wall : shown_, touched_film_.shots()}, slots_.shots()));
     return step;
 }
 
@@ -295,6 +307,13 @@ void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
     TouchNeeds needs = touch_.take_needs();
     for (const SourceId source : needs.dismissed)
         slots_.dismiss_shot(source, now);
+    if (needs.is_whole_over) touched_film_.end(now);
+    if (needs.whole && needs.whole->shot.film) {
+        touched_film_.begin(*needs.whole, ++*settings_.slots.numbers, now);
+        const std::vector<ShotRequest> film = sources_.request(touched_film_.shots());
+        step.requests.insert(step.requests.end(), film.begin(), film.end());
+    }
+    touched_film_.advance(now);
     if (was_active && !touch_.is_active() && !change_) needs.requests = sources_.request(shown_);
     step.requests.insert(step.requests.end(), needs.requests.begin(), needs.requests.end());
     if (change_ || canvas_ != shown_canvas_) return;

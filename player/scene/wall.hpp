@@ -2,6 +2,7 @@
 
 #include "player/scene/change_pace.hpp"
 #include "player/scene/show.hpp"
+#include "player/scene/touched_film.hpp"
 #include "player/scene/wall_change.hpp"
 #include "player/scene/wall_entries.hpp"
 #include "player/scene/wall_sources.hpp"
@@ -75,7 +76,10 @@ class Wall final : public Show {
     /// @pre one placement for each item of the plan
     void set_layout(const Layout& layout) override;
 
-    void source_ready(SourceId source) override { sources_.set_ready(source); }
+    void source_ready(SourceId source) override {
+        sources_.set_ready(source);
+        touched_film_.source_ready(source);
+    }
 
     /// Replaces the source's file by another. Its shots stay on the wall until the others are ready.
     void source_failed(SourceId source, std::chrono::nanoseconds now) override;
@@ -110,6 +114,7 @@ class Wall final : public Show {
     Canvas canvas_;
     WallEntries slots_;
     WallTouch touch_;
+    TouchedFilm touched_film_;
     WallSources sources_;
     std::vector<PlacedShot> shown_;
     Canvas shown_canvas_;  // the canvas of shown_'s layout

@@ -139,7 +139,7 @@ void WallEntries::refresh(const RecordList& before) {
             const RecordList::Record file = files_.all().find(shot.key.path);
             if (!file || shot.key.shot >= static_cast<int>(file->shots.size())) return true;
             if (!is_grown_from(*file, *before.find(shot.key.path))) return true;
-            shot.shot = file->shots[static_cast<std::size_t>(shot.key.shot)];  // the store may have it by now
+            shot.shot = shot_now(*file, shot);  // the store may have it by now
             return false;
         });
         fill(entry, folder->second);
@@ -159,6 +159,7 @@ void WallEntries::fill(const WallShot& entry, FolderShots& shots) {
     for (std::size_t i = shots.size(); i < keys.size(); ++i) {
         const RecordList::Record file = files_.all().find(keys[i].path);
         shots.push_back(wall_shot(*file, keys[i], ++*settings_.numbers, entry.slot));
+        shots.back().film = film_of_photo(files_.all(), groups_, keys[i]);
         shots.back().folder = entry.key.path;
     }
 }

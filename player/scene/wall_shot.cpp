@@ -7,6 +7,15 @@
 
 namespace vitrine::player {
 
+namespace {
+
+std::optional<std::chrono::sys_time<std::chrono::milliseconds>> time_of_camera(const MediaOrigin& origin) {
+    if (!origin.taken || origin.taken->source == TimeSource::file) return std::nullopt;
+    return origin.taken->at;
+}
+
+}  // namespace
+
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot) {
     const Shot& shot = record.shots.at(static_cast<std::size_t>(key.shot));
     return {.source = source,
@@ -17,7 +26,31 @@ WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId sourc
             .active = active_picture(record, shot),
             .item = layout_item(record, shot),
             .shot = shot,
-            .folder = {}};
+            .taken = time_of_camera(record.origin),
+            .folder = {},
+            .film = {}};
+}
+
+std::shared_ptr<const WallShot> film_of_photo(const RecordList& files, const GroupTurns& groups,
+                                              const ShotKey& photo) {
+    const RecordList::Record record = files.find(photo.path);
+    if (!record || record->kind != MediaKind::photo) return nullptr;
+    if (record->film && record->film->is_there()) {
+        const MediaRecord inner{.path = record->path,
+                                .kind = MediaKind::film,
+                                .width = record->film->width,
+                                .height = record->film->height,
+                                .shots = {record->film->shot}};
+        return std::make_shared<const WallShot>(wall_shot(inner, photo, 0, 0));
+    }
+    const RecordList::Record film = files.find(groups.film_of(photo.path));
+    if (!film) return nullptr;
+    return std::make_shared<const WallShot>(wall_shot(*film, {.path = film->path, .shot = 0}, 0, 0));
+}
+
+const Shot& shot_now(const MediaRecord& record, const WallShot& shot) {
+    const bool is_inner = shot.kind == MediaKind::film && record.kind == MediaKind::photo && record.film;
+    return is_inner ? record.film->shot : record.shots.at(static_cast<std::size_t>(shot.key.shot));
 }
 
 ShotRequest request_of(const PlacedShot& placed) {

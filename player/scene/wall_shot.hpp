@@ -3,12 +3,15 @@
 #include "base/state/record.hpp"
 #include "player/layout/cells/cells.hpp"
 #include "player/layout/plan/plan_request.hpp"
+#include "player/scene/files/group_turns.hpp"
 #include "player/scene/files/shot_rotation.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,13 +28,23 @@ struct WallShot {
     Box active;    // its part within its bars, source px
     LayoutItem item;
     Shot shot;
+    std::optional<std::chrono::sys_time<std::chrono::milliseconds>> taken;  // by a camera
     std::string folder;  // the folder whose entry it stands for, with others; empty: it is an entry itself
+    std::shared_ptr<const WallShot> film{};  // that belongs to a photo, without a source; null: none
 
     bool operator==(const WallShot&) const = default;
 };
 
 /// @param key  a shot of this record
 WallShot wall_shot(const MediaRecord& record, const ShotKey& key, SourceId source, int slot);
+
+/// The film that belongs to a photo, without a source: the one inside its file, whose key is the photo's, or
+/// that of a Live Photo. Null: there is none.
+std::shared_ptr<const WallShot> film_of_photo(const RecordList& files, const GroupTurns& groups,
+                                              const ShotKey& photo);
+
+/// The facts of a shot of the wall as its file's record has them now.
+const Shot& shot_now(const MediaRecord& record, const WallShot& shot);
 
 /// The group of a shot in a layout, by its slot: the shots of one folder are placed together.
 inline int group_of(const WallShot& shot) {

@@ -80,8 +80,7 @@ void WallSlots::follow_changes(const RecordList& before) {
             put_shot(slot, key);
             due_.reset();
         } else {
-            slot.shot->shot =
-                file->shots[static_cast<std::size_t>(key.shot)];  // the store may have it by now
+            slot.shot->shot = shot_now(*file, *slot.shot);  // the store may have it by now
         }
     }
     // Files that have turned out to be one with another on the wall leave; a pinned one stays.
@@ -182,6 +181,7 @@ void WallSlots::source_failed(SourceId source, std::chrono::nanoseconds now) {
                                  [&](const Slot& slot) { return slot.shot && slot.shot->source == source; });
     if (at == slots_.end()) return;
     const std::string path = at->shot->key.path;
+    if (at->then == at->shot->key) return put_shot(*at, at->shot->key);  // the photo without its film
     chooser_.avoid_file(path, now + settings_.retry_after);
     for (Slot& slot : slots_) {
         if (!slot.shot || slot.shot->key.path != path) continue;
@@ -232,7 +232,7 @@ void WallSlots::spread_leaving(const std::vector<Slot*>& filled) {
     if (!is_in_sequence(settings_.film, files_.all().size())) return;
     std::map<std::string, std::vector<Slot*>> films;
     for (Slot* slot : filled)
-        if (slot->shot->kind == MediaKind::film) films[slot->shot->key.path].push_back(slot);
+        if (slot->shot->kind == MediaKind::film && !slot->then) films[slot->shot->key.path].push_back(slot);
     for (const auto& [path, slots] : films) {
         const auto count = static_cast<std::int64_t>(slots.size());
         for (std::int64_t k = 0; k < count; ++k) {
@@ -278,21 +278,22 @@ std::optional<ShotKey> WallSlots::choose_shot(const Slot& slot) {
     return chooser_.next_shot(free);
 }
 
-/// Puts a shot into a slot, or the film of its Live Photo before it.
+/// Puts a shot into a slot, or the film that belongs to it before it.
 void WallSlots::put_shot(Slot& slot, const ShotKey& key) {
     const bool is_film_over = slot.then == key;
     const bool is_same = slot.shot && slot.shot->key == key;  // it is loaded again
-    const std::string film = is_film_over ? std::string() : chooser_.groups().film_of(key.path);
-    const bool has_film = !film.empty() && !chooser_.is_avoided(film);
-    const ShotKey first = has_film ? ShotKey{film, 0} : key;
-    if (has_film)
+    const auto film = film_of_photo(files_.all(), chooser_.groups(), key);
+    const bool plays_film = film && !is_film_over && !chooser_.is_avoided(film->key.path);
+    if (plays_film)
         slot.then = key;
-    else if (!is_same)
+    else if (!is_same || is_film_over)
         slot.then.reset();
     slot.shown.reset();
     slot.ahead = {};
-    slot.shot = wall_shot(*files_.all().find(first.path), first, ++*numbers_,
-                          static_cast<int>(&slot - slots_.data()));
+    slot.shot = plays_film ? *film : wall_shot(*files_.all().find(key.path), key, 0, 0);
+    if (!plays_film) slot.shot->film = film;
+    slot.shot->source = ++*numbers_;
+    slot.shot->slot = static_cast<int>(&slot - slots_.data());
 }
 
 long WallSlots::count_on_wall(const std::string& path) const {

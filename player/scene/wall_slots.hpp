@@ -40,7 +40,7 @@ struct SlotSettings {
 /// simply substitute the old shot with the new shot in the same position"). Ours: the choice of the slot
 /// whose turn it is, one at a time, and a catalogue that changes.
 ///
-/// When a Live Photo comes, its film plays once in the slot, and the photo takes its place.
+/// When a Live Photo or a motion photo comes, its film plays once in the slot, and the photo takes its place.
 ///
 /// If all files fit on the wall, each file is always on it. If a film is alone on the wall, its shots leave
 /// one after the other.

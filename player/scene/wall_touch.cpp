@@ -188,6 +188,7 @@ void WallTouch::put_all_down() {
     asked_.clear();
     above_.clear();
     tapped_ = whole_ = 0;
+    needs_.is_whole_over = true;
 }
 
 bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, bool may_flash) {
@@ -216,7 +217,10 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
     std::erase_if(lifted_.all(), [&](const auto& entry) {
         return find_source(wall.shots, entry.first) == nullptr || is_back(entry.second);
     });
-    if (whole_ != 0 && lifted_.find(whole_) == nullptr) whole_ = tapped_ = 0;
+    if (whole_ != 0 && lifted_.find(whole_) == nullptr) {
+        whole_ = tapped_ = 0;
+        needs_.is_whole_over = true;
+    }
     const bool may_beckon = !is_active() && !wall.is_changing && !rules_.is_calm && !wall.shots.empty();
     if (const auto hint = may_beckon ? hint_.next_hint(now_) : std::nullopt)
         lifted_.beckon(wall.shots[*hint % wall.shots.size()], now_);
@@ -232,6 +236,7 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
 void WallTouch::change_whole(const TouchedWall& wall) {
     if (whole_ != 0) {
         bring_back(*lifted_.find(std::exchange(whole_, 0)));
+        needs_.is_whole_over = true;
         return;
     }
     Lifted* lifted = lift(tapped_, 0, State::whole, wall);
@@ -241,8 +246,10 @@ void WallTouch::change_whole(const TouchedWall& wall) {
     }
     whole_ = tapped_;
     const Box screen = output_seen_at(wall, tapped_place_);
-    show_large(*lifted, fitting(lifted->picture.placed().shot, screen, 1, screen.centre()),
-               1 - waiting_light);
+    PlacedShot large = lifted->picture.placed();
+    large.placement = fitting(large.shot, screen, 1, screen.centre());
+    show_large(*lifted, large.placement, 1 - waiting_light);
+    needs_.whole = std::move(large);
 }
 
 /// Wishes for shots that fingers drag, then for those that were let go, then for one that is large in its

@@ -44,6 +44,8 @@ struct TouchedWay {
 struct TouchNeeds {
     std::vector<ShotRequest> requests;  // sources in other sizes
     std::vector<SourceId> dismissed;    // shots that were flicked out, and nobody has undone that in time
+    std::optional<PlacedShot> whole{};  // begins to become as large as the screen; its place there
+    bool is_whole_over = false;         // it begins to return, or is gone
 };
 
 /// Visitors' touches on the shots of a wall, several at once (docs/technician.md, "Touch"). A touched shot is

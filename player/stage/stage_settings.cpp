@@ -96,7 +96,8 @@ PlanRequest plan_request(const Settings& settings, const Canvas& canvas) {
             .clearance = std::max(settings.layout.clearance, cell_style(settings).gutter),
             .max_scale = settings.layout.max_enlargement,
             .energy = settings.layout.energy,
-            .order = settings.layout.order};
+            .order = settings.layout.order,
+            .neighbours = settings.layout.neighbours};
 }
 
 }  // namespace vitrine::player

@@ -3,6 +3,7 @@
 #include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/flat_plan.hpp"
 #include "player/layout/plan/kept_layout.hpp"
+#include "player/layout/plan/neighbours.hpp"
 #include "player/layout/plan/nesting.hpp"
 
 #include <algorithm>
@@ -18,11 +19,23 @@ bool is_pinned(const PlanItem& item) {
     return item.is_pinned && item.previous;
 }
 
+/// True for a new wall on which like shots shall stand beside each other.
+bool wants_alike(const PlanRequest& request) {
+    constexpr std::size_t least = 3;  // two have one way to stand beside each other
+    return request.neighbours == NeighbourChoice::alike && request.order == LayoutOrder::free &&
+           request.energy == EnergyMode::screen && request.items.size() >= least &&
+           std::ranges::none_of(request.items,
+                                [](const PlanItem& item) { return item.previous.has_value(); });
+}
+
 Layout planned(const PlanRequest& request, const PlanWatch& watch) {
     const bool has_groups = std::any_of(request.items.begin(), request.items.end(), [](const PlanItem& item) {
         return item.group != PlanItem::no_group;
     });
-    if (!has_groups) return plan_flat(request, watch);
+    if (!has_groups) {
+        const Layout layout = plan_flat(request, watch);
+        return wants_alike(request) ? with_alike_neighbours(request, layout, watch) : layout;
+    }
     Layout layout = plan_nested(request, watch);
     if (is_clear_of_bands(request, layout.placements)) return layout;
     return plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_nested);

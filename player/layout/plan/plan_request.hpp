@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
+#include "base/state/shot_look.hpp"
 #include "player/layout/canvas.hpp"
 #include "player/layout/layout.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,6 +31,9 @@ struct PlanItem {
     std::vector<Vec2> instead;  // of a pinned item: ways from `previous` to other places that it may take
                                 // while no other item is placed; canvas px
     bool is_band = false;  // no item: a pinned box on which no I-Region may rest; plan/bands.hpp adds them
+    std::optional<ShotLook> look = {};  // tells how like it is to others; none: not known
+    std::optional<std::chrono::sys_time<std::chrono::milliseconds>> taken =
+        {};                // by a camera; none: not known
     int group = no_group;  // items of one group are placed together, see plan/nesting.hpp
 
     static constexpr int no_group = -1;
@@ -50,7 +55,8 @@ struct PlanRequest {
     bool is_coarse = false;         // they are filled in few coarse steps, which are much alike from one plan
                                     // to the next
     EnergyMode energy = EnergyMode::screen;
-    LayoutOrder order = LayoutOrder::free;  // ignored by the paper's energy
+    LayoutOrder order = LayoutOrder::free;              // ignored by the paper's energy
+    NeighbourChoice neighbours = NeighbourChoice::any;  // of a new wall without groups, in free order
     bool keeps_places = false;  // where all items have a place, and these are sound, they are the layout
 };
 

@@ -5,15 +5,19 @@
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
+#include "base/media/still_picture.hpp"
 #include "base/state/tapestry.hpp"
 #include "base/system/unique_fd.hpp"
 #include "tests/analyzer/film/drawn_film.hpp"
+#include "tests/analyzer/origin/drawn_motion_photo.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +60,11 @@ Settings settings_without_faces(RegionMode region) {
     return settings;
 }
 
+std::string content_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
 
 TEST_CASE("region = hull is the paper's letter in every stage, not the hull of our saliency") {
@@ -78,6 +87,39 @@ TEST_CASE("a photo is looked at with twice the pixels of a film's frame, for its
     const Photo photo;
     const auto source = open_media(photo.path, 320);
     CHECK(source->next()->picture.size() == cv::Size(640, 384));
+}
+
+TEST_CASE("the film inside a motion photo is put into the store, and one that is missing is named") {
+    const TemporaryDirectory folder;
+    const std::string film =
+        content_of(written(folder, {.caps = "format=I420,width=64,height=48",
+                                    .chain = "x264enc ! mp4mux",
+                                    .picture = std::vector<std::uint8_t>(64 * 48 * 3 / 2, 90)}));
+    const Photo photo;
+    save_smaller(photo.path, 400, (folder.path / "plain.jpg").string());
+    const std::string plain = content_of(folder.path / "plain.jpg");
+    const std::string moving = with_xmp(plain, motion_photo_xmp(film.size()));
+    Settings settings = settings_without_faces(RegionMode::min_area);
+    settings.media.root = folder.path;
+    settings.state.directory = folder.path / "state";
+
+    const MediaRecord whole =
+        analyse_file(folder.write("whole.jpg", moving + film), settings, {.stored = true});
+    REQUIRE(whole.film);
+    CHECK(whole.reason.empty());
+    CHECK(whole.kind == MediaKind::photo);
+    CHECK(whole.shots.size() == 1);
+    CHECK(whole.film->width == 64);
+    CHECK(whole.film->is_there());
+    CHECK(fs::exists(folder.path / "state" / "store" / whole.film->shot.stored->file));
+    CHECK_FALSE(fs::exists(folder.path / "state" / "store" /
+                           fs::path(whole.film->shot.stored->file).parent_path() / "inner.mp4"));
+
+    const MediaRecord cut = analyse_file(folder.write("cut.jpg", moving), settings, {.stored = true});
+    CHECK(cut.state == MediaState::ready);
+    CHECK_FALSE(cut.film);
+    CHECK(cut.reason == "its film is not played: there is none where the photo says");
+    CHECK(analyse_file(folder.path / "plain.jpg", settings, {.stored = true}).reason.empty());
 }
 
 TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where that is lacking") {

@@ -1,5 +1,6 @@
 #include "analyzer/watch/folder_follower.hpp"
 
+#include "base/state/path_text.hpp"
 #include "base/system/unique_fd.hpp"
 
 #include "tests/temporary_directory.hpp"

@@ -1,5 +1,6 @@
 #include "analyzer/watch/media_folder.hpp"
 
+#include "base/state/path_text.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <fcntl.h>

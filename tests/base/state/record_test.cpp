@@ -225,3 +225,22 @@ TEST_CASE("the print of a photo survives the way to JSON, and one of another len
     record.shots[0].print->shades.pop_back();
     CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
 }
+
+TEST_CASE("the film in a photo survives the way to JSON, and one without a size or a time is no record") {
+    MediaRecord record{.path = "a.jpg", .state = MediaState::ready, .width = 40, .height = 30};
+    record.film = InnerFilm{.shot = film().shots[0], .width = 16, .height = 9};
+    CHECK(record_from_json(to_json(record)) == record);
+    record.film->width = 0;
+    CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
+    record.film->width = 16;
+    record.film->shot.end = record.film->shot.begin;
+    CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
+}
+
+TEST_CASE("the marks of a photo survive the way to JSON, and too many are no record") {
+    MediaRecord record = film();
+    record.shots[0].marks = {{{1, 2}, {30, 40}}, {{5, 6}, {7, 8.5}}};
+    CHECK(record_from_json(to_json(record)) == record);
+    record.shots[0].marks.resize(Shot::max_marks + 1);
+    CHECK_THROWS_AS(record_from_json(to_json(record)), std::runtime_error);
+}

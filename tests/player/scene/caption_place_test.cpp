@@ -114,6 +114,27 @@ TEST_CASE("there is no room in a cell that its region fills, nor for a photo tha
     CHECK(!caption_place(caption_rooms(std::vector{shot}).front(), forms, canvas));
 }
 
+TEST_CASE("captions and QR codes keep off bezels, and off faces and lines of text wherever a photo drifts") {
+    PlacedShot shot{.cell = std::make_shared<const Cell>(Cell{.parts = {to_polygon({{0, 0}, {400, 300}})}})};
+    shot.placement = {.scale = 0.5, .offset = {10, 0}};
+    shot.shot.item = {.region = to_polygon({{20, 20}, {700, 60}}), .core = {{0, 0}, {800, 600}}};
+    const auto room_beside = [&](std::vector<Box> marks, const std::vector<Box>& bezels) {
+        shot.shot.shot.marks = std::move(marks);
+        return caption_rooms(std::vector{shot}, bezels).front();
+    };
+    const Box text{{0, 300}, {800, 590}};  // on the canvas from 150 to 295
+    const auto free = caption_place(room_beside({}, {}), forms, canvas);
+    REQUIRE(free);
+    CHECK(free->box.max.y > 200);
+    const auto above = caption_place(room_beside({text}, {}), forms, canvas);
+    REQUIRE(above);
+    CHECK(above->box.max.y <= 150);
+    CHECK(!caption_place(room_beside({text}, {{{0, 30}, {400, 160}}}), forms, canvas));
+    CHECK(!code_place(room_beside({text}, {{{0, 30}, {400, 160}}}), 29, canvas));
+    shot.drift = {.from = {0, -120}, .to = {0, 0}};
+    CHECK(!caption_place(room_beside({text}, {}), forms, canvas));
+}
+
 TEST_CASE("a QR code stands on whole pixels, in its cell, beside region and caption, and can be read") {
     std::mt19937 chance(4);
     const Box caption{{0, 600}, {1280, 640}};

@@ -517,6 +517,43 @@ TEST_CASE("a shot that is tapped is as large as the screen for a while, and then
     }
 }
 
+TEST_CASE("the film of a tapped Live Photo plays once above it, once that is as large as the screen") {
+    MediaRecord moving = photo("b");
+    Shot shot = film("x", 1, 3s).shots[0];
+    shot.stored = StoredShot{.file = "0123/clip.mp4", .width = 64, .height = 36};
+    moving.film = InnerFilm{.shot = shot, .width = 1920, .height = 1080};
+    House house = ::house({photo("a"), moving, photo("c")});
+    house.run(8s);  // its film has played
+    const auto shown = house.wall.shown();
+    const auto found =
+        std::ranges::find(shown, "b", [](const PlacedShot& placed) { return placed.shot.key.path; });
+    REQUIRE(found != shown.end());
+    REQUIRE(found->shot.kind == MediaKind::photo);
+    const SourceId photo_source = found->shot.source;
+    const Vec2 place = seat_of(found->shot.item, found->placement).centre;
+    for (const bool returns_early : {false, true}) {
+        house.wall.handle_gesture({.kind = Gesture::Kind::tap, .subject = photo_source, .at = place});
+        WallStep step = house.run(300ms);
+        CHECK(step.frame.items.back().source == photo_source);  // it grows
+        step = house.run(1200ms);
+        const DrawItem& above = step.frame.items.back();
+        CHECK(above.source != photo_source);
+        CHECK(above.alpha == 1);
+        CHECK(above.local > 500ms);
+        CHECK(above.placement.scale == doctest::Approx(1280.0 / 1920));
+        CHECK(house.playing.at(above.source).kind == MediaKind::film);
+        if (returns_early)
+            house.wall.handle_gesture({.kind = Gesture::Kind::tap, .subject = photo_source, .at = place});
+        step = house.run(returns_early ? 1s : 3s);
+        CHECK(house.playing.size() == 3);
+        CHECK((step.frame.items.size() == 3) == returns_early);
+        CHECK(step.frame.items.back().source <= photo_source);
+        if (returns_early) continue;
+        house.wall.handle_gesture({.kind = Gesture::Kind::tap, .subject = photo_source, .at = place});
+        house.run(2s);
+    }
+}
+
 TEST_CASE("a shot that is held is large until it is let go, however long") {
     House house = ::house({photo("a"), photo("b"), photo("c")});
     house.run(2s);

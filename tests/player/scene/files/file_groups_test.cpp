@@ -292,6 +292,41 @@ TEST_CASE("the film of a Live Photo plays once when it comes, then the photo tak
     CHECK(seen.back() == "IMG_0001.HEIC");
 }
 
+TEST_CASE("the film inside a motion photo plays once when it comes, if the store has it") {
+    MediaRecord moving = photo("moving.jpg");
+    Shot shot = film("x", 1, 3s).shots[0];
+    shot.stored = StoredShot{.file = "0123/clip.mp4", .width = 64, .height = 36};
+    moving.film = InnerFilm{.shot = shot, .width = 1920, .height = 1080};
+    WallSlots slots({.count = 12, .seed = 1, .dwell = 20s, .lead = 0s});
+    slots.set_catalogue(std::vector{moving, photo("other.jpg")});
+    const auto kinds = [&] {
+        std::vector<MediaKind> found;
+        for (const WallShot& each : slots.shots()) {
+            slots.shot_appeared(each.source, 0s);
+            if (each.key.path == "moving.jpg") found.push_back(each.kind);
+        }
+        return found;
+    };
+    CHECK(kinds() == std::vector{MediaKind::film});
+    slots.advance(2s);
+    CHECK(kinds() == std::vector{MediaKind::film});
+    slots.advance(4s);
+    CHECK(kinds() == std::vector{MediaKind::photo});
+    slots.advance(15s);
+    CHECK(kinds() == std::vector{MediaKind::photo});
+
+    WallSlots failing({.count = 12, .seed = 1, .lead = 0s});
+    failing.set_catalogue(std::vector{moving});
+    failing.source_failed(failing.shots().front().source, 1s);
+    REQUIRE(failing.shots().size() == 1);
+    CHECK(failing.shots().front().kind == MediaKind::photo);
+
+    moving.film->shot.stored->is_dropped = true;
+    WallSlots without({.count = 12, .seed = 1, .lead = 0s});
+    without.set_catalogue(std::vector{moving});
+    CHECK(without.shots().front().kind == MediaKind::photo);
+}
+
 TEST_CASE("where its film cannot be played a Live Photo is a photo") {
     const std::vector<MediaRecord> all = folder();
     const std::vector<MediaRecord> pair(all.begin() + 24, all.end());
