@@ -63,8 +63,8 @@ std::vector<SourceId> TapestryShow::close() {
 }
 
 /// Leaves when nobody has touched the tapestry for long, and a moment after the film's end. Where nobody
-/// leaves, the film begins anew. While the strip moves by itself, plays what is in the middle of the view
-/// from time to time, unless a visitor has chosen what plays.
+/// leaves, or keyframes are edited, the film begins anew. While the strip moves by itself, plays what is in
+/// the middle of the view from time to time, unless a visitor has chosen what plays.
 void TapestryShow::leave_or_play(nanoseconds now) {
     if (!touched_) touched_ = now;
     if (patience_ && now - *touched_ >= *patience_) is_over_ = true;
@@ -72,7 +72,7 @@ void TapestryShow::leave_or_play(nanoseconds now) {
     if (end && now - std::max(*end, *touched_) >= last_picture) {
         touched_ = now;
         finger_.forget_choice();
-        is_over_ = is_over_ || patience_;
+        is_over_ = is_over_ || (patience_ && !edit_);
         if (!is_over_) preview_.play(nanoseconds(0), boxes_.preview.width());
     }
     const bool is_chosen = preview_.above() && (finger_.has_chosen() || patience_);

@@ -25,7 +25,7 @@ struct Editor {
     Editor() : strip(drawn_tapestry(), drawn_film(), {640, 360}, settings()) { run(1s); }
 
     static TapestrySettings settings() {
-        return {.first_source = 1000, .plays_at_once = true, .edited = KeyframeChoice{}};
+        return {.first_source = 1000, .patience = 30s, .plays_at_once = true, .edited = KeyframeChoice{}};
     }
 
     Frame run(std::chrono::nanoseconds duration) {
@@ -120,6 +120,16 @@ TEST_CASE("a tap on the mark of a choice takes it back, and one beside every mar
     CHECK_FALSE(editor.strip.take_choice());
     editor.tap({mark.min.x + 8, mark.max.y});
     CHECK(editor.strip.take_choice() == KeyframeChoice{});
+}
+
+TEST_CASE("while keyframes are edited the film begins anew at its end, and the wall does not come back") {
+    Editor editor;
+    editor.strip.handle_gesture({.kind = Kind::key, .key = Key::select});
+    for (int k = 0; k < 6; ++k) {  // the film is a minute long
+        editor.run(20s);
+        editor.tap({320, 280});
+    }
+    CHECK_FALSE(editor.strip.is_over());
 }
 
 TEST_CASE("a keyframe that was chosen takes the place of struck ones beside it, and the other way round") {
