@@ -487,7 +487,7 @@ StatusReport Daemon::report() const {
         const FileStates::OwnCaption own = book_.states().caption(file.path);
         if (!hints.caption && !own.text.empty()) hints.caption = own.text;
         std::string id = record_id(file.path);
-        KeyframeChoice keyframes = hint_files_.keyframes_for(file.path);
+        KeyframeChoice keyframes = weaver_.keyframes_for(file.path);
         report.files.push_back({.file = std::move(file),
                                 .hints = hints,
                                 .keyframes = std::move(keyframes),

@@ -109,11 +109,6 @@ void HintFiles::read_words(const std::string& path, const std::vector<std::strin
     (is_code ? hints.code : hints.caption) = read.text;
 }
 
-KeyframeChoice HintFiles::keyframes_for(const std::string& path) const {
-    const auto found = choices_.find(path);
-    return found == choices_.end() ? KeyframeChoice{} : found->second;
-}
-
 /// A full disk is no reason to stop: it is tried again the next time.
 void HintFiles::write_hand_over() {
     std::string json = to_json(hints_);

@@ -36,9 +36,6 @@ class HintFiles {
     /// The keyframes that were chosen, by the paths of films.
     const KeyframeChoices& keyframe_choices() const { return choices_; }
 
-    /// The same for one file; an empty one where there is none.
-    KeyframeChoice keyframes_for(const std::string& path) const;
-
     /// The hints for one file, by all names and folders above it.
     Hints hints_for(const std::string& path) const { return hints_of(path, hints_); }
 

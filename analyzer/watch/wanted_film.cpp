@@ -1,5 +1,6 @@
 #include "analyzer/watch/wanted_film.hpp"
 
+#include "base/state/keyframe_notes.hpp"
 #include "base/state/wanted_tapestry.hpp"
 #include "base/system/log.hpp"
 
@@ -8,14 +9,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 namespace vitrine::analyzer {
 
-WantedFilm::WantedFilm(EventLoop& loop, std::filesystem::path state, std::function<void()> changed)
-    : state_(std::move(state)), changed_(std::move(changed)) {
+WantedFilm::WantedFilm(EventLoop& loop, std::filesystem::path state, Calls calls)
+    : state_(std::move(state)), calls_(std::move(calls)) {
     std::error_code error;
     std::filesystem::create_directories(state_, error);
     if (!watch_.add(state_, true))
@@ -31,13 +33,16 @@ void WantedFilm::look() {
 
 void WantedFilm::handle_events() {
     const std::vector<DirectoryEvent> events = watch_.read();
-    const bool is_news = std::ranges::any_of(events, [](const DirectoryEvent& event) {
-        return event.name == wanted_tapestry_file || event.kind == DirectoryEvent::Kind::overflow;
-    });
-    if (!is_news) return;
+    const auto tell_of = [&](std::string_view file) {
+        return std::ranges::any_of(events, [&](const DirectoryEvent& event) {
+            return event.name == file || event.kind == DirectoryEvent::Kind::overflow;
+        });
+    };
+    if (tell_of(keyframe_notes_file)) calls_.noted();
+    if (!tell_of(wanted_tapestry_file)) return;
     const std::string before = path_;
     look();
-    if (path_ != before) changed_();
+    if (path_ != before) calls_.wanted();
 }
 
 }  // namespace vitrine::analyzer

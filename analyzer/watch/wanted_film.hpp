@@ -9,12 +9,18 @@
 
 namespace vitrine::analyzer {
 
-/// The film whose tapestry a visitor waits for, as the player says in the state directory.
+/// The film whose tapestry a visitor waits for, as the player says in the state directory. Hears there of the
+/// keyframes, too, that a technician chooses.
 class WantedFilm {
   public:
-    /// @param state    the state directory
-    /// @param changed  called from the loop when path() is another one
-    WantedFilm(EventLoop& loop, std::filesystem::path state, std::function<void()> changed);
+    /// Called from the loop.
+    struct Calls {
+        std::function<void()> wanted;  // path() is another one
+        std::function<void()> noted;   // there are other keyframe notes (base/state/keyframe_notes.hpp)
+    };
+
+    /// @param state  the state directory
+    WantedFilm(EventLoop& loop, std::filesystem::path state, Calls calls);
     WantedFilm(const WantedFilm&) = delete;
     WantedFilm& operator=(const WantedFilm&) = delete;
     ~WantedFilm() = default;
@@ -29,7 +35,7 @@ class WantedFilm {
     void handle_events();
 
     std::filesystem::path state_;
-    std::function<void()> changed_;
+    Calls calls_;
     std::string path_;
     DirectoryWatch watch_;
     EventLoop::Source events_;

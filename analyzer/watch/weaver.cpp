@@ -1,6 +1,7 @@
 #include "analyzer/watch/weaver.hpp"
 
 #include "analyzer/watch/analysis_outcome.hpp"
+#include "base/state/keyframe_notes.hpp"
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
@@ -21,11 +22,19 @@ Weaver::Weaver(EventLoop& loop, WeaveOptions options, std::function<void()> ende
       options_(std::move(options)),
       ended_(std::move(ended)),
       tapestries_(options_.state, options_.bounds),
-      wanted_(loop, options_.state, [this] {
-          follow_wish();
-          advance(scope_);
-      }) {
+      wanted_(loop, options_.state,
+              {.wanted =
+                   [this] {
+                       follow_wish();
+                       advance(scope_);
+                   },
+               .noted =
+                   [this] {
+                       read_notes();
+                       follow_choices();
+                   }}) {
     follow_wish();
+    read_notes();
 }
 
 /// A tapestry that has lost its place to others is woven again if a visitor waits for it.
@@ -45,10 +54,26 @@ void Weaver::note_record(const MediaRecord& record) {
 }
 
 void Weaver::set_choices(const KeyframeChoices& choices) {
+    written_ = choices;
+    follow_choices();
+}
+
+/// The player writes only what it can read.
+void Weaver::read_notes() {
+    touched_.clear();
+    for (const auto& [path, text] : read_keyframe_notes(options_.state))
+        touched_[path] = read_keyframe_choice(text, keyframe_notes_file).choice;
+}
+
+void Weaver::follow_choices() {
+    KeyframeChoices choices = written_;
+    for (const auto& [path, touched] : touched_)
+        choices[path] = joined_choice(choices[path], touched);
+    std::erase_if(choices, [](const auto& one) { return one.second.is_empty(); });
     if (choices == choices_) return;
-    const KeyframeChoices before = std::exchange(choices_, choices);
+    const KeyframeChoices before = std::exchange(choices_, std::move(choices));
     std::set<std::string> paths;
-    for (const KeyframeChoices* both : {&before, &choices})
+    for (const KeyframeChoices* both : {&before, &std::as_const(choices_)})
         for (const auto& [path, choice] : *both)
             paths.insert(path);
     for (const std::string& path : paths) {
@@ -63,9 +88,13 @@ void Weaver::set_choices(const KeyframeChoices& choices) {
     advance(scope_);
 }
 
-std::string Weaver::choice_key(const std::string& path) const {
+KeyframeChoice Weaver::keyframes_for(const std::string& path) const {
     const auto found = choices_.find(path);
-    return found == choices_.end() ? "" : key_of(found->second);
+    return found == choices_.end() ? KeyframeChoice{} : found->second;
+}
+
+std::string Weaver::choice_key(const std::string& path) const {
+    return key_of(keyframes_for(path));
 }
 
 void Weaver::forget_film(const std::string& path) {

@@ -38,9 +38,13 @@ class Weaver {
     /// There is this record now; its tapestry is woven where it lacks one.
     void note_record(const MediaRecord& record);
 
-    /// The keyframes that operators have chosen, by the paths of films. Films of another choice are woven
-    /// anew.
+    /// The keyframes that operators have chosen in files, by the paths of films. What a technician has chosen
+    /// by touch comes to them. Films of another choice are woven anew.
     void set_choices(const KeyframeChoices& choices);
+
+    /// The keyframes that were chosen for a film, in its file and by touch; an empty choice where there are
+    /// none.
+    KeyframeChoice keyframes_for(const std::string& path) const;
 
     /// There is no record of this path any more: its tapestry goes.
     void forget_film(const std::string& path);
@@ -68,13 +72,17 @@ class Weaver {
     void finish_weaving(const std::string& path, const ChildResult& result);
     void make_room();
     void follow_wish();
+    void read_notes();
+    void follow_choices();
     std::string choice_key(const std::string& path) const;
 
     EventLoop& loop_;  // outlives this
     WeaveOptions options_;
     std::function<void()> ended_;
     Tapestries tapestries_;
-    KeyframeChoices choices_;
+    KeyframeChoices written_;  // in files
+    KeyframeChoices touched_;  // by touch
+    KeyframeChoices choices_;  // of both
     WeaveSchedule schedule_;
     std::unique_ptr<ChildProcess> child_;
     WeaveScope scope_ = WeaveScope::none;  // since the last advance()

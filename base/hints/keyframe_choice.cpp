@@ -16,9 +16,8 @@ namespace {
 using std::chrono::nanoseconds;
 using Moments = std::vector<nanoseconds>;
 
-constexpr double max_seconds = 1e6;        // of a film
-constexpr std::size_t max_moments = 1000;  // of one kind in one file
-constexpr double minute = 60;              // s
+constexpr double max_seconds = 1e6;  // of a film
+constexpr double minute = 60;        // s
 constexpr const char* allowed_moments =
     "a list of moments such as \"0:12\", \"1:02:03.5\" or 34.5 seconds, at most 1000";
 
@@ -37,7 +36,7 @@ std::optional<nanoseconds> moment_in(const toml::node& node) {
 /// The moments of a list, in order and once each; none if one of them is not allowed.
 std::optional<Moments> moments_in(const toml::node& node) {
     const auto* list = node.as_array();
-    if (list == nullptr || list->size() > max_moments) return std::nullopt;
+    if (list == nullptr || list->size() > max_moments_of_a_choice) return std::nullopt;
     Moments moments;
     for (const toml::node& one : *list) {
         const std::optional<nanoseconds> moment = moment_in(one);
@@ -63,6 +62,15 @@ std::string fault_in_choice(std::string_view key, const toml::node& node, Keyfra
     if (!moments) return fmt::format("the value of '{}' is not allowed; it must be {}", key, allowed_moments);
     (key == "strike" ? choice.struck : choice.keyframes) = std::move(*moments);
     return {};
+}
+
+/// Adds moments while there is room, in order and once each.
+void add_moments(const Moments& more, Moments& moments) {
+    for (const nanoseconds moment : more) {
+        const auto place = std::ranges::lower_bound(moments, moment);
+        const bool is_there = place != moments.end() && *place == moment;
+        if (!is_there && moments.size() < max_moments_of_a_choice) moments.insert(place, moment);
+    }
 }
 
 std::string list_of(const Moments& moments) {
@@ -97,6 +105,21 @@ std::optional<nanoseconds> moment_named(std::string_view text) {
 bool is_struck(const KeyframeChoice& choice, nanoseconds moment) {
     const auto after = std::ranges::lower_bound(choice.struck, moment - strike_reach);
     return after != choice.struck.end() && *after <= moment + strike_reach;
+}
+
+KeyframeChoice joined_choice(const KeyframeChoice& file, const KeyframeChoice& touched) {
+    KeyframeChoice kept = file;
+    std::erase_if(kept.keyframes, [&](nanoseconds moment) { return is_struck(touched, moment); });
+    std::erase_if(kept.struck, [&](nanoseconds moment) {
+        return std::ranges::any_of(touched.keyframes, [&](nanoseconds chosen) {
+            return std::chrono::abs(chosen - moment) <= strike_reach;
+        });
+    });
+    KeyframeChoice joined = touched;
+    add_moments(kept.keyframes, joined.keyframes);
+    add_moments(kept.struck, joined.struck);
+    joined.is_only = file.is_only && !joined.keyframes.empty();
+    return joined;
 }
 
 KeyframeFile read_keyframe_choice(std::string_view toml, const std::string& source) {

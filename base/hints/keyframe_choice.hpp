@@ -30,8 +30,14 @@ using KeyframeChoices = std::map<std::string, KeyframeChoice>;
 /// A moment so near to a struck one is struck, too.
 constexpr std::chrono::milliseconds strike_reach{500};
 
+/// The moments of one kind that a choice may have.
+constexpr std::size_t max_moments_of_a_choice = 1000;
+
 /// True for a moment beside a struck one.
 bool is_struck(const KeyframeChoice& choice, std::chrono::nanoseconds moment);
+
+/// The choice of a file with that of a technician's touches. Where they contradict, the touches count.
+KeyframeChoice joined_choice(const KeyframeChoice& file, const KeyframeChoice& touched);
 
 /// The content of such a file. A fault in one line does not affect the others.
 struct KeyframeFile {

@@ -368,6 +368,11 @@ constexpr auto keys = std::to_array<SettingKey>({
      "files and slots are pinned and which files are removed (vitrinectl). Files that are gone drop out, and "
      "new ones come as always. A display of another shape shows the same shots at other places. A wall that "
      "pans keeps only pins and removals."},
+    {"input.edit_keyframes", flag<&S::input, &S::Input::edit_keyframes>(), SettingEffect::now,
+     "true: for the person who looks after the wall, not for visitors. In a tapestry that is opened from "
+     "then "
+     "on, a tap on a picture of the strip strikes it, and a tap on the film above makes the picture that it "
+     "shows one of the strip. The tapestry is woven anew at once."},
     {"output.screen",
      text<&S::output, &S::Output::screen>(
          "\"kms\", \"kms:/dev/dri/cardN\" or \"offscreen:WIDTHxHEIGHT\", with \"+WIDTHxHEIGHT\" for more",

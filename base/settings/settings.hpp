@@ -104,6 +104,7 @@ struct Settings {
         std::chrono::seconds hint{
             0};  // time without a touch until shots show that they can be touched; 0: never
         bool keep_arrangement = false;  // a restart finds the wall as it was
+        bool edit_keyframes = false;    // touches on a tapestry choose its keyframes
     } input;
 
     struct Output {

@@ -101,7 +101,8 @@ bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot)
                                   .film = film,
                                   .first_seen = shot < film->shots.size() ? film->shots[shot].begin : 0ns,
                                   .awaits_index = !has_index,
-                                  .wishes_in = settings_.state.directory});
+                                  .wishes_in = settings_.state.directory,
+                                  .edits_keyframes = settings_.input.edit_keyframes});
     } catch (const std::exception& failure) {
         log::warning("no tapestry of '{}': {}", film->path, failure.what());
         return false;

@@ -1,10 +1,13 @@
 #include "player/stage/tapestry_playback.hpp"
 
+#include "base/hints/keyframe_choice.hpp"
+#include "base/state/keyframe_notes.hpp"
 #include "base/system/log.hpp"
 #include "player/scene/tapestry/kept_frames.hpp"
 #include "player/scene/tapestry/unwoven_tapestry.hpp"
 
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 namespace vitrine::player {
@@ -78,6 +81,14 @@ NewerIndex followed_index(const std::filesystem::path& directory, const Tapestry
     return index;
 }
 
+/// The keyframes that were chosen by touch before.
+KeyframeChoice noted_choice(const std::filesystem::path& state, const std::string& path) {
+    const KeyframeNotes notes = read_keyframe_notes(state);
+    const auto note = notes.find(path);
+    return note == notes.end() ? KeyframeChoice{}
+                               : read_keyframe_choice(note->second, keyframe_notes_file).choice;
+}
+
 TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                      const TapestryPlaybackOptions& options) {
     Tapestry tapestry = first_tapestry(directory, options);
@@ -85,6 +96,7 @@ TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
                               .patience = options.patience,
                               .plays_at_once = true,
                               .first_seen = options.first_seen};
+    if (options.edits_keyframes) settings.edited = noted_choice(options.wishes_in, options.film->path);
     if (options.rests) settings.pace.patience = std::chrono::nanoseconds::max();
     PreviewedFilm film = film_of(tapestry, options.film);
     return {std::move(tapestry), std::move(film), canvas, settings};
@@ -105,12 +117,12 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
 TapestryPlayback::TapestryPlayback(std::filesystem::path directory, Vec2 canvas,
                                    const TapestryPlaybackOptions& options)
     : directory_(std::move(directory)),
+      state_(options.wishes_in),
       awaits_tiles_(options.awaits_tiles),
       film_(options.film),
       index_(followed_index(directory_, options)),
       show_(show_of(directory_, canvas, options)) {
-    if (film_ && !options.wishes_in.empty() && !show_.tapestry().is_complete)
-        wish_.emplace(options.wishes_in, film_->path);
+    if (film_ && !state_.empty() && !show_.tapestry().is_complete) wish_.emplace(state_, film_->path);
 }
 
 void TapestryPlayback::set_catalogue(const RecordList& records) {
@@ -147,10 +159,26 @@ void TapestryPlayback::end_waiting(std::chrono::nanoseconds now) {
     show_.end();
 }
 
+/// The film is woven anew at once, as a technician waits for it.
+void TapestryPlayback::hand_over_choice() {
+    const std::optional<KeyframeChoice> choice = show_.take_choice();
+    if (!choice) return;
+    const std::string& path = show_.film().path;
+    try {
+        write_keyframe_note(state_, path, to_toml(*choice));
+    } catch (const std::runtime_error& error) {
+        return log::warning("the keyframes chosen for '{}' are not kept: {}", path, error.what());
+    }
+    log::info("keyframes of '{}' by touch: {}", path,
+              choice->is_empty() ? "none chosen, none struck" : in_words(*choice));
+    wish_.emplace(state_, path);
+}
+
 WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer) {
     if (!opened_) opened_ = now;
     take_newer_index(now);
     end_waiting(now);
+    hand_over_choice();
     if (!std::exchange(has_mark_, true))
         renderer.upload(show_.sources().mark(),
                         {.width = 1, .height = 1, .stride = white.size(), .pixels = white});

@@ -27,6 +27,7 @@ struct TapestryPlaybackOptions {
     bool awaits_index = false;          // there is no index of the film yet; then `film` is needed
     std::filesystem::path wishes_in{};  // state directory, where the analyzer hears that a visitor waits for
                                         // what is not woven yet; empty: nobody waits
+    bool edits_keyframes = false;       // touches change the film's keyframes; needs `film` and `wishes_in`
 };
 
 /// True: the tapestry was woven from the present content of the film.
@@ -35,7 +36,8 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
 /// Shows a film's tapestry with its tiles. While the film is woven better and better, each newer index takes
 /// the place of the one before; without any, the film plays above an empty strip for a while. Tiles are read
 /// in the background and a few of them are given to the renderer with each frame, so that neither reading nor
-/// uploading delays a frame.
+/// uploading delays a frame. Keyframes that are chosen by touch go to the analyzer, which weaves the film
+/// anew.
 class TapestryPlayback {
   public:
     /// @param directory  the tapestry's directory
@@ -75,12 +77,14 @@ class TapestryPlayback {
   private:
     void take_newer_index(std::chrono::nanoseconds now);
     void end_waiting(std::chrono::nanoseconds now);
+    void hand_over_choice();
     void add_files(const TapestryStrip& strip, const std::vector<TileId>& tiles,
                    std::vector<TileFile>& files) const;
     bool give_tiles(const TapestryStep& step, Renderer& renderer);
     void give(const LoadedTile& tile, Renderer& renderer);
 
     std::filesystem::path directory_;
+    std::filesystem::path state_;  // see wishes_in
     bool awaits_tiles_;
     RecordList::Record film_;  // none: the film has no record
     NewerIndex index_;

@@ -26,19 +26,36 @@ void draw(const cv::Mat& picture, const cv::Rect& place, cv::Mat& onto) {
     small(seen - place.tl()).copyTo(onto(seen));
 }
 
-constexpr int margin_share = 8;    // of a brick's width, from which the half brick beside it is drawn
-constexpr double margin_blur = 8;  // a brick's heights for one sigma
+constexpr int margin_share = 8;     // of a brick's width: so much is drawn out, whatever it shows
+constexpr double margin_blur = 24;  // a brick's heights for one sigma, for each time that it is drawn out
+constexpr double min_sigma = 0.3;   // px
 
-/// Fills the half brick beside the first or last one of a row: with its margin, mirrored, drawn out and
-/// blurred. A mirrored picture alone would show half of each figure again.
+/// The columns beside all that matters in a picture, at one of its sides. A region that is not known reaches
+/// to the side.
+int columns_beside(const Keyframe& keyframe, bool is_left) {
+    if (keyframe.region.empty()) return 0;
+    cv::Rect matters = cv::boundingRect(keyframe.region);
+    for (const cv::Rect& face : keyframe.faces)
+        matters |= face;
+    return is_left ? matters.x : keyframe.picture.cols - matters.x - matters.width;
+}
+
+/// Fills the half brick beside the first or last one of a row with its margin, mirrored. A margin narrower
+/// than that is drawn out, and blurred the more. What matters in the picture is not shown again, as it would
+/// be cut in halves.
 /// @param place  of a brick that lies half outside of the strip
-void draw_beside(const cv::Mat& picture, bool is_left, const cv::Rect& place, cv::Mat& onto) {
-    const int columns = std::max(1, picture.cols / margin_share);
+void draw_beside(const Keyframe& keyframe, bool is_left, const cv::Rect& place, cv::Mat& onto) {
+    const cv::Mat& picture = keyframe.picture;
+    const int least = std::max(1, picture.cols / margin_share);
+    const int columns =
+        std::clamp(columns_beside(keyframe, is_left), least, std::max(least, picture.cols / 2));
     cv::Mat margin;
     cv::flip(is_left ? picture.colRange(0, columns) : picture.colRange(picture.cols - columns, picture.cols),
              margin, 1);
     cv::resize(margin, margin, {std::max(1, place.width / 2), place.height}, 0, 0, cv::INTER_LINEAR);
-    cv::GaussianBlur(margin, margin, {}, place.height / margin_blur);
+    const double drawn_out = picture.cols / 2.0 / columns;
+    const double sigma = (drawn_out - 1) * place.height / margin_blur;
+    if (sigma > min_sigma) cv::GaussianBlur(margin, margin, {}, sigma);
     const cv::Point half(is_left ? place.width - margin.cols : 0, 0);
     draw(margin, {place.tl() + half, margin.size()}, onto);
 }
@@ -141,8 +158,8 @@ BrickWindow brick_window(const BrickSection& section, const TileSpan& tile, doub
         const int number = section.first + static_cast<int>(i);
         const Keyframe& keyframe = section.bricks[i];
         const cv::Rect at = place(number);
-        if (number == 1) draw_beside(keyframe.picture, true, place(-1), canvas);
-        if (number == brickwork.bricks() - 2) draw_beside(keyframe.picture, false, place(number + 2), canvas);
+        if (number == 1) draw_beside(keyframe, true, place(-1), canvas);
+        if (number == brickwork.bricks() - 2) draw_beside(keyframe, false, place(number + 2), canvas);
         draw(keyframe.picture, at, canvas);
         rules.centres.push_back(at.x + at.width / 2);
         const cv::Rect inside = patches_in(at, whole.size());

@@ -71,6 +71,68 @@ KnownPart known_part(const TileNeighbours& neighbours, int tile_px, cv::Size siz
     return known;
 }
 
+// Borders of bricks whose pictures do not go together are stitched: they fade into one another.
+constexpr int stitch_share = 10;     // of a brick's height: a stitch reaches so far to either side
+constexpr int max_stitch = 12;       // px: a neighbour knows all of it
+constexpr int border_reach = 4;      // px by which a border may be off its place
+constexpr double torn = 2;           // times the steps beside: from there on a border is one
+constexpr int stitch_smoothing = 9;  // px down
+
+/// Squared steps from each column to the one before, mean of the channels. CV_32FC1.
+cv::Mat steps_across(const cv::Mat& part) {
+    cv::Mat values;
+    part.convertTo(values, CV_32FC3);
+    const cv::Mat difference = values.colRange(1, values.cols) - values.colRange(0, values.cols - 1);
+    cv::Mat steps;
+    cv::transform(difference.mul(difference), steps, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+    return steps;
+}
+
+/// Softens a border in the middle of a part, where it is one. @param reach  px to either side
+void soften(cv::Mat part, int reach) {
+    const int middle = part.cols / 2;
+    const cv::Mat steps = steps_across(part);
+    cv::Mat means;
+    cv::reduce(steps, means, 0, cv::REDUCE_AVG);
+    const cv::Range near(middle - 1 - border_reach, middle - 1 + border_reach);
+    int at = near.start;
+    for (int x = near.start; x < near.end; ++x)
+        if (means.at<float>(x) > means.at<float>(at)) at = x;
+    const double beside =
+        (cv::sum(means)[0] - cv::sum(means.colRange(near.start, near.end))[0]) / (means.cols - near.size());
+    if (means.at<float>(at) <= torn * beside + 1) return;
+    cv::Mat rows = steps.col(at) / (torn * beside + 1) - 1;
+    rows = cv::max(0, cv::min(rows, 1));
+    cv::blur(rows, rows, {1, stitch_smoothing});
+    cv::Mat soft;
+    cv::GaussianBlur(part, soft, {2 * reach + 1, 1}, reach / 2.0);
+    for (int x = at + 1 - reach; x < at + 1 + reach; ++x) {
+        const auto away = static_cast<float>(std::abs(x + 0.5 - (at + 1)) / reach);
+        const float share = std::clamp(1.5F * (1 - away), 0.F, 1.F);
+        for (int y = 0; y < part.rows; ++y) {
+            auto& pixel = part.at<cv::Vec3b>(y, x);
+            const float weight = share * rows.at<float>(y);
+            pixel = cv::Vec3b((1 - weight) * cv::Vec3f(pixel) + weight * cv::Vec3f(soft.at<cv::Vec3b>(y, x)));
+        }
+    }
+}
+
+/// Softens the borders between bricks of a row. The columns that a neighbour has made stay.
+void stitch(cv::Mat& tile, const BrickSection& section, const TileSpan& span,
+            const TileNeighbours& neighbours) {
+    const Brickwork& brickwork = section.brickwork;
+    const int reach = std::clamp(brickwork.brick.height / stitch_share, border_reach + 2, max_stitch);
+    const int left = neighbours.left.empty() ? 0 : tile_overlap / 2;
+    const int right = tile.cols - (neighbours.right.empty() ? 0 : tile_overlap / 2);
+    for (int k = 2; k < brickwork.bricks(); ++k) {
+        const int x = brickwork.place(k).x - span.from;
+        const int beside = std::min({2 * reach, x - left, right - x});
+        if (beside < reach + border_reach) continue;
+        const int half = tile.rows / 2;
+        soften(tile({x - beside, k % 2 * half, 2 * beside, half}), reach);
+    }
+}
+
 /// Makes the tile, one size after another.
 class Tile {
   public:
@@ -88,7 +150,9 @@ class Tile {
         carve();
         for (std::size_t i = 1; i < scales_.size(); ++i)
             refine(i);
-        return synthesis_->picture();
+        cv::Mat tile = synthesis_->picture();
+        stitch(tile, section_, span_, neighbours_);
+        return tile;
     }
 
   private:

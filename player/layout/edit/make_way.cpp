@@ -202,7 +202,7 @@ class Settling {
     /// First all grow from where they are. Those that were let go stay near their places, or exactly there.
     /// If an item remains small in a corner then, or a part of the canvas is left open, the others make way
     /// anew: from where they grew to if nothing stays, and from their homes. At last those that were let go
-    /// may move a little farther.
+    /// may move a little farther, and on a wall of few items they may take each other's places.
     Layout best() {
         const Layout begin = best_;
         if (is_better_grown(begin, false)) return best_;
@@ -215,7 +215,12 @@ class Settling {
         near_ = loosely_near;
         last_ = free;
         if (is_last_better()) return best_;
-        if (far_cost_ + hole < cost_of_plan(costs_, best_)) return far_;
+        take_if_closes_hole(far_);
+        const bool is_free = std::ranges::all_of(wishes_, &Wish::is_let_go);
+        if (is_few() && is_free && cost_of_plan(costs_, best_) > good_enough_) {
+            try_exchanges();
+            take_if_closes_hole(farthest_);
+        }
         return best_;
     }
 
@@ -224,6 +229,16 @@ class Settling {
     static constexpr double loosely_near = 0.15;  // share of the diagonal
     static constexpr double loosely_local = 0.4;  // share of the diagonal
     static constexpr double hole = 0.6;           // cost of a fifth of the canvas without a picture
+    static constexpr double band = 0.15;          // the same of a twentieth
+    static constexpr std::size_t few = 5;         // items: pictures so large leave broad bands
+    static constexpr double near_of_few = 0.3;    // share of the diagonal
+    static constexpr double anywhere = 1;         // share of the diagonal
+
+    /// A layout in which items move farther than they should.
+    struct Farther {
+        Layout layout{};
+        double cost = std::numeric_limits<double>::infinity();
+    };
 
     /// @return true: the best layout is good enough now
     bool is_better_grown(const Layout& begin, bool is_kept) {
@@ -275,13 +290,50 @@ class Settling {
     }
 
     void note_far() {
-        if (!last_ || !is_sound(wall_, *last_, wishes_) || !is_local(wall_, *last_, wishes_, loosely_local) ||
-            !keeps_let_go(wall_, *last_, made_, wishes_, loosely_near))
+        note(far_, loosely_local, loosely_near);
+        note(farthest_, anywhere, near_of_few);
+    }
+
+    /// @param others, let_go  shares of the diagonal: bounds for the ways of both
+    void note(Farther& best, double others, double let_go) const {
+        if (!last_ || !is_sound(wall_, *last_, wishes_) || !is_local(wall_, *last_, wishes_, others) ||
+            !keeps_let_go(wall_, *last_, made_, wishes_, let_go))
             return;
         const double cost = cost_of_plan(costs_, *last_);
-        if (cost >= far_cost_) return;
-        far_ = *last_;
-        far_cost_ = cost;
+        if (cost < best.cost) best = {*last_, cost};
+    }
+
+    bool is_few() const { return wall_.items.size() <= few; }
+
+    void take_if_closes_hole(const Farther& found) {
+        const double gain = is_few() ? band : hole;
+        if (found.cost + gain < cost_of_plan(costs_, best_)) best_ = found.layout;
+    }
+
+    /// True for an item that nobody holds or has pinned.
+    bool may_go(std::size_t item) const {
+        return std::ranges::find(wishes_, item, &Wish::item) == wishes_.end() &&
+               std::ranges::find(wall_.pinned, item) == wall_.pinned.end();
+    }
+
+    /// One that was let go takes the place of another, which gets the place that is free then.
+    void try_exchanges() {
+        for (const Wish& wish : wishes_) {
+            for (std::size_t other = 0; other < wall_.items.size(); ++other) {
+                if (!may_go(other)) continue;
+                WallState now = wall_;
+                now.homes[wish.item] = placed_at(wish.item, place_of(wall_.items[other], wall_.homes[other]));
+                now.homes[other] = placed_at(other, place_of(wall_.items[wish.item], wall_.homes[wish.item]));
+                is_better(now, request_of(now, {}, rules_));
+            }
+        }
+    }
+
+    /// An item in the size that it has at home, elsewhere.
+    Placement placed_at(std::size_t item, Vec2 place) const {
+        Placement at = wall_.homes[item];
+        at.offset = at.offset + place - place_of(wall_.items[item], at);
+        return kept_inside(wall_.items[item], at, {{0, 0}, wall_.canvas}, rules_.margin);
     }
 
     const WallState& wall_;
@@ -294,8 +346,8 @@ class Settling {
     std::optional<double> cost_;  // of the best one; none: it is only grown in place
     std::optional<Layout> last_;  // the last one that was tried
     double near_ = near;
-    Layout far_;  // the best one in which others move too far
-    double far_cost_ = std::numeric_limits<double>::infinity();
+    Farther far_;       // the best one in which others move too far
+    Farther farthest_;  // the same on a wall of few: all may go to other places
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ struct Wish {
 /// becomes smaller; one that is on another is not heard.
 ///
 /// An item that was let go, and all others, keep the places that they get: their homes. If a fifth of the
-/// canvas would be left without a picture, others move farther then: up to two fifths of the diagonal.
+/// canvas would be left without a picture, others move farther then: up to two fifths of the diagonal. On a
+/// wall of up to five items they do so for a twentieth, and to any place.
 /// @param wishes  at most one for each item; the first ones go before
 WallState made_way(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules);
 

@@ -30,6 +30,21 @@ double way_at_edge(double x, const Box& box, nanoseconds passed) {
     return speed * std::chrono::duration<double>(passed).count();
 }
 
+/// The chosen or struck moment whose mark is nearest to a place, within reach.
+std::optional<nanoseconds> mark_at(double x, const TapestryPlace& place, const TapestryView& view,
+                                   const KeyframeChoice& choice, double reach) {
+    std::optional<nanoseconds> nearest;
+    for (const auto* moments : {&choice.keyframes, &choice.struck}) {
+        for (const nanoseconds moment : *moments) {
+            const double away = std::abs(place.canvas_x(view, moment) - x);
+            if (away > reach) continue;
+            reach = away;
+            nearest = moment;
+        }
+    }
+    return nearest;
+}
+
 }  // namespace
 
 void StripFinger::handle_gesture(const Gesture& gesture, const TouchedStrip& strip) {
@@ -49,10 +64,7 @@ void StripFinger::handle_gesture(const Gesture& gesture, const TouchedStrip& str
     case Gesture::Kind::lost:
         return let_go(gesture, strip);
     case Gesture::Kind::key:
-        if (gesture.key == Key::back) has_closed_ = true;
-        has_chosen_ = has_chosen_ || gesture.key == Key::select;
-        if (gesture.key == Key::select)
-            strip.preview.play(strip.motion.view().centre, strip.boxes.preview.width());
+        press(gesture.key, strip);
         break;
     case Gesture::Kind::pinch:
         pinch(gesture, strip);
@@ -69,8 +81,17 @@ void StripFinger::handle_gesture(const Gesture& gesture, const TouchedStrip& str
     strip.motion.handle_gesture(gesture, strip.place);
 }
 
+void StripFinger::press(Key key, const TouchedStrip& strip) {
+    if (key == Key::back) has_closed_ = true;
+    if (key != Key::select) return;
+    has_chosen_ = true;
+    standing_.reset();
+    strip.preview.play(strip.motion.view().centre, strip.boxes.preview.width());
+}
+
 /// On the strip a tap plays the picture there, on the preview it closes the preview, elsewhere the tapestry.
 void StripFinger::tap(const Gesture& tap, const TouchedStrip& strip) {
+    if (strip.edit != nullptr) return edit(tap, strip);
     if (is_on_strip(tap, strip)) {
         has_chosen_ = true;
         const StripPicture picture = strip.place.picture_at(strip.motion.view(), tap.at);
@@ -79,6 +100,27 @@ void StripFinger::tap(const Gesture& tap, const TouchedStrip& strip) {
     }
     if (!strip.preview.above() || !contains(strip.boxes.preview, tap.at)) has_closed_ = true;
     strip.preview.stop_preview();
+}
+
+void StripFinger::edit(const Gesture& tap, const TouchedStrip& strip) {
+    const TapestryView& view = strip.motion.view();
+    if (tap.at.y > strip.boxes.strip.max.y) {
+        const KeyframeChoice& choice = strip.edit->choice();
+        const auto mark = mark_at(tap.at.x, strip.place, view, choice, grip * strip.boxes.canvas.y);
+        if (mark) strip.edit->take_back(*mark);
+    } else if (is_on_strip(tap, strip)) {
+        has_chosen_ = true;
+        strip.edit->touch_picture(strip.place.picture_at(view, tap.at).time);
+    } else if (contains(strip.boxes.preview, tap.at)) {
+        if (!shown_) return;
+        has_chosen_ = true;
+        strip.edit->choose(*shown_);
+        standing_.reset();
+        strip.preview.play(strip.spans.possible_begin(*shown_), strip.boxes.preview.width());
+    } else {
+        has_closed_ = true;
+        strip.preview.stop_preview();
+    }
 }
 
 void StripFinger::play_in_place(Vec2 at, const TouchedStrip& strip) {
@@ -90,6 +132,7 @@ void StripFinger::play_in_place(Vec2 at, const TouchedStrip& strip) {
 void StripFinger::drag(const Gesture& drag, const TouchedStrip& strip) {
     if (!dragged_to_) goes_over_strip_ = goes_over(drag, strip);
     dragged_to_ = drag.at;
+    standing_.reset();
     has_chosen_ = true;
     strip.preview.stop_in_place();
     Gesture moving = drag;
@@ -107,8 +150,12 @@ void StripFinger::let_go(const Gesture& end, const TouchedStrip& strip) {
     Gesture last = end;
     if (dragged_to_) {
         if (goes_over_strip_) last.kind = Gesture::Kind::drop;
-        const nanoseconds moment = strip.place.time_at(strip.motion.view(), dragged_to_->x);
-        strip.preview.play(strip.spans.possible_begin(moment), strip.boxes.preview.width());
+        const nanoseconds moment =
+            strip.spans.possible_begin(strip.place.time_at(strip.motion.view(), dragged_to_->x));
+        if (strip.edit != nullptr)
+            standing_ = moment;
+        else
+            strip.preview.play(moment, strip.boxes.preview.width());
     }
     strip.motion.handle_gesture(last, strip.place);
     dragged_to_.reset();
@@ -132,10 +179,12 @@ void StripFinger::advance(nanoseconds now, const TouchedStrip& strip) {
                 strip.place);
         strip.preview.look_at(strip.place.time_at(strip.motion.view(), dragged_to_->x),
                               strip.boxes.preview.width());
+    } else if (standing_) {
+        strip.preview.look_at(*standing_, strip.boxes.preview.width());
     }
-    const std::optional<nanoseconds> line = strip.preview.playhead(now);
+    shown_ = strip.preview.playhead(now);
     line_x_.reset();
-    if (line) line_x_ = strip.place.canvas_x(strip.motion.view(), *line);
+    if (shown_) line_x_ = strip.place.canvas_x(strip.motion.view(), *shown_);
 }
 
 }  // namespace vitrine::player

@@ -34,6 +34,10 @@ constexpr double unwoven_alpha = 0.12;  // of the place of a strip that is not w
 constexpr double digit_height = 0.034;  // share of the canvas' height
 constexpr double digit_gap = 0.006;     // between digits and strip, share of the canvas' height
 constexpr auto alike = 40ms;            // a sharp picture so near to a moment shows it
+constexpr double struck_alpha = 0.6;    // of the veil over a struck picture
+constexpr double mark_gap = 0.012;      // between the strip and the marks below, share of the canvas' height
+constexpr double mark_length = 0.03;    // of a mark, share of the canvas' height
+constexpr double mark_width = 0.007;    // of a mark, share of the canvas' height
 constexpr double playhead_lines = 720;  // canvas px of height for which half the playhead is 1 px wide
 
 std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
@@ -92,6 +96,7 @@ class Drawing {
     void draw_in_place();
     void draw_preview();
     void draw_playhead();
+    void draw_edit();
 
     Frame take_frame() { return std::move(frame_); }
 
@@ -99,6 +104,8 @@ class Drawing {
     const Box& box() const { return drawn_.boxes.strip; }
 
     void draw_unwoven();
+    void draw_struck();
+    void draw_white(const Box& at, double alpha);
     void draw_level(std::size_t level, double alpha);
     void draw_above(const PlayingSpan& playing, nanoseconds local);
     void draw_cell(const PlacedCell& cell, const Box& at);
@@ -212,11 +219,7 @@ void Drawing::draw_coming() {
 void Drawing::draw_unwoven() {
     const double left = std::max(box().min.x, place_.canvas_x(drawn_.view, 0ns));
     const double right = std::min(box().max.x, place_.canvas_x(drawn_.view, drawn_.tapestry.duration));
-    frame_.items.push_back({.source = drawn_.sources.mark(),
-                            .cell = box_cell({{left, box().min.y}, {right, box().max.y}}),
-                            .placement = {.scale = 1, .offset = {left, box().min.y}},
-                            .picture = {right - left, box().height()},
-                            .alpha = unwoven_alpha});
+    draw_white({{left, box().min.y}, {right, box().max.y}}, unwoven_alpha);
 }
 
 void Drawing::draw_in_place() {
@@ -304,11 +307,45 @@ void Drawing::draw_playhead() {
     const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
     if (x < box().min.x || x > box().max.x) return;
     draw_time(*time, x);
+    draw_white({{x - half, box().min.y}, {x + half, box().max.y}}, playhead_alpha);
+}
+
+/// Lays a pale veil over the pictures of the nearest level that are struck; they are there until the tapestry
+/// is woven anew.
+void Drawing::draw_struck() {
+    const auto level = static_cast<std::size_t>(std::lround(drawn_.view.level));
+    for (std::size_t k = 0; k < drawn_.tapestry.levels[level].keyframes.size(); ++k) {
+        const StripPicture picture{.time = drawn_.tapestry.keyframe_time(level, k), .is_lower = k % 2 == 1};
+        if (!is_struck(*drawn_.edited, picture.time)) continue;
+        const Box at = intersection(place_.brick(drawn_.view, picture, drawn_.film.picture), box());
+        if (at.max.x > at.min.x) draw_white(at, struck_alpha);
+    }
+}
+
+void Drawing::draw_white(const Box& at, double alpha) {
     frame_.items.push_back({.source = drawn_.sources.mark(),
-                            .cell = box_cell({{x - half, box().min.y}, {x + half, box().max.y}}),
-                            .placement = {.scale = 1, .offset = {x - half, box().min.y}},
-                            .picture = {2 * half, box().height()},
-                            .alpha = playhead_alpha});
+                            .cell = box_cell(at),
+                            .placement = {.scale = 1, .offset = at.min},
+                            .picture = {at.width(), at.height()},
+                            .alpha = alpha});
+}
+
+/// A chosen moment has an upright bar below the strip, a struck one a dash.
+void Drawing::draw_edit() {
+    if (drawn_.edited == nullptr) return;
+    if (!is_unwoven(drawn_.tapestry)) draw_struck();
+    const double high = drawn_.boxes.canvas.y;
+    const double top = box().max.y + mark_gap * high;
+    const auto draw_marks = [&](const std::vector<nanoseconds>& moments, Vec2 size) {
+        for (const nanoseconds moment : moments) {
+            const double x = place_.canvas_x(drawn_.view, moment);
+            const double y = top + (mark_length * high - size.y) / 2;
+            if (x < box().min.x || x > box().max.x) continue;
+            draw_white({{x - size.x / 2, y}, {x + size.x / 2, y + size.y}}, playhead_alpha);
+        }
+    };
+    draw_marks(drawn_.edited->keyframes, {mark_width * high, mark_length * high});
+    draw_marks(drawn_.edited->struck, {mark_length * high, mark_width * high});
 }
 
 }  // namespace
@@ -340,6 +377,7 @@ Frame tapestry_frame(const DrawnTapestry& drawn, nanoseconds now) {
     drawing.draw_in_place();
     drawing.draw_preview();
     drawing.draw_playhead();
+    drawing.draw_edit();
     return drawing.take_frame();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/hints/keyframe_choice.hpp"
 #include "player/scene/frame.hpp"
 #include "player/scene/tapestry/tapestry_preview.hpp"
 #include "player/scene/tapestry/tapestry_view.hpp"
@@ -57,12 +58,14 @@ struct DrawnTapestry {
     TapestryBoxes boxes;
     TapestrySources sources;
     std::optional<OverlaidStrip> coming;
+    const KeyframeChoice* edited = nullptr;  // its marks are drawn; none: the keyframes are not edited
 };
 
 /// Draws the tapestry, the part that plays in place, the preview above, and a line in the tapestry at the
 /// time of the preview. Between two levels it draws the meshes of the zoom fields if the film has them; else
 /// one level fades into the other. Where tiles are missing, the coarsest level is drawn. A
-/// tapestry that is not woven yet is a pale place.
+/// tapestry that is not woven yet is a pale place. Where keyframes are edited, struck pictures are pale, a
+/// bar stands below the strip at each chosen moment and a dash at each struck one.
 Frame tapestry_frame(const DrawnTapestry& drawn, std::chrono::nanoseconds now);
 
 }  // namespace vitrine::player

@@ -1,5 +1,7 @@
 #include "player/scene/tapestry/tapestry_show.hpp"
 
+#include "player/scene/tapestry/unwoven_tapestry.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -23,6 +25,7 @@ TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
       motion_({.centre = settings.first_seen}, settings.pace),
       spans_(std::move(film), sources().film()),
       preview_(spans_) {
+    if (settings.edited) edit_.emplace(*settings.edited);
     if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());
 }
 
@@ -35,6 +38,12 @@ void TapestryShow::set_canvas(Vec2 canvas) {
 void TapestryShow::set_film(PreviewedFilm film) {
     spans_.set_film(std::move(film));
     boxes_ = tapestry_boxes(boxes_.canvas, this->film().picture);
+}
+
+/// A strip that is not woven yet has no pictures to strike.
+TouchedStrip TapestryShow::touched_strip() {
+    const bool is_edited = edit_ && !is_unwoven(tapestry());
+    return {place(), boxes_, spans_, motion_, preview_, is_edited ? &*edit_ : nullptr};
 }
 
 void TapestryShow::handle_gesture(const Gesture& gesture) {
@@ -54,8 +63,8 @@ std::vector<SourceId> TapestryShow::close() {
 }
 
 /// Leaves when nobody has touched the tapestry for long, and a moment after the film's end. Where nobody
-/// leaves, the film begins anew. While the strip moves by itself, plays what is in the middle of the view
-/// from time to time, unless a visitor has chosen what plays.
+/// leaves, or keyframes are edited, the film begins anew. While the strip moves by itself, plays what is in
+/// the middle of the view from time to time, unless a visitor has chosen what plays.
 void TapestryShow::leave_or_play(nanoseconds now) {
     if (!touched_) touched_ = now;
     if (patience_ && now - *touched_ >= *patience_) is_over_ = true;
@@ -63,7 +72,7 @@ void TapestryShow::leave_or_play(nanoseconds now) {
     if (end && now - std::max(*end, *touched_) >= last_picture) {
         touched_ = now;
         finger_.forget_choice();
-        is_over_ = is_over_ || patience_;
+        is_over_ = is_over_ || (patience_ && !edit_);
         if (!is_over_) preview_.play(nanoseconds(0), boxes_.preview.width());
     }
     const bool is_chosen = preview_.above() && (finger_.has_chosen() || patience_);
@@ -97,7 +106,8 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                               .view = view(),
                               .boxes = boxes_,
                               .sources = strip.sources(),
-                              .coming = coming ? coming->drawn(now) : std::nullopt};
+                              .coming = coming ? coming->drawn(now) : std::nullopt,
+                              .edited = edit_ ? &edit_->choice() : nullptr};
     FilmSpans::Changes changes = spans_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
                       .missing = strip.missing(preview_.scrubbed().moment().has_value()),

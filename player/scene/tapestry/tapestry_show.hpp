@@ -22,6 +22,7 @@ struct TapestrySettings {
     TapestryPace pace;
     bool plays_at_once = false;              // the preview plays from first_seen on at once
     std::chrono::nanoseconds first_seen{0};  // the first time in the middle, as far as the film's ends allow
+    std::optional<KeyframeChoice> edited{};  // touches change these keyframes; none: touches change none
 };
 
 /// The work of one frame, besides drawing it.
@@ -65,6 +66,9 @@ class TapestryShow {
 
     const WovenStrips& strips() const { return strips_; }
 
+    /// The keyframes that a technician has chosen, if that has changed since the last call.
+    std::optional<KeyframeChoice> take_choice() { return edit_ ? edit_->take_changed() : std::nullopt; }
+
     /// Retires everything and returns the sources.
     std::vector<SourceId> close();
 
@@ -92,7 +96,7 @@ class TapestryShow {
     TapestryPlace place() const { return {tapestry(), boxes_.strip}; }
 
   private:
-    TouchedStrip touched_strip() { return {place(), boxes_, spans_, motion_, preview_}; }
+    TouchedStrip touched_strip();
 
     void leave_or_play(std::chrono::nanoseconds now);
 
@@ -103,6 +107,7 @@ class TapestryShow {
     FilmSpans spans_;
     TapestryPreview preview_;  // refers to spans_
     StripFinger finger_;
+    std::optional<KeyframeEdit> edit_;                 // none: touches change no keyframes
     std::optional<std::chrono::nanoseconds> touched_;  // the last touch; none: since the last step
     std::chrono::nanoseconds played_{0};               // time at which the preview last started by itself
     bool is_over_ = false;

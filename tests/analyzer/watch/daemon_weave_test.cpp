@@ -2,6 +2,7 @@
 
 #include "analyzer/tapestry/tapestry_state.hpp"
 #include "base/hints/keyframe_choice.hpp"
+#include "base/state/keyframe_notes.hpp"
 #include "base/state/tapestry.hpp"
 #include "base/state/wanted_tapestry.hpp"
 #include "tests/temporary_directory.hpp"
@@ -170,6 +171,32 @@ TEST_CASE("a film is woven anew when its keyframes are chosen, otherwise, or not
     fs::remove(file);
     CHECK(house.comes_true([&] { return choice().empty(); }));
     CHECK(house.weavings() == 6);
+}
+
+TEST_CASE(
+    "keyframes that a technician chooses by touch come to those of the file, and the film is woven anew") {
+    House house;
+    house.drop("film.mp4");
+    house.start();
+    REQUIRE(house.comes_true([&] { return house.has_woven("film.mp4"); }));
+    const auto chosen = [&] {
+        try {
+            return read_tapestry(tapestry_folder(house.home.path, "film.mp4")).choice;
+        } catch (const std::exception&) {  // it is just replaced
+            return std::string("none");
+        }
+    };
+    write_keyframe_note(house.home.path, "film.mp4", "strike = [3]\n");
+    REQUIRE(house.comes_true([&] { return chosen() == key_of({.struck = {3s}}); }));
+
+    house.drop("film.mp4.tapestry.toml", "keyframes = [1, 3]\n");
+    house.daemon.reset();
+    house.start();
+    const KeyframeChoice both{.keyframes = {1s}, .struck = {3s}};
+    REQUIRE(house.comes_true([&] { return chosen() == key_of(both); }));
+    write_keyframe_note(house.home.path, "film.mp4", "");
+    CHECK(house.comes_true([&] { return chosen() == key_of({.keyframes = {1s, 3s}}); }));
+    CHECK(house.weavings() == 4);
 }
 
 TEST_CASE("the film that a visitor waits for is woven while another is analysed") {

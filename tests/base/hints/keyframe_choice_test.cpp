@@ -73,3 +73,24 @@ TEST_CASE("the file of a film's keyframes has the film's whole name and an endin
     CHECK_FALSE(is_keyframe_file("film.mp4"));
     CHECK_FALSE(is_keyframe_file(".vitrine.toml"));
 }
+
+TEST_CASE("a technician's touches come to the choice of a file, and count where the two contradict") {
+    const KeyframeChoice file{.keyframes = {2s, 10s}, .struck = {20s, 30s}, .is_only = true};
+    const KeyframeChoice touched{.keyframes = {19600ms, 40s}, .struck = {2400ms, 50s}};
+    CHECK(joined_choice(file, touched) ==
+          KeyframeChoice{.keyframes = {10s, 19600ms, 40s}, .struck = {2400ms, 30s, 50s}, .is_only = true});
+    CHECK(joined_choice({}, touched) == touched);
+    CHECK(joined_choice(file, {}) == file);
+    CHECK_FALSE(joined_choice({.keyframes = {2s}, .is_only = true}, {.struck = {2s}}).is_only);
+}
+
+TEST_CASE("a joined choice has no more moments than a file may have") {
+    KeyframeChoice file;
+    KeyframeChoice touched{.keyframes = {10000s}};
+    for (std::size_t k = 0; k < max_moments_of_a_choice; ++k)
+        file.keyframes.emplace_back(std::chrono::seconds(k));
+    const KeyframeChoice joined = joined_choice(file, touched);
+    CHECK(joined.keyframes.size() == max_moments_of_a_choice);
+    CHECK(joined.keyframes.back() == 10000s);
+    CHECK(read_keyframe_choice(to_toml(joined), "a").faults.empty());
+}

@@ -1,6 +1,8 @@
 #include "player/stage/tapestry_playback.hpp"
 
+#include "base/hints/keyframe_choice.hpp"
 #include "base/settings/settings.hpp"
+#include "base/state/keyframe_notes.hpp"
 #include "base/state/wanted_tapestry.hpp"
 #include "base/system/atomic_file.hpp"
 #include "player/display/offscreen_display.hpp"
@@ -501,4 +503,29 @@ TEST_CASE("the analyzer hears that a visitor waits, until the tapestry is comple
     const TapestryPlayback complete(theatre.tapestry(), {320, 180},
                                     {.film = film_record(), .wishes_in = theatre.directory.path});
     CHECK(wanted().empty());
+}
+
+TEST_CASE(
+    "a tap of a technician is noted for the analyzer, who hears that somebody waits; others' taps are not") {
+    Theatre theatre;
+    const auto& state = theatre.directory.path;
+    Tapestry film = drawn_tapestry(1);
+    film.path = "film.mp4";
+    write_tapestry(theatre.tapestry(), film);
+    const auto tap = [&](bool is_edited) {
+        TapestryPlayback tapestry(
+            theatre.tapestry(), {320, 180},
+            {.awaits_tiles = true, .film = film_record(), .wishes_in = state, .edits_keyframes = is_edited});
+        tapestry.step(100ms, theatre.renderer);
+        tapestry.handle_gesture({.kind = Gesture::Kind::tap, .at = {160, 120}, .from = {160, 120}});
+        tapestry.step(200ms, theatre.renderer);
+        return wanted_tapestry(state, std::filesystem::file_time_type::clock::now());
+    };
+    CHECK(tap(false).empty());
+    CHECK(read_keyframe_notes(state).empty());
+    CHECK(tap(true) == "film.mp4");
+    REQUIRE(read_keyframe_notes(state).contains("film.mp4"));
+    CHECK(read_keyframe_choice(read_keyframe_notes(state).at("film.mp4"), "").choice.struck.size() == 1);
+    CHECK(tap(true) == "film.mp4");  // the same picture: it is no longer struck
+    CHECK(read_keyframe_notes(state).empty());
 }

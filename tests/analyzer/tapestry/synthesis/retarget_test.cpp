@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 namespace vitrine::analyzer {
@@ -31,6 +33,22 @@ TEST_CASE("a tile is three quarters as tall, and of the keyframes' colours") {
 
     CHECK(tile.size() == cv::Size(100, 45));
     CHECK(cv::norm(tile, cv::Mat(tile.size(), CV_8UC3, cv::Scalar(10, 120, 200)), cv::NORM_INF) == 0);
+}
+
+TEST_CASE("pictures that do not go together fade into one another at the border of their bricks") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {120, 90}};
+    std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    for (std::size_t k = 0; k < bricks.size(); ++k)
+        bricks[k].picture.setTo(cv::Scalar::all(k < 2 ? 40 : 220));
+    const cv::Mat tile = made(brickwork, bricks);
+    int largest = 0;
+    for (int x = 100; x < 140; ++x)
+        for (int y = 10; y < 50; ++y)
+            largest =
+                std::max(largest, std::abs(tile.at<cv::Vec3b>(y, x)[0] - tile.at<cv::Vec3b>(y, x - 1)[0]));
+    CHECK(largest < 60);
+    CHECK(std::abs(tile.at<cv::Vec3b>(30, 60)[0] - 40) <= 2);
+    CHECK(std::abs(tile.at<cv::Vec3b>(30, 180)[0] - 220) <= 2);
 }
 
 TEST_CASE("a tile does not depend on the threads that make it") {
@@ -72,6 +90,29 @@ TEST_CASE("what matters in a keyframe weighs more than the rest, as a face does"
     CHECK(weight(12, 7) == 3);
     CHECK(weight(6, 15) == 1);
     CHECK(weight(60, 15) == 1);
+}
+
+TEST_CASE(
+    "beside the first brick of the lower row stands its margin, mirrored and sharp where nothing matters") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {40, 32}};
+    std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    for (int x = 0; x < 40; ++x)
+        bricks[1].picture.col(x).setTo(cv::Scalar::all(x / 4 % 2 * 200));
+    const auto sharpness = [&](const std::vector<cv::Point>& region) {
+        bricks[1].region = region;
+        const cv::Mat bricks_drawn =
+            brick_window({brickwork, bricks}, {0, brickwork.width()}, 1).picture.bgr();
+        const cv::Mat half = bricks_drawn(cv::Rect(0, 32, 20, 32));
+        cv::Mat mirrored;
+        cv::flip(bricks[1].picture.colRange(0, 20), mirrored, 1);
+        if (region.front().x >= 20) CHECK(are_equal(half, mirrored));
+        cv::Scalar mean;
+        cv::Scalar deviation;
+        cv::meanStdDev(half, mean, deviation);
+        return deviation[0];
+    };
+    CHECK(sharpness({{20, 4}, {36, 4}, {36, 28}, {20, 28}}) > 90);
+    CHECK(sharpness({{2, 4}, {36, 4}, {36, 28}, {2, 28}}) < 60);  // its figure would be cut in halves
 }
 
 TEST_CASE("a single keyframe stands alone, as tall as the tapestry") {

@@ -30,13 +30,17 @@ double open_share(const WallState& wall) {
     return static_cast<double>(open) / (samples * samples);
 }
 
-}  // namespace
+struct Drops {
+    std::size_t items = 0;  // of a wall
+    std::uint64_t walls = 0;
+};
 
-TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
+/// The shares of the canvas that no picture reaches after each of five drops on some walls, in order.
+std::vector<double> open_after_drops(const Drops& drops) {
     std::vector<double> open;
     Random random(1);
-    for (std::uint64_t k = 0; k < 5; ++k) {
-        PlanRequest request = random_request(8, k + 1);
+    for (std::uint64_t k = 0; k < drops.walls; ++k) {
+        PlanRequest request = random_request(drops.items, k + 1);
         request.canvas = {640, 360};
         request.budget = 300'000;
         for (std::size_t i = 0; i < request.items.size(); ++i)
@@ -51,9 +55,24 @@ TEST_CASE("after a drop on a small wall pictures cover the canvas, also after ma
         }
     }
     std::ranges::sort(open);
+    return open;
+}
+
+}  // namespace
+
+TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
+    const std::vector<double> open = open_after_drops({.items = 8, .walls = 5});
     CHECK(open[open.size() / 2] <= 0.02);
     CHECK(open[open.size() * 9 / 10] <= 0.09);
     CHECK(open.back() <= 0.2);
+}
+
+TEST_CASE("after a drop on a wall of few no dark part stays") {
+    for (const std::size_t items : {3, 5}) {
+        const std::vector<double> open = open_after_drops({.items = items, .walls = 4});
+        CHECK(open[open.size() / 2] <= 0.08);
+        CHECK(open[open.size() * 9 / 10] <= 0.2);
+    }
 }
 
 TEST_CASE("the others make way locally: none goes farther than a quarter of the diagonal, most stay") {
