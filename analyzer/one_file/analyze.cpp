@@ -5,6 +5,7 @@
 #include "analyzer/one_file/between_shots.hpp"
 #include "analyzer/one_file/frame_search.hpp"
 #include "analyzer/one_file/picture_print.hpp"
+#include "analyzer/one_file/subject_looks.hpp"
 #include "analyzer/saliency/sample_store.hpp"
 #include "analyzer/saliency/take_parts.hpp"
 #include "base/state/media_error.hpp"
@@ -116,7 +117,12 @@ class ShotWriter {
   public:
     ShotWriter(MediaRecord& record, const AnalysisSettings& settings, const ShotObserver& observer,
                const GrowthObserver& grown)
-        : record_(record), settings_(settings), observer_(observer), grown_(grown), told_(record) {
+        : record_(record),
+          settings_(settings),
+          observer_(observer),
+          grown_(grown),
+          told_(record),
+          looks_(settings, record) {
         told_.is_complete = false;
     }
 
@@ -167,6 +173,7 @@ class ShotWriter {
         const cv::Size frame = bars.whole().size();
         shot.picture = to_source(active, frame, record_);
         shot.marks = marks_of(samples, frame, record_);
+        looks_.look(shot, samples);
         const ShotEvidence evidence = shot_region(std::move(samples), shot, map_size(frame),
                                                   {record_.width, record_.height}, settings_);
         record_.shots.push_back(evidence.shot);
@@ -182,6 +189,7 @@ class ShotWriter {
     const GrowthObserver& grown_;
     MediaRecord told_;  // the record that `grown` gets, with the newest shot
     SampleStore samples_;
+    SubjectLooks looks_;
 };
 
 /// Tests if a frame can follow another: frames of a broken stream may repeat a time or change their size.

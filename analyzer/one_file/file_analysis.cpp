@@ -83,7 +83,7 @@ MediaRecord record_without_shots(const MediaError& error) {
 
 AnalysisSettings settings_for(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     AnalysisSettings settings = analysis_settings(file.settings().analyzer);
-    if (!outputs.network) settings.saliency_model.clear();
+    settings.looks_at_photos = outputs.network;
     return settings;
 }
 

@@ -9,8 +9,9 @@ FrameSearch::FrameSearch(const AnalysisSettings& settings, MediaKind kind)
       faces_(face_detector(settings.face_model, settings.face_cascade)),
       stage_(image_saliency_stage(settings.image)) {
     const bool is_film = kind == MediaKind::film;
-    if (!is_film && !settings.saliency_model.empty())
-        network_ = std::make_unique<SaliencyNetwork>(settings.saliency_model);
+    if (!is_film && settings.looks_at_photos && !settings.saliency_model.empty())
+        network_ = std::make_unique<SubjectNetwork>(settings.saliency_model);
+    keeps_glances_ = is_film && !settings.saliency_model.empty();
     if ((is_film || network_) && !settings.text_model.empty())
         lines_ = std::make_unique<LineDetector>(settings.text_model);
 }
@@ -25,7 +26,8 @@ Sample FrameSearch::search(const FramePair& pair, std::chrono::nanoseconds time,
         lines_time_ = time;
     }
     Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
-    if (network_) sample.subject = find_subject(*network_, pair);
+    if (network_) sample.subject = network_->find(pair);
+    if (keeps_glances_) keep_glance(sample, pair, coarse_side);
     sample.time = time;
     sample.faces = last_faces_;
     sample.faces_time = faces_time_;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "analyzer/faces/face_detector.hpp"
+#include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/image_saliency.hpp"
-#include "analyzer/saliency/saliency_network.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/words/line_detector.hpp"
 #include "base/state/record.hpp"
@@ -17,7 +17,8 @@ namespace vitrine::analyzer {
 /// Searches single frames. Faces and lines of text are searched now and then, and hold until the next search.
 class FrameSearch {
   public:
-    /// A photo is shown to the network where the settings name one; its lines are searched then, too.
+    /// A photo is shown to the network where the settings want it; its lines are searched then, too. Of a
+    /// film what the network needs is kept in the samples.
     /// @throws std::runtime_error if a model cannot be read
     FrameSearch(const AnalysisSettings& settings, MediaKind kind);
 
@@ -30,8 +31,9 @@ class FrameSearch {
     const AnalysisSettings& settings_;     // outlives the search
     std::unique_ptr<FaceDetector> faces_;  // null: not searched
     std::unique_ptr<ImageSaliencyStage> stage_;
-    std::unique_ptr<SaliencyNetwork> network_;  // null: not asked
-    std::unique_ptr<LineDetector> lines_;       // null: not searched
+    std::unique_ptr<SubjectNetwork> network_;  // null: not asked
+    std::unique_ptr<LineDetector> lines_;      // null: not searched
+    bool keeps_glances_ = false;               // for looks at films
     std::vector<Face> last_faces_;
     std::chrono::nanoseconds faces_time_{0};
     std::vector<Box> last_lines_;

@@ -22,10 +22,11 @@ struct AnalysisSettings {
     bool has_bodies = true;            // S_F counts the body below a face
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
-    std::string saliency_model;  // an ONNX file, used for photos too (subject_outline.hpp); "": not used
-    std::string text_model;      // an ONNX file that finds lines of text (line_detector.hpp); "": not used
-    int text_interval = 10;      // samples of a film from one search for lines to the next
-    std::string face_model;      // YuNet's ONNX file; "": not used
+    std::string saliency_model;   // an ONNX file that finds subjects (subject_outline.hpp); "": not used
+    bool looks_at_photos = true;  // asks that network about photos; films are asked about now and then
+    std::string text_model;       // an ONNX file that finds lines of text (line_detector.hpp); "": not used
+    int text_interval = 10;       // samples of a film from one search for lines to the next
+    std::string face_model;       // YuNet's ONNX file; "": not used
     std::string face_cascade =
         "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";  // "": not used
 };

@@ -1,8 +1,5 @@
 #include "analyzer/saliency/movers.hpp"
 
-#include "base/geometry/convex_hull.hpp"
-#include "base/geometry/polygon.hpp"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -10,12 +7,11 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double moving = 0.5;           // min S_M over a whole mover
-constexpr double certain = 0.8;          // min S_M at its strongest place
-constexpr double min_share = 0.002;      // share of the picture: a smaller box is a speck
-constexpr double max_share = 0.3;        // share of the picture: a larger box is not one thing
-constexpr double max_hull_share = 0.55;  // share of the picture that the hull of all boxes may take
-constexpr double nearby = 1.0;           // times two boxes' mean side: limit of their centres' distance
+constexpr double moving = 0.5;       // min S_M over a whole mover
+constexpr double certain = 0.8;      // min S_M at its strongest place
+constexpr double min_share = 0.002;  // share of the picture: a smaller box is a speck
+constexpr double max_share = 0.3;    // share of the picture: a larger box is not one thing
+constexpr double nearby = 1.0;       // times two boxes' mean side: limit of their centres' distance
 
 std::vector<Box> spots(const SaliencyMap& motion) {
     std::vector<Box> result;
@@ -54,7 +50,6 @@ std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanosec
     for (const Sample& sample : samples)
         found.push_back(spots(sample.motion));
     std::vector<Box> result;
-    std::vector<Vec2> corners;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Vec2 moved_by = drift * -std::chrono::duration<double>(samples[i].time - begin).count();
         for (const Box& box : found[i]) {
@@ -62,13 +57,8 @@ std::vector<Box> movers(const std::vector<Sample>& samples, std::chrono::nanosec
             const bool is_seen_after = i + 1 < found.size() && has_near(found[i + 1], box);
             if (!is_seen_before && !is_seen_after) continue;
             result.push_back({box.min + moved_by, box.max + moved_by});
-            for (const Vec2 corner : to_polygon(result.back()))
-                corners.push_back(corner);
         }
     }
-    if (result.empty()) return result;
-    const cv::Size size = samples.front().image.size();
-    if (area(convex_hull(corners)) > max_hull_share * size.area()) return {};
     return result;
 }
 

@@ -11,7 +11,7 @@ namespace vitrine::analyzer {
 /// The things that clearly move by themselves in a shot, as boxes moved to their places at the shot's begin:
 /// a subject that runs through the picture is outside the saliency on average, and still must not be cut. A
 /// mover is a spot of strong motion contrast, neither a speck nor most of the picture, that the sample before
-/// or after shows nearby. None where together they reach over most of the picture, as crowds do.
+/// or after shows nearby. Where many things move, as in a street, all of them count.
 ///
 /// @param drift  px of the map per second
 /// @return       px of the map; may reach beyond it

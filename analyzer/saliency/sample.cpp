@@ -168,6 +168,16 @@ SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
     return placed_map(network.map(pair.frame(active)), map_part(active, size), map_size(size));
 }
 
+void keep_glance(Sample& sample, const FramePair& pair, int side) {
+    const cv::Rect active = seen_part(pair.active, pair.frame.size());
+    sample.glance = resized(pair.frame(active), {side, side}).clone();
+    sample.seen = map_part(active, pair.frame.size());
+}
+
+SaliencyMap subject_in(SaliencyNetwork& network, const Sample& sample) {
+    return placed_map(network.map(sample.glance), sample.seen, sample.image.size());
+}
+
 std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair) {
     const cv::Size size = pair.frame.size();
     const cv::Rect active = seen_part(pair.active, size);

@@ -32,6 +32,8 @@ struct Sample {
     ShotLook signature;                      // of the picture within its bars
     double changed_share = 0;                // of the picture, since the sample before
     cv::Mat picture;                         // the frame itself, BGR; empty unless an observer wants it
+    cv::Mat glance;  // of a film: the picture within its bars as a network wants it; empty: not kept
+    cv::Rect seen;   // px of the map: its place
 };
 
 /// Longest side of the maps of a sample, px.
@@ -57,6 +59,14 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
 /// The subject of a frame's picture within its bars, in px of the maps, as a network sees it.
 /// @throws std::runtime_error like SaliencyNetwork::map()
 SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair);
+
+/// Keeps what subject_in() needs of a frame's picture within its bars, in the size of a network's input.
+void keep_glance(Sample& sample, const FramePair& pair, int side);
+
+/// The subject of a sample that was kept so, in px of the maps.
+/// @pre sample.glance is not empty
+/// @throws std::runtime_error like SaliencyNetwork::map()
+SaliencyMap subject_in(SaliencyNetwork& network, const Sample& sample);
 
 /// The look of a frame's picture within its bars, in px of the maps.
 PictureLook look_within(const cv::Mat& frame, const cv::Rect& active);

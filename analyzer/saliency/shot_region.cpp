@@ -4,6 +4,8 @@
 #include "analyzer/words/steady_lines.hpp"
 #include "analyzer/words/text_page.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,10 @@ namespace {
 constexpr double same_face = 0.3;  // intersection over union of one face in two searches
 // Added at the centre, per sample: decides where nothing stands out.
 constexpr double centre_saliency = 0.005;
-constexpr double min_face = 0.05;  // share of the map's longer side: smaller faces do not count
+constexpr double strong_motion = 0.5;   // S_M of what moves by itself
+constexpr double least_motion = 0.002;  // share of the picture that moves on average, to count
+constexpr double enough_motion = 1.25;  // certainty for each share of it that is held
+constexpr double min_face = 0.05;       // share of the map's longer side: smaller faces do not count
 
 double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
@@ -95,7 +100,8 @@ std::vector<SalientFrame> salient_frames(const std::vector<Sample>& samples, std
         frames.push_back({.map = combined(sample.motion, sample.image, face, settings.weights),
                           .time = seconds(sample.time - begin),
                           .global_motion = sample.global_motion,
-                          .subject_motion = sample.subject_motion});
+                          .subject_motion = sample.subject_motion,
+                          .subject = sample.subject});
     }
     return frames;
 }
@@ -185,14 +191,53 @@ void add_centre(SaliencyMap& volume, std::size_t frames) {
               (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames)));
 }
 
-/// The page of text that a photo shows; no corners where it shows none.
-Polygon page_in(const Sample& photo, cv::Size size) {
-    return text_page(photo.lines, {static_cast<double>(size.width), static_cast<double>(size.height)});
+/// The page of text that a photo shows; no corners where it shows none, and in a film.
+Polygon page_in(const std::vector<Sample>& samples, cv::Size size) {
+    if (samples.size() != 1) return {};
+    return text_page(samples.front().lines,
+                     {static_cast<double>(size.width), static_cast<double>(size.height)});
 }
 
-/// True for a photo that the network was asked about.
-bool has_subject(const std::vector<Sample>& samples) {
-    return samples.size() == 1 && !samples.front().subject.empty();
+/// The share of a shot's strong motion that a polygon holds, px of the shot's begin; 1 where next to nothing
+/// moves.
+double held_motion(const std::vector<Sample>& samples, const std::vector<SalientFrame>& frames, Vec2 drift,
+                   const Polygon& polygon) {
+    std::vector<SalientFrame> moving;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].motion.empty()) continue;
+        SaliencyMap strong;
+        cv::threshold(samples[i].motion, strong, strong_motion, 1, cv::THRESH_BINARY);
+        moving.push_back({.map = strong, .time = frames[i].time, .global_motion = {}, .subject_motion = {}});
+    }
+    if (moving.empty()) return 1;
+    const SaliencyMap volume = accumulated(moving, drift);
+    const double all = cv::sum(volume)[0];
+    if (all < least_motion * static_cast<double>(volume.total() * moving.size())) return 1;
+    std::vector<cv::Point> corners;
+    for (const Vec2 corner : polygon)
+        corners.emplace_back(cvRound(corner.x), cvRound(corner.y));
+    SaliencyMap inside = SaliencyMap::zeros(volume.size(), CV_32FC1);
+    if (corners.size() >= 3) cv::fillConvexPoly(inside, corners, 1);
+    return volume.dot(inside) / all;
+}
+
+/// The outline of all places of the subject. It is as certain as the looks were on average, and no more
+/// certain than the share of what moves that it holds.
+SubjectOutline seen_outline(const std::vector<Sample>& samples, const std::vector<SalientFrame>& frames,
+                            Vec2 drift, const SaliencyMap& subject) {
+    SubjectOutline outline = subject_outline(subject);
+    if (samples.size() == 1) return outline;
+    double sum = 0;
+    int looks = 0;
+    for (const Sample& sample : samples) {
+        if (sample.subject.empty()) continue;
+        sum += subject_outline(sample.subject).certainty;
+        ++looks;
+    }
+    const double moving = held_motion(samples, frames, drift, outline.possible);
+    outline.certainty = std::min(sum / looks, enough_motion * moving);
+    outline.certainty = std::clamp(outline.certainty, 0.0, 1.0);
+    return outline;
 }
 
 void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
@@ -205,7 +250,6 @@ void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
     }
     evidence.motion = sample.motion;
     evidence.image = sample.image;
-    evidence.subject = sample.subject;
     evidence.faces = sample.faces;
     evidence.face = face_saliency(sample.faces, sample.image.size(), 1, has_bodies);
     evidence.combined = frames[middle].map;
@@ -231,12 +275,13 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     const std::vector<Box> whole = whole_parts(samples, searches, shot, drift, part.size());
     const Box core = common_part(part.size(), drift, duration);
     Polygon region = i_region(volume, core, whole, settings.region);
-    if (has_subject(samples)) {
-        const Polygon page = page_in(samples.front(), part.size());
+    evidence.subject = subject_volume(frames, drift);
+    if (!evidence.subject.empty()) {
+        const Polygon page = page_in(samples, part.size());
         evidence.is_page = !page.empty();
         const SubjectOutline subject = evidence.is_page
                                            ? SubjectOutline{.sure = page, .possible = page, .certainty = 1}
-                                           : subject_outline(samples.front().subject);
+                                           : seen_outline(samples, frames, drift, evidence.subject);
         region = subject_region(subject, volume, core, whole, settings.region);
         shot.certainty = subject.certainty;
     }

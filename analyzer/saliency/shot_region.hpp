@@ -27,7 +27,7 @@ struct ShotEvidence {
     SaliencyMap combined;
     SaliencyMap volume;  // S_c, in px of the shot's begin
     std::vector<Face> faces;
-    SaliencyMap subject;   // found by the network; empty where it was not asked
+    SaliencyMap subject;   // found by the network, in px of the shot's begin; empty where it was not asked
     bool is_page = false;  // the subject is a page of text
     IRegion letter;        // the region in paper_mode(), to compare with; no corners where it is not wanted
     std::size_t samples = 0;

@@ -169,16 +169,14 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::analyzer, &S::Analyzer::saliency>(
          {{{"network", SaliencyMethod::network}, {"plain", SaliencyMethod::plain}}}),
      SettingEffect::analyzer,
-     "How the important part of a photo is found. \"network\": a neural network knows things. It takes about "
-     "a "
-     "second of processor time for a photo and runs while nothing else is to be analysed. Until then the "
-     "wall "
-     "shows the photo with the plain region. \"plain\": by contrast, place and faces only, as in films."},
+     "How the important part of a picture is found. \"network\": a neural network knows things. It takes "
+     "about a second of processor time for a photo and runs while nothing else is to be analysed. Until then "
+     "the wall shows the photo with the plain region. In a film it looks at a few small frames of each shot. "
+     "\"plain\": by contrast, motion, place and faces only."},
     {"analyzer.saliency_model",
      text<&S::analyzer, &S::Analyzer::saliency_model>("a path, or nothing", is_any), SettingEffect::analyzer,
-     "The ONNX file of that network. It takes one picture of 320 x 320 and gives one map, as U2-Net does. "
-     "The "
-     "default comes with the analyzer. Empty, or if the file is missing: the plain method."},
+     "The ONNX file of that network. It takes one picture of 320 x 320 and its first output is one map, as "
+     "U2-Net's is. The default comes with the analyzer. Empty, or if the file is missing: the plain method."},
     {"analyzer.text_model", text<&S::analyzer, &S::Analyzer::text_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "An ONNX file that finds lines of text, so that none is cut. It takes a picture and gives a map of "

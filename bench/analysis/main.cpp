@@ -1,6 +1,6 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
 //   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx]
-//   [--only shots|shown|subjects|words|motion|drift|bars] [--verbose]
+//   [--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -16,8 +16,8 @@ using namespace vitrine::analyzer;
 namespace {
 
 int usage() {
-    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] "
-               "[--only shots|shown|subjects|motion|drift|bars] [--verbose]\n");
+    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--masks FOLDER] "
+               "[--only shots|shown|subjects|masks|words|motion|drift|bars] [--verbose]\n");
     return 2;
 }
 
@@ -45,6 +45,8 @@ int main(int argc, char** argv) {
             input.face_model = words[i];
         else if (word == "--network")
             input.saliency_model = words[i];
+        else if (word == "--masks")
+            input.masks = words[i];
         else if (word == "--only")
             only = words[i];
         else
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
     if (only.empty() || only == "shots") shots_table(input);
     if (only.empty() || only == "shown") shown_table(input);
     if (only.empty() || only == "subjects") subjects_table(input);
+    if (only.empty() || only == "masks") masks_table(input);
     if (only.empty() || only == "words") words_table(input);
     if (only.empty() || only == "motion") motion_table(input);
     if (only.empty() || only == "drift") drift_table(input);

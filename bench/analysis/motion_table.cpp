@@ -14,6 +14,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -76,7 +77,8 @@ Vec2 mean_place(const std::vector<cv::Mat>& masks) {
 
 /// The same take by each way.
 struct TakeScore {
-    Held ours;
+    Held ours;   // with the network's looks
+    Held plain;  // without
     Held letter;
     Held best_box;    // centred where the subject is on average
     Held middle_box;  // a box in the middle of the picture
@@ -93,7 +95,9 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
     };
     AnalysisSettings settings;
     settings.face_model = input.face_model;
-    TakeScore score{.ours = held_by(settings), .letter = held_by(paper_mode())};
+    TakeScore score{.plain = held_by(settings), .letter = held_by(paper_mode())};
+    settings.saliency_model = input.saliency_model;
+    score.ours = held_by(settings);
     const auto boxed = [&](Vec2 centre) {
         const Polygon box = still_box(size, score.ours.area, centre);
         return held(take, [&](std::size_t) { return box; });
@@ -104,28 +108,30 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
 }
 
 void print_row(const std::string& name, const TakeScore& s) {
-    fmt::print("  {:32} {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | {:6.3f} {:6.3f}\n",
-               name, s.ours.mean, s.ours.worst, s.ours.area, s.best_box.mean, s.best_box.worst,
-               s.middle_box.mean, s.middle_box.worst, s.letter.mean, s.letter.area);
+    fmt::print(
+        "  {:32} {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | "
+        "{:6.3f} {:6.3f}\n",
+        name, s.ours.mean, s.ours.worst, s.ours.area, s.plain.mean, s.plain.worst, s.plain.area,
+        s.best_box.mean, s.best_box.worst, s.middle_box.mean, s.middle_box.worst, s.letter.mean,
+        s.letter.area);
 }
 
 void takes_table(const char* title, std::size_t count, const std::function<Take(std::size_t)>& take_of,
                  const TableInput& input) {
-    fmt::print(
-        "{:34} {:^20} | box on subject | box in middle  | letter\n{:34} {:>6} {:>6} {:>6} | {:>6} {:>6} "
-        "| {:>6} {:>6} | {:>6} {:>6}\n",
-        title, "ours", "", "mean", "worst", "area", "mean", "worst", "mean", "worst", "mean", "area");
+    fmt::print("{:34} {:^20} | {:^20} | box on subject | box in middle  | letter\n{:34} {:>6} {:>6} {:>6} | "
+               "{:>6} {:>6} "
+               "{:>6} | {:>6} {:>6} | {:>6} {:>6} | {:>6} {:>6}\n",
+               title, "with the network", "plain", "", "mean", "worst", "area", "mean", "worst", "area",
+               "mean", "worst", "mean", "worst", "mean", "area");
     TakeScore sum;
-    for (Held TakeScore::*way :
-         {&TakeScore::ours, &TakeScore::best_box, &TakeScore::middle_box, &TakeScore::letter})
-        (sum.*way).frames = 0;
+    constexpr std::array all{&TakeScore::ours, &TakeScore::plain, &TakeScore::best_box,
+                             &TakeScore::middle_box, &TakeScore::letter};
     for (std::size_t i = 0; i < count; ++i) {
         const Take take = take_of(i);
         const EncodedTake file(take);
         const TakeScore s = take_score(take, file, input);
         print_row(take.name, s);
-        for (Held TakeScore::*way :
-             {&TakeScore::ours, &TakeScore::best_box, &TakeScore::middle_box, &TakeScore::letter}) {
+        for (Held TakeScore::*way : all) {
             Held& total = sum.*way;
             total.add((s.*way).mean, (s.*way).area);
             total.worst = std::min(total.worst, (s.*way).worst);
@@ -200,7 +206,9 @@ void motion_table(const TableInput& input) {
     takes_table(
         "drawn subjects", made_take_count(), [&](std::size_t i) { return made_take(i, drawn_with); }, input);
     films(input, paper_mode(), "paper's letter");
-    films(input, {.face_model = input.face_model}, "ours");
+    films(input, {.face_model = input.face_model}, "plain");
+    films(input, {.saliency_model = input.saliency_model, .face_model = input.face_model},
+          "with the network");
 }
 
 }  // namespace vitrine::analyzer

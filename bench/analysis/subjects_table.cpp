@@ -2,17 +2,18 @@
 // paper's letter, and other programs that may keep as much of the picture as our region does. Also measures
 // the time for a picture.
 
+#include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/faces.hpp"
 #include "analyzer/saliency/frequency_tuned.hpp"
 #include "analyzer/saliency/i_region.hpp"
 #include "analyzer/saliency/motion_contrast.hpp"
-#include "analyzer/saliency/saliency_network.hpp"
 #include "analyzer/saliency/salient_volume.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/saliency/shot_region.hpp"
 #include "bench/analysis/peer_crops.hpp"
 #include "bench/analysis/region_score.hpp"
+#include "bench/analysis/subject_scores.hpp"
 #include "bench/analysis/tables.hpp"
 
 #include <fmt/format.h>
@@ -20,12 +21,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <numeric>
 
 namespace vitrine::analyzer {
 
@@ -39,11 +38,11 @@ constexpr int photo_side = 640;         // px, as photographs are analysed
 /// The region of a photograph, px of it, as the analyzer makes it.
 /// @param network  null: not asked
 Polygon region_of(const cv::Mat& photo, FaceDetector& detector, const AnalysisSettings& settings,
-                  SaliencyNetwork* network = nullptr) {
+                  SubjectNetwork* network = nullptr) {
     const std::vector<Face> faces = find_faces(detector, photo, settings.only_prominent_faces);
     Sample sample = sample_of({photo, {}, 1}, settings, faces);
     sample.faces = faces;
-    if (network != nullptr) sample.subject = find_subject(*network, {photo, {}, 1});
+    if (network != nullptr) sample.subject = network->find({photo, {}, 1});
     return shot_region({sample}, {}, map_size(photo.size()), photo.size(), settings).shot.region.polygon;
 }
 
@@ -58,7 +57,7 @@ struct Photo {
     cv::Mat picture;
     double share = 0;  // share of the picture's area in our region
     FaceDetector& detector;
-    SaliencyNetwork* network = nullptr;  // null: there is none
+    SubjectNetwork* network = nullptr;  // null: there is none
 };
 
 struct Way {
@@ -82,69 +81,19 @@ const std::vector<Way>& ways() {
     return all;
 }
 
-struct Scores {
-    std::vector<double> coverage;
-    std::vector<double> area;
-    std::vector<double> subject;  // area, share of the picture
-    std::vector<double> iou;
-    int faces = 0;
-    int whole_faces = 0;
-
-    /// @param subject_area  share of the picture; 0: there is no subject
-    void add(const RegionScore& s, double subject_area) {
-        faces += s.faces;
-        whole_faces += s.whole_faces;
-        if (subject_area <= 0) return;
-        subject.push_back(subject_area);
-        coverage.push_back(s.coverage);
-        area.push_back(s.area);
-        iou.push_back(s.iou);
-    }
-};
-
-double mean(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) /
-           static_cast<double>(std::max<std::size_t>(1, values.size()));
-}
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-    const double mean_a = mean(a);
-    const double mean_b = mean(b);
-    double both = 0;
-    double only_a = 0;
-    double only_b = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        both += (a[i] - mean_a) * (b[i] - mean_b);
-        only_a += (a[i] - mean_a) * (a[i] - mean_a);
-        only_b += (b[i] - mean_b) * (b[i] - mean_b);
-    }
-    return both / std::sqrt(std::max(1e-12, only_a * only_b));
-}
-
-void print(const char* name, Scores& s) {
-    if (s.coverage.empty()) return;
-    const double follows = correlation(s.area, s.subject);
-    std::sort(s.coverage.begin(), s.coverage.end());
-    std::sort(s.area.begin(), s.area.end());
-    const std::size_t tenth = (s.coverage.size() + 9) / 10;
-    fmt::print("{:22} {:6.3f} {:6.3f} {:7.3f} {:6.3f} {:6.3f} {:6.2f} {:6}/{}\n", name, mean(s.coverage),
-               mean(std::span(s.coverage).first(tenth)), s.area[s.area.size() / 2], mean(s.area), mean(s.iou),
-               follows, s.whole_faces, s.faces);
-}
-
 std::vector<Box> joined(std::vector<Box> a, const std::vector<Box>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
 
-void photographs(const fs::path& folder, FaceDetector& detector, SaliencyNetwork* network, bool is_verbose) {
+void photographs(const fs::path& folder, FaceDetector& detector, SubjectNetwork* network, bool is_verbose) {
     std::ifstream file(folder / "boxes.json");
     if (!file) {
         fmt::print("photographs: not here\n");
         return;
     }
     const nlohmann::json labels = nlohmann::json::parse(file);
-    std::vector<Scores> scores(ways().size());
+    std::vector<SubjectScores> scores(ways().size());
     for (const auto& [name, entry] : labels["images"].items()) {
         Photo photo{.picture = picture(folder / name, photo_side), .detector = detector, .network = network};
         if (photo.picture.empty()) continue;
@@ -166,11 +115,11 @@ void photographs(const fs::path& folder, FaceDetector& detector, SaliencyNetwork
     fmt::print(
         "{} photographs with a subject: share of it inside the region (the worst tenth is the mean of "
         "the worst 10 %),\nthe region's share of the picture, overlap, correlation of that share with the "
-        "subject's, marked faces wholly inside\n"
-        "{:22} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6} {:>8}\n",
-        scores[0].coverage.size(), "", "mean", "worst", "median", "mean", "IoU", "follows", "faces");
+        "subject's, marked faces wholly inside\n",
+        scores[0].coverage.size());
+    print_scores_head();
     for (std::size_t i = 0; i < scores.size(); ++i)
-        print(ways()[i].name, scores[i]);
+        print_scores(ways()[i].name, scores[i]);
 }
 
 /// CPU time of one round.
@@ -223,8 +172,8 @@ void costs(const fs::path& folder, FaceDetector& faces) {
 
 void subjects_table(const TableInput& input) {
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
-    std::unique_ptr<SaliencyNetwork> network;
-    if (!input.saliency_model.empty()) network = std::make_unique<SaliencyNetwork>(input.saliency_model);
+    std::unique_ptr<SubjectNetwork> network;
+    if (!input.saliency_model.empty()) network = std::make_unique<SubjectNetwork>(input.saliency_model);
     photographs(input.media / "photos", *faces, network.get(), input.is_verbose);
     costs(input.media / "saliency" / "davis_car-shadow", *faces);
 }

@@ -7,11 +7,12 @@ namespace vitrine::analyzer {
 
 /// The material that the tables measure on.
 struct TableInput {
-    std::filesystem::path media;  // a folder with ground truth in the format of ../shared/media
-    std::string face_model;       // YuNet's ONNX file; "": Viola-Jones
-    std::string saliency_model;   // of the network that finds subjects of photos; "": none
-    std::string text_model;       // of the network that finds lines of text
-    bool is_verbose = false;      // a line for each picture
+    std::filesystem::path media;    // a folder with ground truth in the format of ../shared/media
+    std::filesystem::path masks{};  // a folder that masked_photos.py has made; "": none
+    std::string face_model;         // YuNet's ONNX file; "": Viola-Jones
+    std::string saliency_model;     // of the network that finds subjects of photos; "": none
+    std::string text_model;         // of the network that finds lines of text
+    bool is_verbose = false;        // a line for each picture
 };
 
 /// Transitions found, missed and false in edited films and films of one take.
@@ -22,6 +23,9 @@ void shown_table(const TableInput& input);
 
 /// Marked subjects and faces of photographs inside the region, and what a picture costs.
 void subjects_table(const TableInput& input);
+
+/// Subjects of photographs with drawn masks inside the region, for half of them tuned on and half held back.
+void masks_table(const TableInput& input);
 
 /// Lines of text that lie whole in the region of slides and of photographs with signs.
 void words_table(const TableInput& input);

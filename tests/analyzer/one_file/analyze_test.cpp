@@ -87,6 +87,31 @@ TEST_CASE("the words in a film lie whole in its region, and in a photo that the 
     CHECK(holds(analyze(photo, settings).shots.at(0).region.polygon, words));
 }
 
+TEST_CASE(
+    "the network looks at a film now and then; where it cannot be read the film keeps its plain regions") {
+    const auto draw = [](int) {
+        cv::Mat picture = with_disc({190, 200, 190}, {230, 110});
+        cv::circle(picture, {230, 110}, 40, cv::Scalar(30, 40, 200), cv::FILLED, cv::LINE_AA);
+        return picture;
+    };
+    AnalysisSettings settings = without_faces();
+    DrawnFilm plain_film(MediaKind::film, 75, draw);
+    const MediaRecord before = analyze(plain_film, settings);
+    CHECK_FALSE(before.shots.at(0).certainty);
+    settings.saliency_model = VITRINE_MODELS "/u2netp.onnx";
+    settings.looks_at_photos = false;
+    DrawnFilm film(MediaKind::film, 75, draw);
+    const MediaRecord seen = analyze(film, settings);
+    REQUIRE(seen.shots.at(0).certainty);
+    CHECK(*seen.shots.at(0).certainty > 0.5);
+    CHECK(holds(seen.shots.at(0).region.polygon, {204, 84, 52, 52}));
+    DrawnFilm photo(MediaKind::photo, 1, draw);
+    CHECK_FALSE(analyze(photo, settings).shots.at(0).certainty);
+    settings.saliency_model = "/nowhere.onnx";
+    DrawnFilm unseen(MediaKind::film, 75, draw);
+    CHECK(analyze(unseen, settings).shots == before.shots);
+}
+
 TEST_CASE("a photo has one shot without time, around its subject") {
     DrawnFilm photo(MediaKind::photo, 1, [](int) { return with_disc({200, 190, 180}, {220, 60}); });
     const MediaRecord record = analyze(photo, without_faces());

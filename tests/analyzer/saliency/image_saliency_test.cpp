@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <cstring>
 #include <string>
 
@@ -72,19 +73,27 @@ std::string value_info(const std::string& name, std::initializer_list<std::uint6
     return bytes(1, name) + bytes(2, bytes(1, number(1, 1) + bytes(2, shape)));
 }
 
-/// A network whose map is the picture's blue less its red.
-std::string blue_network() {
-    const float weights[] = {-1, 0, 1};
-    std::string raw(sizeof weights, '\0');
-    std::memcpy(raw.data(), weights, sizeof weights);
-    const std::string tensor = number(1, 1) + number(1, 3) + number(1, 1) + number(1, 1) + number(2, 1) +
-                               bytes(8, "w") + bytes(9, raw);
+/// A weighted sum of the picture's channels, R, G and B.
+std::string sum_node(const std::string& weights, const std::string& output) {
     const std::string kernel = bytes(1, "kernel_shape") + number(8, 1) + number(8, 1) + number(20, 7);
-    const std::string node =
-        bytes(1, "x") + bytes(1, "w") + bytes(2, "y") + bytes(4, "Conv") + bytes(5, kernel);
-    const std::string graph = bytes(1, node) + bytes(2, "g") + bytes(5, tensor) +
+    return bytes(1, "x") + bytes(1, weights) + bytes(2, output) + bytes(4, "Conv") + bytes(5, kernel);
+}
+
+std::string weights(const std::string& name, const std::array<float, 3>& values) {
+    std::string raw(sizeof values, '\0');
+    std::memcpy(raw.data(), values.data(), sizeof values);
+    return number(1, 1) + number(1, 3) + number(1, 1) + number(1, 1) + number(2, 1) + bytes(8, name) +
+           bytes(9, raw);
+}
+
+/// A network whose first map is the picture's blue less its red. A second one is red less blue: like U2-Net,
+/// it gives several, of which the first counts.
+std::string blue_network() {
+    const std::string graph = bytes(1, sum_node("w", "y")) + bytes(1, sum_node("v", "z")) + bytes(2, "g") +
+                              bytes(5, weights("w", {-1, 0, 1})) + bytes(5, weights("v", {1, 0, -1})) +
                               bytes(11, value_info("x", {1, 3, 320, 320})) +
-                              bytes(12, value_info("y", {1, 1, 320, 320}));
+                              bytes(12, value_info("y", {1, 1, 320, 320})) +
+                              bytes(12, value_info("z", {1, 1, 320, 320}));
     return number(1, 7) + bytes(7, graph) + bytes(8, number(2, 11));
 }
 
@@ -169,6 +178,18 @@ TEST_CASE("a network of the operator's finds the subject of a picture") {
     SaliencyNetwork network(file);
     SaliencyMap map;
     cv::resize(network.map(picture), map, picture.size());
+    CHECK(map.at<float>(160, 460) > 0.95F);
+    CHECK(map.at<float>(160, 100) < 0.05F);
+}
+
+TEST_CASE("a network looks at a smaller picture with the same weights") {
+    cv::Mat picture = plain({60, 60, 60});
+    picture(cv::Rect(400, 100, 120, 120)).setTo(cv::Scalar(255, 60, 60));
+    const std::string model = with_input_side(blue_network(), 160);
+    SaliencyNetwork network("blue", model, 160);
+    SaliencyMap map = network.map(picture);
+    CHECK(map.size() == cv::Size(160, 160));
+    cv::resize(map, map, picture.size());
     CHECK(map.at<float>(160, 460) > 0.95F);
     CHECK(map.at<float>(160, 100) < 0.05F);
 }

@@ -111,3 +111,23 @@ TEST_CASE("however fast the subject, all frames keep 60 % of each side in common
         CHECK(common.height() >= 0.6 * 90 - 1e-6);
     }
 }
+
+TEST_CASE("a subject that the network saw once is carried along by the motion of the salient part") {
+    // Given a subject that stands, and moves on by 40 px a second; the network looked at one frame in the
+    // middle.
+    for (const double speed : {0.0, 40.0}) {
+        std::vector<SalientFrame> frames = moving_disc({50, 45}, {speed, 0}, 9);
+        for (SalientFrame& frame : frames)
+            frame.subject_motion = {speed, 0};
+        CHECK(subject_volume(frames, {}).empty());
+        frames[4].subject = frames[4].map.clone();
+        const SaliencyMap still = subject_volume(frames, {});
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            CHECK(still.at<float>(45, static_cast<int>(50 + speed * frames[i].time)) > 0.9F);
+        CHECK(still.at<float>(45, 120) < 0.1F);
+        // When the shot drifts with the subject, it stays at its first place.
+        const SaliencyMap along = subject_volume(frames, {speed, 0});
+        CHECK(along.at<float>(45, 50) > 0.9F);
+        CHECK(along.at<float>(45, 75) < 0.1F);
+    }
+}

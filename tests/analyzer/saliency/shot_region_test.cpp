@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <array>
+
 using namespace vitrine;
 using namespace vitrine::analyzer;
 using std::chrono::milliseconds;
@@ -94,7 +96,7 @@ TEST_CASE("a subject that runs through the picture is held wherever it is") {
         CHECK(is_inside_convex(region, runner(i), 1));
 }
 
-TEST_CASE("one flash of motion, and motion everywhere, hold nothing") {
+TEST_CASE("one flash of motion holds nothing; of many things that move the region holds all") {
     std::vector<Sample> samples;
     for (int i = 0; i < 8; ++i) {
         samples.push_back(sample_with_disc(milliseconds(125 * i), {80, 45}));
@@ -102,12 +104,16 @@ TEST_CASE("one flash of motion, and motion everywhere, hold nothing") {
     }
     cv::circle(samples[3].motion, {20, 20}, 6, 1, cv::FILLED);
     CHECK(movers(samples, seconds(0), {}).empty());
-    for (Sample& sample : samples) {
-        for (const cv::Point corner :
-             {cv::Point(12, 12), cv::Point(148, 12), cv::Point(12, 78), cv::Point(148, 78)})
-            cv::circle(sample.motion, corner, 8, 1, cv::FILLED);
-    }
-    CHECK(movers(samples, seconds(0), {}).empty());
+    const std::array<cv::Point, 4> places{cv::Point(12, 12), cv::Point(148, 12), cv::Point(12, 78),
+                                          cv::Point(148, 78)};
+    for (Sample& sample : samples)
+        for (const cv::Point place : places)
+            cv::circle(sample.motion, place, 8, 1, cv::FILLED);
+    const Polygon region =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(1)}, {160, 90}, {160, 90}, {})
+            .shot.region.polygon;
+    for (const cv::Point place : places)
+        CHECK(is_inside_convex(region, {static_cast<double>(place.x), static_cast<double>(place.y)}, 1));
 }
 
 TEST_CASE("motion measured across the shot's begin does not count") {
@@ -183,4 +189,33 @@ TEST_CASE("the region of a photo of a page is the page, wherever the network loo
     CHECK(is_inside_convex(found.shot.region.polygon, Vec2{20, 30} * 4 + Vec2{1, 1}));
     CHECK(is_inside_convex(found.shot.region.polygon, Vec2{90, 40} * 4 - Vec2{1, 1}));
     CHECK_FALSE(is_inside_convex(found.shot.region.polygon, Vec2{130, 20} * 4));
+}
+
+TEST_CASE("what the network saw in one sample of a film bounds the region of the shot") {
+    std::vector<Sample> samples;
+    for (int i = 0; i < 10; ++i) {
+        samples.push_back(sample_with_disc(milliseconds(i * 200), {120, 45}));
+        cv::circle(samples.back().image, cv::Point(30, 45), 12, 1, cv::FILLED);  // contrast and no thing
+    }
+    const Shot shot{.begin = seconds(0), .end = seconds(2)};
+    const ShotEvidence plain = shot_region(samples, shot, {160, 90}, {640, 360}, {});
+    CHECK_FALSE(plain.shot.certainty);
+    CHECK(is_inside_convex(plain.shot.region.polygon, Vec2{30, 45} * 4));
+    samples[5].subject = SaliencyMap::zeros(90, 160, CV_32FC1);
+    cv::circle(samples[5].subject, cv::Point(120, 45), 10, 1, cv::FILLED);
+    const ShotEvidence seen = shot_region(samples, shot, {160, 90}, {640, 360}, {});
+    REQUIRE(seen.shot.certainty);
+    CHECK(*seen.shot.certainty > 0.9);
+    CHECK(is_inside_convex(seen.shot.region.polygon, Vec2{120, 45} * 4));
+    CHECK_FALSE(is_inside_convex(seen.shot.region.polygon, Vec2{30, 45} * 4));
+    CHECK_FALSE(seen.subject.empty());
+    // When most of what moves is elsewhere, the network's outline is not enough.
+    for (Sample& sample : samples) {
+        sample.motion = SaliencyMap::zeros(90, 160, CV_32FC1);
+        for (int x = 20; x < 100; x += 10)
+            sample.motion(cv::Rect(x, 70, 3, 6)).setTo(1);
+    }
+    const ShotEvidence doubted = shot_region(samples, shot, {160, 90}, {640, 360}, {});
+    CHECK(*doubted.shot.certainty < 0.5);
+    CHECK(is_inside_convex(doubted.shot.region.polygon, Vec2{30, 45} * 4));
 }
