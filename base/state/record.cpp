@@ -43,9 +43,9 @@ bool is_grown_from(const MediaRecord& after, const MediaRecord& before) {
 }
 
 bool is_outdated(const MediaRecord& record) {
-    const int wanted = record.kind == MediaKind::film ? Shot::last_of_films : Shot::current_analysis;
-    return record.state == MediaState::ready &&
-           std::ranges::any_of(record.shots, [&](const Shot& shot) { return shot.analysis < wanted; });
+    return record.state == MediaState::ready && std::ranges::any_of(record.shots, [](const Shot& shot) {
+               return shot.analysis < Shot::current_analysis;
+           });
 }
 
 std::string record_path(const std::filesystem::path& file, const std::filesystem::path& root) {
