@@ -243,6 +243,8 @@ class TwoBoxes(unittest.TestCase):
         left, right = self.start_both()
         left.send("act", ACT, retain=True)
         right.hears("act", ACT)
+        right.send("box/right", {"outputs": 1}, retain=True)
+        left.hears("box/right", {"outputs": 1})
         self.stop_broker()
         until("both know", lambda: not left.is_connected() and not right.is_connected())
         left.send("act", {**ACT, "generation": 8}, retain=True)  # while nobody hears it
@@ -251,7 +253,9 @@ class TwoBoxes(unittest.TestCase):
         self.start_broker()
         right.hears("act", {**ACT, "generation": 8})
         left.hears("ready/right", {"generation": 8})
-        self.start(self.late).hears("act", {**ACT, "generation": 8})
+        late = self.start(self.late)
+        late.hears("act", {**ACT, "generation": 8})
+        late.hears("box/right", {"outputs": 1})
         self.assertEqual(left.all("touch/right"), [], "a touch of then moves nothing now")
 
     def test_a_box_without_the_key_gets_nothing_and_gives_nothing(self):
