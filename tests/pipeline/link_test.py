@@ -117,10 +117,10 @@ class Box:
     def socket(self):
         return self.root / "link.sock"
 
-    def start(self):
+    def start(self, *options):
         self.socket().unlink(missing_ok=True)
         self.log = open(self.root / "log", "a")
-        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket()],
+        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket(), *options],
                                      stderr=self.log)
         return Player(self.socket())
 
@@ -290,6 +290,12 @@ class TwoBoxes(unittest.TestCase):
         right.send("act", ACT, retain=True)
         until("the end", lambda: "which is for the leader" in self.right.said())
         self.assertEqual(left.all("act"), [])
+
+    def test_two_boxes_of_one_name_are_a_sentence(self):
+        _, right = self.start_both()
+        late = self.late.start("--wall.box", "right")
+        self.addCleanup(late.close)
+        until("a sentence", lambda: any("may be called 'right' too" in state["says"] for state in right.all("link") + late.all("link")))
 
     def test_a_prepare_wakes_the_fetching_of_files(self):
         left, right = self.start_both()
