@@ -186,6 +186,9 @@ void BrokerClient::run() {
             why = serve(connection);
             if (connection.since)
                 held = std::chrono::duration_cast<Backoff::Duration>(Clock::now() - *connection.since);
+            if (connection.since && held < Backoff::held)  // the broker ends the older of two with one name
+                why +=
+                    fmt::format("; if that goes on, another box may be called '{}' too", account_.place.box);
         } catch (const std::exception& error) {  // it ends this connection and not the thread
             why = error.what();
         }

@@ -117,10 +117,10 @@ class Box:
     def socket(self):
         return self.root / "link.sock"
 
-    def start(self):
+    def start(self, *options):
         self.socket().unlink(missing_ok=True)
         self.log = open(self.root / "log", "a")
-        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket()],
+        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket(), *options],
                                      stderr=self.log)
         return Player(self.socket())
 
@@ -243,6 +243,8 @@ class TwoBoxes(unittest.TestCase):
         left, right = self.start_both()
         left.send("act", ACT, retain=True)
         right.hears("act", ACT)
+        right.send("box/right", {"outputs": 1}, retain=True)
+        left.hears("box/right", {"outputs": 1})
         self.stop_broker()
         until("both know", lambda: not left.is_connected() and not right.is_connected())
         left.send("act", {**ACT, "generation": 8}, retain=True)  # while nobody hears it
@@ -251,7 +253,9 @@ class TwoBoxes(unittest.TestCase):
         self.start_broker()
         right.hears("act", {**ACT, "generation": 8})
         left.hears("ready/right", {"generation": 8})
-        self.start(self.late).hears("act", {**ACT, "generation": 8})
+        late = self.start(self.late)
+        late.hears("act", {**ACT, "generation": 8})
+        late.hears("box/right", {"outputs": 1})
         self.assertEqual(left.all("touch/right"), [], "a touch of then moves nothing now")
 
     def test_a_box_without_the_key_gets_nothing_and_gives_nothing(self):
@@ -286,6 +290,12 @@ class TwoBoxes(unittest.TestCase):
         right.send("act", ACT, retain=True)
         until("the end", lambda: "which is for the leader" in self.right.said())
         self.assertEqual(left.all("act"), [])
+
+    def test_two_boxes_of_one_name_are_a_sentence(self):
+        _, right = self.start_both()
+        late = self.late.start("--wall.box", "right")
+        self.addCleanup(late.close)
+        until("a sentence", lambda: any("may be called 'right' too" in state["says"] for state in right.all("link") + late.all("link")))
 
     def test_a_prepare_wakes_the_fetching_of_files(self):
         left, right = self.start_both()
