@@ -381,6 +381,14 @@ CURES = [
     Cure("like shots that stand apart", "player/layout/plan/plan.cpp",
          "        return wants_alike(request) ? with_alike_neighbours(request, layout, watch) : layout;\n",
          "        (void)wants_alike(request);\n        return layout;\n", "layout_test.neighbours_test"),
+    Cure("a box that shows half a wall", "player/scene/acts/followed_wall.cpp",
+         "    if (!sources_.are_there(*waiting_) && now_ - waiting_since_ < patience) return;\n", "", "acts_test.shared_wall_test"),
+    Cure("a box that begins when it hears", "player/scene/wall.cpp",
+         "now + settings_.lead;", "now;", "acts_test.shared_wall_test"),
+    Cure("a clock that nobody keeps right", "player/scene/acts/wall_clock.cpp",
+         "    if (!reading.is_right) {\n        is_right_ = false;\n        return;\n    }\n", "", "acts_test.wall_clock_test"),
+    Cure("an act that names any file", "player/scene/acts/shot_json.cpp",
+         '    if (!is_store_name(stored.file)) throw ActFault("an act names a file that is no file of a store");\n', "", "acts_test.act_json_test"),
 ]
 
 

@@ -90,6 +90,9 @@ void WallLink::hear(const std::string& line) {
         link_says_ = state.says;
         return;
     }
+    const std::string topic = text_of(message.topic);
+    if (message.topic.kind != WallTopic::Kind::touch)  // the newest counts, however long no frame is drawn
+        std::erase_if(heard_, [&](const WallMessage& old) { return text_of(old.topic) == topic; });
     if (heard_.size() < max_heard) heard_.push_back(std::move(message));
 }
 

@@ -32,7 +32,7 @@ std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /
     if (state.prepared && state.prepared != ready_) {
         ready_ = state.prepared;
         said.push_back({.topic = {.kind = Kind::ready, .box = box()},
-                        .is_retained = false,
+                        .is_retained = true,
                         .payload = ready_to_json(*ready_)});
     }
     if (const std::vector<InputEvent> touches = followed->take_touches(); !touches.empty())

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const char* const stored = "0123456789abcdef0123456789abcdef01234567/0.mkv";
+const std::string stored = store_id("a", 1, 2) + "/0.mkv";
 
 /// An act with a transition in which shots move, come and leave.
 WallAct act(std::uint64_t seed, const CellStyle& style = {}) {
@@ -103,7 +103,7 @@ TEST_CASE("a shot is named by its file in the store, and by no other file") {
     CHECK(after.shown[0].shot.shot.stored == before.shown[0].shot.shot.stored);
     for (const char* const bad : {"../../etc/passwd", "/etc/passwd", "a"}) {
         std::string hostile = text;
-        hostile.replace(hostile.find(stored), std::string(stored).size(), bad);
+        hostile.replace(hostile.find(stored), stored.size(), bad);
         CHECK_THROWS_AS(act_from_json(hostile), std::runtime_error);
     }
 }
