@@ -3,11 +3,13 @@
 
     link_test.py BUILD_DIRECTORY [unittest arguments]
 
-`vitrinectl wall` writes the settings of both below a folder of the test; mosquitto, rsync and chrony are Debian's.
-A machine that lacks one of them, or may not make namespaces, prints NOT RUN.
+`vitrinectl wall` writes the settings of both below a folder of the test; mosquitto, rsync and chrony are Debian's. The
+daemons are unpacked, not installed: whoever tests shall not find a broker running afterwards, nor another clock. A
+machine that lacks one of them, or may not make namespaces, prints NOT RUN.
 """
 import json
 import os
+import pwd
 import re
 import shutil
 import signal
@@ -19,24 +21,31 @@ import time
 import unittest
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in ("share", "appliance")]
+from image import NotHere  # noqa: E402
+from share_server import unpack  # noqa: E402
+
 SKIPPED = 77
+PACKAGES = ("mosquitto", "mosquitto-clients", "chrony", "libmosquitto1", "libcjson1", "libdlt2", "libwrap0", "libedit2", "libseccomp2")
 BUILD = Path(sys.argv[1]).resolve()
 SOURCE = Path(__file__).resolve().parents[2]
 LINK, WALL, FETCH = BUILD / "link" / "vitrine-link", SOURCE / "link" / "wall" / "wall", SOURCE / "link" / "wall" / "fetch"
-INSIDE = "VITRINE_LINK_TEST_INSIDE"
+INSIDE = "VITRINE_LINK_TEST"
+DAEMONS = Path(os.environ.get(INSIDE, "/"))  # where Debian's packages are unpacked
 PATIENCE = 60  # seconds until what must come is given up
 SILENCE = 1.5  # seconds in which what must not come would have come
 LEADER, FOLLOWER = "10.77.0.1", "10.77.0.2"
 ACT = {"version": 1, "generation": 7, "at": 0.1, "name": "Zürich"}
 
 
-def missing():
-    """What this machine lacks, in words."""
-    lacks = [name for name in ("mosquitto", "mosquitto_pub", "mosquitto_sub", "rsync", "chronyd", "ip", "unshare", "nsenter")
-             if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin")]
-    if not lacks and subprocess.run(["unshare", "--net", "true"], capture_output=True).returncode != 0:
-        lacks.append("the right to make a network namespace")
-    return lacks
+def require_this_machine():
+    """Throws NotHere, which says what this machine lacks."""
+    for name in ("rsync", "ip", "unshare", "nsenter"):
+        if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin"):
+            raise NotHere(f"not installed: {name}")
+    if os.getuid() != 0 or subprocess.run(["unshare", "--net", "true"], capture_output=True).returncode != 0:
+        raise NotHere("no right to make a network namespace")
 
 
 def until(what, holds):
@@ -164,10 +173,14 @@ class TwoBoxes(unittest.TestCase):
         for name in ("etc/mosquitto/conf.d/vitrine-wall.conf", "etc/vitrine/wall/rsyncd.conf"):
             cls.left.written(name)
         # Debian's own settings of the broker, which include ours, and the broker's user.
-        conf = re.sub(r"^(pid_file|persistence_location|log_dest) .*\n", "", Path("/etc/mosquitto/mosquitto.conf").read_text(), flags=re.M)
+        conf = re.sub(r"^(pid_file|persistence_location|log_dest) .*\n", "", (DAEMONS / "etc/mosquitto/mosquitto.conf").read_text(), flags=re.M)
         cls.conf = cls.left.root / "etc/mosquitto/mosquitto.conf"
         cls.conf.write_text(conf.replace("/etc/mosquitto", str(cls.conf.parent)))
-        shutil.chown(cls.left.root / "etc/vitrine/wall/broker.psk", "root", "mosquitto")
+        if "mosquitto" in [user.pw_name for user in pwd.getpwall()]:
+            shutil.chown(cls.left.root / "etc/vitrine/wall/broker.psk", "root", "mosquitto")
+        else:
+            with open(cls.conf, "a") as conf:
+                conf.write("user root\n")
         Path(cls.folder).chmod(0o755)
         cls.broker = None
 
@@ -337,7 +350,7 @@ class TwoBoxes(unittest.TestCase):
     def clock_settings(self, box):
         """Debian's own settings of chronyd, which include ours; no pools, and no files of this machine."""
         conf = box.root / "etc/chrony/chrony.conf"
-        text = re.sub(r"^(pool|sourcedir|driftfile|ntsdumpdir|logdir|rtcsync|leapsectz).*\n", "", Path("/etc/chrony/chrony.conf").read_text(), flags=re.M)
+        text = re.sub(r"^(pool|sourcedir|driftfile|ntsdumpdir|logdir|rtcsync|leapsectz).*\n", "", (DAEMONS / "usr/share/chrony/chrony.conf").read_text(), flags=re.M)
         conf.write_text(text.replace("/etc/chrony", str(conf.parent)) + f"pidfile {box.root}/chronyd.pid\nbindcmdaddress /\ncmdport 0\n")
         return conf
 
@@ -449,11 +462,14 @@ class Roles(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if lacks := missing():
-        print(f"NOT RUN: this machine lacks {', '.join(lacks)}")
-        sys.exit(SKIPPED)
     if INSIDE not in os.environ:
-        os.environ[INSIDE] = "1"
+        try:
+            require_this_machine()
+            os.environ[INSIDE] = str(unpack("wall-daemons", *PACKAGES))
+        except NotHere as reason:
+            print(f"NOT RUN: {reason}")
+            sys.exit(SKIPPED)
         os.execvp("unshare", ["unshare", "--net", sys.executable, *sys.argv])
-    os.environ["PATH"] += ":/usr/sbin:/sbin"
+    os.environ["PATH"] = f"{DAEMONS}/usr/sbin:{DAEMONS}/usr/bin:{os.environ['PATH']}:/usr/sbin:/sbin"
+    os.environ["LD_LIBRARY_PATH"] = f"{DAEMONS}/usr/lib/{os.uname().machine}-linux-gnu"
     unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)
