@@ -57,9 +57,10 @@ struct Stretch {
 
 struct Shot {
     /// 2: bars are searched, and lines of text. 3: a photo's print, and when a medium was taken. 4: the
-    /// caption in a photo. A record says nothing of earlier ones.
-    static constexpr int current_analysis = 4;
-    static constexpr int last_of_films = 3;  // films found by it lack nothing
+    /// caption in a photo. 5: the network's finest map, and its looks at films. A record says nothing of
+    /// earlier ones.
+    static constexpr int current_analysis = 5;
+    static constexpr int last_of_films = 5;  // films found by it lack nothing
 
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
     std::chrono::nanoseconds end{0};
