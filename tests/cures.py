@@ -323,7 +323,7 @@ CURES = [
     Cure("a subject that moves on after the network's look", "analyzer/saliency/salient_volume.cpp",
          "drift * frames[i].time - way;", "drift * frames[i].time;", "saliency_test.salient_volume_test"),
     Cure("one of many that move is not the subject", "analyzer/saliency/shot_region.cpp",
-         "std::min(sum / looks, enough_motion * moving)", "sum / looks", "saliency_test.shot_region_test"),
+         "std::min(sum / looks, enough_motion * moving)", "std::min(sum / looks, enough_motion + moving)", "saliency_test.shot_region_test"),
     Cure("the network looks at films", "analyzer/one_file/analyze.cpp",
          "        looks_.look(shot, samples);\n", "", "analyze_test.analyze_test"),
     Cure("a line of text is not cut", "analyzer/saliency/shot_region.cpp",
