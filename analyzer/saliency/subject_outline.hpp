@@ -5,7 +5,7 @@
 
 namespace vitrine::analyzer {
 
-constexpr double sure_certainty = 0.8;  // from here on the outline alone makes the region
+constexpr double sure_certainty = 0.8;   // from here on the outline alone makes the region
 constexpr double blind_certainty = 0.5;  // below, nothing stands out
 
 /// The outline of a picture's subject, as a network sees it.

@@ -15,6 +15,15 @@ using namespace vitrine::analyzer;
 
 namespace {
 
+struct Table {
+    const char* name;
+    void (*print)(const TableInput&);
+};
+
+constexpr Table tables[] = {{"shots", shots_table}, {"shown", shown_table}, {"subjects", subjects_table},
+                            {"masks", masks_table}, {"words", words_table}, {"motion", motion_table},
+                            {"drift", drift_table}, {"bars", bars_table}};
+
 int usage() {
     fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--masks FOLDER] "
                "[--only shots|shown|subjects|masks|words|motion|drift|bars] [--verbose]\n");
@@ -56,13 +65,7 @@ int main(int argc, char** argv) {
         fmt::print("the media with ground truth are not here: '{}'\n", input.media.string());
         return 0;
     }
-    if (only.empty() || only == "shots") shots_table(input);
-    if (only.empty() || only == "shown") shown_table(input);
-    if (only.empty() || only == "subjects") subjects_table(input);
-    if (only.empty() || only == "masks") masks_table(input);
-    if (only.empty() || only == "words") words_table(input);
-    if (only.empty() || only == "motion") motion_table(input);
-    if (only.empty() || only == "drift") drift_table(input);
-    if (only.empty() || only == "bars") bars_table(input);
+    for (const Table& table : tables)
+        if (only.empty() || only == table.name) table.print(input);
     return 0;
 }
