@@ -32,6 +32,16 @@ void append(std::vector<ShotRequest>& all, std::vector<ShotRequest> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// Items of a frame some time later: their films play on, in step with the same films in another frame.
+std::vector<DrawItem> played_on(std::vector<DrawItem> items, const std::vector<DrawItem>& others,
+                                nanoseconds passed) {
+    for (DrawItem& item : items) {
+        const auto same = std::ranges::find(others, item.source, &DrawItem::source);
+        item.local = same != others.end() ? same->local : item.local + passed;
+    }
+    return items;
+}
+
 }  // namespace
 
 void FollowedWall::take(const WallAct& act) {
@@ -104,7 +114,7 @@ Frame FollowedWall::next_frame() {
         const double progress =
             std::chrono::duration<double>(now_ - *fades_since_) / std::chrono::duration<double>(fade_time);
         if (progress < 1)
-            fade_in(frame, before_, progress);
+            fade_in(frame, played_on(before_, frame.items, now_ - *fades_since_), progress);
         else
             fades_since_.reset(), before_.clear();
     }
