@@ -83,6 +83,14 @@ DrawItem tile_item(const TilePiece& piece, SourceId source, const Box& strip, do
             .alpha = alpha};
 }
 
+DrawItem white_item(const DrawnTapestry& drawn, const Box& at, double alpha) {
+    return {.source = drawn.sources.mark(),
+            .cell = box_cell(at),
+            .placement = {.scale = 1, .offset = at.min},
+            .picture = {at.width(), at.height()},
+            .alpha = alpha};
+}
+
 /// Draws one frame, part by part.
 class Drawing {
   public:
@@ -96,7 +104,6 @@ class Drawing {
     void draw_in_place();
     void draw_preview();
     void draw_playhead();
-    void draw_edit();
 
     Frame take_frame() { return std::move(frame_); }
 
@@ -104,8 +111,6 @@ class Drawing {
     const Box& box() const { return drawn_.boxes.strip; }
 
     void draw_unwoven();
-    void draw_struck();
-    void draw_white(const Box& at, double alpha);
     void draw_level(std::size_t level, double alpha);
     void draw_above(const PlayingSpan& playing, nanoseconds local);
     void draw_cell(const PlacedCell& cell, const Box& at);
@@ -219,7 +224,7 @@ void Drawing::draw_coming() {
 void Drawing::draw_unwoven() {
     const double left = std::max(box().min.x, place_.canvas_x(drawn_.view, 0ns));
     const double right = std::min(box().max.x, place_.canvas_x(drawn_.view, drawn_.tapestry.duration));
-    draw_white({{left, box().min.y}, {right, box().max.y}}, unwoven_alpha);
+    frame_.items.push_back(white_item(drawn_, {{left, box().min.y}, {right, box().max.y}}, unwoven_alpha));
 }
 
 void Drawing::draw_in_place() {
@@ -307,45 +312,41 @@ void Drawing::draw_playhead() {
     const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
     if (x < box().min.x || x > box().max.x) return;
     draw_time(*time, x);
-    draw_white({{x - half, box().min.y}, {x + half, box().max.y}}, playhead_alpha);
+    const Box line{{x - half, box().min.y}, {x + half, box().max.y}};
+    frame_.items.push_back(white_item(drawn_, line, playhead_alpha));
 }
 
 /// Lays a pale veil over the pictures of the nearest level that are struck; they are there until the tapestry
 /// is woven anew.
-void Drawing::draw_struck() {
-    const auto level = static_cast<std::size_t>(std::lround(drawn_.view.level));
-    for (std::size_t k = 0; k < drawn_.tapestry.levels[level].keyframes.size(); ++k) {
-        const StripPicture picture{.time = drawn_.tapestry.keyframe_time(level, k), .is_lower = k % 2 == 1};
-        if (!is_struck(*drawn_.edited, picture.time)) continue;
-        const Box at = intersection(place_.brick(drawn_.view, picture, drawn_.film.picture), box());
-        if (at.max.x > at.min.x) draw_white(at, struck_alpha);
+void draw_struck(const DrawnTapestry& drawn, Frame& frame) {
+    const TapestryPlace place(drawn.tapestry, drawn.boxes.strip);
+    const auto level = static_cast<std::size_t>(std::lround(drawn.view.level));
+    for (std::size_t k = 0; k < drawn.tapestry.levels[level].keyframes.size(); ++k) {
+        const StripPicture picture{.time = drawn.tapestry.keyframe_time(level, k), .is_lower = k % 2 == 1};
+        if (!is_struck(*drawn.edited, picture.time)) continue;
+        const Box at = intersection(place.brick(drawn.view, picture, drawn.film.picture), place.box());
+        if (at.max.x > at.min.x) frame.items.push_back(white_item(drawn, at, struck_alpha));
     }
 }
 
-void Drawing::draw_white(const Box& at, double alpha) {
-    frame_.items.push_back({.source = drawn_.sources.mark(),
-                            .cell = box_cell(at),
-                            .placement = {.scale = 1, .offset = at.min},
-                            .picture = {at.width(), at.height()},
-                            .alpha = alpha});
-}
-
 /// A chosen moment has an upright bar below the strip, a struck one a dash.
-void Drawing::draw_edit() {
-    if (drawn_.edited == nullptr) return;
-    if (!is_unwoven(drawn_.tapestry)) draw_struck();
-    const double high = drawn_.boxes.canvas.y;
-    const double top = box().max.y + mark_gap * high;
+void draw_edit(const DrawnTapestry& drawn, Frame& frame) {
+    if (drawn.edited == nullptr) return;
+    if (!is_unwoven(drawn.tapestry)) draw_struck(drawn, frame);
+    const TapestryPlace place(drawn.tapestry, drawn.boxes.strip);
+    const double high = drawn.boxes.canvas.y;
+    const double top = place.box().max.y + mark_gap * high;
     const auto draw_marks = [&](const std::vector<nanoseconds>& moments, Vec2 size) {
         for (const nanoseconds moment : moments) {
-            const double x = place_.canvas_x(drawn_.view, moment);
+            const double x = place.canvas_x(drawn.view, moment);
             const double y = top + (mark_length * high - size.y) / 2;
-            if (x < box().min.x || x > box().max.x) continue;
-            draw_white({{x - size.x / 2, y}, {x + size.x / 2, y + size.y}}, playhead_alpha);
+            if (x < place.box().min.x || x > place.box().max.x) continue;
+            const Box at{{x - size.x / 2, y}, {x + size.x / 2, y + size.y}};
+            frame.items.push_back(white_item(drawn, at, playhead_alpha));
         }
     };
-    draw_marks(drawn_.edited->keyframes, {mark_width * high, mark_length * high});
-    draw_marks(drawn_.edited->struck, {mark_length * high, mark_width * high});
+    draw_marks(drawn.edited->keyframes, {mark_width * high, mark_length * high});
+    draw_marks(drawn.edited->struck, {mark_length * high, mark_width * high});
 }
 
 }  // namespace
@@ -377,8 +378,9 @@ Frame tapestry_frame(const DrawnTapestry& drawn, nanoseconds now) {
     drawing.draw_in_place();
     drawing.draw_preview();
     drawing.draw_playhead();
-    drawing.draw_edit();
-    return drawing.take_frame();
+    Frame frame = drawing.take_frame();
+    draw_edit(drawn, frame);
+    return frame;
 }
 
 }  // namespace vitrine::player

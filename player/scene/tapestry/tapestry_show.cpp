@@ -15,6 +15,11 @@ using std::chrono::nanoseconds;
 constexpr auto own_interval = 12s;  // between two previews that the show starts by itself
 constexpr auto last_picture = 3s;   // time for which the film's last picture stands
 
+/// A strip that is not woven yet has no pictures to strike.
+KeyframeEdit* edit_on(std::optional<KeyframeEdit>& edit, const Tapestry& tapestry) {
+    return edit && !is_unwoven(tapestry) ? &*edit : nullptr;
+}
+
 }  // namespace
 
 TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
@@ -40,15 +45,10 @@ void TapestryShow::set_film(PreviewedFilm film) {
     boxes_ = tapestry_boxes(boxes_.canvas, this->film().picture);
 }
 
-/// A strip that is not woven yet has no pictures to strike.
-TouchedStrip TapestryShow::touched_strip() {
-    const bool is_edited = edit_ && !is_unwoven(tapestry());
-    return {place(), boxes_, spans_, motion_, preview_, is_edited ? &*edit_ : nullptr};
-}
-
 void TapestryShow::handle_gesture(const Gesture& gesture) {
     touched_.reset();
-    finger_.handle_gesture(gesture, touched_strip());
+    KeyframeEdit* const edit = edit_on(edit_, tapestry());
+    finger_.handle_gesture(gesture, {place(), boxes_, spans_, motion_, preview_, edit});
     is_over_ = is_over_ || finger_.has_closed();
 }
 
@@ -90,7 +90,7 @@ TapestryStep TapestryShow::step(nanoseconds now) {
     const TapestryPlace here = place();
     motion_.follow(preview_.playhead(now));
     motion_.advance(now, here);
-    finger_.advance(now, touched_strip());
+    finger_.advance(now, {here, boxes_, spans_, motion_, preview_, edit_on(edit_, tapestry())});
     TapestryStrip& strip = strips_.shown();
     const std::optional<ComingStrip>& coming = strips_.coming();
     strip.want_all(here, view(), motion_.direction(), preview_.scrubbed().moment());

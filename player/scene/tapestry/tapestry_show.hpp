@@ -96,8 +96,6 @@ class TapestryShow {
     TapestryPlace place() const { return {tapestry(), boxes_.strip}; }
 
   private:
-    TouchedStrip touched_strip();
-
     void leave_or_play(std::chrono::nanoseconds now);
 
     WovenStrips strips_;
