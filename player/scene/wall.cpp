@@ -272,7 +272,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     step.frame = change_ && change_->is_fading()
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
-    touch_.draw(step.frame);
+    touch_.lifted().draw(step.frame);
     touched_film_.draw(step.frame);
     if (!Wall::is_touched())
         step.frame.captions = is_in_change(*this)

@@ -77,9 +77,7 @@ class WallTouch {
     /// The shot that a finger at this point would touch. nullptr: there is none.
     const PlacedShot* shot_at(Vec2 point, const TouchedWall& wall) const;
 
-    /// Draws the lifted shots above the wall, and dims what waits.
-    void draw(Frame& frame) const { lifted_.draw(frame); }
-
+    /// The shots to be drawn above the wall, while what waits is dim.
     const LiftedShots& lifted() const { return lifted_; }
 
     /// The needs since the last call.

@@ -84,7 +84,7 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     shots_.ask_and_retire(view_, motion_.may_go_back(now), step);
     step.frame = standing_frame(canvas_, shots_.seen(view_), now);
     step.frame.view = {view_ - shots_.origin(), 0};
-    touch_.draw(step.frame);
+    touch_.lifted().draw(step.frame);
     return step;
 }
 

@@ -73,7 +73,7 @@ struct TouchedHouse {
         if (!change && !next) ask_for_way();
         if (next && now >= next_is_made) begin_change();
         Frame frame = change ? change_frame(*change, before, {}, now) : standing_frame(canvas, wall, now);
-        touch.draw(frame);
+        touch.lifted().draw(frame);
         return frame;
     }
 
