@@ -27,7 +27,7 @@ SubjectNetwork::SubjectNetwork(const std::string& file)
     : full_(file), coarse_(open_network(file, coarse_side)) {}
 
 SaliencyMap SubjectNetwork::find(const FramePair& pair) {
-    const SaliencyMap full = find_subject(full_, pair);
+    SaliencyMap full = find_subject(full_, pair);
     if (!coarse_) return full;
     return (full + find_subject(*coarse_, pair)) / 2;
 }

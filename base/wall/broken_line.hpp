@@ -7,8 +7,6 @@ namespace vitrine {
 /// A line or a message that breaks the rules of base/wall. Its text is a sentence for the log.
 struct BrokenLine : std::runtime_error {
     using std::runtime_error::runtime_error;
-
-    ~BrokenLine() override;
 };
 
 }  // namespace vitrine

@@ -88,7 +88,7 @@ std::optional<Box> place_in(const Polygon& part, const CaptionRoom& room, const 
 
 /// The I-Region of a shot wherever its photo drifts.
 Polygon drifting_region(const PlacedShot& placed) {
-    const Polygon still = placed_region(placed.shot.item, placed.placement);
+    Polygon still = placed_region(placed.shot.item, placed.placement);
     if (placed.drift.from == placed.drift.to) return still;
     Polygon all;
     for (const Vec2 by : {placed.drift.from, placed.drift.to})
