@@ -112,7 +112,7 @@ std::map<std::uint64_t, HeldItem> held_items(const std::vector<XmpEntry>& entrie
     return items;
 }
 
-/// How far before the file's end its XMP says that the film begins.
+/// Bytes from the film's begin to the file's end, as its XMP says.
 std::vector<std::uint64_t> distances_in(const std::vector<XmpEntry>& entries, bool& is_promised) {
     std::vector<std::uint64_t> distances;
     for (const XmpEntry& entry : entries) {

@@ -19,7 +19,7 @@ struct FilePart {
 /// @throws MediaError where the file cannot be read
 bool may_hold_film(const std::string& path);
 
-/// What a motion photo says of its film.
+/// The film of a motion photo, as the photo's metadata name it.
 struct InnerFilmPlace {
     bool is_promised = false;      // it says that it has one
     std::optional<FilePart> film;  // an MP4; none: there is none at the places that it names

@@ -6,7 +6,7 @@
 
 namespace vitrine::analyzer {
 
-/// How regions hold the subjects of many photographs.
+/// Measures of regions against the subjects of many photographs.
 struct SubjectScores {
     std::vector<double> coverage;
     std::vector<double> area;

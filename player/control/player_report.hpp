@@ -53,7 +53,7 @@ struct WallReport {
     std::vector<Box> boxes;
 };
 
-/// What a box of a wall does, in words: "follows, in step, its clock 40 us off".
+/// Says in words what a box of a wall does: "follows, in step, its clock 40 us off".
 /// @param leader  what the leader shows; nullptr: no leader is known
 std::string in_words(const WallReport::Box& box, const WallReport::Box* leader);
 

@@ -33,7 +33,7 @@ struct WallSettings {
     std::chrono::nanoseconds touch_lead{0};  // the same for changes by touch
 };
 
-/// What a wall draws from. Lent until the wall's next call.
+/// The parts from which a wall draws. Lent until the wall's next call.
 struct WallParts {
     std::span<const PlacedShot> shown;        // without the shots that fade in
     const Canvas& canvas;                     // of `shown`

@@ -41,7 +41,7 @@ std::size_t nearest(std::span<const Polygon> regions, Vec2 point) {
     return best;
 }
 
-/// How badly an item fits another's seat: the difference of their frames' shapes and of their areas.
+/// The misfit of an item in another's seat: the difference of their frames' shapes and of their areas.
 double misfit(const Polygon& item, const Polygon& seat) {
     const Box a = bounding_box(item);
     const Box b = bounding_box(seat);
@@ -96,7 +96,7 @@ class SeatSearch {
     const std::vector<Polygon>& regions() const { return regions_; }
 
   private:
-    /// What two seats add to the cost, with their neighbours.
+    /// The share of the cost that two seats have, with their neighbours.
     double cost(const std::vector<std::size_t>& seats, std::size_t a, std::size_t b, double weight) const {
         double sum = weight * (misfits_[seats[a]][a] + misfits_[seats[b]][b]);
         for (const std::size_t seat : {a, b})

@@ -20,7 +20,7 @@ struct BoxOutput {
     bool operator==(const BoxOutput&) const = default;
 };
 
-/// What a box of a wall tells the others of itself.
+/// The facts that a box of a wall tells the others of itself.
 struct BoxNote {
     bool leads = false;
     bool is_gone = false;  // vitrine-link says so: the box has not said goodbye

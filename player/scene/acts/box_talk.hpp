@@ -20,7 +20,7 @@ struct BoxMoment {
     BoxNote own = {};                   // its outputs and its clock
 };
 
-/// What a box of a wall says to the others, and hears from them: the leader's half and a follower's. Knows no
+/// The messages of a box to the others of its wall, and theirs to it: the leader's half and a follower's. Knows no
 /// network, no clock and no files.
 class BoxTalk {
   public:
@@ -49,7 +49,7 @@ class BoxTalk {
 
     const std::string& box() const { return box_; }
 
-    /// What this box has told of itself.
+    /// The last facts that this box has told of itself.
     const std::optional<BoxNote>& told() const { return told_; }
 
     /// Touches on other boxes since the last call, as if they were made here. @param now  their time

@@ -15,7 +15,7 @@
 
 namespace vitrine::player {
 
-/// How far a box is with what the leader shows.
+/// The state of a box beside what the leader shows.
 struct FollowedState {
     std::optional<ActName> shown;        // the act that is drawn; none: none yet
     std::optional<ActName> prepared;     // the preparation whose shots are all there

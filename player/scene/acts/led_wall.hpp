@@ -14,14 +14,14 @@
 
 namespace vitrine::player {
 
-/// What the other boxes are to be told.
+/// The messages that the other boxes must get.
 struct LedNews {
     std::optional<WallAct> act;          // the newest; its generation counts the acts
     std::optional<WallAct> preparation;  // the wall that comes next; its generation counts the preparations
     std::chrono::nanoseconds now{0};     // the wall's time
 };
 
-/// What the other boxes have and need.
+/// The facts that the other boxes tell: what they have, and what they lack.
 struct LedOthers {
     std::optional<std::uint64_t> ready;  // they have all prepared walls up to this number: the next change
                                          // comes when its wall is among them, or after five seconds. None:

@@ -4,7 +4,7 @@
 
 namespace vitrine::player {
 
-/// What a box's clocks say at one moment.
+/// A reading of a box's clocks at one moment.
 struct ClockReading {
     std::chrono::nanoseconds steady{0};  // never set, never back
     std::chrono::nanoseconds real{0};    // since 1970

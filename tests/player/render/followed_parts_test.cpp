@@ -1,4 +1,4 @@
-// What the leader draws of its part of a canvas and a follower of its own are together what one screen would
+// The leader's drawing of its part of a canvas and a follower's of its own are together what one screen would
 // show.
 
 #include "tests/player/render/drawn_wall.hpp"

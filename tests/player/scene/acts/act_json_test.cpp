@@ -51,7 +51,7 @@ bool is_same(const Frame& one, const Frame& other) {
     });
 }
 
-/// How many of so many changed acts are tried. VITRINE_ACTS=100000: all.
+/// The number of changed acts that are tried. VITRINE_ACTS=100000: all.
 int count(int usual) {
     const char* const wanted = std::getenv("VITRINE_ACTS");
     return wanted != nullptr ? std::atoi(wanted) : usual;

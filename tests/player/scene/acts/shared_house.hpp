@@ -372,7 +372,7 @@ inline double share_in_step(const TestBox& lead, const TestBox& box, Ns from) {
     return all == 0 ? 0 : static_cast<double>(same) / static_cast<double>(all);
 }
 
-/// How far apart the changes of acts began on two boxes, sorted.
+/// The times by which the changes of acts began apart on two boxes, sorted.
 inline std::vector<Ns> begins_apart(const TestBox& lead, const TestBox& box) {
     std::vector<Ns> apart;
     for (const auto& [change, at] : box.began)
