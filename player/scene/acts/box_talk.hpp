@@ -20,8 +20,8 @@ struct BoxMoment {
     BoxNote own = {};                   // its outputs and its clock
 };
 
-/// The messages of a box to the others of its wall, and theirs to it: the leader's half and a follower's. Knows no
-/// network, no clock and no files.
+/// The messages of a box to the others of its wall, and theirs to it: the leader's half and a follower's.
+/// Knows no network, no clock and no files.
 class BoxTalk {
   public:
     explicit BoxTalk(std::string box) : box_(std::move(box)) {}
