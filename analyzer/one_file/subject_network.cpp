@@ -1,23 +1,18 @@
 #include "analyzer/one_file/subject_network.hpp"
 
-#include "base/media/file_bytes.hpp"
+#include "base/system/atomic_file.hpp"
 
-#include <span>
+#include <cstddef>
 
 namespace vitrine::analyzer {
 namespace {
 
-std::string bytes_of(const std::string& file) {
-    const FileBytes source(file);
-    std::string bytes(source.size(), '\0');
-    bytes.resize(source.read(0, std::as_writable_bytes(std::span(bytes))));
-    return bytes;
-}
+constexpr std::size_t max_model = std::size_t{1} << 30U;  // bytes; u2net has 176 MB
 
 }  // namespace
 
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side) {
-    const std::string model = bytes_of(file);
+    const std::string model = read_file(file, max_model);
     const std::string smaller = with_input_side(model, side);
     if (smaller == model) return nullptr;
     return std::make_unique<SaliencyNetwork>(file, smaller, side);

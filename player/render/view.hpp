@@ -15,6 +15,11 @@ inline Rotation rotation_of(int degrees) {
     return static_cast<Rotation>(degrees / 90 % 4);
 }
 
+/// The turn in degrees, clockwise: 0, 90, 180 or 270.
+inline int degrees_of(Rotation rotation) {
+    return static_cast<int>(rotation) * 90;
+}
+
 /// The place of the canvas on the pixels of a screen.
 struct View {
     Rotation rotation = Rotation::none;

@@ -140,7 +140,7 @@ std::map<std::string, ActPart> OutputCanvas::parts() const {
     const std::string own = own_prefix(settings_);
     for (const auto& [name, part] : now_.parts)
         parts[name.find('/') == std::string::npos ? own + name : name] = {
-            .box = part.box, .turned = static_cast<int>(part.rotation) * 90};
+            .box = part.box, .turned = degrees_of(part.rotation)};
     return parts;
 }
 

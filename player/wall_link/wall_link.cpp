@@ -154,7 +154,7 @@ std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) co
         outputs.push_back({.name = screen->name(),
                            .width = screen->width(),
                            .height = screen->height(),
-                           .turned = static_cast<int>(view.rotation) * 90});
+                           .turned = degrees_of(view.rotation)});
     }
     return outputs;
 }
