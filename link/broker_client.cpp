@@ -24,10 +24,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int keepalive = 10;        // seconds; a box that is cut off is gone after half as many again
-constexpr int at_least_once = 1;     // MQTT's QoS
-constexpr int most_on_the_way = 20;  // messages that the broker has not confirmed
-constexpr int tick = 1000;           // ms between two looks at the connection's timers
+constexpr int keepalive = 10;       // seconds; a box that is cut off is gone after half as many again
+constexpr int at_least_once = 1;    // MQTT's QoS
+constexpr int max_on_the_way = 20;  // messages that the broker has not confirmed
+constexpr int tick = 1000;          // ms between two looks at the connection's timers
 constexpr std::string_view gone = R"({"gone":true})";
 
 UniqueFd event_file() {
@@ -121,7 +121,7 @@ void BrokerClient::Connection::on_message(const mosquitto_message& message) {
 }
 
 void BrokerClient::Connection::send_waiting() {
-    while (since && on_the_way < most_on_the_way) {
+    while (since && on_the_way < max_on_the_way) {
         std::optional<WallMessage> message;
         {
             const std::lock_guard lock(owner.shared_.mutex);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double min_common_part = 0.6;  // share of each side
 constexpr double max_carry = 0.25;       // share of the picture's longer side, from a look to a frame
-constexpr double least_step = 0.5;       // px between two places that are drawn
+constexpr double min_step = 0.5;         // px between two places that are drawn
 
 /// The way of the salient part from one frame to another, px of the picture.
 Vec2 way_between(std::span<const SalientFrame> frames, std::size_t from, std::size_t to) {
@@ -66,7 +66,7 @@ SaliencyMap subject_volume(std::span<const SalientFrame> frames, Vec2 drift) {
         const Vec2 way = way_between(frames, look, i);
         if (length(way) > max_carry * std::max(map.cols, map.rows)) continue;  // flow that is lost
         const Vec2 shift = drift * frames[i].time - way;
-        if (look == last_look && length(shift - last_shift) < least_step) continue;
+        if (look == last_look && length(shift - last_shift) < min_step) continue;
         last_look = look;
         last_shift = shift;
         const cv::Matx23d place(1, 0, shift.x, 0, 1, shift.y);

@@ -16,7 +16,7 @@ constexpr double same_face = 0.3;  // intersection over union of one face in two
 // Added at the centre, per sample: decides where nothing stands out.
 constexpr double centre_saliency = 0.005;
 constexpr double strong_motion = 0.5;   // S_M of what moves by itself
-constexpr double least_motion = 0.002;  // share of the picture that moves on average, to count
+constexpr double min_motion = 0.002;    // share of the picture that moves on average, to count
 constexpr double enough_motion = 1.25;  // certainty for each share of it that is held
 constexpr double min_face = 0.05;       // share of the map's longer side: smaller faces do not count
 
@@ -212,7 +212,7 @@ double held_motion(const std::vector<Sample>& samples, const std::vector<Salient
     if (moving.empty()) return 1;
     const SaliencyMap volume = accumulated(moving, drift);
     const double all = cv::sum(volume)[0];
-    if (all < least_motion * static_cast<double>(volume.total() * moving.size())) return 1;
+    if (all < min_motion * static_cast<double>(volume.total() * moving.size())) return 1;
     std::vector<cv::Point> corners;
     for (const Vec2 corner : polygon)
         corners.emplace_back(cvRound(corner.x), cvRound(corner.y));

@@ -44,7 +44,7 @@ struct MediaOrigin {
 };
 
 /// The longest pause between two pictures of one moment, such as an afternoon at a lake.
-constexpr std::chrono::hours longest_pause{2};
+constexpr std::chrono::hours max_moment_pause{2};
 
 /// True from 1990 to a day after `now`. A camera whose battery was empty begins in 1904, 1970 or 1980; a
 /// clock a day ahead may be that of another zone.

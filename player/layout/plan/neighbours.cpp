@@ -160,7 +160,8 @@ double unlikeness(const PlanItem& a, const PlanItem& b) {
         colours =
             std::min(1.0, std::sqrt(squares / static_cast<double>(a.look->colours.size())) / usual_colours);
     }
-    const bool is_one_moment = a.taken && b.taken && std::chrono::abs(*a.taken - *b.taken) <= longest_pause;
+    const bool is_one_moment =
+        a.taken && b.taken && std::chrono::abs(*a.taken - *b.taken) <= max_moment_pause;
     return is_one_moment ? colours * moment_share : colours;
 }
 

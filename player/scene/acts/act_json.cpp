@@ -21,7 +21,7 @@ constexpr int version = 1;
 constexpr double max_side = 16384;        // canvas px
 constexpr double max_cell_length = 1000;  // px, of a gutter, a radius or a feather
 constexpr std::size_t max_parts = 64;
-constexpr auto longest_change = 60s;
+constexpr auto max_change_time = 60s;
 
 /// The shots of an act with their numbers.
 class ShotNumbers {
@@ -143,7 +143,7 @@ Transition transition_in(const ActJson& json, const WallAct& act) {
     if (transition.fade_begin < 0 || transition.fade_end <= transition.fade_begin)
         throw ActFault("an act has a change that fades in no time");
     transition.duration = time_in(json, "duration_ns");
-    if (transition.duration <= 0ns || transition.duration > longest_change)
+    if (transition.duration <= 0ns || transition.duration > max_change_time)
         throw ActFault("an act has a change that takes no time, or too long");
     return transition;
 }
@@ -213,7 +213,7 @@ WallChange change_in(const ActJson& json, const std::vector<WallShot>& shots, co
         throw ActFault("an act has a way on which shots come or leave");
     change.way = std::make_shared<const WallWay>(way_in(json, change.wall.size()));
     change.duration = time_in(json, "duration_ns");
-    if (change.duration <= 0ns || change.duration > longest_change)
+    if (change.duration <= 0ns || change.duration > max_change_time)
         throw ActFault("an act has a way that takes no time, or too long");
     return change;
 }
@@ -285,7 +285,7 @@ WallAct act_in(const ActJson& json) {
                 .change = {}};
     if (act.canvas.x < 1 || act.canvas.y < 1 || act.canvas.x > max_side || act.canvas.y > max_side)
         throw ActFault("the canvas of an act has no size, or is too large");
-    if (act.fade < 0ns || act.fade > longest_change)
+    if (act.fade < 0ns || act.fade > max_change_time)
         throw ActFault("an act has a wall that fades in too long");
     std::vector<WallShot> shots;
     for (const ActJson& shot : array_in(json, "shots", 2 * max_act_shots))

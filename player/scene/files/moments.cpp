@@ -34,8 +34,9 @@ Moments::Moments(const RecordList& files) : files_(files) {
         if (file->origin.taken && file->origin.taken->source != TimeSource::file) dated.push_back(file.get());
     std::ranges::stable_sort(dated, {}, [](const MediaRecord* file) { return file->origin.taken->at; });
     for (const MediaRecord* file : dated) {
-        const bool goes_on = !moments_.empty() &&
-                             file->origin.taken->at - moments_.back().last->origin.taken->at <= longest_pause;
+        const bool goes_on =
+            !moments_.empty() &&
+            file->origin.taken->at - moments_.back().last->origin.taken->at <= max_moment_pause;
         if (!goes_on) moments_.push_back({.first = file});
         moments_.back().last = file;
         ++moments_.back().files;
