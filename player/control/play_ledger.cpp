@@ -84,7 +84,7 @@ PlayLedger::PlayLedger(fs::path folder) : folder_(std::move(folder)) {
 
 PlayLedger::~PlayLedger() {
     if (day_.name.empty()) return;
-    (void)finish_writing(true);
+    finish_writing();
     write(true);
 }
 
@@ -116,7 +116,7 @@ void PlayLedger::look(std::set<std::string> seen, Duration now, const Day& day) 
     if (last_) count(std::clamp<Duration>(now - *last_, 0s, max_gap));
     last_ = now;
     seen_ = std::move(seen);
-    if (now < next_note_ || !finish_writing(false)) return;
+    if (now < next_note_ || !is_written()) return;
     next_note_ = now + note_period;
     if (fresh_.empty()) return;
     const bool is_day_due = now >= next_day_;
@@ -136,7 +136,7 @@ void PlayLedger::count(Duration elapsed) {
 /// The clock may be set forth and back: the day that was just left is still known.
 void PlayLedger::change_day(std::string name) {
     if (!day_.name.empty()) {
-        (void)finish_writing(true);
+        finish_writing();
         write(true);
     }
     fresh_.clear();
@@ -152,10 +152,20 @@ void PlayLedger::change_day(std::string name) {
     }
 }
 
+void PlayLedger::finish_writing() {
+    if (written_.valid()) end_writing();
+}
+
 /// True: the thread writes nothing any more.
-bool PlayLedger::finish_writing(bool waits) {
+bool PlayLedger::is_written() {
     if (!written_.valid()) return true;
-    if (!waits && written_.wait_for(0s) != std::future_status::ready) return false;
+    if (written_.wait_for(0s) != std::future_status::ready) return false;
+    end_writing();
+    return true;
+}
+
+/// Waits for the thread. Files that it could not write into the day's file are fresh again.
+void PlayLedger::end_writing() {
     if (!written_.get()) {
         fresh_.merge(handed_);
         next_day_ = {};
@@ -163,7 +173,6 @@ bool PlayLedger::finish_writing(bool waits) {
             log::warning("proof of play: the times of files cannot be written to '{}'", folder_.string());
     }
     handed_.clear();
-    return true;
 }
 
 /// @pre the thread writes nothing

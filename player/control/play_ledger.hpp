@@ -39,12 +39,16 @@ class PlayLedger {
     /// @param day  today; none: the clock is not plausible
     void look(std::set<std::string> seen, Duration now, const Day& day);
 
+    /// Waits until all that look() has begun to write is written.
+    void finish_writing();
+
   private:
     void recover();
     void remove_old() const;
     void count(Duration elapsed);
     void change_day(std::string name);
-    bool finish_writing(bool waits);
+    bool is_written();
+    void end_writing();
     void write(bool is_day_due);
 
     struct Counts {

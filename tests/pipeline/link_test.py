@@ -62,9 +62,8 @@ class Player:
 
     def __init__(self, path):
         self.lines, self.begun = [], b""
-        until(f"{path} listens", path.exists)
         self.socket = socket.socket(socket.AF_UNIX)
-        self.socket.connect(str(path))
+        until(f"{path} listens", lambda: self.socket.connect_ex(str(path)) == 0)
         self.socket.setblocking(False)
 
     def send(self, topic, payload, retain=False):
