@@ -19,6 +19,7 @@ namespace {
 using Phase = WallChange::Phase;
 
 constexpr std::chrono::nanoseconds max_notice_motion = std::chrono::milliseconds(250);  // a notice is urgent
+constexpr std::chrono::nanoseconds max_notice_lead = std::chrono::milliseconds(500);
 constexpr int dark_patience = 6;          // times the patience, as long as there is nothing to show
 constexpr double worth_replanning = 0.2;  // decrease of the wasted share of the canvas
 
@@ -367,13 +368,17 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         return;
     }
     TransitionStyle style = settings_.transition;
-    if (brings_notice(*change_)) style.duration = std::min(style.duration, max_notice_motion);
+    std::chrono::nanoseconds lead = settings_.lead;
+    if (brings_notice(*change_)) {
+        style.duration = std::min(style.duration, max_notice_motion);
+        lead = std::min(lead, max_notice_lead);
+    }
     const bool is_other_canvas = change_->canvas != shown_canvas_;
     // on the way, hulls of groups might overlap
     style.moves = !is_other_canvas && !settings_.nests && !settings_.is_calm;
     const auto due = is_other_canvas ? std::nullopt : slots_.due();
-    if ((due && now < *due - style.duration - settings_.lead) || !may_begin(pace_, now)) return;
-    const std::chrono::nanoseconds begin = now + settings_.lead;
+    if ((due && now < *due - style.duration - lead) || !may_begin(pace_, now)) return;
+    const std::chrono::nanoseconds begin = now + lead;
     if (settings_.photos_drift) give_drifts(change_->wall, shown_, change_->canvas.bands);
     if (is_other_canvas && !shown_.empty())
         begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, begin);

@@ -15,7 +15,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::chrono::nanoseconds lead = std::chrono::milliseconds(500);
+constexpr std::chrono::nanoseconds lead =
+    std::chrono::milliseconds(1250);  // a connection may be cut for a second meanwhile
 constexpr std::chrono::nanoseconds touch_lead = std::chrono::milliseconds(60);
 
 WallSettings wall_settings(const Settings& settings, SourceId last_source) {

@@ -56,7 +56,11 @@ class FollowedWall final : public Show {
     FollowedWall* followed() override { return this; }
 
     /// Sets the clock that all boxes share. @param epoch  shared time, since 1970, at this wall's time 0
-    void set_epoch(std::chrono::nanoseconds epoch) { epoch_ = epoch; }
+    /// @param is_right  others keep the clock right; the first act waits some seconds for that
+    void set_clock(std::chrono::nanoseconds epoch, bool is_right) {
+        epoch_ = epoch;
+        is_clock_right_ = is_right;
+    }
 
     /// Takes an act from now on. Ignores one that is older than the last one.
     void take(const WallAct& act);
@@ -86,6 +90,7 @@ class FollowedWall final : public Show {
     Canvas canvas_;
     FollowedSources sources_;
     std::chrono::nanoseconds epoch_{0};
+    bool is_clock_right_ = false;
     std::chrono::nanoseconds now_{0};
     std::optional<WallAct> shown_;
     std::optional<WallAct> waiting_;  // will be shown once its shots are there

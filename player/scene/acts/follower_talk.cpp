@@ -16,7 +16,7 @@ void FollowerTalk::hear_more(const WallMessage& message) {
 void FollowerTalk::direct(Show& show, const BoxMoment& moment) {
     FollowedWall* const followed = show.followed();
     if (followed == nullptr) return;
-    followed->set_epoch(moment.epoch);
+    followed->set_clock(moment.epoch, moment.own.has_right_clock);
     if (preparation_) followed->prepare(*preparation_);
     if (act_) followed->take(*act_);
 }

@@ -85,18 +85,20 @@ struct TestBox {
 /// The boxes of one wall and all that travels between them, in virtual time.
 class SharedHouse {
   public:
-    static constexpr int rate = 30;  // frames a second
+    static constexpr int rate = 30;                               // frames a second
+    static constexpr Ns rounding = std::chrono::microseconds(1);  // of the times of frames
 
     struct Options {
         std::uint64_t seed = 1;
         int followers = 2;
         bool is_disciplined = true;
-        double cuts = 0;  // of a box's connection, a second
+        double cuts = 0;   // chance of a cut of a box's connection, a second
+        double heals = 1;  // chance that a cut ends, a second
         std::vector<MediaRecord> records = {film("a", 2), photo("b"), film("c", 1), photo("d"), film("e", 3)};
         WallSettings wall = {
             .slots = {.count = 3, .order = ShotOrder::name, .dwell = std::chrono::seconds(2)},
             .photos_drift = true,
-            .lead = std::chrono::milliseconds(500),
+            .lead = std::chrono::milliseconds(1250),
             .touch_lead = std::chrono::milliseconds(60)};
     };
 
@@ -243,7 +245,8 @@ class SharedHouse {
             if (options_.cuts > 0 && boxes[i].is_linked &&
                 std::uniform_real_distribution(0.0, 1.0)(random_) < options_.cuts)
                 cut(i);
-            else if (!boxes[i].is_linked && options_.cuts > 0)
+            else if (!boxes[i].is_linked && options_.cuts > 0 &&
+                     std::uniform_real_distribution(0.0, 1.0)(random_) < options_.heals)
                 heal(i);
             if (boxes[i].is_linked && options_.is_disciplined) ask_for_time(boxes[i]);
         }
@@ -326,7 +329,7 @@ class SharedHouse {
                 add(std::hash<double>()(number));
             add(static_cast<std::size_t>(std::lround(item.alpha * 1e6)));
             Ns& seen = box.seen[item.source];
-            if (item.local < seen) ++box.back;
+            if (item.local + rounding < seen) ++box.back;
             seen = std::max(seen, item.local);
         }
         box.frames.push_back({.truth = truth, .content = content, .is_whole = is_whole});
