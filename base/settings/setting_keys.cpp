@@ -425,7 +425,7 @@ constexpr auto keys = std::to_array<SettingKey>({
      "\"mm: HDMI-A-1 0,0 698x393; HDMI-A-2 720,0 698x393\" is the same in millimetres; there each display "
      "needs its "
      "size. What matters in a picture never rests behind a bezel. All other displays show the whole wall. "
-     "Empty: "
+     "The box that leads others names their displays as BOX/DISPLAY: \"hall-2/HDMI-A-1 1960,0\". Empty: "
      "each display shows the whole wall. `vitrinectl canvas` helps to place them."},
     {"output.on",
      text<&S::output, &S::Output::on>(

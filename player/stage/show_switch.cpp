@@ -18,6 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto complaint_period = 10min;
 constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set in a tapestry's sources
 
 /// Tells if there is a tapestry that was woven from the present content of the film. Logs why there is none.
@@ -66,9 +67,17 @@ void ShowSwitch::handle_source_event(const SourceEvent& event) {
         if (tapestry_) tapestry_->source_ready(event.source);
         return wall_->source_ready(event.source);
     }
-    log::warning("not shown for now: {}", *event.failure);
+    complain(*event.failure);
     if (tapestry_) tapestry_->source_failed(event.source);
     wall_->source_failed(event.source, time_);
+}
+
+/// Logs each failure once in ten minutes: a wall asks again and again for what is not there.
+void ShowSwitch::complain(const std::string& failure) {
+    const std::chrono::nanoseconds now = time_ + away_;
+    std::erase_if(complaints_,
+                  [&](const auto& complaint) { return now - complaint.second >= complaint_period; });
+    if (complaints_.emplace(failure, now).second) log::warning("not shown for now: {}", failure);
 }
 
 WallStep ShowSwitch::step(Renderer& renderer) {

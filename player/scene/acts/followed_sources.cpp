@@ -56,11 +56,11 @@ std::vector<ShotRequest> FollowedSources::ask_for(const WallAct& act, std::optio
                                                   nanoseconds now) {
     std::vector<ShotRequest> requests;
     for (const auto& [source, placed] : shots_of(act)) {
-        ShotRequest request = request_of(placed);
+        ShotRequest request = request_of(*placed);
         const auto [place, is_new] = sources_.try_emplace(source, Source{.request = request, .since = now});
         if (!is_new && place->second.request == request) continue;
         place->second.request = request;
-        if (is_new && at && placed.began < *at) request.at = *at + opening_time - placed.began;
+        if (is_new && at && placed->began < *at) request.at = *at + opening_time - placed->began;
         requests.push_back(std::move(request));
     }
     return requests;
@@ -84,7 +84,7 @@ std::set<std::string> FollowedSources::lacking(const WallAct& act) const {
     for (const auto& [source, placed] : shots_of(act)) {
         const auto found = sources_.find(source);
         if (found == sources_.end() || found->second.state != State::ready)
-            paths.insert(placed.shot.key.path);
+            paths.insert(placed->shot.key.path);
     }
     return paths;
 }

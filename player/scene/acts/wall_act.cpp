@@ -25,12 +25,12 @@ Frame act_frame(const WallAct& act, std::chrono::nanoseconds now) {
     return change_frame(*act.change, act.shown, {.duration = act.fade, .cells = act.cells}, now);
 }
 
-std::map<SourceId, PlacedShot> shots_of(const WallAct& act) {
-    std::map<SourceId, PlacedShot> shots;
+std::map<SourceId, const PlacedShot*> shots_of(const WallAct& act) {
+    std::map<SourceId, const PlacedShot*> shots;
     for (const PlacedShot& placed : last_wall(act))
-        shots.emplace(placed.shot.source, placed);
+        shots.emplace(placed.shot.source, &placed);
     for (const PlacedShot& placed : act.shown)
-        shots.emplace(placed.shot.source, placed);
+        shots.emplace(placed.shot.source, &placed);
     return shots;
 }
 

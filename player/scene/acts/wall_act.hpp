@@ -56,7 +56,7 @@ bool has_ended(const WallAct& act, std::chrono::nanoseconds now);
 /// The frame of an act at any time: before its change, in it, and after it. @param now  of the leader's wall
 Frame act_frame(const WallAct& act, std::chrono::nanoseconds now);
 
-/// The shots of an act by their source, each once.
-std::map<SourceId, PlacedShot> shots_of(const WallAct& act);
+/// The shots of an act by their source, each once. The pointers are valid while the act is unchanged.
+std::map<SourceId, const PlacedShot*> shots_of(const WallAct& act);
 
 }  // namespace vitrine::player
