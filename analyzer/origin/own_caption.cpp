@@ -133,7 +133,7 @@ std::string own_caption(const std::string& path, MediaFormat format) {
     try {
         for (const std::string& written : texts_in(path)) {
             const std::string_view text = std::string_view(written).substr(0, written.find('\0'));
-            const std::string caption = caption_text(to_utf8(text)).text;
+            std::string caption = caption_text(to_utf8(text)).text;
             if (!caption.empty() && !is_camera_text(caption)) return caption;
         }
     } catch (const std::exception& error) {  // whoever decodes the file says so
