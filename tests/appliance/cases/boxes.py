@@ -21,8 +21,8 @@ def bring_daemons(box):
     (folder / "status").write_text(box.sh("cat /var/lib/dpkg/status"))
     try:
         lacking = image.run("apt-get", "-o", f"Dir::State::status={folder / 'status'}", "-o", "Debug::NoLocking=1", "--no-install-recommends",
-                            "--quiet=2", "--print-uris", "install", *DAEMONS)
-        image.run("apt-get", "download", *(line.split()[1].split("_")[0] for line in lacking.splitlines()), cwd=folder)
+                            "--simulate", "install", *DAEMONS)
+        image.run("apt-get", "download", *(line.split()[1] for line in lacking.splitlines() if line.startswith("Inst ")), cwd=folder)
     except subprocess.CalledProcessError as error:
         raise image.NotHere(f"Debian's daemons cannot be had: {error.stderr[-1000:]}") from error
     box.machine.mount_share()
