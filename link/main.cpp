@@ -42,7 +42,7 @@ link::BrokerAccount account_of(const Settings& settings) {
     return {.place = {.wall = settings.wall.name,
                       .box = settings.wall.box.empty() ? host_name() : settings.wall.box,
                       .is_leader = is_leader},
-            .host = is_leader ? "localhost" : settings.wall.leader,
+            .host = is_leader ? "127.0.0.1" : settings.wall.leader,
             .key = link::read_wall_key(settings.wall.key)};
 }
 

@@ -46,13 +46,14 @@ def wait_for_status(box, *words):
         wait_for(f"a status that tells {words}", tells, pause=2)
     finally:
         print(told)
+    return told
 
 
 def lead(box):
     said = box.sh("vitrinectl wall lead lobby --net 127.0.0.0/8")
     assert "this box leads the wall 'lobby'" in said, said
     wait_until_up(box, LEADS)
-    wait_for_status(box, "'lobby'", "leads")
+    wait_for_status(box, "'lobby'", "; connected", "leads")
     assert "active" in box.sh("vitrinectl wall status")
     box.wait_for_wall("the wall of a box that leads")
     # What a follower fetches, by its own secret and without it.
@@ -73,11 +74,13 @@ def leave(box):
 
 
 def follow(box):
-    said = box.sh("vitrinectl wall join lobby /run/wall.key 127.0.0.1")
-    assert "this box follows '127.0.0.1'" in said, said
+    box.sh("echo '127.0.0.1 hall-1' >>/etc/hosts")  # a name is looked up inside the sandbox of the service
+    said = box.sh("vitrinectl wall join lobby /run/wall.key hall-1")
+    assert "this box follows 'hall-1'" in said, said
     wait_until_up(box, FOLLOWS)
     assert box.sh("systemctl is-active vitrine-analyzer", fails=True) == "inactive", "a follower's own media rest"
-    wait_for_status(box, "'lobby'", "follows")
+    told = wait_for_status(box, "'lobby'", "follows", "no connection to 'hall-1'")
+    assert "Lookup" not in told, "the name of the leader is not found"
 
 
 def run(box):
