@@ -2,6 +2,7 @@
 
 The machine has no network, so the box leads itself alone, and as a follower it finds no leader.
 """
+import re
 import subprocess
 
 import image
@@ -91,5 +92,6 @@ def run(box):
     except AssertionError:
         print(box.sh("journalctl -b -q -u vitrine-link -u vitrine-wall-share -u mosquitto -u chrony -n 60 --no-hostname", fails=True))
         raise
-    failed = box.sh("systemctl --failed --no-legend", fails=True)
-    assert "vitrine" not in failed and "mosquitto" not in failed, failed
+    # Only the fetching may have failed: there is no leader, and the timer tries again.
+    failed = set(re.findall(r"\S+\.(?:service|path|timer|socket)", box.sh("systemctl --failed --no-legend", fails=True)))
+    assert failed <= {"vitrine-wall-fetch.service"}, failed
