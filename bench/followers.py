@@ -54,6 +54,10 @@ def lines_of(connection):
         yield from map(json.loads, whole)
 
 
+def name_of(act):
+    return {"run": act["run"], "generation": act["generation"]}
+
+
 class Link:
     """The place of vitrine-link beside one player."""
 
@@ -85,11 +89,11 @@ class LeadersLink(Link):
                 self.sizes.append(len(json.dumps(payload)))
             if topic == "prepare":
                 for number in range(FOLLOWERS):
-                    self.send(line(f"ready/box-{number}", payload["name"]))
+                    self.send(line(f"ready/box-{number}", name_of(payload)))
 
     def tell(self):
         while True:
-            shown = self.kept.get("act", {}).get("name")
+            shown = name_of(self.kept["act"]) if "act" in self.kept else None
             for number in range(FOLLOWERS):
                 note = {"version": 1, "leads": False, "has_right_clock": True, "difference_us": number, "lacking": [],
                         "outputs": [{"name": "HDMI-A-1", "width": 1920, "height": 1080, "turned": 0}]}

@@ -12,8 +12,9 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr std::size_t max_touches = 200;             // between two calls
-constexpr auto patience = std::chrono::seconds(10);  // with shots that are not there, and a wrong clock
+constexpr std::size_t max_touches = 200;                  // between two calls
+constexpr auto patience = std::chrono::seconds(10);       // with shots that are not there
+constexpr auto clock_patience = std::chrono::seconds(5);  // of the first act, with a clock that is wrong
 constexpr auto fade_time =
     std::chrono::milliseconds(800);  // from what was shown to an act that goes on elsewhere
 constexpr auto begins_late = std::chrono::milliseconds(100);  // so late a change is still seen as it is meant
@@ -91,8 +92,9 @@ bool FollowedWall::is_next(const WallAct& act) const {
 /// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
 void FollowedWall::take_waiting() {
     if (!waiting_) return;
-    const bool has_all = sources_.are_there(*waiting_) && (shown_ || is_clock_right_);
-    if (!has_all && now_ - waiting_since_ < patience) return;
+    const nanoseconds waited = now_ - waiting_since_;
+    const bool has_time = shown_ || is_clock_right_ || waited >= clock_patience;
+    if (!(has_time && sources_.are_there(*waiting_)) && waited < patience) return;
     if (!is_next(*waiting_) && shown_) {
         std::optional<WallChange>& change = waiting_->change;
         if (change && leaders_time(*waiting_, now_ + epoch_) < change->began) return;
