@@ -28,3 +28,15 @@ TEST_CASE("frames with many translucent edges over one another are drawn as the 
         CHECK(found.is_good(frames.has_planes()));
     }
 }
+
+// Without set_mesa_options() the processor leaves out tiles of 64 x 64 px of these while they fade.
+TEST_CASE("tiles that a triangle covers whole are blended as the reference blends them") {
+    ComparedFrames frames;
+    for (const std::uint64_t seed : {27, 37}) {
+        CAPTURE(seed);
+        const Deviation found = frames.compare(seed, 700);
+        CAPTURE(found.place);
+        CAPTURE(found.worst());
+        CHECK(found.is_good(frames.has_planes()));
+    }
+}
