@@ -67,10 +67,6 @@ def costs_of(process):
     return sizes["Rss:"], sizes["Pss:"], sizes["Anonymous:"], len(os.listdir(f"/proc/{process}/fd"))
 
 
-def lowest_tenth(values):
-    return statistics.quantiles(values, n=10)[0]
-
-
 def growth_an_hour(series, level):
     """From the level of the first third to that of the last. `series`: (seconds, value)"""
     third = len(series) // 3
@@ -252,19 +248,14 @@ class LongRun(unittest.TestCase):
         return int(re.findall(r"frame= *(\d+)", said)[-1]), [line for line in said.splitlines() if "pblack:" in line]
 
     def growth_of(self, costs, name):
-        """-> bytes and descriptors an hour. Each child and each film has memory and descriptors: what stays is their least number.
-
-        Of memory it is the lowest tenth. The median of a third of an hour is uncertain by 2 MiB an hour, as walls differ by 15 MiB.
-        """
+        """-> bytes and descriptors an hour. Each child and each film has descriptors: what stays is their least number."""
         seen = [row for row in costs if row[0] >= OPTIONS.warm_up]
         self.assertGreater(len(seen), 10)
         resident, proportional, own, descriptors = (
             growth_an_hour([(row[0], row[i]) for row in seen], level)
-            for i, level in ((1, lowest_tenth), (2, lowest_tenth), (3, lowest_tenth), (4, min)))
-        median = growth_an_hour([(row[0], row[1]) for row in seen], statistics.median)
+            for i, level in ((1, statistics.median), (2, statistics.median), (3, statistics.median), (4, min)))
         print(f"{name}: {statistics.median(row[1] for row in seen) / 2**20:.1f} MiB resident, {min(row[4] for row in seen)} to "
-              f"{max(row[4] for row in seen)} descriptors; growth an hour: {resident / 2**20:+.2f} MiB resident "
-              f"({median / 2**20:+.2f} of the median), "
+              f"{max(row[4] for row in seen)} descriptors; growth an hour: {resident / 2**20:+.2f} MiB resident, "
               f"{proportional / 2**20:+.2f} MiB in proportion, {own / 2**20:+.2f} MiB of its own, {descriptors:+.1f} descriptors", file=sys.stderr)
         return resident, descriptors
 

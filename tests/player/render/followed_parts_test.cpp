@@ -92,7 +92,7 @@ TEST_CASE("the leader's part and a follower's part are together the whole, in ch
         const TestBox& follower = house.boxes[1];
         const bool is_changing = house.led().parts().change && house.led().parts().change->is_fading() &&
                                  lead.last.time > house.led().parts().change->began;
-        const bool is_wanted = is_changing || k % 40 == 0;
+        const bool is_wanted = is_changing || (k % 40 == 0 && compared - changing < 8);  // half of them stand
         if (!is_wanted || lead.frames.back().content != follower.frames.back().content) continue;
         CHECK(parts.difference(lead, follower) <= 1);
         ++compared;
