@@ -67,17 +67,18 @@ void ShowSwitch::handle_source_event(const SourceEvent& event) {
         if (tapestry_) tapestry_->source_ready(event.source);
         return wall_->source_ready(event.source);
     }
-    complain(*event.failure);
+    complain(event);
     if (tapestry_) tapestry_->source_failed(event.source);
     wall_->source_failed(event.source, time_);
 }
 
-/// Logs each failure once in ten minutes: a wall asks again and again for what is not there.
-void ShowSwitch::complain(const std::string& failure) {
+/// Logs a source's failure once in ten minutes: a box that follows asks again for what it has not got.
+void ShowSwitch::complain(const SourceEvent& event) {
     const std::chrono::nanoseconds now = time_ + away_;
     std::erase_if(complaints_,
                   [&](const auto& complaint) { return now - complaint.second >= complaint_period; });
-    if (complaints_.emplace(failure, now).second) log::warning("not shown for now: {}", failure);
+    if (complaints_.try_emplace({event.source, *event.failure}, now).second)
+        log::warning("not shown for now: {}", *event.failure);
 }
 
 WallStep ShowSwitch::step(Renderer& renderer) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -76,7 +77,7 @@ class ShowSwitch {
 
   private:
     bool may_switch() const;
-    void complain(const std::string& failure);
+    void complain(const SourceEvent& event);
 
     const Settings& settings_;  // outlive this
     std::uint64_t owner_;
@@ -89,7 +90,7 @@ class ShowSwitch {
     std::chrono::nanoseconds switched_{0};  // time of the last switch
     std::chrono::nanoseconds away_{0};      // total time in which tapestries were shown
     std::chrono::nanoseconds time_{0};      // the time that was set: the wall's or the tapestry's
-    std::map<std::string, std::chrono::nanoseconds> complaints_;  // failures, and when each was last logged
+    std::map<std::pair<SourceId, std::string>, std::chrono::nanoseconds> complaints_;  // when last logged
 };
 
 }  // namespace vitrine::player

@@ -26,8 +26,9 @@ TEST_CASE("a file that is not there is told once in ten minutes, however often i
     REQUIRE(::dup2(said.get(), STDERR_FILENO) >= 0);
     for (std::chrono::nanoseconds now{0}; now < 15min; now += 3s) {
         shows.set_time(now);
-        for (const char* failure : {"open 'a.jpg': No such file", "open 'b.jpg': No such file"})
-            shows.handle_source_event({.source = 1, .failure = failure, .unstored = {}});
+        for (const SourceId source : {1, 2})
+            shows.handle_source_event(
+                {.source = source, .failure = "open 'a.jpg': No such file", .unstored = {}});
     }
     REQUIRE(::dup2(kept.get(), STDERR_FILENO) >= 0);
     const std::string text = read_file(file);
