@@ -402,6 +402,8 @@ CURES = [
          "(has_time && sources_.are_there(*waiting_))", "has_time", "acts_test.shared_wall_test"),
     Cure("a box that begins when it hears", "player/scene/wall.cpp",
          "now + lead;", "now;", "acts_test.shared_wall_test"),
+    Cure("a change that is told too late", "player/scene/acts/led_wall.hpp",
+         "milliseconds(1250)", "milliseconds(500)", "acts_test.shared_wall_test"),
     Cure("a clock that nobody keeps right", "player/scene/acts/wall_clock.cpp",
          "    if (!reading.is_right) {\n        is_right_ = false;\n        return;\n    }\n", "", "acts_test.wall_clock_test"),
     Cure("an act that names any file", "player/scene/acts/shot_json.cpp",

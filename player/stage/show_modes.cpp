@@ -15,10 +15,6 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::chrono::nanoseconds lead =
-    std::chrono::milliseconds(1250);  // a connection may be cut for a second meanwhile
-constexpr std::chrono::nanoseconds touch_lead = std::chrono::milliseconds(60);
-
 WallSettings wall_settings(const Settings& settings, SourceId last_source) {
     WallSettings wall{.slots = slot_settings(settings),
                       .transition = {.duration = settings.show.motion, .cells = cell_style(settings)},
@@ -68,8 +64,8 @@ std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, 
     if (owner != 0 || settings.wall.role == WallRole::alone || !can_lead(settings))
         return show_mode(settings).make(settings, canvas, last_source);
     WallSettings wall = wall_settings(settings, last_source);
-    wall.lead = lead;
-    wall.touch_lead = touch_lead;
+    wall.lead = LedWall::lead;
+    wall.touch_lead = LedWall::touch_lead;
     return std::make_unique<LedWall>(canvas, wall);
 }
 

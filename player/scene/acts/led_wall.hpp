@@ -34,6 +34,10 @@ struct LedOthers {
 /// waits a while until the other boxes have them, too.
 class LedWall final : public Show {
   public:
+    /// The time from the decision of a change to its begin. A connection may be cut for a second meanwhile.
+    static constexpr std::chrono::nanoseconds lead = std::chrono::milliseconds(1250);
+    static constexpr std::chrono::nanoseconds touch_lead = std::chrono::milliseconds(60);
+
     /// @param settings  with a lead
     LedWall(const Canvas& canvas, const WallSettings& settings)
         : settings_(settings), wall_(canvas, settings) {}

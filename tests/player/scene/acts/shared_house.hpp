@@ -98,8 +98,8 @@ class SharedHouse {
         WallSettings wall = {
             .slots = {.count = 3, .order = ShotOrder::name, .dwell = std::chrono::seconds(2)},
             .photos_drift = true,
-            .lead = std::chrono::milliseconds(1250),
-            .touch_lead = std::chrono::milliseconds(60)};
+            .lead = LedWall::lead,
+            .touch_lead = LedWall::touch_lead};
     };
 
     explicit SharedHouse(Options options) : options_(std::move(options)), random_(options_.seed) {

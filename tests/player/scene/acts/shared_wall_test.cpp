@@ -43,6 +43,16 @@ TEST_CASE("three boxes with clocks of their own show the same frames, and change
     CHECK(house.faults == 0);
 }
 
+TEST_CASE("a cut of a second delays no change") {
+    SharedHouse house({.seed = 6, .cuts = 0.3});
+    house.run(90s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i) {
+        const std::vector<Ns> apart = begins_apart(house.boxes[0], house.boxes[i]);
+        REQUIRE(apart.size() >= 8);
+        CHECK(apart.back() <= 16'700us);
+    }
+}
+
 TEST_CASE("boxes whose clocks nobody keeps right are not in step") {
     SharedHouse house({.seed = 3, .is_disciplined = false});
     house.run(30s);
