@@ -5,7 +5,7 @@
 
 Two players play the same folder off screen at the same time: one alone, one that leads. FOLLOWERS boxes (16) answer the leader over
 the socket where vitrine-link would be: each tells of itself once a second and is ready for whatever is prepared. The CPU of both is
-compared over SECONDS (60). A real player joins as a follower every ten seconds of those. Nothing here passes or fails.
+compared over SECONDS (60). Then a real player joins as a follower, three times. Nothing here passes or fails.
 """
 import json
 import os
@@ -65,7 +65,7 @@ class Link:
         self.server = socket.socket(socket.AF_UNIX)
         self.server.bind(str(path))
         self.server.listen()
-        self.kept, self.sizes, self.waiting = {}, [], threading.Lock()
+        self.waiting = threading.Lock()
 
     def meet(self):
         self.connection, _ = self.server.accept()
@@ -78,6 +78,10 @@ class Link:
 
 class LeadersLink(Link):
     """All followers' answers to the leader."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.kept, self.sizes = {}, []  # the last payload of each topic; bytes of each act
 
     def serve(self):
         self.meet()
