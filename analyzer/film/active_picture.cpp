@@ -109,7 +109,7 @@ WantedEdges halved(const WantedEdges& edges) {
 /// The bars of two opposite sides. None: {0, 0}. @param edge  the measure of their edges
 std::pair<int, int> opposite_bars(const SideBand& a, const SideBand& b, int side, const WantedEdges& wanted,
                                   double SideBand::*edge = &SideBand::edge) {
-    const double min = std::max(2.0, min_depth * side);
+    const double min = std::max(2.0, std::floor(min_depth * side));  // bands are measured in whole pixels
     if (a.depth < min || b.depth < min || a.depth + b.depth > max_bars * side) return {0, 0};
     const bool are_equal = std::abs(a.depth - b.depth) <= 2 + 0.1 * std::max(a.depth, b.depth);
     const bool is_straight = std::min(a.*edge, b.*edge) >= wanted.each &&

@@ -64,6 +64,19 @@ TEST_CASE("the bars of a film are found, at two sides and at four, black and in 
         }
 }
 
+TEST_CASE("eight black columns of 720, such as DV films have at each side, are bars") {
+    const cv::Rect picture(8, 0, 704, 404);
+    ActivePictureFinder finder;
+    const auto reduced = [&](int i) {
+        cv::Mat large;
+        cv::resize(detailed_picture(i), large, {720, 404});
+        cv::Mat small;
+        cv::resize(with_bars(large, picture, {0, 0, 0}), small, all_of_it.size(), 0, 0, cv::INTER_AREA);
+        return small;
+    };
+    check_near(closed_shot(finder, 0, reduced), {4, 0, 312, film_height});
+}
+
 TEST_CASE("a film without bars is left all_of_it") {
     ActivePictureFinder finder;
     CHECK(closed_shot(finder, 0, detailed_picture) == all_of_it);
