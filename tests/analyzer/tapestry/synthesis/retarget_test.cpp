@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 namespace vitrine::analyzer {
@@ -35,25 +36,39 @@ TEST_CASE("a tile is three quarters as tall, and of the keyframes' colours") {
 }
 
 TEST_CASE("pictures that do not go together fade into one another at the border of their bricks") {
+    const Brickwork brickwork{.keyframes = 4, .brick = {120, 90}};
+    std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
+    for (std::size_t k = 0; k < bricks.size(); ++k)
+        bricks[k].picture.setTo(cv::Scalar::all(k < 2 ? 40 : 220));
+    const cv::Mat tile = made(brickwork, bricks);
+    int largest = 0;
+    for (int x = 100; x < 140; ++x)
+        for (int y = 10; y < 50; ++y)
+            largest =
+                std::max(largest, std::abs(tile.at<cv::Vec3b>(y, x)[0] - tile.at<cv::Vec3b>(y, x - 1)[0]));
+    CHECK(largest < 60);
+    CHECK(std::abs(tile.at<cv::Vec3b>(30, 60)[0] - 40) <= 2);
+    CHECK(std::abs(tile.at<cv::Vec3b>(30, 180)[0] - 220) <= 2);
+}
+
+TEST_CASE("detailed pictures that do not go together are stitched at the border of their bricks") {
     const Brickwork brickwork{.keyframes = 4, .brick = {200, 150}};
     std::vector<Keyframe> bricks = drawn_keyframes(brickwork);
     for (std::size_t k = 0; k < bricks.size(); ++k)
         bricks[k].picture = bricks[k].picture / 4 + cv::Scalar::all(k < 2 ? 10 : 180);
-    const cv::Mat tile = made(brickwork, bricks);
-    const auto step_at = [&](int x) {
-        cv::Mat difference;
-        cv::absdiff(tile.rowRange(10, 50).col(x), tile.rowRange(10, 50).col(x - 1), difference);
-        return cv::mean(difference)[0];
+    const cv::Mat row = made(brickwork, bricks).rowRange(10, 50);
+    const auto largest_step = [&](int from, int to) {
+        double largest = 0;
+        for (int x = from; x < to; ++x) {
+            cv::Mat difference;
+            cv::absdiff(row.col(x), row.col(x - 1), difference);
+            largest = std::max(largest, cv::mean(difference)[0]);
+        }
+        return largest;
     };
-    double at_border = 0;
-    double beside = 0;
-    for (int x = 180; x < 220; ++x)
-        at_border = std::max(at_border, step_at(x));
-    for (int x = 120; x < 180; ++x)
-        beside = std::max(beside, step_at(x));
-    CHECK(at_border < 2.8 * beside);  // 3.3 without stitches
-    CHECK(cv::mean(tile.colRange(20, 180).rowRange(10, 50))[0] < 90);
-    CHECK(cv::mean(tile.colRange(220, 380).rowRange(10, 50))[0] > 170);
+    CHECK(largest_step(180, 220) < 2.8 * largest_step(120, 180));  // 3.3 times without stitches
+    CHECK(cv::mean(row.colRange(20, 180))[0] < 90);
+    CHECK(cv::mean(row.colRange(220, 380))[0] > 170);
 }
 
 TEST_CASE("a tile does not depend on the threads that make it") {
