@@ -51,6 +51,12 @@ bool contains(std::span<const Vec2> outline, const Box& box) {
     return true;
 }
 
+/// The part of a cell that holds the I-Region: elsewhere a caption would seem to be a neighbour's. Null: the
+/// cell is empty.
+const Polygon* main_part(const Cell& cell) {
+    return cell.parts.empty() ? nullptr : &cell.parts.front();
+}
+
 /// A size on the canvas with a margin around it, px.
 struct Room {
     Vec2 size;
@@ -144,7 +150,8 @@ std::vector<CaptionRoom> kept_caption_rooms(std::span<const PlacedShot> shown,
 
 bool keeps_place(const Box& caption, const CaptionRoom& room, std::span<const DrawItem> items) {
     const auto holds = [&](const Cell& cell) {
-        return std::ranges::any_of(cell.parts, [&](const Polygon& part) { return contains(part, caption); });
+        const Polygon* const part = main_part(cell);
+        return part != nullptr && contains(*part, caption);
     };
     const auto touches = [&](const Polygon& part) { return area(clipped(part, caption)) > 1; };
     const auto covers = [&](const DrawItem& item) {
@@ -158,29 +165,30 @@ bool keeps_place(const Box& caption, const CaptionRoom& room, std::span<const Dr
 
 std::optional<CaptionPlace> caption_place(const CaptionRoom& room, std::span<const CaptionSize> forms,
                                           Vec2 canvas, const Box& taken) {
+    const Polygon* const part = main_part(*room.cell);
+    if (part == nullptr) return std::nullopt;
     const double margin = canvas.y * margin_share;
     for (const double letters : letter_sizes)
         for (std::size_t form = 0; form < forms.size(); ++form) {
             const double height = letters * canvas.y / forms[form].letters;
             const Vec2 size{height * forms[form].aspect, height};
-            for (const Polygon& part : room.cell->parts)
-                if (const auto box = place_in(part, room, {size, margin}, taken))
-                    return CaptionPlace{*box, form};
+            if (const auto box = place_in(*part, room, {size, margin}, taken))
+                return CaptionPlace{*box, form};
         }
     return std::nullopt;
 }
 
 std::optional<Box> code_place(const CaptionRoom& room, int modules, Vec2 canvas, const Box& taken) {
+    const Polygon* const part = main_part(*room.cell);
+    if (part == nullptr) return std::nullopt;
     const double least = std::max(min_code_module, std::ceil(min_code_side * canvas.y / modules));
     for (double module = std::max(least, std::floor(max_code_side * canvas.y / modules)); module >= least;
          --module)
-        for (const Polygon& part : room.cell->parts)
-            if (const auto box = place_in(part, room,
-                                          {.size = {module * modules, module * modules},
-                                           .margin = canvas.y * margin_share,
-                                           .grid = 1},
-                                          taken))
-                return box;
+        if (const auto box = place_in(
+                *part, room,
+                {.size = {module * modules, module * modules}, .margin = canvas.y * margin_share, .grid = 1},
+                taken))
+            return box;
     return std::nullopt;
 }
 

@@ -16,11 +16,36 @@ constexpr double guard_share = 0.3;     // side of the part of a seat that no sh
 constexpr int samples = 24;             // times at which the ways are looked at
 constexpr double min_fade = 0.3;        // share of the duration
 
-double progress_of(const Motion& motion, double share) {
-    if (motion.kind != Motion::Kind::staged) return eased(share);
-    const auto stages = static_cast<double>(motion.keys.size() - 1);
-    const double stage = std::min(std::floor(share * stages), stages - 1);
-    return (stage + eased(share * stages - stage)) / stages;
+/// The farthest that a corner of a moving shot's region goes between a key and the next, canvas px.
+double way_from(const Transition& transition, std::size_t key) {
+    double longest = 0;
+    const auto& keys = transition.motion.keys;
+    for (const ChangingShot& shot : transition.old_wall) {
+        if (!shot.moving) continue;
+        const Placement& from = keys[key][*shot.moving];
+        const Placement& to = keys[key + 1][*shot.moving];
+        for (const Vec2 corner : shot.placed.shot.item.region)
+            longest = std::max(longest, length(corner * (to.scale - from.scale) + to.offset - from.offset));
+    }
+    return longest;
+}
+
+/// The time of a motion at a share of the transition. The shots come to rest at each key. The time between
+/// two keys grows with the root of the way, so that the acceleration is the same everywhere.
+double progress_of(const Transition& transition, double share) {
+    const std::size_t stages = transition.motion.keys.size() - 1;
+    if (stages < 2) return eased(share);
+    std::vector<double> ends;
+    for (std::size_t key = 0; key < stages; ++key)
+        ends.push_back((ends.empty() ? 0 : ends.back()) + std::sqrt(way_from(transition, key)));
+    if (ends.back() <= 0) return eased(share);
+    const double at = std::clamp(share, 0.0, 1.0) * ends.back();
+    std::size_t stage = 0;
+    while (stage + 1 < stages && ends[stage] < at)
+        ++stage;
+    const double begin = stage == 0 ? 0 : ends[stage - 1];
+    const double passed = ends[stage] > begin ? (at - begin) / (ends[stage] - begin) : 1;
+    return (static_cast<double>(stage) + eased(passed)) / static_cast<double>(stages);
 }
 
 LayoutItem item_of(const Polygon& region) {
@@ -274,7 +299,7 @@ std::size_t wayless_count(const Transition& transition) {
 }
 
 std::vector<Placement> placements_at(const Transition& transition, double share) {
-    return placements_at(transition.motion, progress_of(transition.motion, share));
+    return placements_at(transition.motion, progress_of(transition, share));
 }
 
 double free_share(const Transition& transition, const ChangingShot& shot,

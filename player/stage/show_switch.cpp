@@ -8,7 +8,6 @@
 #include "player/stage/stage_settings.hpp"
 
 #include <exception>
-#include <span>
 #include <system_error>
 #include <utility>
 
@@ -51,6 +50,7 @@ ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool await
 
 void ShowSwitch::set_canvas(const Canvas& canvas) {
     canvas_ = canvas;
+    left_.clear();
     wall_->set_canvas(canvas);
     if (tapestry_) tapestry_->set_canvas(canvas);
 }
@@ -85,17 +85,28 @@ WallStep ShowSwitch::step(Renderer& renderer) {
     return tapestry_ ? tapestry_->step(time_, renderer) : wall_->step(time_);
 }
 
+bool ShowSwitch::is_fading() const {
+    return has_switched_ && time_ - switched_ < settings_.show.motion;
+}
+
 void ShowSwitch::fade(Frame& frame) {
-    if (!tapestry_) wall_frame_ = frame;
-    if (!has_switched_ || time_ - switched_ >= settings_.show.motion) return;
+    shown_ = frame.items;
+    if (!is_fading()) return;
     const double progress = std::chrono::duration<double>(time_ - switched_) /
                             std::chrono::duration<double>(settings_.show.motion);
-    fade_in(frame, tapestry_ ? std::span<const DrawItem>(wall_frame_.items) : std::span<const DrawItem>(),
-            progress);
+    fade_in(frame, left_, progress);
+}
+
+/// The show of the last frame fades out from now on.
+void ShowSwitch::note_switch() {
+    left_ = std::exchange(shown_, {});
+    switched_ = time_;
+    has_switched_ = true;
 }
 
 /// True if wall and tapestry can replace one another without flashing.
 bool ShowSwitch::may_switch() const {
+    if (leaving_) return false;
     const ChangePace* const pace = wall_->pace();
     if (!tapestry_ && pace != nullptr && !pace->is_free(time_)) return false;
     return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
@@ -126,24 +137,26 @@ void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryP
     options.rests = settings_.show.calm;
     const char* const when = options.awaits_index ? ", as soon as it is woven" : "";
     tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, options);
-    switched_ = time_;
-    has_switched_ = true;
+    note_switch();
     log::info("tapestry of '{}'{}", tapestry_->show().tapestry().path, when);
 }
 
 std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
+    if (leaving_ && !is_fading()) {
+        left_.clear();
+        return std::exchange(leaving_, nullptr)->close();
+    }
     if (!tapestry_ || !tapestry_->is_over() || !may_switch()) return {};
-    std::vector<SourceId> retired = tapestry_->close();
-    tapestry_.reset();
-    wall_frame_ = {};
+    leaving_ = std::move(tapestry_);
     away_ += time_ - switched_;
     time_ = switched_;
-    has_switched_ = true;
+    note_switch();
     if (ChangePace* const pace = wall_->pace()) pace->note_change(time_);
-    return retired;
+    return {};
 }
 
 void ShowSwitch::forget_uploads() {
+    left_.clear();
     if (tapestry_) tapestry_->forget_uploads();
 }
 

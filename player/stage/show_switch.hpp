@@ -69,7 +69,7 @@ class ShowSwitch {
 
     /// If the tapestry is over, the wall continues from where it was, unless the switch to the tapestry was
     /// too short a time ago.
-    /// @return the sources that the tapestry used
+    /// @return the sources of a tapestry that has faded out since
     std::vector<SourceId> leave_finished_tapestry();
 
     /// Call after the renderer was replaced: all pictures must be uploaded again.
@@ -77,6 +77,8 @@ class ShowSwitch {
 
   private:
     bool may_switch() const;
+    bool is_fading() const;
+    void note_switch();
     void complain(const SourceEvent& event);
 
     const Settings& settings_;  // outlive this
@@ -85,11 +87,13 @@ class ShowSwitch {
     Canvas canvas_{1920, 1080};
     std::unique_ptr<Show> wall_;
     std::unique_ptr<TapestryPlayback> tapestry_;  // none: the wall is shown
-    Frame wall_frame_;                      // the wall's last frame, shown behind a tapestry that fades in
-    bool has_switched_ = false;             // false: the first wall has not been replaced yet
-    std::chrono::nanoseconds switched_{0};  // time of the last switch
-    std::chrono::nanoseconds away_{0};      // total time in which tapestries were shown
-    std::chrono::nanoseconds time_{0};      // the time that was set: the wall's or the tapestry's
+    std::unique_ptr<TapestryPlayback> leaving_;   // the last tapestry, while it fades out
+    std::vector<DrawItem> shown_;                 // of the last frame, without the show that fades out
+    std::vector<DrawItem> left_;                  // of the last frame of the show that fades out
+    bool has_switched_ = false;                   // false: the first wall has not been replaced yet
+    std::chrono::nanoseconds switched_{0};        // time of the last switch
+    std::chrono::nanoseconds away_{0};            // total time in which tapestries were shown
+    std::chrono::nanoseconds time_{0};            // the time that was set: the wall's or the tapestry's
     std::map<std::pair<SourceId, std::string>, std::chrono::nanoseconds> complaints_;  // when last logged
 };
 

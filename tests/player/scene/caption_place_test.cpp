@@ -114,6 +114,23 @@ TEST_CASE("there is no room in a cell that its region fills, nor for a photo tha
     CHECK(!caption_place(caption_rooms(std::vector{shot}).front(), forms, canvas));
 }
 
+TEST_CASE("captions and QR codes stand where the region is, not on a part of the cell that lies apart") {
+    const Polygon apart = to_polygon({{500, 0}, {1000, 600}});
+    CaptionRoom room{
+        .cell = std::make_shared<const Cell>(Cell{.parts = {to_polygon({{0, 0}, {400, 300}}), apart}}),
+        .region = to_polygon({{10, 10}, {390, 290}})};
+    CHECK(!caption_place(room, forms, canvas));
+    CHECK(!code_place(room, 29, canvas));
+    CHECK(!keeps_place({{600, 100}, {700, 150}}, room, {}));
+    room.region = to_polygon({{10, 10}, {390, 100}});
+    const auto place = caption_place(room, forms, canvas);
+    REQUIRE(place);
+    CHECK(place->box.max.x <= 400);
+    const auto code = code_place(room, 29, canvas);
+    REQUIRE(code);
+    CHECK(code->max.x <= 400);
+}
+
 TEST_CASE("captions and QR codes keep off bezels, and off faces and lines of text wherever a photo drifts") {
     PlacedShot shot{.cell = std::make_shared<const Cell>(Cell{.parts = {to_polygon({{0, 0}, {400, 300}})}})};
     shot.placement = {.scale = 0.5, .offset = {10, 0}};

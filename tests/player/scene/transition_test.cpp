@@ -82,6 +82,40 @@ TEST_CASE("only the shots that have no free way fade from place to place") {
     CHECK(made.old_wall[2].moving);
 }
 
+TEST_CASE("no shot darts: a long way between two keys gets more time than a short one") {
+    constexpr int frames = 24;
+    constexpr double max_share =
+        2.4;  // of the step of a motion at one speed; a straight way that is eased has 1.5
+    int seen = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        ChangingWall changing({960, 540}, 12, seed);
+        const Transition made = transition(changing.canvas(), changing.shown(), changing.turned(), style);
+        if (made.motion.keys.size() < 4) continue;
+        CAPTURE(seed);
+        ++seen;
+        const auto farthest = [&](std::span<const Placement> from, std::span<const Placement> to) {
+            double way = 0;
+            for (const ChangingShot& moved : made.old_wall)
+                for (const Vec2 corner : moved.placed.shot.item.region)
+                    if (moved.moving) {
+                        const Placement &a = from[*moved.moving], &b = to[*moved.moving];
+                        way = std::max(way, length(corner * (b.scale - a.scale) + b.offset - a.offset));
+                    }
+            return way;
+        };
+        double whole = 0;
+        for (std::size_t key = 0; key + 1 < made.motion.keys.size(); ++key)
+            whole += farthest(made.motion.keys[key], made.motion.keys[key + 1]);
+        double longest = 0;
+        for (int k = 0; k < frames; ++k)
+            longest = std::max(longest, farthest(placements_at(made, k / double{frames}),
+                                                 placements_at(made, (k + 1) / double{frames})));
+        CHECK(longest < max_share * whole / frames);
+    }
+    MESSAGE(seen << " motions with three or more parts");
+    CHECK(seen >= 3);
+}
+
 TEST_CASE("where nothing shall move, all that changes fades at its place") {
     const auto first = wall({shot(1, 0, {0, 0}), shot(2, 1, {100, 0})});
     const auto last = wall({shot(1, 0, {200, 0}), shot(2, 1, {100, 0})});

@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -65,6 +66,9 @@ class BlackAndWhiteFilms {
 
     int opened() const { return opened_; }
 
+    /// The largest difference between two frames one after the other, in the mean of their pixels, 0 to 1.
+    double largest_step() const { return largest_step_; }
+
     /// Opens the tapestry of the first shot on the wall, if it may be opened.
     void open_tapestry() {
         const std::vector<SlotShot> standing = shows_->wall().standing();
@@ -117,7 +121,13 @@ class BlackAndWhiteFilms {
         renderer_.aim(width, height, letterboxed(width, height, {}, step.frame.canvas));
         renderer_.draw(step.frame);
         screen_.present(now_);
-        meter_.add(image_of(screen_.picture()), now_);
+        const ReferenceImage image = image_of(screen_.picture());
+        meter_.add(image, now_);
+        double light = 0;
+        for (const Rgb& pixel : image.pixels)
+            light += pixel[1] / static_cast<double>(image.pixels.size());
+        if (light_) largest_step_ = std::max(largest_step_, std::abs(light - *light_));
+        light_ = light;
     }
 
     void forget(const std::vector<SourceId>& sources) {
@@ -149,6 +159,8 @@ class BlackAndWhiteFilms {
     std::chrono::nanoseconds now_{0};
     FlashMeter meter_;
     int opened_ = 0;
+    std::optional<double> light_;  // of the last frame
+    double largest_step_ = 0;
 };
 
 /// Tries walls of one and of three shots, with changes of any length.
@@ -172,6 +184,17 @@ TEST_CASE("tapestries that visitors open and leave again and again do not flash"
         films.open_tapestry();
         films.close_tapestry();
     });
+}
+
+TEST_CASE("a tapestry fades in over the wall, and the wall over the tapestry") {
+    BlackAndWhiteFilms films(1, 800ms);
+    films.run(5s, [&](int frame) {
+        if (frame == 50) films.open_tapestry();
+        if (frame == 85) films.close_tapestry();
+    });
+    CHECK(films.opened() == 1);
+    CHECK(films.shows().tapestry() == nullptr);
+    CHECK(films.largest_step() < 0.1);
 }
 
 TEST_CASE("turns between two looks at a tapestry do not flash with it") {
