@@ -45,7 +45,7 @@ CURES = [
          "    return cell.parts.empty() ? nullptr : &cell.parts.front();", "    return cell.parts.empty() ? nullptr : &cell.parts.back();",
          "scene_test.caption_place_test"),
     Cure("a shot that darts", "player/scene/transition.cpp",
-         "std::sqrt(way_from(transition, key))", "1.0", "scene_test.transition_test"),
+         "std::sqrt(way_from(transition, key))", "std::max(1.0, 0 * way_from(transition, key))", "scene_test.transition_test"),
     Cure("a hard cut from the tapestry to the wall", "player/stage/show_switch.cpp",
          "    left_ = std::exchange(shown_, {});\n", "    left_ = tapestry_ ? std::exchange(shown_, {}) : std::vector<DrawItem>();\n", "switch_flash_test.switch_flash_test"),
     Cure("a first picture by a wrong clock", "player/scene/acts/followed_wall.cpp",

@@ -194,7 +194,7 @@ TEST_CASE("a tapestry fades in over the wall, and the wall over the tapestry") {
     });
     CHECK(films.opened() == 1);
     CHECK(films.shows().tapestry() == nullptr);
-    CHECK(films.largest_step() < 0.1);
+    CHECK(films.largest_step() < 0.035);
 }
 
 TEST_CASE("turns between two looks at a tapestry do not flash with it") {
