@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vitrine::analyzer {
 
@@ -97,6 +98,15 @@ cv::Mat turned(const cv::Mat& picture, GstVideoOrientationMethod turn) {
     return out;
 }
 
+// The size of a picture of square pixels, px, whose longest side is at most so long.
+cv::Size reduced_size(const GstVideoInfo& video, int longest) {
+    const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
+    const double width = video.width * aspect;
+    const double scale = std::min(1.0, longest / std::max<double>(width, video.height));
+    const auto whole = [](double length) { return std::max(1, static_cast<int>(std::lround(length))); };
+    return {whole(width * scale), whole(video.height * scale)};
+}
+
 // A mapped frame of a sample.
 class MappedFrame {
   public:
@@ -143,34 +153,39 @@ void FilmSource::read_geometry(int analysis_size) {
     tones_ = ToneMap::of(video.colorimetry);
     info_.colours = video.colorimetry;
     info_.turn = turn_;
-    const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
-    const double width = video.width * aspect;  // square pixels
-    const double scale = std::min(1.0, analysis_size / std::max<double>(width, video.height));
-    const auto whole = [](double length) { return std::max(1, static_cast<int>(std::lround(length))); };
-    coded_size_ = {whole(width * scale), whole(video.height * scale)};
-    info_.width = whole(width);
-    info_.height = video.height;
+    coded_size_ = reduced_size(video, analysis_size);
+    finer_size_ = reduced_size(video, 2 * analysis_size);
+    const cv::Size whole = reduced_size(video, std::numeric_limits<int>::max());
+    info_.width = whole.width;
+    info_.height = whole.height;
     if (is_on_its_side(turn_)) std::swap(info_.width, info_.height);
 }
 
 std::optional<FilmFrame> FilmSource::next() {
     while (!ended_) {
-        const GstPtr<GstSample> sample = chain_.pull(GST_APP_SINK(sink_.get()));
+        const std::shared_ptr<GstSample> sample = chain_.pull(GST_APP_SINK(sink_.get()));
         if (!sample) break;
         const nanoseconds time = times_.of(sample.get());
         if (time <= last_) continue;  // each moment once: broken files repeat time stamps
         last_ = time;
-        return frame_of(sample.get(), time);
+        return frame_of(sample, time);
     }
     if (!ended_) finish();
     return std::nullopt;
 }
 
-FilmFrame FilmSource::frame_of(GstSample* sample, nanoseconds time) const {
+cv::Mat FilmSource::picture_of(GstSample* sample, cv::Size coded) const {
     const MappedFrame frame(sample);
-    cv::Mat picture = reduce_frame(frame.get(), coded_size_, background_);  // rows without gaps
+    cv::Mat picture = reduce_frame(frame.get(), coded, background_);  // rows without gaps
     if (tones_) tones_->apply({picture.data, picture.total() * picture.elemSize()}, 3, true);
-    return {.picture = turned(picture, turn_), .time = time};
+    return turned(picture, turn_);
+}
+
+FilmFrame FilmSource::frame_of(const std::shared_ptr<GstSample>& sample, nanoseconds time) const {
+    FilmFrame frame{.picture = picture_of(sample.get(), coded_size_), .time = time, .finer = {}};
+    if (finer_size_ != coded_size_)
+        frame.finer = [this, sample] { return picture_of(sample.get(), finer_size_); };
+    return frame;
 }
 
 void FilmSource::finish() {

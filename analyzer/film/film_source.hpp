@@ -9,6 +9,7 @@
 #include <gst/video/video.h>
 
 #include <chrono>
+#include <memory>
 #include <string>
 
 namespace vitrine::analyzer {
@@ -27,7 +28,8 @@ class FilmSource : public FrameSource {
 
   private:
     void read_geometry(int analysis_size);
-    FilmFrame frame_of(GstSample* sample, std::chrono::nanoseconds time) const;
+    cv::Mat picture_of(GstSample* sample, cv::Size coded) const;
+    FilmFrame frame_of(const std::shared_ptr<GstSample>& sample, std::chrono::nanoseconds time) const;
     void finish();
 
     DecodeChain chain_;
@@ -37,6 +39,7 @@ class FilmSource : public FrameSource {
     GstVideoOrientationMethod turn_ = GST_VIDEO_ORIENTATION_IDENTITY;
     std::optional<ToneMap> tones_;  // for an HDR film
     cv::Size coded_size_;           // size of the small picture before it is turned
+    cv::Size finer_size_;           // size of the finer picture before it is turned
     bool extent_known_ = false;     // the container said how long it is in bytes
     bool ended_ = false;
     std::chrono::nanoseconds last_{-1};  // stream time of the last frame, -1: none yet

@@ -7,7 +7,8 @@
 namespace vitrine::analyzer {
 namespace {
 
-// A film shows a face more than once; a photo has one frame to find it in.
+// A photo has one picture, so all is searched in as many px as faces need; a film has them in
+// FilmFrame::finer.
 constexpr int photo_enlargement = 2;
 
 }  // namespace

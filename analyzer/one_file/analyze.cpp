@@ -40,6 +40,7 @@ class Sampler {
             due_ = frame.time + nanoseconds(std::chrono::seconds(1)) / settings_.samples_per_second;
         }
         before_ = frame;
+        before_.finer = nullptr;  // it keeps the decoded frame
     }
 
     UnshownTimes& unshown() { return unshown_; }
@@ -55,7 +56,7 @@ class Sampler {
                              .before = has_pair ? before_.picture : cv::Mat(),
                              .seconds = std::chrono::duration<double>(interval).count(),
                              .active = bars_.newest()};
-        Sample sample = search_.search(pair, frame.time, count_);
+        Sample sample = search_.search(pair, frame, count_);
         if (is_film_) sample.look = look_within(frame.picture, pair.active);
         if (!sampled_.empty()) sample.changed_share = changed_share(sampled_, frame.picture);
         sampled_ = frame.picture;
@@ -192,11 +193,6 @@ class ShotWriter {
     SubjectLooks looks_;
 };
 
-/// Tests if a frame can follow another: frames of a broken stream may repeat a time or change their size.
-bool follows(const FilmFrame& frame, const FilmFrame& last) {
-    return frame.time > last.time && frame.picture.size() == last.picture.size();
-}
-
 /// The picture within its bars.
 cv::Mat seen_part(const FilmFrame& frame, const ActivePictureFinder& bars) {
     const cv::Rect part = bars.newest() & cv::Rect({0, 0}, frame.picture.size());
@@ -211,6 +207,27 @@ void close_photo(ShotWriter& writer, Sampler& sampler, const FilmFrame& photo, M
 nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interval) {
     if (interval > nanoseconds(0)) return last + interval;
     return std::max(info.duration, last + usual_interval);
+}
+
+/// Reads a film behind its first frame and writes its shots. @return  its duration
+nanoseconds write_shots(FrameSource& source, const FilmFrame& first, Sampler& sampler, ShotWriter& writer) {
+    ShotDetector detector;
+    detector.push(first);
+    nanoseconds interval{0};
+    nanoseconds last_time = first.time;
+    while (const std::optional<FilmFrame> frame = source.next()) {
+        // Frames of a broken stream may repeat a time or change their size.
+        if (frame->time <= last_time || frame->picture.size() != first.picture.size()) continue;
+        for (const DetectedShot& shot : detector.push(*frame))
+            writer.close(shot, sampler);
+        sampler.push(*frame, writer.samples());
+        interval = frame->time - last_time;
+        last_time = frame->time;
+    }
+    const nanoseconds end = film_end(source.info(), last_time, interval);
+    for (const DetectedShot& shot : detector.finish(end))
+        writer.close(shot, sampler);
+    return end;
 }
 
 }  // namespace
@@ -234,22 +251,8 @@ MediaRecord analyze(FrameSource& source, const AnalysisSettings& settings, const
         close_photo(writer, sampler, *frame, record);
         return record;
     }
-    ShotDetector detector;
-    detector.push(*frame);
-    nanoseconds interval{0};
-    nanoseconds last_time = frame->time;
-    for (FilmFrame last = *frame; (frame = source.next());) {
-        if (!follows(*frame, last)) continue;
-        for (const DetectedShot& shot : detector.push(*frame))
-            writer.close(shot, sampler);
-        sampler.push(*frame, writer.samples());
-        interval = frame->time - last.time;
-        last = std::move(*frame);
-        last_time = last.time;
-    }
-    record.duration = film_end(info, last_time, interval);
-    for (const DetectedShot& shot : detector.finish(record.duration))
-        writer.close(shot, sampler);
+    frame->finer = nullptr;  // it keeps the decoded frame
+    record.duration = write_shots(source, *frame, sampler, writer);
     if (record.shots.empty()) writer.close({.begin = nanoseconds(0), .end = record.duration}, sampler);
     writer.finish(sampler.bars());
     record.between = sampler.unshown().between(record);

@@ -16,19 +16,20 @@ FrameSearch::FrameSearch(const AnalysisSettings& settings, MediaKind kind)
         lines_ = std::make_unique<LineDetector>(settings.text_model);
 }
 
-Sample FrameSearch::search(const FramePair& pair, std::chrono::nanoseconds time, int count) {
+Sample FrameSearch::search(const FramePair& pair, const FilmFrame& frame, int count) {
     if (faces_ && count % settings_.face_interval == 0) {
-        last_faces_ = find_faces(*faces_, pair.frame, settings_.only_prominent_faces);
-        faces_time_ = time;
+        last_faces_ = find_faces(*faces_, frame.picture, settings_.only_prominent_faces);
+        if (frame.finer) add_small_faces(last_faces_, *faces_, frame.finer(), settings_.only_prominent_faces);
+        faces_time_ = frame.time;
     }
     if (lines_ && count % settings_.text_interval == 0) {
         last_lines_ = find_lines(*lines_, pair);
-        lines_time_ = time;
+        lines_time_ = frame.time;
     }
     Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
     if (network_) sample.subject = network_->find(pair);
     if (keeps_glances_) keep_glance(sample, pair, coarse_side);
-    sample.time = time;
+    sample.time = frame.time;
     sample.faces = last_faces_;
     sample.faces_time = faces_time_;
     sample.lines = last_lines_;

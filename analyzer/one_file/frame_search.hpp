@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyzer/faces/face_detector.hpp"
+#include "analyzer/film/film_frame.hpp"
 #include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/image_saliency.hpp"
@@ -22,10 +23,12 @@ class FrameSearch {
     /// @throws std::runtime_error if a model cannot be read
     FrameSearch(const AnalysisSettings& settings, MediaKind kind);
 
+    /// Small faces are searched in the finer picture of a frame.
+    /// @param pair   the frame's picture and the one before
     /// @param count  of the frames searched before
     /// @return       a sample without its look, its share of change, its picture and the time of the frame
     /// before
-    Sample search(const FramePair& pair, std::chrono::nanoseconds time, int count);
+    Sample search(const FramePair& pair, const FilmFrame& frame, int count);
 
   private:
     const AnalysisSettings& settings_;     // outlives the search

@@ -12,7 +12,8 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr int line_side = 640;  // px of the picture in which lines of text are searched
+constexpr int line_side = 640;           // px of the picture in which lines of text are searched
+constexpr double max_small_face = 0.12;  // share of the map's longer side; larger ones are found in any frame
 
 cv::Size fitted(cv::Size size, int side) {
     const double scale = std::min(1.0, static_cast<double>(side) / std::max(size.width, size.height));
@@ -196,6 +197,18 @@ std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool 
     std::vector<Face> faces = detector.detect(frame);
     if (only_prominent) faces = prominent(std::move(faces));
     return scaled(faces, scale);
+}
+
+void add_small_faces(std::vector<Face>& faces, FaceDetector& detector, const cv::Mat& finer,
+                     bool only_prominent) {
+    const std::size_t known = faces.size();
+    for (const Face& face : find_faces(detector, finer, false)) {
+        const bool is_known =
+            std::any_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(known),
+                        [&](const Face& other) { return overlap(face.box, other.box) >= same_face; });
+        if (!is_known && face.box.height() <= max_small_face * map_side) faces.push_back(face);
+    }
+    if (only_prominent) faces = prominent(std::move(faces));
 }
 
 }  // namespace vitrine::analyzer

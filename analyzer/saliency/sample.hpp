@@ -74,6 +74,13 @@ PictureLook look_within(const cv::Mat& frame, const cv::Rect& active);
 /// The faces of a frame, in px of the maps that sample_of() makes of it.
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
 
+/// Adds faces that are too small to be found in a film's frame. Large ones that only the finer picture has
+/// are left out: mostly they are those of animals.
+/// @param faces  found in the frame, px of the maps
+/// @param finer  the same picture with more px
+void add_small_faces(std::vector<Face>& faces, FaceDetector& detector, const cv::Mat& finer,
+                     bool only_prominent);
+
 /// The lines of text in a frame's picture within its bars, in px of the maps, as far as a reader would miss
 /// them. @throws std::runtime_error like LineDetector::find()
 std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair);

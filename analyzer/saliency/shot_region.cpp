@@ -12,7 +12,6 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr double same_face = 0.3;  // intersection over union of one face in two searches
 // Added at the centre, per sample: decides where nothing stands out.
 constexpr double centre_saliency = 0.005;
 constexpr double strong_motion = 0.5;   // S_M of what moves by itself

@@ -88,7 +88,7 @@ void Thumbnail::add_frame(const FilmFrame& frame) {
     if (!frames_.empty() && frame.time < frames_.back().time + between_frames) return;
     const int side = std::max(frame.picture.cols, frame.picture.rows);
     const double scale = std::min(1.0, static_cast<double>(max_side) / side);
-    FilmFrame small{.picture = {}, .time = frame.time};
+    FilmFrame small{.picture = {}, .time = frame.time, .finer = {}};
     const cv::Size size(std::max(1, cvRound(frame.picture.cols * scale)),
                         std::max(1, cvRound(frame.picture.rows * scale)));
     cv::resize(frame.picture, small.picture, size, 0, 0, cv::INTER_AREA);

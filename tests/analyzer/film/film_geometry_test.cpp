@@ -150,3 +150,22 @@ TEST_CASE("of an interlaced film the top field is seen") {
     for (const double y : {0.3, 0.5, 0.7})
         CHECK(std::abs(grey(frame->picture, 0.5, y) - 200) <= 3);
 }
+
+TEST_CASE("a frame has a finer picture, upright too, where the film has more px than are wanted") {
+    const TemporaryDirectory folder;
+    const std::string path = written(folder, drawn("", mp4, quarter_at));
+    set_matrix(path, Matrix{0, 1, -1, 0});
+    FilmSource source(path, 32);
+    const std::optional<FilmFrame> frame = source.next();
+    REQUIRE(frame.has_value());
+    REQUIRE(frame->finer);
+    const cv::Mat finer = frame->finer();
+    CHECK(frame->picture.size() == cv::Size(16, 32));
+    CHECK(finer.size() == cv::Size(32, 64));
+    for (const double x : {0.25, 0.75})
+        for (const double y : {0.25, 0.75})
+            CHECK(std::abs(grey(finer, x, y) - grey(frame->picture, x, y)) <= 3);
+
+    FilmSource small(path, width);
+    CHECK(!small.next()->finer);
+}

@@ -25,7 +25,7 @@ class DrawnFilm : public FrameSource {
     std::optional<FilmFrame> next() override {
         if (next_ == count_) return std::nullopt;
         const int i = next_++;
-        return FilmFrame{.picture = draw_(i), .time = milliseconds(40) * i};
+        return FilmFrame{.picture = draw_(i), .time = milliseconds(40) * i, .finer = {}};
     }
 
   private:

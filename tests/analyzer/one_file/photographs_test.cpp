@@ -36,6 +36,16 @@ bool holds(const MediaRecord& record, Vec2 fraction) {
 
 }  // namespace
 
+TEST_CASE("small heads in a film lie in its region" * doctest::test_suite("real")) {
+    AnalysisSettings settings;
+    settings.face_model = VITRINE_FACE_MODEL;
+    const fs::path film = fs::path(VITRINE_MEDIA) / "single" / "chaplin.mp4";
+    const MediaRecord record = analyze(*open_media(film.string()), settings);
+    REQUIRE(record.shots.size() == 1);
+    CHECK(holds(record, {372.0 / 640, 35.0 / 360}));  // his forehead at 4.8 s
+    CHECK(holds(record, {345.0 / 640, 44.0 / 360}));  // and at 4.4 s
+}
+
 TEST_CASE("of labelled photographs nearly all faces and the middle of most subjects are in the region" *
           doctest::test_suite("real")) {
     const fs::path media = VITRINE_MEDIA;

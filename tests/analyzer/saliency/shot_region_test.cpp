@@ -46,6 +46,25 @@ TEST_CASE("to the paper's letter no stage of ours is left and no face is dropped
     CHECK(find_faces(detector, frame, AnalysisSettings{}.only_prominent_faces).size() == 1);
 }
 
+TEST_CASE("the finer picture of a frame adds small faces, no large ones and none twice") {
+    /// Finds, in a picture of 640 px, the face that is known, one as small and the large one of a dog.
+    class Finer : public FaceDetector {
+      public:
+        std::vector<Face> detect(const cv::Mat&) override {
+            return {{.box = {{100, 100}, {140, 150}}, .score = 1},
+                    {.box = {{400, 100}, {440, 150}}, .score = 1},
+                    {.box = {{100, 50}, {400, 350}}, .score = 1}};
+        }
+    };
+
+    Finer detector;
+    std::vector<Face> faces{{.box = {{25, 25}, {35, 37}}, .score = 0.8}};
+    add_small_faces(faces, detector, cv::Mat::zeros(360, 640, CV_8UC3), true);
+    REQUIRE(faces.size() == 2);
+    CHECK(faces[0].score == 0.8);
+    CHECK(faces[1].box.min == Vec2{100, 25});
+}
+
 TEST_CASE("motion is measured in the way the settings say") {
     // Given a still texture that is zoomed by 3 %.
     cv::Mat before(180, 320, CV_8UC3);
