@@ -1,7 +1,7 @@
 #include "player/layout/cells/far_parts.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -45,17 +45,19 @@ std::vector<Loop> taken_far_parts(Loops& shown, const Polygon& region) {
     return far;
 }
 
-/// Gives a part to the neighbours, the one that touches it most first. @return what is left
-Loops given_away(Loops part, std::vector<Loops>& shown, const std::vector<Loops>& cores) {
+/// Gives a part to the neighbours, the one whose region is nearest first: distances change little from one
+/// frame of a motion to the next, and lengths of borders jump. @return what is left
+Loops given_away(Loops part, std::vector<Loops>& shown, const ItemAreas& items) {
+    const Vec2 middle = centroid(from_grid(part.front()));
     std::vector<std::pair<double, std::size_t>> neighbours;
     for (std::size_t j = 0; j < shown.size(); ++j)
-        if (const double touch = touch_of(part, shown[j]); touch >= min_touch)
-            neighbours.emplace_back(touch, j);
-    std::ranges::sort(neighbours, std::greater<>());
-    for (const auto& [touch, j] : neighbours) {
-        Loops given = intersection_of(part, cores[j]);
+        if (touch_of(part, shown[j]) >= min_touch)
+            neighbours.emplace_back(distance_to(items.regions[j], middle), j);
+    std::ranges::sort(neighbours);
+    for (const auto& [distance, j] : neighbours) {
+        Loops given = intersection_of(part, items.cores[j]);
         if (area_of(given) < min_area || touch_of(given, shown[j]) < min_touch) continue;
-        part = difference_of(part, cores[j]);
+        part = difference_of(part, items.cores[j]);
         add_part(shown[j], given);
         if (area_of(part) < min_area) return {};
     }
@@ -69,7 +71,7 @@ void give_far_parts(std::vector<Loops>& shown, const ItemAreas& items) {
         for (std::size_t i = 0; i < shown.size(); ++i) {
             if (shown[i].size() < 2 || has_hole(shown[i])) continue;
             for (Loop& far : taken_far_parts(shown[i], items.regions[i])) {
-                const Loops rest = given_away({std::move(far)}, shown, items.cores);
+                const Loops rest = given_away({std::move(far)}, shown, items);
                 shown[i].insert(shown[i].end(), rest.begin(), rest.end());
             }
         }

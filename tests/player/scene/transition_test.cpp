@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
+
 using namespace vitrine;
 using namespace vitrine::player;
 using namespace std::chrono_literals;
@@ -114,6 +116,48 @@ TEST_CASE("no shot darts: a long way between two keys gets more time than a shor
     }
     MESSAGE(seen << " motions with three or more parts");
     CHECK(seen >= 3);
+}
+
+namespace {
+
+/// What each shot shows opaque in a frame.
+std::map<SourceId, Loops> shown_in(const Frame& frame) {
+    std::map<SourceId, Loops> shown;
+    for (const DrawItem& item : frame.items)
+        if (item.alpha >= 1) shown[item.source] = union_of(shown[item.source], grid_loops(item.cell->parts));
+    return shown;
+}
+
+double difference_area(const Loops& a, const Loops& b) {
+    return area_of(difference_of(a, b)) + area_of(difference_of(b, a));
+}
+
+}  // namespace
+
+TEST_CASE("no cell takes another form for one frame of a change") {
+    constexpr int frames = 24;
+    constexpr double max_area = 800;  // canvas px^2 that come and go
+    const CellStyle taut{.is_taut = true};
+    for (const std::uint64_t seed : {4, 8, 28, 33}) {
+        ChangingWall changing({960, 540}, 6 + seed % 12, seed, random_item, taut);
+        for (const bool is_turn : {true, false}) {
+            const auto next = is_turn ? changing.turned() : changing.with_one_more();
+            const Transition made = transition(changing.canvas(), changing.shown(), next, style);
+            std::vector<std::map<SourceId, Loops>> seen;
+            for (int k = 0; k <= frames; ++k)
+                seen.push_back(shown_in(transition_frame(made, made.duration * k / frames, taut, {})));
+            for (std::size_t k = 1; k + 1 < seen.size(); ++k)
+                for (const auto& [source, now] : seen[k]) {
+                    CAPTURE(seed);
+                    CAPTURE(k);
+                    const double comes = difference_area(seen[k - 1][source], now);
+                    const double goes = difference_area(now, seen[k + 1][source]);
+                    const double both = difference_area(seen[k - 1][source], seen[k + 1][source]);
+                    CHECK(std::min(comes, goes) - both < max_area);
+                }
+            changing.show(next);
+        }
+    }
 }
 
 TEST_CASE("where nothing shall move, all that changes fades at its place") {
