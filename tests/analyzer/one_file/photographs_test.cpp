@@ -39,6 +39,7 @@ bool holds(const MediaRecord& record, Vec2 fraction) {
 TEST_CASE("small heads in a film lie in its region" * doctest::test_suite("real")) {
     AnalysisSettings settings;
     settings.face_model = VITRINE_FACE_MODEL;
+    settings.saliency_model = (fs::path(VITRINE_FACE_MODEL).parent_path() / "u2netp.onnx").string();
     const fs::path film = fs::path(VITRINE_MEDIA) / "single" / "chaplin.mp4";
     const MediaRecord record = analyze(*open_media(film.string()), settings);
     REQUIRE(record.shots.size() == 1);
