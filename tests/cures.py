@@ -405,6 +405,8 @@ CURES = [
     Cure("a preview that waits for a decoder", "player/scene/tapestry/tapestry_picture.cpp",
          "    if (scrubbed.moment() && has_kept(*scrubbed.moment())) {", "    if (false && scrubbed.moment() && has_kept(*scrubbed.moment())) {",
          "scene_test.tapestry_show_test"),
+    Cure("a preview that stays empty on a screen of another size", "player/scene/tapestry/tapestry_show.cpp",
+         "    if (awaited) preview_.play", "    if (awaited && awaited->count() < 0) preview_.play", "scene_test.tapestry_show_test"),
     Cure("a preview that stays empty until a tap", "player/stage/tapestry_playback.cpp",
          "                              .plays_at_once = true,\n", "", "stage_test.tapestry_playback_test"),
     Cure("a motion photo without its film", "player/scene/wall_shot.cpp",

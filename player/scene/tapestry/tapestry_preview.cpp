@@ -112,6 +112,11 @@ nanoseconds TapestryPreview::time_above(nanoseconds now) const {
     return stands ? std::min(local, above_->span.length() - 1ns) : local;
 }
 
+std::optional<nanoseconds> TapestryPreview::awaited() const {
+    if (!next_above_ || next_above_->continues) return std::nullopt;
+    return next_above_->span.begin;
+}
+
 std::optional<nanoseconds> TapestryPreview::playhead(nanoseconds now) const {
     if (scrubbed_.moment()) return scrubbed_.moment();
     if (!has_begun(above_)) return std::nullopt;

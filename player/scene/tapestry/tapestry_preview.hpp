@@ -59,6 +59,9 @@ class TapestryPreview {
     /// The time at which the film has come to its end above the strip; none: it has not.
     std::optional<std::chrono::nanoseconds> ended(std::chrono::nanoseconds now) const;
 
+    /// The film's time from which play() was asked for; none: nothing is awaited.
+    std::optional<std::chrono::nanoseconds> awaited() const;
+
     const std::optional<PlayingSpan>& in_place() const { return in_place_; }
 
     const ScrubbedPicture& scrubbed() const { return scrubbed_; }

@@ -37,7 +37,9 @@ TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
 void TapestryShow::set_canvas(Vec2 canvas) {
     if (canvas == boxes_.canvas) return;
     boxes_ = tapestry_boxes(canvas, film().picture);
+    const std::optional<std::chrono::nanoseconds> awaited = preview_.awaited();
     preview_.stop_outdated();
+    if (awaited) preview_.play(*awaited, boxes_.preview.width());
 }
 
 void TapestryShow::set_film(PreviewedFilm film) {

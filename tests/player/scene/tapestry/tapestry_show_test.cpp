@@ -357,6 +357,19 @@ TEST_CASE("a strip begins where it was asked for, as far as the film's ends allo
     CHECK(last.place().canvas_x(last.view(), 60s) == doctest::Approx(200));
 }
 
+TEST_CASE("a film that is to play at once does so on a canvas of another size, too") {
+    TapestryShow strip(drawn_tapestry(), drawn_film(), {1920, 1080},
+                       {.first_source = 1000, .patience = {}, .plays_at_once = true, .first_seen = 20s});
+    strip.set_canvas({640, 360});
+    const TapestryStep step = strip.step(0s);
+    REQUIRE(!step.requests.empty());
+    const ShotRequest& request = step.requests.back();
+    CHECK(request.shot.begin == 20s);
+    strip.source_ready(request.source);
+    const TapestryStep next = strip.step(frame_time);
+    CHECK(std::ranges::find(next.frame.items, request.source, &DrawItem::source) != next.frame.items.end());
+}
+
 TEST_CASE("what plays stands at its end until the next shot is ready") {
     House house;
     house.set_shots({Shot{.begin = 0s, .end = 3s, .stored = StoredShot{.file = "a/0.mp4"}},
