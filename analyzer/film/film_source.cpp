@@ -98,7 +98,7 @@ cv::Mat turned(const cv::Mat& picture, GstVideoOrientationMethod turn) {
     return out;
 }
 
-// The size of a picture of square pixels, px, whose longest side is at most so long.
+// Gives the size, px, of the video with square pixels and with no side longer than `longest`.
 cv::Size reduced_size(const GstVideoInfo& video, int longest) {
     const double aspect = static_cast<double>(std::max(video.par_n, 1)) / std::max(video.par_d, 1);
     const double width = video.width * aspect;

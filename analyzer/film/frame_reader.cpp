@@ -7,8 +7,7 @@
 namespace vitrine::analyzer {
 namespace {
 
-// A photo has one picture, so all is searched in as many px as faces need; a film has them in
-// FilmFrame::finer.
+// Small faces need so many px. A film has them in FilmFrame::finer, and a photo in its only picture.
 constexpr int photo_enlargement = 2;
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace vitrine::analyzer {
 /// the end of the last frame. Memory does not grow with the film's length. A film that gives no frame for a
 /// while is an error (film_source.hpp has the limits).
 ///
-/// @param analysis_size  px, the longest side of a film's frames; a photo has twice as many, as
-///                       finer pictures of a film have. Smaller media keep their size
+/// @param analysis_size  px, the longest side of a film's frames; a photo has twice as many, like
+///                       the finer pictures of a film. Smaller media keep their size
 /// @param background     colour that shows through where the medium is transparent
 /// @throws MediaError    where the file is no medium, is not complete, is damaged or beyond the limits
 std::unique_ptr<FrameSource> open_media(const std::string& path, int analysis_size = 320,

@@ -209,7 +209,7 @@ nanoseconds film_end(const MediaInfo& info, nanoseconds last, nanoseconds interv
     return std::max(info.duration, last + usual_interval);
 }
 
-/// Reads a film behind its first frame and writes its shots. @return  its duration
+/// Reads the frames of a film after the first one, and writes its shots. @return  the film's duration
 nanoseconds write_shots(FrameSource& source, const FilmFrame& first, Sampler& sampler, ShotWriter& writer) {
     ShotDetector detector;
     detector.push(first);

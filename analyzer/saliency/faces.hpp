@@ -17,7 +17,7 @@ namespace vitrine::analyzer {
 /// @throws std::runtime_error if the file to be used cannot be read
 std::unique_ptr<FaceDetector> face_detector(const std::string& model, const std::string& cascade);
 
-/// Intersection over union of one face in two pictures, at least.
+/// Two boxes show the same face if their intersection over union is at least this.
 inline constexpr double same_face = 0.3;
 
 /// The faces at least 45 % as tall as the tallest: a person far behind the others is not the subject.

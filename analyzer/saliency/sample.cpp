@@ -201,11 +201,9 @@ std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool 
 
 void add_small_faces(std::vector<Face>& faces, FaceDetector& detector, const cv::Mat& finer,
                      bool only_prominent) {
-    const std::size_t known = faces.size();
     for (const Face& face : find_faces(detector, finer, false)) {
-        const bool is_known =
-            std::any_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(known),
-                        [&](const Face& other) { return overlap(face.box, other.box) >= same_face; });
+        const bool is_known = std::ranges::any_of(
+            faces, [&](const Face& other) { return overlap(face.box, other.box) >= same_face; });
         if (!is_known && face.box.height() <= max_small_face * map_side) faces.push_back(face);
     }
     if (only_prominent) faces = prominent(std::move(faces));

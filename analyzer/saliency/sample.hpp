@@ -74,8 +74,8 @@ PictureLook look_within(const cv::Mat& frame, const cv::Rect& active);
 /// The faces of a frame, in px of the maps that sample_of() makes of it.
 std::vector<Face> find_faces(FaceDetector& detector, const cv::Mat& frame, bool only_prominent);
 
-/// Adds faces that are too small to be found in a film's frame. Large ones that only the finer picture has
-/// are left out: mostly they are those of animals.
+/// Adds the faces that are too small to be found in a film's frame. It leaves out large faces that only the
+/// finer picture has, as most of them are animals'.
 /// @param faces  found in the frame, px of the maps
 /// @param finer  the same picture with more px
 void add_small_faces(std::vector<Face>& faces, FaceDetector& detector, const cv::Mat& finer,

@@ -51,8 +51,8 @@ bool contains(std::span<const Vec2> outline, const Box& box) {
     return true;
 }
 
-/// The part of a cell that holds the I-Region: elsewhere a caption would seem to be a neighbour's. Null: the
-/// cell is empty.
+/// The part of a cell that holds the I-Region. On another part a caption would seem to belong to a neighbour.
+/// Null: the cell is empty.
 const Polygon* main_part(const Cell& cell) {
     return cell.parts.empty() ? nullptr : &cell.parts.front();
 }

@@ -30,8 +30,8 @@ double way_from(const Transition& transition, std::size_t key) {
     return longest;
 }
 
-/// The time of a motion at a share of the transition. The shots come to rest at each key. The time between
-/// two keys grows with the root of the way, so that the acceleration is the same everywhere.
+/// The time of a motion at a share of the transition. The shots come to rest at each key. A stage from key to
+/// key takes a time that grows with the root of its way, so that all stages accelerate alike.
 double progress_of(const Transition& transition, double share) {
     const std::size_t stages = transition.motion.keys.size() - 1;
     if (stages < 2) return eased(share);

@@ -97,7 +97,7 @@ void ShowSwitch::fade(Frame& frame) {
     fade_in(frame, left_, progress);
 }
 
-/// The show of the last frame fades out from now on.
+/// Lets the show of the last frame fade out from now on.
 void ShowSwitch::note_switch() {
     left_ = std::exchange(shown_, {});
     switched_ = time_;

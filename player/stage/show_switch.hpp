@@ -88,8 +88,8 @@ class ShowSwitch {
     std::unique_ptr<Show> wall_;
     std::unique_ptr<TapestryPlayback> tapestry_;  // none: the wall is shown
     std::unique_ptr<TapestryPlayback> leaving_;   // the last tapestry, while it fades out
-    std::vector<DrawItem> shown_;                 // of the last frame, without the show that fades out
-    std::vector<DrawItem> left_;                  // of the last frame of the show that fades out
+    std::vector<DrawItem> shown_;                 // the last frame's items of the show that is on
+    std::vector<DrawItem> left_;                  // the last items of the show that fades out
     bool has_switched_ = false;                   // false: the first wall has not been replaced yet
     std::chrono::nanoseconds switched_{0};        // time of the last switch
     std::chrono::nanoseconds away_{0};            // total time in which tapestries were shown

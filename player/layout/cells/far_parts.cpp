@@ -45,8 +45,8 @@ std::vector<Loop> taken_far_parts(Loops& shown, const Polygon& region) {
     return far;
 }
 
-/// Gives a part to the neighbours, the one whose region is nearest first: distances change little from one
-/// frame of a motion to the next, and lengths of borders jump. @return what is left
+/// Gives a part to the neighbours. The one with the nearest region comes first: in a motion distances change
+/// little from frame to frame, while the lengths of borders jump. @return what is left
 Loops given_away(Loops part, std::vector<Loops>& shown, const ItemAreas& items) {
     const Vec2 middle = centroid(from_grid(part.front()));
     std::vector<std::pair<double, std::size_t>> neighbours;

@@ -86,8 +86,8 @@ TEST_CASE("only the shots that have no free way fade from place to place") {
 
 TEST_CASE("no shot darts: a long way between two keys gets more time than a short one") {
     constexpr int frames = 24;
-    constexpr double max_share =
-        2.4;  // of the step of a motion at one speed; a straight way that is eased has 1.5
+    // A motion at one speed has 1, and a straight way that is eased has 1.5.
+    constexpr double max_step = 2.4;
     int seen = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         ChangingWall changing({960, 540}, 12, seed);
@@ -112,7 +112,7 @@ TEST_CASE("no shot darts: a long way between two keys gets more time than a shor
         for (int k = 0; k < frames; ++k)
             longest = std::max(longest, farthest(placements_at(made, k / double{frames}),
                                                  placements_at(made, (k + 1) / double{frames})));
-        CHECK(longest < max_share * whole / frames);
+        CHECK(longest < max_step * whole / frames);
     }
     MESSAGE(seen << " motions with three or more parts");
     CHECK(seen >= 3);
@@ -120,7 +120,7 @@ TEST_CASE("no shot darts: a long way between two keys gets more time than a shor
 
 namespace {
 
-/// What each shot shows opaque in a frame.
+/// Collects the parts of the canvas that each shot covers with full opacity in a frame.
 std::map<SourceId, Loops> shown_in(const Frame& frame) {
     std::map<SourceId, Loops> shown;
     for (const DrawItem& item : frame.items)
