@@ -17,7 +17,7 @@ class MadePictures {
     /// In [low, high).
     double number(double low, double high) {
         constexpr unsigned steps = 1'000'000;
-        return low + (high - low) * (engine_() % steps) / steps;
+        return low + (high - low) * static_cast<double>(engine_() % steps) / steps;
     }
 
     int whole(int below) { return static_cast<int>(engine_() % static_cast<unsigned>(below)); }
