@@ -145,6 +145,7 @@ void WallLink::speak(Show& show, std::chrono::nanoseconds now) {
     if (!talk_) return;
     for (const WallMessage& message : talk_->speak(show, moment(now)))
         caller_->send(line_of(message));
+    if (const std::string complaint = talk_->complaint(); !complaint.empty()) complain(complaint);
 }
 
 std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) const {

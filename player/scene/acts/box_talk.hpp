@@ -52,6 +52,9 @@ class BoxTalk {
     /// The last facts that this box has told of itself.
     const std::optional<BoxNote>& told() const { return told_; }
 
+    /// A sentence on what this box could not tell the others the last time. Empty: nothing.
+    virtual std::string complaint() const { return {}; }
+
     /// Touches on other boxes since the last call, as if they were made here. @param now  their time
     virtual std::vector<InputEvent> take_touches(std::chrono::nanoseconds /*now*/) { return {}; }
 

@@ -1,12 +1,14 @@
 #include "player/scene/acts/leader_talk.hpp"
 
-#include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/led_wall.hpp"
 #include "player/scene/acts/touch_json.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -14,8 +16,7 @@ namespace {
 
 using Kind = WallTopic::Kind;
 
-constexpr std::size_t longest = max_act_bytes - 65536;  // bytes; the line around it needs some
-constexpr std::size_t max_touches = 100;                // messages between two frames
+constexpr std::size_t max_touches = 100;  // messages between two frames
 constexpr int fingers_of_box = 1000;
 
 /// The same way with every second moment.
@@ -27,13 +28,13 @@ WallWay coarser(const WallWay& way) {
 }
 
 /// An act as text. If it is too long, its way is seen in fewer moments; empty: it is still too long.
-std::string fitting_json(WallAct act) {
+std::string fitting_json(WallAct act, std::size_t max_bytes) {
     std::string text = to_json(act);
-    while (text.size() > longest && act.change && act.change->way && act.change->way->keys.size() > 1) {
+    while (text.size() > max_bytes && act.change && act.change->way && act.change->way->keys.size() > 1) {
         act.change->way = std::make_shared<const WallWay>(coarser(*act.change->way));
         text = to_json(act);
     }
-    return text.size() > longest ? std::string() : text;
+    return text.size() > max_bytes ? std::string() : text;
 }
 
 WallMessage message_of(Kind kind, std::string payload) {
@@ -41,6 +42,14 @@ WallMessage message_of(Kind kind, std::string payload) {
 }
 
 }  // namespace
+
+std::string LeaderTalk::complaint() const {
+    if (!is_act_too_long_) return {};
+    return fmt::format(
+        "a change cannot be told to the other boxes, as it takes more than {} bytes: they keep what they "
+        "show until a change is shorter; fewer slots help",
+        max_bytes_);
+}
 
 void LeaderTalk::hear_more(const WallMessage& message) {
     const std::string& box = message.topic.box;
@@ -89,14 +98,15 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
     if (news.preparation) {
         preparation_ = news.preparation->name.generation;
         news.preparation->name.run = run_;
-        said.push_back(message_of(Kind::prepare, fitting_json(std::move(*news.preparation))));
+        said.push_back(message_of(Kind::prepare, fitting_json(std::move(*news.preparation), max_bytes_)));
     }
     if (news.act) {
         news.act->name.run = run_;
         news.act->epoch = epoch;
         epoch_ = epoch;
         said_ = news.act->name;
-        said.push_back(message_of(Kind::act, fitting_json(std::move(*news.act))));
+        said.push_back(message_of(Kind::act, fitting_json(std::move(*news.act), max_bytes_)));
+        is_act_too_long_ = said.back().payload.empty();
     }
     std::erase_if(said, [](const WallMessage& message) { return message.payload.empty(); });
     led->heed({.ready = others_ready(), .needs_act = needs_act});

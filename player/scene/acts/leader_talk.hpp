@@ -1,8 +1,10 @@
 #pragma once
 
+#include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/box_talk.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,10 +18,17 @@ namespace vitrine::player {
 /// box that was not ready in time is not waited for until it was ready once.
 class LeaderTalk final : public BoxTalk {
   public:
-    /// @param run  another number at each start
-    LeaderTalk(std::string box, std::int64_t run) : BoxTalk(std::move(box)), run_(run) {}
+    /// The longest act that is told, bytes: the line around it needs some.
+    static constexpr std::size_t max_told_bytes = max_act_bytes - 65536;
+
+    /// @param run        another number at each start
+    /// @param max_bytes  of an act
+    LeaderTalk(std::string box, std::int64_t run, std::size_t max_bytes = max_told_bytes)
+        : BoxTalk(std::move(box)), run_(run), max_bytes_(max_bytes) {}
 
     void say_again() override;
+
+    std::string complaint() const override;
 
     std::vector<InputEvent> take_touches(std::chrono::nanoseconds now) override;
 
@@ -29,6 +38,7 @@ class LeaderTalk final : public BoxTalk {
     std::optional<std::uint64_t> others_ready() const;
 
     std::int64_t run_;
+    std::size_t max_bytes_;
     std::uint64_t preparation_ = 0;                             // the last one said
     std::map<std::string, std::uint64_t> ready_;                // the last preparation that a box has
     std::optional<ActName> said_;                               // the last act
@@ -36,6 +46,7 @@ class LeaderTalk final : public BoxTalk {
     std::vector<std::pair<std::string, std::string>> touches_;  // box, payload
     std::vector<WallMessage> kept_;                             // the last act and the last preparation
     bool says_again_ = false;
+    bool is_act_too_long_ = false;  // the last one: the others keep what they show
 };
 
 }  // namespace vitrine::player

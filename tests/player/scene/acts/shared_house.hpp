@@ -94,6 +94,7 @@ class SharedHouse {
         bool is_disciplined = true;
         double cuts = 0;   // chance of a cut of a box's connection, a second
         double heals = 1;  // chance that a cut ends, a second
+        std::size_t max_act_bytes = LeaderTalk::max_told_bytes;
         std::vector<MediaRecord> records = {film("a", 2), photo("b"), film("c", 1), photo("d"), film("e", 3)};
         WallSettings wall = {
             .slots = {.count = 3, .order = ShotOrder::name, .dwell = std::chrono::seconds(2)},
@@ -125,7 +126,7 @@ class SharedHouse {
         forget(lead);
         lead.show = std::make_unique<LedWall>(Canvas{1280, 720}, options_.wall);
         lead.show->set_catalogue(options_.records);
-        lead.talk = std::make_unique<LeaderTalk>(lead.name, ++runs_);
+        lead.talk = std::make_unique<LeaderTalk>(lead.name, ++runs_, options_.max_act_bytes);
         lead.clock.correction = Ns(0);
         begin(lead);
     }

@@ -138,6 +138,18 @@ TEST_CASE("a box that has not got a shot shows the last act, says so, and comes 
     CHECK(share_in_step(house.boxes[0], box, house.truth - 3s) >= 0.99);
 }
 
+TEST_CASE("an act that is too long for the others is not told, and the leader says so") {
+    SharedHouse house({.seed = 5, .followers = 1});
+    house.run(6s);
+    CHECK(house.boxes[0].talk->complaint() == "");
+    CHECK(house.boxes[1].frames.back().is_whole);
+
+    SharedHouse silent({.seed = 5, .followers = 1, .max_act_bytes = 100});
+    silent.run(6s);
+    CHECK(silent.boxes[0].talk->complaint().find("more than 100 bytes") != std::string::npos);
+    CHECK_FALSE(silent.boxes[1].frames.back().is_whole);
+}
+
 TEST_CASE("a touch on a box that follows moves the wall of all") {
     SharedHouse house({.seed = 4,
                        .wall = {.slots = {.count = 3, .order = ShotOrder::name, .dwell = 1h},
