@@ -166,10 +166,20 @@ def a_clock_that_jumps(box):
     told(box, "the clock", begin)
 
 
+def hang_the_share(box):
+    """Stops the share's server between two requests: no process ends, not even by SIGKILL, that waits for the answer to a request
+    which the server of a FUSE file system has taken."""
+    box.sh("mountpoint -q /sys/fs/fuse/connections || mount -t fusectl fusectl /sys/fs/fuse/connections")
+    box.sh(f"systemctl kill -s STOP {' '.join(UNITS)}")
+    wait_for("the answers of the share", lambda: box.sh("cat /sys/fs/fuse/connections/*/waiting | sort -u") == "0")
+    box.sh(f"pkill -STOP -x bindfs; systemctl kill -s CONT {' '.join(UNITS)}")
+
+
 def a_stop_while_the_share_hangs(box):
     pid, before, day = shown(box, ANALYZER, "MainPID"), records(box), box.sh("date +%F")
     set_clock(box, f"{day} 13:00", False)
-    box.sh(f"pkill -STOP -x bindfs; date -s '{day} 11:50'")  # the photo of the morning is to be read again
+    hang_the_share(box)
+    box.sh(f"date -s '{day} 11:50'")  # the photo of the morning is to be read again
     wait_for("the analyzer to hang", lambda: box.sh(HELD.format(pid), fails=True))
     wait_for("a reader of the player to hang", lambda: box.sh(
         f"for reader in $(pgrep -x vitrine-reader); do {HELD.format('$reader')}; done", fails=True))
