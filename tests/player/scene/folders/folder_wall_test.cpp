@@ -92,6 +92,21 @@ TEST_CASE("a tap opens a folder, and going back leaves every place as it was") {
     CHECK(house.playing.size() == before.size());
 }
 
+TEST_CASE(
+    "a wall that is due to turn while a folder is open is the same when the folder closes, and turns then") {
+    FolderHouse house(three_folders(), 3);
+    house.run(SlotSettings().dwell - 2s);
+    const auto before = places(house.last.frame);
+    REQUIRE(house.tap("a"));
+    house.run(3s);
+    REQUIRE(house.wall->opened_folder() == "a");
+    house.go_back();
+    house.run(1500ms);
+    CHECK(places(house.last.frame) == before);
+    house.run(3s);
+    CHECK(places(house.last.frame) != before);
+}
+
 TEST_CASE("while a folder opens and closes nothing is dark and nothing jumps") {
     FolderHouse house(three_folders());
     house.run(3s);
