@@ -232,7 +232,9 @@ void CrashNote::acquit(const std::string& path) {
 
 void CrashNote::end_run() {
     std::error_code ignored;
-    if (is_active_) fs::remove(state_ / playing_file, ignored);
+    if (!is_active_) return;
+    fs::remove(state_ / playing_file, ignored);
+    fs::remove(state_ / crashed_file, ignored);
 }
 
 }  // namespace vitrine::player

@@ -229,6 +229,15 @@ TEST_CASE("ten minutes without a crash forgive what is not quarantined") {
     CHECK(read_blame(state.path).empty());
 }
 
+TEST_CASE("a run that ends in order leaves no file") {
+    const TemporaryDirectory state;
+    CrashNote note(state.path);
+    note.note_opening(evil, noon);
+    CHECK_FALSE(std::filesystem::is_empty(state.path));
+    note.end_run();
+    CHECK(std::filesystem::is_empty(state.path));
+}
+
 TEST_CASE("a state directory that is not there costs the protection and nothing else") {
     CrashNote note("/proc/nothing/here");
     note.note_opening(evil, noon);
