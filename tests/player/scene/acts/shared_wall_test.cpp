@@ -70,7 +70,8 @@ TEST_CASE("a box that comes late is in step with its first picture") {
     house.boxes[2].frames.clear();
     house.run(6s);
     const auto& frames = house.boxes[2].frames;
-    const auto first = std::ranges::find_if(frames, [](const ShownFrame& frame) { return frame.content != 0; });
+    const auto first =
+        std::ranges::find_if(frames, [](const ShownFrame& frame) { return frame.content != 0; });
     REQUIRE(first != frames.end());
     CHECK(first->is_whole);
     CHECK(first->truth - started < 2s);
