@@ -212,15 +212,20 @@ const MediaRecord& PlayerService::require_shown(const std::string& given, const 
         fmt::format("'{}' is not shown: {}", file.path, file.reason.empty() ? file.state : file.reason));
 }
 
-/// A picture is copied from the display, which keeps the next one waiting.
-std::vector<OutputPicture> PlayerService::take_screenshots() {
+/// The pictures are only copied from the displays here; the rest is done in another thread.
+CommandAnswer PlayerService::take_screenshots() {
     if (!screenshots_.take_turn(now_))
         throw std::runtime_error("a screenshot was taken this very second; try again in a second");
-    std::vector<OutputPicture> shots;
+    std::vector<std::pair<std::string, CardPicture>> shots;
     for (Screen* screen : view_.display.screens())
-        if (std::optional<Picture> picture = screen->shown())
-            shots.push_back({.output = screen->name(), .picture = std::move(*picture)});
-    return shots;
+        if (std::optional<CardPicture> picture = screen->shown())
+            shots.emplace_back(screen->name(), std::move(*picture));
+    return {.make_pictures = [shots = std::move(shots)] {
+        std::vector<OutputPicture> pictures;
+        for (const auto& [output, picture] : shots)
+            pictures.push_back({.output = output, .picture = to_picture(picture)});
+        return pictures;
+    }};
 }
 
 void PlayerService::require_turns() const {
@@ -303,21 +308,21 @@ CommandHandlers PlayerService::handlers() {
         return text(actions_.toggle_guides() ? "guides are drawn for ten minutes; the same command ends that"
                                              : "no guides are drawn any more");
     };
-    CommandHandlers handlers{
-        {"Status",
-         [this, text](const Call&) {
-             return text(to_json(report(), analyzer_.word().summary, view_.wall.report()));
-         }},
-        {"Why", why},
-        {"Screenshot", [this](const Call&) { return CommandAnswer{.pictures = take_screenshots()}; }},
-        {"Next", [this](const Call&) { return next(); }},
-        {"Pause", [this](const Call& call) { return pause(call); }},
-        {"Pin", [this](const Call& call) { return pin(call); }},
-        {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
-        {"Remove", [this](const Call& call) { return remove(call); }},
-        {"Acquit", [this](const Call& call) { return acquit(call); }},
-        {"Canvas", canvas},
-        {"Reload", reload}};
+    CommandHandlers handlers{{"Status",
+                              [this, text](const Call&) {
+                                  return text(
+                                      to_json(report(), analyzer_.word().summary, view_.wall.report()));
+                              }},
+                             {"Why", why},
+                             {"Screenshot", [this](const Call&) { return take_screenshots(); }},
+                             {"Next", [this](const Call&) { return next(); }},
+                             {"Pause", [this](const Call& call) { return pause(call); }},
+                             {"Pin", [this](const Call& call) { return pin(call); }},
+                             {"PinSlot", [this](const Call& call) { return pin_slot(call); }},
+                             {"Remove", [this](const Call& call) { return remove(call); }},
+                             {"Acquit", [this](const Call& call) { return acquit(call); }},
+                             {"Canvas", canvas},
+                             {"Reload", reload}};
     handlers.merge(arrangement_.handlers());
     return handlers;
 }

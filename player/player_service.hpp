@@ -83,7 +83,7 @@ class PlayerService {
     FileReport report_file(const std::string& given, const std::string& folder) const;
     FileReport describe(const MediaRecord& record) const;
     const MediaRecord& require_shown(const std::string& given, const std::string& folder) const;
-    std::vector<OutputPicture> take_screenshots();
+    CommandAnswer take_screenshots();
     void require_turns() const;
     CommandAnswer next();
     CommandAnswer pause(const CommandCall& call);

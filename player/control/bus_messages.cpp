@@ -1,6 +1,6 @@
 #include "player/control/bus_messages.hpp"
 
-#include "base/system/unique_fd.hpp"
+#include "base/system/log.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -8,9 +8,10 @@
 
 #include <algorithm>
 #include <climits>
+#include <exception>
 #include <limits>
-#include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -41,17 +42,6 @@ std::string read_bytes(sd_bus_message& message) {
     return {static_cast<const char*>(bytes), size};
 }
 
-UniqueFd file_of(const Picture& picture) {
-    UniqueFd file(::memfd_create("picture", MFD_CLOEXEC));
-    if (!file.is_open()) throw_errno("make a file for a picture");
-    for (std::span<const std::byte> left = picture.pixels; !left.empty();) {
-        const ssize_t n = ::write(file.get(), left.data(), left.size());
-        if (n < 0) throw_errno("write a picture");
-        left = left.subspan(static_cast<std::size_t>(n));
-    }
-    return file;
-}
-
 Picture picture_of(int file, std::uint32_t width, std::uint32_t height) {
     if (width > max_side || height > max_side)
         throw std::runtime_error("the player's picture has an impossible size");
@@ -64,18 +54,6 @@ Picture picture_of(int file, std::uint32_t width, std::uint32_t height) {
         done += static_cast<std::size_t>(n);
     }
     return picture;
-}
-
-void append_pictures(sd_bus_message& message, std::span<const OutputPicture> pictures) {
-    bus_checked(sd_bus_message_open_container(&message, 'a', "(suuh)"), "answer pictures");
-    for (const OutputPicture& one : pictures) {
-        const UniqueFd file = file_of(one.picture);
-        bus_checked(sd_bus_message_append(&message, "(suuh)", one.output.c_str(),
-                                          static_cast<std::uint32_t>(one.picture.width),
-                                          static_cast<std::uint32_t>(one.picture.height), file.get()),
-                    "answer a picture");
-    }
-    bus_checked(sd_bus_message_close_container(&message), "answer pictures");
 }
 
 std::vector<OutputPicture> read_pictures(sd_bus_message& message) {
@@ -92,6 +70,50 @@ std::vector<OutputPicture> read_pictures(sd_bus_message& message) {
 }
 
 }  // namespace
+
+void reply_error(sd_bus_message& call, const char* error, const std::string& why) {
+    if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) >= 0) return;
+    std::string plain = why;  // the bus takes only UTF-8; file names may hold other bytes
+    std::ranges::replace_if(
+        plain, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
+    if (sd_bus_reply_method_errorf(&call, error, "%s", plain.c_str()) < 0)
+        log::debug("nobody waits for this answer: {}", why);
+}
+
+void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fill) {
+    try {
+        sd_bus_message* made = nullptr;
+        bus_checked(sd_bus_message_new_method_return(&call, &made), "make an answer");
+        const MessageHandle message(made);
+        fill(*made);
+        bus_checked(sd_bus_send(nullptr, made, nullptr), "answer");
+    } catch (const std::exception& error) {  // the caller gets it
+        reply_error(call, error_failed, error.what());
+    }
+}
+
+PictureFile file_of(const OutputPicture& shown) {
+    UniqueFd file(::memfd_create("picture", MFD_CLOEXEC));
+    if (!file.is_open()) throw_errno("make a file for a picture");
+    for (std::span<const std::byte> left = shown.picture.pixels; !left.empty();) {
+        const ssize_t n = ::write(file.get(), left.data(), left.size());
+        if (n < 0) throw_errno("write a picture");
+        left = left.subspan(static_cast<std::size_t>(n));
+    }
+    return {.output = shown.output,
+            .width = static_cast<std::uint32_t>(shown.picture.width),
+            .height = static_cast<std::uint32_t>(shown.picture.height),
+            .file = std::move(file)};
+}
+
+void append_pictures(sd_bus_message& message, std::span<const PictureFile> pictures) {
+    bus_checked(sd_bus_message_open_container(&message, 'a', "(suuh)"), "answer pictures");
+    for (const PictureFile& one : pictures)
+        bus_checked(sd_bus_message_append(&message, "(suuh)", one.output.c_str(), one.width, one.height,
+                                          one.file.get()),
+                    "answer a picture");
+    bus_checked(sd_bus_message_close_container(&message), "answer pictures");
+}
 
 void append_call(sd_bus_message& message, std::string_view arguments, const CommandCall& call) {
     bool has_file = false;
@@ -132,7 +154,6 @@ CommandCall read_call(sd_bus_message& message, std::string_view arguments) {
 void append_answer(sd_bus_message& message, std::string_view result, const CommandAnswer& answer) {
     if (result == "s") bus_checked(sd_bus_message_append(&message, "s", answer.text.c_str()), "answer");
     if (result == "ay") append_bytes(message, answer.text);
-    if (result == picture_list) append_pictures(message, answer.pictures);
 }
 
 CommandAnswer read_answer(sd_bus_message& message, std::string_view result) {

@@ -21,35 +21,12 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto retry_pause = 10s;
-constexpr const char* failed = "org.vitrine.Error.Failed";
-
-void reply_error(sd_bus_message& call, const char* error, const std::string& why) {
-    if (sd_bus_reply_method_errorf(&call, error, "%s", why.c_str()) >= 0) return;
-    std::string plain = why;  // the bus takes only UTF-8; file names may hold other bytes
-    std::ranges::replace_if(
-        plain, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
-    if (sd_bus_reply_method_errorf(&call, error, "%s", plain.c_str()) < 0)
-        log::debug("nobody waits for this answer: {}", why);
-}
-
-/// Answers a call: appends with `fill`, or sends the error that it throws.
-void reply(sd_bus_message& call, const std::function<void(sd_bus_message&)>& fill) {
-    try {
-        sd_bus_message* made = nullptr;
-        bus_checked(sd_bus_message_new_method_return(&call, &made), "make an answer");
-        const MessageHandle message(made);
-        fill(*made);
-        bus_checked(sd_bus_send(nullptr, made, nullptr), "answer");
-    } catch (const std::exception& error) {  // the caller gets it
-        reply_error(call, failed, error.what());
-    }
-}
 
 int on_call(sd_bus_message* call, void* self, sd_bus_error*) {
     try {
         static_cast<BusObject*>(self)->answer(*call);
     } catch (const std::exception& error) {
-        reply_error(*call, failed, error.what());
+        reply_error(*call, error_failed, error.what());
     }
     return 1;
 }
@@ -92,6 +69,7 @@ BusObject::BusObject(EventLoop& loop, CommandHandlers handlers, std::unique_ptr<
     : loop_(loop),
       handlers_(std::move(handlers)),
       authority_(std::move(authority)),
+      pictures_(loop),
       retry_(loop.timer([this] { connect(); })) {
     connect();
 }
@@ -147,6 +125,7 @@ void BusObject::open() {
 
 void BusObject::close() {
     authority_->drop_questions();
+    pictures_.drop_calls();
     named_.reset();
     gone_.reset();
     object_.reset();
@@ -165,16 +144,22 @@ void BusObject::answer(sd_bus_message& call) {
     const auto command = std::ranges::find(commands(), method, &Command::method);
     if (command == commands().end()) throw std::runtime_error("there is no such method");
     const CommandHandler& handler = handlers_.at(command->method);
-    const auto answer_call = [result = command->result, &handler,
-                              asked = read_call(call, command->arguments)](sd_bus_message& made) {
-        append_answer(made, result, handler(asked));
+    const auto answer_call = [this, result = command->result, &handler,
+                              asked = read_call(call, command->arguments)](sd_bus_message& to) {
+        try {
+            CommandAnswer answer = handler(asked);
+            if (answer.make_pictures) return pictures_.answer(to, std::move(answer.make_pictures));
+            reply(to, [&](sd_bus_message& made) { append_answer(made, result, answer); });
+        } catch (const std::exception& error) {  // the caller gets it
+            reply_error(to, error_failed, error.what());
+        }
     };
-    if (command->is_for_all) return reply(call, answer_call);
+    if (command->is_for_all) return answer_call(call);
     // Shared: the authority's answer is a std::function, which is copied.
     const std::shared_ptr<sd_bus_message> kept(sd_bus_message_ref(&call), &sd_bus_message_unref);
     authority_->ask(call, [kept, answer_call](const std::string& refusal) {
         if (!refusal.empty()) return reply_error(*kept, SD_BUS_ERROR_ACCESS_DENIED, refusal);
-        reply(*kept, answer_call);
+        answer_call(*kept);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "base/system/event_loop.hpp"
 #include "player/control/authority.hpp"
 #include "player/control/commands.hpp"
+#include "player/control/picture_answers.hpp"
 
 #include <memory>
 #include <string>
@@ -27,7 +28,7 @@ class BusObject {
     BusObject& operator=(BusObject&&) = delete;
     ~BusObject();
 
-    /// Answers a call: now, or later if the authority must be asked.
+    /// Answers a call: now, or later if the authority must be asked or pictures are made.
     void answer(sd_bus_message& call);
 
   private:
@@ -47,7 +48,8 @@ class BusObject {
     std::unique_ptr<sd_bus_slot, Unref> object_;
     std::unique_ptr<sd_bus_slot, Unref> gone_;
     std::unique_ptr<sd_bus_slot, Unref> named_;
-    std::unique_ptr<Authority> authority_;  // last user of the bus: destroyed before the bus
+    std::unique_ptr<Authority> authority_;  // uses the bus: destroyed before it, as are the pictures
+    PictureAnswers pictures_;
     EventLoop::Source retry_;
     std::string complaint_;  // the complaint logged last
 };

@@ -52,8 +52,10 @@ struct OutputPicture {
 
 /// The answer to a call. Command::result says which member is used.
 struct CommandAnswer {
-    std::string text;  // JSON, or a path with any bytes
-    std::vector<OutputPicture> pictures;
+    std::string text;                     // JSON, or a path with any bytes
+    std::vector<OutputPicture> pictures;  // as the client gets them
+    /// Makes `pictures`; a handler returns this in their place. Called in another thread, as it takes long.
+    std::function<std::vector<OutputPicture>()> make_pictures = {};
 };
 
 /// The line that vitrinectl prints for an answer, if the command has no printer of its own: a string as it

@@ -4,6 +4,7 @@
 
 #include <drm_fourcc.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -87,11 +88,10 @@ ScanoutBuffer GbmScanout::lock_front_buffer() {
     return {.frame_buffer = known->id, .lease = lease};
 }
 
-Picture GbmScanout::picture(const ScanoutBuffer& buffer) const {
+CardPicture GbmScanout::picture(const ScanoutBuffer& buffer) {
     auto* const shown = const_cast<gbm_bo*>(static_cast<const gbm_bo*>(buffer.lease.get()));
-    Picture picture{.width = static_cast<int>(gbm_bo_get_width(shown)),
-                    .height = static_cast<int>(gbm_bo_get_height(shown)),
-                    .pixels = {}};
+    CardPicture picture =
+        pictures_.next(static_cast<int>(gbm_bo_get_width(shown)), static_cast<int>(gbm_bo_get_height(shown)));
     void* mapping = nullptr;
     std::uint32_t stride = 0;
     const auto* const first = static_cast<const std::byte*>(
@@ -99,7 +99,8 @@ Picture GbmScanout::picture(const ScanoutBuffer& buffer) const {
                    &stride, &mapping));
     if (first == nullptr) throw_errno("read a buffer of '{}'", card_.path().string());
     for (int y = 0; y < picture.height; ++y)
-        append_xrgb(first + static_cast<std::size_t>(y) * stride, picture.width, picture.pixels);
+        std::copy_n(first + static_cast<std::size_t>(y) * stride, picture.row(y).size(),
+                    picture.row(y).begin());
     gbm_bo_unmap(shown, mapping);
     return picture;
 }

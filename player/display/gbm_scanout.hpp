@@ -27,13 +27,14 @@ class GbmScanout final : public Scanout {
     bool has_free_buffer() const override { return gbm_surface_has_free_buffers(surface_.get()) > 0; }
 
     ScanoutBuffer lock_front_buffer() override;
-    Picture picture(const ScanoutBuffer& buffer) const override;
+    CardPicture picture(const ScanoutBuffer& buffer) override;
 
   private:
     const Card& card_;
     Egl& egl_;
     Handle<gbm_surface, &gbm_surface_destroy> surface_;
     EGLSurface window_;
+    CardPictureMemory pictures_;
 };
 
 }  // namespace vitrine::player

@@ -98,7 +98,7 @@ void KmsScreen::show(ScanoutBuffer buffer) {
     }
 }
 
-std::optional<Picture> KmsScreen::shown() {
+std::optional<CardPicture> KmsScreen::shown() {
     const Handle<drmModeCrtc, &drmModeFreeCrtc> crtc(drmModeGetCrtc(surface_.card.fd(), output_.crtc));
     if (!crtc) throw_errno("ask '{}' what {} shows", surface_.card.path().string(), name());
     for (const auto* buffer : {&on_screen_, &in_flight_})

@@ -44,7 +44,7 @@ class KmsScreen final : public Screen {
 
     std::uint64_t flips() const override { return flips_; }
 
-    std::optional<Picture> shown() override;
+    std::optional<CardPicture> shown() override;
 
     bool is_ready() const override { return !state_.is_waiting() && scanout_->has_free_buffer(); }
 

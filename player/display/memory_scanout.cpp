@@ -2,7 +2,6 @@
 
 #include "base/system/error.hpp"
 
-#include <GLES2/gl2ext.h>
 #include <drm_fourcc.h>
 #include <sys/mman.h>
 #include <xf86drmMode.h>
@@ -13,12 +12,6 @@
 #include <stdexcept>
 
 namespace vitrine::player {
-
-namespace {
-
-constexpr GLenum bgra = GL_BGRA_EXT;  // from GL_EXT_read_format_bgra, which Mesa always has
-
-}  // namespace
 
 // A dumb buffer of the card. It stays mapped while this lives, even if the card is pulled out.
 class MemoryScanout::Buffer {
@@ -99,17 +92,17 @@ ScanoutBuffer MemoryScanout::lock_front_buffer() {
         std::ranges::find_if(buffers_, [](const auto& buffer) { return buffer.use_count() == 1; });
     assert(free != buffers_.end());
     int y = 0;
-    drawn_.read(bgra, [&](std::span<const std::byte> row) { std::ranges::copy(row, (*free)->row(y++)); });
+    drawn_.read([&](std::span<const std::byte> row) { std::ranges::copy(row, (*free)->row(y++)); });
     return {.frame_buffer = (*free)->frame_buffer(), .lease = *free};
 }
 
-Picture MemoryScanout::picture(const ScanoutBuffer& buffer) const {
+CardPicture MemoryScanout::picture(const ScanoutBuffer& buffer) {
     const auto shown = std::ranges::find_if(
         buffers_, [&](const auto& one) { return one->frame_buffer() == buffer.frame_buffer; });
     assert(shown != buffers_.end());
-    Picture picture{.width = drawn_.width(), .height = drawn_.height(), .pixels = {}};
+    CardPicture picture = pictures_.next(drawn_.width(), drawn_.height());
     for (int y = 0; y < picture.height; ++y)
-        append_xrgb((*shown)->row(y), picture.width, picture.pixels);
+        std::copy_n((*shown)->row(y), picture.row(y).size(), picture.row(y).begin());
     return picture;
 }
 

@@ -28,7 +28,7 @@ class MemoryScanout final : public Scanout {
     void make_current() override;
     bool has_free_buffer() const override;
     ScanoutBuffer lock_front_buffer() override;
-    Picture picture(const ScanoutBuffer& buffer) const override;
+    CardPicture picture(const ScanoutBuffer& buffer) override;
 
   private:
     class Buffer;
@@ -36,6 +36,7 @@ class MemoryScanout final : public Scanout {
     std::array<std::shared_ptr<Buffer>, 3>
         buffers_;  // shared with the lent buffers: one on screen, one under way
     MemoryTarget drawn_;
+    CardPictureMemory pictures_;
 };
 
 }  // namespace vitrine::player

@@ -31,17 +31,30 @@ void MemoryTarget::make_current() const {
     glBindFramebuffer(GL_FRAMEBUFFER, names_.frame_buffer);
 }
 
-void MemoryTarget::read(GLenum format, const std::function<void(std::span<const std::byte> row)>& take) {
+void MemoryTarget::read(const std::function<void(std::span<const std::byte> row)>& take) {
     const std::size_t row = static_cast<std::size_t>(width_) * 4;
     rows_.resize(row * static_cast<std::size_t>(height_));
+    copy(rows_);
+    for (std::size_t end = rows_.size(); end > 0; end -= row)
+        take(std::span(rows_).subspan(end - row, row));
+}
+
+CardPicture MemoryTarget::picture() {
+    CardPicture picture = pictures_.next(width_, height_);
+    picture.is_bottom_first = true;
+    copy({picture.pixels.get(), static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4});
+    return picture;
+}
+
+// Blue first needs GL_EXT_read_format_bgra, which Mesa always has. Any other order costs Mesa ten times as
+// much.
+void MemoryTarget::copy(std::span<std::byte> rows) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, names_.frame_buffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-    glReadPixels(0, 0, width_, height_, format, GL_UNSIGNED_BYTE, rows_.data());
+    glReadPixels(0, 0, width_, height_, GL_BGRA_EXT, GL_UNSIGNED_BYTE, rows.data());
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         throw std::runtime_error(fmt::format("read the drawn picture: GL error {:#x}", error));
-    for (std::size_t end = rows_.size(); end > 0; end -= row)
-        take(std::span(rows_).subspan(end - row, row));
 }
 
 }  // namespace vitrine::player

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "player/display/picture.hpp"
+
 #include <GLES3/gl3.h>
 
 #include <cstddef>
@@ -26,9 +28,11 @@ class MemoryTarget {
     void make_current() const;
 
     /// Calls `take` with each row of the picture, from the top, each 4 * width() bytes and lent for the call.
-    /// @param format  GL_RGBA, or another order that the context can read
     /// @throws std::runtime_error if GL cannot read it
-    void read(GLenum format, const std::function<void(std::span<const std::byte> row)>& take);
+    void read(const std::function<void(std::span<const std::byte> row)>& take);
+
+    /// A copy of the picture. @throws std::runtime_error if GL cannot read it
+    CardPicture picture();
 
   private:
     /// GL's names of the frame buffer and its colours.
@@ -44,10 +48,14 @@ class MemoryTarget {
         GLuint colours = 0;  // a texture
     };
 
+    /// Copies the rows in the order of GL: the bottom row first.
+    void copy(std::span<std::byte> rows) const;
+
     int width_;  // px
     int height_;
     Names names_;
-    std::vector<std::byte> rows_;  // in the order of GL: the bottom row first
+    std::vector<std::byte> rows_;  // the last that were read
+    CardPictureMemory pictures_;
 };
 
 }  // namespace vitrine::player

@@ -28,17 +28,9 @@ void OffscreenScreen::present(std::chrono::nanoseconds time) {
     ++flips_;
 }
 
-std::optional<Picture> OffscreenScreen::shown() {
+std::optional<CardPicture> OffscreenScreen::shown() {
     if (flips_ == 0) return std::nullopt;
-    return picture();
-}
-
-Picture OffscreenScreen::picture() {
-    Picture picture{.width = width(), .height = height(), .pixels = {}};
-    drawn_.read(GL_RGBA, [&](std::span<const std::byte> row) {
-        picture.pixels.insert(picture.pixels.end(), row.begin(), row.end());
-    });
-    return picture;
+    return drawn_.picture();
 }
 
 void OffscreenScreen::finish_film() {

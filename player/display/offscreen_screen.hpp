@@ -48,10 +48,10 @@ class OffscreenScreen final : public Screen {
 
     std::uint64_t flips() const override { return flips_; }
 
-    std::optional<Picture> shown() override;
+    std::optional<CardPicture> shown() override;
 
     /// The last picture that was drawn.
-    Picture picture();
+    Picture picture() { return to_picture(drawn_.picture()); }
 
     /// Ends the film and completes the file; nothing is filmed afterwards. Does nothing without a film.
     /// @throws std::runtime_error naming the film

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <vips/vips.h>
 
+#include <atomic>
 #include <stdexcept>
 
 namespace vitrine::player {
@@ -30,9 +31,38 @@ using ImageHandle = Handle<VipsImage, &unref_image>;
 
 }  // namespace
 
-void append_xrgb(const std::byte* row, int width, std::vector<std::byte>& pixels) {
-    for (int x = 0; x < width; ++x, row += 4)
-        pixels.insert(pixels.end(), {row[2], row[1], row[0], std::byte{255}});
+CardPicture::CardPicture(int its_width, int its_height)
+    : width(its_width),
+      height(its_height),
+      pixels(std::make_shared_for_overwrite<std::byte[]>(static_cast<std::size_t>(width) *
+                                                         static_cast<std::size_t>(height) * 4)) {}
+
+std::span<std::byte> CardPicture::row(int y) const {
+    const std::size_t bytes = static_cast<std::size_t>(width) * 4;
+    return {&pixels[static_cast<std::size_t>(y) * bytes], bytes};
+}
+
+CardPicture CardPictureMemory::next(int width, int height) {
+    if (last_.width != width || last_.height != height || last_.pixels.use_count() > 1)
+        last_ = CardPicture(width, height);
+    std::atomic_thread_fence(std::memory_order_acquire);  // after another thread's last use
+    return last_;
+}
+
+Picture to_picture(const CardPicture& card) {
+    Picture picture{.width = card.width, .height = card.height, .pixels = {}};
+    picture.pixels.resize(static_cast<std::size_t>(card.width) * static_cast<std::size_t>(card.height) * 4);
+    auto to = picture.pixels.begin();
+    for (int y = 0; y < card.height; ++y) {
+        const std::span<const std::byte> row = card.row(card.is_bottom_first ? card.height - 1 - y : y);
+        for (std::size_t i = 0; i < row.size(); i += 4, to += 4) {
+            to[0] = row[i + 2];
+            to[1] = row[i + 1];
+            to[2] = row[i];
+            to[3] = std::byte{255};
+        }
+    }
+    return picture;
 }
 
 namespace {

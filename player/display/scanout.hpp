@@ -36,7 +36,7 @@ class Scanout {
 
     /// The picture in a lent buffer.
     /// @throws std::runtime_error if it cannot be read
-    virtual Picture picture(const ScanoutBuffer& buffer) const = 0;
+    virtual CardPicture picture(const ScanoutBuffer& buffer) = 0;
 };
 
 }  // namespace vitrine::player

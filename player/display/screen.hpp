@@ -42,7 +42,7 @@ class Screen {
 
     /// The picture on the screen, read back from the shown buffer. None: no frame was shown yet.
     /// @throws std::runtime_error if it cannot be read
-    virtual std::optional<Picture> shown() = 0;
+    virtual std::optional<CardPicture> shown() = 0;
 
     /// False while the last present() is still under way and a new begin_frame() would have to wait.
     virtual bool is_ready() const = 0;

@@ -39,11 +39,7 @@ Picture picture_of(const Frame& frame, int max_side, Renderer& renderer) {
     renderer.aim(target.width(), target.height(),
                  letterboxed(target.width(), target.height(), {}, frame.canvas));
     renderer.draw(frame);
-    Picture picture{.width = target.width(), .height = target.height(), .pixels = {}};
-    target.read(GL_RGBA, [&](std::span<const std::byte> row) {
-        picture.pixels.insert(picture.pixels.end(), row.begin(), row.end());
-    });
-    return picture;
+    return to_picture(target.picture());
 }
 
 bool WallPicture::is_due(const Frame& frame, std::chrono::nanoseconds now) {

@@ -102,6 +102,7 @@ struct Asked {
     std::string refusal{};
     std::vector<std::string> changes{};
     std::function<void()> on_status{};
+    std::function<void()> on_pictures{};  // called in the thread that makes them
     std::optional<BusObject> object{};
 
     CommandHandlers handlers() {
@@ -109,13 +110,15 @@ struct Asked {
             changes.push_back(change);
             return CommandAnswer{};
         };
-        const auto pictures = [](const CommandCall&) {
-            return CommandAnswer{
-                .text = {},
-                .pictures = {
+        const auto pictures = [this](const CommandCall&) {
+            const auto make = [call = on_pictures] {
+                if (call) call();
+                return std::vector<OutputPicture>{
                     {.output = "HDMI-A-1",
                      .picture = {.width = 2, .height = 1, .pixels = std::vector<std::byte>(8, std::byte{7})}},
-                    {.output = "HDMI-A-2", .picture = {.width = 0, .height = 0, .pixels = {}}}}};
+                    {.output = "HDMI-A-2", .picture = {.width = 0, .height = 0, .pixels = {}}}};
+            };
+            return CommandAnswer{.text = {}, .pictures = {}, .make_pictures = make};
         };
         const auto why = [](const CommandCall& call) {
             return CommandAnswer{.text = call.file == "a\xff\n.jpg" ? "why not" : "of what?", .pictures = {}};
@@ -208,6 +211,42 @@ TEST_CASE("anyone may ask: what is shown, why, and what it looks like") {
         CHECK(shots[0].picture.pixels == std::vector<std::byte>(8, std::byte{7}));
     });
     CHECK(asked.changes.empty());
+}
+
+TEST_CASE("while pictures are made, others are answered") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.start();
+    asked.settle();
+    std::promise<void> answered;
+    bool is_in_time = false;
+    asked.on_pictures = [&] {
+        is_in_time = answered.get_future().wait_for(10s) == std::future_status::ready;
+    };
+    asked.serve([&](ControlClient& client) {
+        const auto pictures =
+            std::async(std::launch::async, [] { return ControlClient().call(method("Screenshot"), {}); });
+        CHECK(text(client, "Status") == R"({"state": "showing"})");
+        answered.set_value();
+        pictures.wait();
+    });
+    CHECK(is_in_time);
+}
+
+TEST_CASE("pictures that cannot be made are an error, and those whose bus is gone are dropped") {
+    PrivateBus bus;
+    bus.start();
+    Asked asked;
+    asked.start();
+    asked.settle();
+    const auto ask = [](ControlClient& client) { client.call(method("Screenshot"), {}); };
+    asked.on_pictures = [] { throw std::runtime_error("no room for pictures"); };
+    CHECK_THROWS_WITH_AS(asked.serve(ask), "no room for pictures", ControlError);
+    asked.on_pictures = [&] { bus.stop(); };
+    CHECK_THROWS_AS(asked.serve(ask), ControlError);
+    for (int i = 0; i < 20; ++i)
+        asked.loop.run_once(10ms);
 }
 
 TEST_CASE("what is allowed is done, with its words") {

@@ -70,7 +70,7 @@ class CountingScreen final : public Screen {
 
     std::uint64_t flips() const override { return screen_.flips(); }
 
-    std::optional<Picture> shown() override { return screen_.shown(); }
+    std::optional<CardPicture> shown() override { return screen_.shown(); }
 
     bool is_ready() const override { return true; }
 
