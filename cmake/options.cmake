@@ -68,9 +68,11 @@ endif()
 
 # A module is an object-like static library of one folder, named vitrine_<folder>.
 # With WHOLE_FOLDER all other sources of the folder and its sub-folders follow those named: a new one needs no line.
+# With WAITS the sources are not optimised in builds with sanitizers, and compile in two thirds of the time: for modules
+# that wait for others more than they compute.
 #   vitrine_module(base_geometry SOURCES a.cpp b.cpp USES vitrine::x PRIVATE_USES lib)
 function(vitrine_module name)
-  cmake_parse_arguments(arg "WHOLE_FOLDER" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(arg "WHOLE_FOLDER;WAITS" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   if(arg_WHOLE_FOLDER)
     file(GLOB_RECURSE others RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.cpp)
     list(APPEND arg_SOURCES ${others})
@@ -78,7 +80,12 @@ function(vitrine_module name)
   endif()
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_USES} PRIVATE vitrine_options ${arg_PRIVATE_USES})
-  target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
+  if(arg_WAITS AND VITRINE_SANITIZE)
+    target_compile_options(${name} PRIVATE -O0)
+    target_precompile_headers(${name} REUSE_FROM ${VITRINE_QUICK_PRECOMPILED})
+  else()
+    target_precompile_headers(${name} REUSE_FROM vitrine_precompiled)
+  endif()
   if(VITRINE_UNITY)
     read_together(${name} ${arg_SOURCES})
   endif()
@@ -104,8 +111,9 @@ endfunction()
 #   vitrine_bench(packing SOURCES packing.cpp moves.cpp USES player_layout)
 function(vitrine_bench name)
   cmake_parse_arguments(arg "EXCLUDE_FROM_ALL" "" "SOURCES;USES" ${ARGN})
-  if(VITRINE_SANITIZE)  # nobody measures with sanitizers; compiled all the same, so that they go with the tree
+  if(VITRINE_SANITIZE)  # nobody measures with sanitizers; read all the same, so that they go with the tree
     add_library(${name} OBJECT ${arg_SOURCES})
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-emit-llvm -Xclang -disable-llvm-passes>)
   else()
     add_executable(${name} ${arg_SOURCES})
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ${arg_EXCLUDE_FROM_ALL})
