@@ -219,14 +219,17 @@ TEST_CASE("while pictures are made, others are answered") {
     Asked asked;
     asked.start();
     asked.settle();
-    std::promise<void> answered;
+    std::promise<void> begun, answered;
     bool is_in_time = false;
     asked.on_pictures = [&] {
+        begun.set_value();
         is_in_time = answered.get_future().wait_for(10s) == std::future_status::ready;
     };
     asked.serve([&](ControlClient& client) {
-        const auto pictures =
-            std::async(std::launch::async, [] { return ControlClient().call(method("Screenshot"), {}); });
+        const auto pictures = std::async(std::launch::async, [] {
+            return ControlClient().call(method("Screenshot"), {}).pictures.size();
+        });
+        begun.get_future().wait();
         CHECK(text(client, "Status") == R"({"state": "showing"})");
         answered.set_value();
         pictures.wait();
