@@ -101,34 +101,39 @@ def make_photo(path, i):
     ffmpeg("-f", "lavfi", "-i", f"{pattern}size=1000x750:rate=1", "-frames:v", 1, "-vf", "scale=4000:3000,noise=alls=12", "-q:v", 3, path)
 
 
-def measure_latency(root, state, photos, film):
+def begin(root, state):
     settings = ["--media.root", root, "--state.directory", state]
     analyzer, noted = start(ANALYZER, "watch", *settings)
     player, shown = start(PLAYER, *settings, "--screen", "offscreen:1280x720", "--pace", "realtime", "--log.level", "debug")
     began = time.monotonic()
     noted.when("watching", began - 1)
     shown.when("screen:", began - 1)
-    for i, file in enumerate([*photos, film]):
+    return analyzer, player, shown
+
+
+def measure_latency(root, files, shown):
+    items = len([file for file in root.iterdir() if file.is_file()])
+    for i, file in enumerate(files, items):
         at = land(file, root)
         known = shown.when(rf"new: '{file.name}'", at)
         source = shown.line(rf"source (\d+): '{file.name}'", at)[1]
         seen = shown.when(rf"source {source} appears", at)
         print(f"{file.name}: {known - at:.2f} s until the player knows of it, {seen - at:.2f} s until its first frame is drawn", flush=True)
         shown.when(f"wall of {i + 1} item", at)  # the crossfade is not part of the next
-    return analyzer, player, shown
 
 
-def measure_notice(root, photo, shown):
+def measure_notice(root, photo, shown, beside):
     """A notice of 12 megapixels, from its landing until it is all that the screen shows."""
-    file = photo.with_name("!NOW 20min fire.jpg")
-    os.rename(photo, file)
+    file = photo.with_name(f"!NOW 20min {beside}.jpg")
+    shutil.copyfile(photo, file)
     at = land(file, root)
     known = shown.when(r"new: '!NOW", at)
     source = shown.line(r"source (\d+): '!NOW", at)[1]
     seen = shown.when(rf"source {source} appears", at)
     whole = shown.when("wall of 1 item", seen)
-    print(f"a notice of 12 MP: {known - at:.2f} s until the player knows of it, {seen - at:.2f} s until it comes, "
+    print(f"a notice of 12 MP beside {beside}: {known - at:.2f} s until the player knows of it, {seen - at:.2f} s until it comes, "
           f"{whole - at:.2f} s until it is the whole screen", flush=True)
+    return root / file.name
 
 
 def record_of(state, name):
@@ -176,10 +181,14 @@ def main():
             film = Path(sys.argv[2])
         else:
             make_film(film)
-        *programs, shown = measure_latency(root, state, photos, film)
+        *programs, shown = begin(root, state)
         notice = work / "notice.jpg"
         make_photo(notice, 3)
-        measure_notice(root, notice, shown)
+        measure_latency(root, photos, shown)
+        measure_notice(root, notice, shown, "photos").unlink()
+        shown.when(f"wall of {len(photos)} items", time.monotonic())
+        measure_latency(root, [film], shown)
+        measure_notice(root, notice, shown, "a film that is analysed")
         end = time.monotonic() + PATIENCE
         while sum("stored" in shot for shot in record_of(state, film.name)["shots"]) < 4 and time.monotonic() < end:
             time.sleep(0.5)

@@ -1,6 +1,7 @@
 #include "analyzer/watch/analyses.hpp"
 
 #include "analyzer/status/plain_text.hpp"
+#include "base/hints/notice.hpp"
 #include "base/system/log.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ void Analyses::start(const std::string& path, const FileFacts& facts,
                      const std::vector<std::string>& arguments) {
     std::vector<std::string> words = command_.words;
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const ChildLimits limits = limits_for(command_.limits, command_.seconds_per_mebibyte, facts.bytes);
+    ChildLimits limits = limits_for(command_.limits, command_.seconds_per_mebibyte, facts.bytes);
+    if (notice_named(path)) limits.niceness = 0;  // it must be seen at once
     log::debug("analysing '{}'", path);
     const auto finish = [this, path, facts, limits](const ChildResult& result) {
         running_.erase(path);

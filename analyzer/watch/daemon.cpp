@@ -5,6 +5,7 @@
 #include "analyzer/status/status_text.hpp"
 #include "analyzer/watch/fault_record.hpp"
 #include "base/hints/hint_words.hpp"
+#include "base/hints/notice.hpp"
 #include "base/state/acquittal.hpp"
 #include "base/state/blame.hpp"
 #include "base/state/record_json.hpp"
@@ -372,6 +373,8 @@ void Daemon::start_analysis(const Action& action) {
     if (!action.is_last_try && follower_.folder().ends_in_hole(action.path))
         return wait("the copy is not complete: parts of the file are still empty");
     AnalysisOutputs outputs = options_.outputs;
+    // A notice comes sooner without its copy: the player reads a photo where it is just as well.
+    if (notice_named(action.path) && action.facts.bytes <= options_.pace.small_bytes) outputs.stored = false;
     outputs.sound = outputs.stored && hint_files_.hints_for(action.path).sound.value_or(false);
     outputs.accepts_cut = action.is_last_try;
     // The plain region for a while, in the place of the network's, would move the wall twice.

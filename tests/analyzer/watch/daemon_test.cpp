@@ -5,6 +5,7 @@
 #include "tests/temporary_directory.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -33,10 +34,12 @@ constexpr const char* reader = R"(
     fault=
     reason=
     as_it_is=
+    kept=
     while :; do
         case "$1" in
         --sound) sound=',"sound":{"file":"","dropped":false}' ;;
         --as-it-is) as_it_is=true ;;
+        --keep) kept=kept ;;
         --*) ;;
         *) break ;;
         esac
@@ -52,6 +55,7 @@ constexpr const char* reader = R"(
     killed) [ -e "$0.gate" ] || kill -KILL $$; state=ready ;;
     half) state=waiting ;;
     says) state=ready; fault=',"caption":"'$name'"' ;;
+    tells) state=ready; fault=',"caption":"'"$(nice) $kept"'"' ;;
     cut) state=waiting; [ -z "$as_it_is" ] || state=ready ;;
     *) state=ready ;;
     esac
@@ -91,7 +95,8 @@ struct House {
                 .analysis = {.words = {"/bin/sh", script.string()},
                              .limits = {.patience = {.computing = deadline, .idling = deadline}}},
                 .outputs = {.stored = max_stored > 0},
-                .pace = {.quiet = 1ms,
+                .pace = {.small_bytes = small_bytes,
+                         .quiet = 1ms,
                          .rename_grace = 100ms,
                          .first_retry = first_retry,
                          .max_retry = max_retry,
@@ -159,6 +164,7 @@ struct House {
     bool has_stored(const std::string& id) const { return fs::exists(home.path / "store" / id / "photo"); }
 
     std::uint64_t max_stored = 0;  // bytes
+    std::uint64_t small_bytes = 0;
     std::chrono::milliseconds deadline = 20s;
     std::chrono::milliseconds rescan = 1h;
     std::chrono::milliseconds first_retry = 1ms;
@@ -822,6 +828,22 @@ TEST_CASE("a run that ends by itself sets the names of folders before") {
     house.daemon = std::make_unique<Daemon>(house.loop, options);
     house.loop.run();
     CHECK(fs::exists(house.home.path / "set.sh.log"));
+}
+
+TEST_CASE("a notice's photo is read at the daemon's own priority, and shown before it is copied") {
+    House house;
+    house.max_stored = 1000;
+    house.small_bytes = 100;
+    house.start();
+    house.drop("!NOW fire.jpg", "tells\n");
+    house.drop("!NOW film.mp4", "tells\n" + std::string(100, '.'));
+    house.drop("photo.jpg", "tells\n");
+    REQUIRE(house.comes_true([&] { return house.records() == 3; }));
+    const int ours = ::getpriority(PRIO_PROCESS, 0);
+    const int behind = std::min(ours + ChildLimits{}.niceness, 19);
+    CHECK(house.record("!NOW fire.jpg")->origin.caption == fmt::format("{} ", ours));
+    CHECK(house.record("!NOW film.mp4")->origin.caption == fmt::format("{} kept", ours));
+    CHECK(house.record("photo.jpg")->origin.caption == fmt::format("{} kept", behind));
 }
 
 TEST_CASE("a film is asked for its sound where names or folders say so, be it afterwards") {
