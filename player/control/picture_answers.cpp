@@ -35,11 +35,10 @@ void PictureAnswers::answer(sd_bus_message& call, std::function<std::vector<Outp
     });
     calls_.push_back({.message = {sd_bus_message_ref(&call), &sd_bus_message_unref},
                       .files = task.get_future(),
-                      .thread = {}});
-    calls_.back().thread = std::jthread([task = std::move(task), event = made_.get()]() mutable {
-        task();
-        ::eventfd_write(event, 1);
-    });
+                      .thread = std::jthread([task = std::move(task), event = made_.get()]() mutable {
+                          task();
+                          ::eventfd_write(event, 1);
+                      })});
 }
 
 void PictureAnswers::send_answers() {
