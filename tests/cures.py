@@ -280,6 +280,8 @@ CURES = [
          "            questions_.erase(number);\n", "", "control_test.bus_object_test"),
     Cure("the bus and pictures take turns", "player/control/bus_object.cpp",
          "SD_EVENT_PRIORITY_NORMAL)", "SD_EVENT_PRIORITY_IMPORTANT)", "control_test.bus_object_test"),
+    Cure("a box that joins says so at once", "player/scene/acts/box_talk.cpp",
+         " || note.shown.has_value() != told.shown.has_value()", "", "acts_test.shared_wall_test"),
     Cure("a notice while films are analysed", "analyzer/watch/analyses.cpp",
          "    if (notice_named(path)) limits.niceness = 0;  // it must be seen at once\n", "", "watch_test.daemon_test"),
     Cure("a notice before its copy", "analyzer/watch/daemon.cpp",

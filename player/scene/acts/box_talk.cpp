@@ -8,8 +8,13 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto told_anew = std::chrono::seconds(10);
-constexpr auto told_soon = std::chrono::seconds(1);  // not more often, unless the outputs are others
+constexpr auto told_soon = std::chrono::seconds(1);  // not more often, unless it is urgent
 constexpr std::size_t max_boxes = 64;
+
+/// True for what others wait for: the box has other outputs, or shows its first act.
+bool is_urgent(const BoxNote& note, const BoxNote& told) {
+    return note.outputs != told.outputs || note.shown.has_value() != told.shown.has_value();
+}
 
 /// True if both tell the same but for the clock's difference.
 bool is_same(BoxNote one, const BoxNote& other) {
@@ -33,7 +38,7 @@ std::vector<WallMessage> BoxTalk::speak(Show& show, const BoxMoment& moment) {
     BoxNote note = moment.own;
     std::vector<WallMessage> said = speak_more(show, moment, note);
     const auto passed = moment.now - told_at_;
-    const bool is_due = !told_ || passed >= told_anew || told_->outputs != note.outputs ||
+    const bool is_due = !told_ || passed >= told_anew || is_urgent(note, *told_) ||
                         (passed >= told_soon && !is_same(note, *told_));
     if (!is_due) return said;
     said.push_back({.topic = {.kind = WallTopic::Kind::box, .box = box_},

@@ -78,6 +78,18 @@ TEST_CASE("a box that comes late is in step with its first picture") {
     CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.999);
 }
 
+TEST_CASE("a box that joins says at once that it shows the wall") {
+    SharedHouse house({.seed = 5});
+    house.run(7s);
+    house.kill(2);
+    house.run(9s);
+    house.start_follower(2);
+    while (house.followed(2).shown() == nullptr && house.truth < 20s)
+        house.run(10ms);
+    house.run(100ms);
+    CHECK(house.boxes[0].talk->others().at("f1").shown.has_value());
+}
+
 TEST_CASE("a box whose clock is not right yet waits with its first picture, and then does not jump") {
     SharedHouse house({.seed = 9});
     house.run(7s);
