@@ -280,6 +280,8 @@ CURES = [
          "            questions_.erase(number);\n", "", "control_test.bus_object_test"),
     Cure("the bus and pictures take turns", "player/control/bus_object.cpp",
          "SD_EVENT_PRIORITY_NORMAL)", "SD_EVENT_PRIORITY_IMPORTANT)", "control_test.bus_object_test"),
+    Cure("a face in a flat picture", "analyzer/faces/yunet.cpp",
+         "std::max(min_input, ", "std::max(0, ", "pipeline.endurance", targets=("vitrine-analyzer", "vitrine-player"), only="release"),
     Cure("a box that joins says so at once", "player/scene/acts/box_talk.cpp",
          " || note.shown.has_value() != told.shown.has_value()", "", "acts_test.shared_wall_test"),
     Cure("a notice while films are analysed", "analyzer/watch/analyses.cpp",

@@ -1,5 +1,6 @@
 #include "analyzer/faces/yunet.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::array<int, 3> strides{8, 16, 32};  // px between the anchors of the three output levels
 constexpr int input_multiple = 32;
+constexpr int min_input = 64;  // px: where the coarsest level has one row OpenCV 4.6 finds faces at random
 constexpr float min_score = 0.6F;
 constexpr float max_overlap = 0.3F;  // intersection over union of two boxes of one face
 
@@ -48,7 +50,7 @@ void decode(const Level& level, Candidates& into) {
 }
 
 int rounded_up(int value) {
-    return (value + input_multiple - 1) / input_multiple * input_multiple;
+    return std::max(min_input, (value + input_multiple - 1) / input_multiple * input_multiple);
 }
 
 }  // namespace

@@ -76,6 +76,11 @@ class Endurance(unittest.TestCase):
         self.assertLess(memory, MAX_PLAYING)
         self.assertGreaterEqual(len(set(re.findall(r"source (\d+) appears", log.read_text()))), 3, log.read_text()[-2000:])
 
+    def test_a_very_wide_picture_is_judged_the_same_each_time(self):
+        panorama = self.media / "panorama.png"
+        ffmpeg("testsrc2=size=2000x50:rate=1", "-frames:v", 1, "-vf", "scale=20000:500:flags=neighbor", panorama)
+        self.assertEqual(len({self.cost(ANALYZER, "analyze", panorama, *self.settings)[0] for _ in range(25)}), 1)
+
     def test_a_wall_that_rotates_for_long_grows_by_nothing(self):
         for i in range(8):
             ffmpeg(f"color=0x{37 * i % 200 + 40:02x}{91 * i % 200 + 40:02x}80:size=96x64,drawbox=x={6 * i}:y=20:w=24:h=24:c=white:t=fill",
