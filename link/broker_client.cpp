@@ -1,6 +1,6 @@
 #include "link/broker_client.hpp"
 
-#include "base/system/error.hpp"
+#include "base/system/event_file.hpp"
 #include "base/system/handle.hpp"
 #include "base/wall/broken_line.hpp"
 #include "link/backoff.hpp"
@@ -9,7 +9,6 @@
 #include <mosquitto.h>
 #include <poll.h>
 #include <sys/epoll.h>
-#include <sys/eventfd.h>
 
 #include <array>
 #include <cerrno>
@@ -29,21 +28,6 @@ constexpr int at_least_once = 1;    // MQTT's QoS
 constexpr int max_on_the_way = 20;  // messages that the broker has not confirmed
 constexpr int tick = 1000;          // ms between two looks at the connection's timers
 constexpr std::string_view gone = R"({"gone":true})";
-
-UniqueFd event_file() {
-    UniqueFd file(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
-    if (!file.is_open()) throw_errno("make an event file");
-    return file;
-}
-
-void ring(const UniqueFd& file) {
-    ::eventfd_write(file.get(), 1);
-}
-
-void quiet(const UniqueFd& file) {
-    eventfd_t count = 0;
-    ::eventfd_read(file.get(), &count);
-}
 
 std::string in_words(int result) {
     if (result == MOSQ_ERR_ERRNO) return std::generic_category().message(errno);
@@ -117,7 +101,7 @@ void BrokerClient::Connection::on_message(const mosquitto_message& message) {
         const std::lock_guard lock(owner.shared_.mutex);
         owner.shared_.fault = error.what();
     }
-    ring(owner.to_loop_);
+    ring(owner.to_loop_.get());
 }
 
 void BrokerClient::Connection::send_waiting() {
@@ -152,7 +136,7 @@ BrokerClient::~BrokerClient() {
         shared_.is_stopped = true;
     }
     shared_.stops.notify_all();
-    ring(to_thread_);
+    ring(to_thread_.get());
     thread_.join();
     mosquitto_lib_cleanup();
 }
@@ -163,7 +147,7 @@ void BrokerClient::publish(const WallMessage& message) {
         if (message.topic.kind == WallTopic::Kind::touch && !shared_.is_connected) return;
         shared_.out.put(message);
     }
-    ring(to_thread_);
+    ring(to_thread_.get());
 }
 
 void BrokerClient::tell(bool is_connected, const std::string& says) {
@@ -172,7 +156,7 @@ void BrokerClient::tell(bool is_connected, const std::string& says) {
         shared_.is_connected = is_connected;
         shared_.says = says;
     }
-    ring(to_loop_);
+    ring(to_loop_.get());
 }
 
 /// The thread: connects, serves, and tries again, until it is stopped.
@@ -212,7 +196,7 @@ std::string BrokerClient::serve(Connection& connection) {
         std::array<pollfd, 2> files{pollfd{.fd = mosquitto_socket(client), .events = events},
                                     pollfd{.fd = to_thread_.get(), .events = POLLIN}};
         if (::poll(files.data(), files.size(), tick) < 0 && errno != EINTR) break;
-        if (files[1].revents != 0) quiet(to_thread_);
+        if (files[1].revents != 0) quiet(to_thread_.get());
         if (files[0].revents != 0) result = mosquitto_loop_read(client, 1);
         if (result == MOSQ_ERR_SUCCESS && mosquitto_want_write(client))
             result = mosquitto_loop_write(client, 1);
@@ -223,7 +207,7 @@ std::string BrokerClient::serve(Connection& connection) {
 
 /// In the loop's thread: hands over all that came.
 void BrokerClient::deliver() {
-    quiet(to_loop_);
+    quiet(to_loop_.get());
     std::unique_lock lock(shared_.mutex);
     const bool is_connected = shared_.is_connected;
     const auto says = std::exchange(shared_.says, std::nullopt);

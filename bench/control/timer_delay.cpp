@@ -1,5 +1,6 @@
-// How long the busiest timer of a program waits after its time, which is the player's tick; users.py has the
-// player load this library. It stands before sd_event_add_time, and prints one line at the program's end:
+// This library measures how long the busiest timer of a program waits after its time: the player's is its
+// tick. The player loads it where users.py asks for that. It stands before sd_event_add_time. At the
+// program's end it prints one line:
 //   N ticks; MS ms the longest delay, MS ms the longest at work; N ticks over 10 ms at work
 // A delay is at work as far as the thread of the timer ran meanwhile, that is, did something else than the
 // tick. The rest is the machine's: other threads had the processor.

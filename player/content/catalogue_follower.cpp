@@ -1,13 +1,10 @@
 #include "player/content/catalogue_follower.hpp"
 
-#include "base/system/error.hpp"
+#include "base/system/event_file.hpp"
 #include "base/system/log.hpp"
 
 #include <sys/epoll.h>
-#include <sys/eventfd.h>
-#include <unistd.h>
 
-#include <cstdint>
 #include <utility>
 
 namespace vitrine::player {
@@ -20,26 +17,17 @@ constexpr auto settle_time = 100ms;      // records that are written together ar
 constexpr auto max_settle_time = 250ms;  // also where the writing never ends
 constexpr auto retry_time = 1s;
 
-UniqueFd new_eventfd() {
-    UniqueFd fd(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
-    if (!fd.is_open()) throw_errno("make an eventfd");
-    return fd;
-}
-
 }  // namespace
 
 CatalogueFollower::CatalogueFollower(EventLoop& loop, Catalogue catalogue, Call call)
     : directory_(catalogue.directory()),
       call_(std::move(call)),
-      news_(new_eventfd()),
+      news_(event_file()),
       events_(loop.watch(directory_watch_.fd(), EPOLLIN, [this](std::uint32_t) { read_events(); })),
       settled_(loop.timer([this] { request_changed(); })),
       retry_(loop.timer([this] { watch(); })),
       told_(loop.watch(news_.get(), EPOLLIN, [this](std::uint32_t) { follow_news(); })),
-      reader_(std::move(catalogue), [fd = news_.get()] {
-          const std::uint64_t one = 1;
-          (void)!::write(fd, &one, sizeof one);  // fails where it is readable anyway
-      }) {
+      reader_(std::move(catalogue), [file = news_.get()] { ring(file); }) {
     watch();
     reader_.finish();
     follow_news();
@@ -70,8 +58,7 @@ void CatalogueFollower::request_changed() {
 }
 
 void CatalogueFollower::follow_news() {
-    std::uint64_t times = 0;
-    (void)!::read(news_.get(), &times, sizeof times);  // nothing to read is no news
+    quiet(news_.get());
     std::optional<CatalogueNews> news = reader_.pop_news();
     if (!news) return;
     for (const auto& [file, reason] : news->unreadable)

@@ -46,7 +46,7 @@ class CatalogueFollower {
     DirectoryWatch directory_watch_;
     std::set<std::string> changed_;  // files that are still to be read
     std::optional<EventLoop::Clock::time_point> changed_since_;
-    UniqueFd news_;  // an eventfd: the reader has news
+    UniqueFd news_;  // an event_file(): the reader has news
     EventLoop::Source events_;
     EventLoop::Source settled_;  // fires a moment after the last change
     EventLoop::Source retry_;    // armed until the directory exists

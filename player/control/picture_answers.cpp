@@ -1,29 +1,18 @@
 #include "player/control/picture_answers.hpp"
 
-#include "base/system/error.hpp"
+#include "base/system/event_file.hpp"
 
 #include <sys/epoll.h>
-#include <sys/eventfd.h>
 
 #include <chrono>
 #include <utility>
 
 namespace vitrine::player {
 
-namespace {
-
 using namespace std::chrono_literals;
 
-UniqueFd opened_event() {
-    UniqueFd fd(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
-    if (!fd.is_open()) throw_errno("make an event for pictures");
-    return fd;
-}
-
-}  // namespace
-
 PictureAnswers::PictureAnswers(EventLoop& loop)
-    : made_(opened_event()),
+    : made_(event_file()),
       told_(loop.watch(made_.get(), EPOLLIN, [this](std::uint32_t) { send_answers(); })) {}
 
 void PictureAnswers::answer(sd_bus_message& call, std::function<std::vector<OutputPicture>()> make) {
@@ -37,13 +26,12 @@ void PictureAnswers::answer(sd_bus_message& call, std::function<std::vector<Outp
                       .files = task.get_future(),
                       .thread = std::jthread([task = std::move(task), event = made_.get()]() mutable {
                           task();
-                          ::eventfd_write(event, 1);
+                          ring(event);
                       })});
 }
 
 void PictureAnswers::send_answers() {
-    eventfd_t count = 0;
-    ::eventfd_read(made_.get(), &count);
+    quiet(made_.get());
     std::erase_if(calls_, [](Call& call) {
         if (call.files.wait_for(0s) != std::future_status::ready) return false;
         reply(*call.message, [&](sd_bus_message& made) { append_pictures(made, call.files.get()); });

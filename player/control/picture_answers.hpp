@@ -35,7 +35,7 @@ class PictureAnswers {
 
     void send_answers();
 
-    UniqueFd made_;  // an eventfd: the files of a call are made
+    UniqueFd made_;  // an event_file(): the files of a call are made
     EventLoop::Source told_;
     std::list<Call> calls_;  // last: their threads end before the rest
 };

@@ -52,10 +52,12 @@ class Endurance(unittest.TestCase):
             self.assertEqual(process.returncode, 0, complaint.read()[-2000:])
             return out.read(), usage.ru_maxrss * 1024
 
-    def analyse(self):
+    def analyse_all(self):
+        """Every file must be ready."""
         subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", *self.settings], check=True, timeout=PATIENCE, stderr=subprocess.DEVNULL)
-        return {record["path"]: record for record in
-                (json.loads(file.read_text()) for file in (self.state / "catalogue").glob("*.json"))}
+        records = [json.loads(file.read_text()) for file in (self.state / "catalogue").glob("*.json")]
+        self.assertEqual({record["path"] for record in records}, {file.name for file in self.media.iterdir() if file.is_file()})
+        self.assertEqual({record["path"]: (record["state"], record["reason"]) for record in records if record["state"] != "ready"}, {})
 
     def test_huge_pictures_and_films_are_shown_within_bounds(self):
         ffmpeg("testsrc2=size=2500x2500:rate=1", "-frames:v", 1, "-vf", "scale=10000:10000:flags=neighbor", "-q:v", 5, self.media / "100 MP.jpg")
@@ -68,7 +70,7 @@ class Endurance(unittest.TestCase):
                 print(f"{file.name}: analysed within {memory >> 20} MiB", file=sys.stderr)
                 self.assertEqual(json.loads(said)["state"], "ready")
                 self.assertLess(memory, MAX_ANALYSING_8K if file.name == "8K.mp4" else MAX_ANALYSING)
-        self.assertEqual({path: (record["state"], record["reason"]) for path, record in self.analyse().items() if record["state"] != "ready"}, {})
+        self.analyse_all()
         log = self.state / "log"
         _, memory = self.cost("sh", "-c", 'exec "$@" 2>"$0"', log, PLAYER, *self.settings, "--screen", "offscreen:320x180",
                               "--output.frame_rate", 5, "--duration", "4s", "--slots", 3, "--log.level", "debug")
@@ -88,7 +90,7 @@ class Endurance(unittest.TestCase):
         for i in range(4):
             ffmpeg(f"color=navy:size=96x64:rate=5:duration=2,drawbox=x='t*{10 + 5 * i}':y=20:w=20:h=20:c=white:t=fill",
                    "-c:v", "mpeg4", self.media / f"film {i}.avi")
-        self.assertEqual({path: (record["state"], record["reason"]) for path, record in self.analyse().items() if record["state"] != "ready"}, {})
+        self.analyse_all()
         log = self.state / "log"
         seen = []  # (bytes resident, files open)
         with open(log, "w") as said:

@@ -24,6 +24,14 @@ Ns percentile(const std::vector<Ns>& sorted, double share) {
                           : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
+/// Starts the second follower anew after the others have gone on for some seconds.
+void bring_late_box(SharedHouse& house) {
+    house.run(7s);
+    house.kill(2);
+    house.run(9s);
+    house.start_follower(2);
+}
+
 }  // namespace
 
 TEST_CASE("three boxes with clocks of their own show the same frames, and changes begin together") {
@@ -62,10 +70,7 @@ TEST_CASE("boxes whose clocks nobody keeps right are not in step") {
 
 TEST_CASE("a box that comes late is in step with its first picture") {
     SharedHouse house({.seed = 5});
-    house.run(7s);
-    house.kill(2);
-    house.run(9s);
-    house.start_follower(2);
+    bring_late_box(house);
     const Ns started = house.truth;
     house.boxes[2].frames.clear();
     house.run(6s);
@@ -80,10 +85,7 @@ TEST_CASE("a box that comes late is in step with its first picture") {
 
 TEST_CASE("a box that joins says at once that it shows the wall") {
     SharedHouse house({.seed = 5});
-    house.run(7s);
-    house.kill(2);
-    house.run(9s);
-    house.start_follower(2);
+    bring_late_box(house);
     while (house.followed(2).shown() == nullptr && house.truth < 20s)
         house.run(10ms);
     house.run(100ms);
