@@ -3,7 +3,6 @@
 #include "base/state/path_text.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <tuple>
@@ -87,7 +86,8 @@ void FileGroups::remove(const MediaRecord& record) {
 void FileGroups::add(const RecordList::Record& record) {
     join_live_pairs(record);
     if (!has_print(*record)) return;
-    const Known photo{.record = record, .hash = record->shots.front().look->hash, .facts = facts_of(*record)};
+    const Known photo{
+        .record = record, .hashes = hashes_of(record->shots.front()), .facts = facts_of(*record)};
     for (const RecordList::Record& other : candidates(photo))
         if (are_near_copies(*record, *other)) link(record->path, other->path);
     place_[record->path] = photos_.size();
@@ -99,10 +99,11 @@ std::vector<RecordList::Record> FileGroups::candidates(const Known& photo) const
     constexpr int max_distance = 44;
     std::vector<std::pair<int, const Known*>> near;
     for (const Known& other : photos_) {
-        const int distance = std::popcount(photo.hash ^ other.hash);
-        if (distance > max_distance) continue;
         const Kinship kin = kinship(photo.facts, other.facts);
+        if (kin == Kinship::strangers) continue;
+        const int distance = distance_between(photo.hashes, other.hashes);
         if (distance > copy_limits(kin).max_hash_distance) continue;
+        if (!may_be_copies(photo.record->shots.front(), other.record->shots.front(), kin)) continue;
         const bool is_kin = kin == Kinship::copies || kin == Kinship::sequence;
         near.emplace_back(is_kin ? distance - max_distance : distance, &other);
     }

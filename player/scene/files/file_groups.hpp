@@ -5,7 +5,6 @@
 #include "player/scene/files/show_files.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -29,7 +28,7 @@ class FileGroups {
     /// A photo that can be compared.
     struct Known {
         RecordList::Record record;
-        std::uint64_t hash = 0;
+        PhotoHashes hashes;
         PhotoFacts facts;  // of the record
     };
 

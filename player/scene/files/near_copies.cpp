@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -20,6 +21,8 @@ using namespace std::chrono_literals;
 constexpr int side = PicturePrint::side;
 constexpr double min_contrast =
     4;  // mean deviation of the shades; plainer pictures have no pattern to compare
+
+constexpr double min_pattern_likeness = 0.7;
 
 /// A way to lay one picture over another: its places are centre + scale * (place - 0.5), all in shares of
 /// the sides.
@@ -66,6 +69,56 @@ double correlation(const PicturePrint& a, const PicturePrint& b, const Fit& fit,
     return (products - sum_a * sum_b / n) / std::sqrt(spread_a * spread_b);
 }
 
+/// The shades of two pictures at a place where both are.
+struct SharedPlace {
+    double x = 0, y = 0;  // in the first picture
+    double one = 0, other = 0;
+};
+
+/// Takes the gradient out of the shades: they are relative to a plane through them afterwards.
+/// @param places  a grid in a rectangle
+void remove_gradient(std::vector<SharedPlace>& places, double SharedPlace::*shade) {
+    double x = 0, y = 0, mean = 0;
+    for (const SharedPlace& place : places) {
+        x += place.x / static_cast<double>(places.size());
+        y += place.y / static_cast<double>(places.size());
+        mean += place.*shade / static_cast<double>(places.size());
+    }
+    double squares_x = 0, squares_y = 0, right = 0, down = 0;
+    for (const SharedPlace& place : places) {
+        squares_x += (place.x - x) * (place.x - x);
+        squares_y += (place.y - y) * (place.y - y);
+        right += (place.x - x) * place.*shade;
+        down += (place.y - y) * place.*shade;
+    }
+    for (SharedPlace& place : places)
+        place.*shade -= mean + right / squares_x * (place.x - x) + down / squares_y * (place.y - y);
+}
+
+/// The correlation of two pictures that lie over each other, without their gradients: one sky is like
+/// another.
+double pattern_likeness(const PicturePrint& a, const PicturePrint& b, const Fit& fit) {
+    std::vector<SharedPlace> places;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const double x = (column + 0.5) / side, y = (row + 0.5) / side;
+            const double other_x = fit.centre.x + fit.scale.x * (x - 0.5);
+            const double other_y = fit.centre.y + fit.scale.y * (y - 0.5);
+            if (other_x < 0 || other_x > 1 || other_y < 0 || other_y > 1) continue;
+            places.push_back(
+                {.x = x, .y = y, .one = shade_at(a, x, y), .other = shade_at(b, other_x, other_y)});
+        }
+    remove_gradient(places, &SharedPlace::one);
+    remove_gradient(places, &SharedPlace::other);
+    double squares_a = 0, squares_b = 0, products = 0;
+    for (const SharedPlace& place : places) {
+        squares_a += place.one * place.one;
+        squares_b += place.other * place.other;
+        products += place.one * place.other;
+    }
+    return squares_a > 0 && squares_b > 0 ? products / std::sqrt(squares_a * squares_b) : 0;
+}
+
 struct RatedFit {
     double likeness = -1;
     Fit fit;
@@ -109,34 +162,99 @@ RatedFit refined(const PicturePrint& a, const PicturePrint& b, const Fit& from) 
     return best;
 }
 
-/// The distance of the colours of two pictures, which exposure does not change: it compares the shares of
-/// red, green and blue in 3 x 3 fields.
+/// The fit at which two photos are most alike, after a shift or a crop of up to a quarter. Its likeness is 1
+/// where they differ by exposure only, and near 0 where they have nothing in common.
+/// @param wanted  a likeness below it may be too low
+RatedFit best_fit(const PicturePrint& a, const PicturePrint& b, double wanted) {
+    constexpr double max_gain = 0.12;  // of the search around the best of the grid
+    const RatedFit coarse = coarse_fit(a, b);
+    if (coarse.likeness < wanted - max_gain) return coarse;
+    return refined(a, b, coarse.fit);
+}
+
+/// The fit that lays the second picture over the first one.
+Fit inverse(const Fit& fit) {
+    const Vec2 scale{1 / fit.scale.x, 1 / fit.scale.y};
+    return {.centre = {0.5 + (0.5 - fit.centre.x) * scale.x, 0.5 + (0.5 - fit.centre.y) * scale.y},
+            .scale = scale};
+}
+
+using Shares = std::array<double, 3>;
+
+/// The shares of red, green and blue at a place, between the fields of a look: exposure does not change them.
+Shares colour_at(const ShotLook& look, Vec2 place) {
+    constexpr int grid = ShotLook::grid;
+    const double column = std::clamp(place.x * grid - 0.5, 0.0, grid - 1.0);
+    const double row = std::clamp(place.y * grid - 0.5, 0.0, grid - 1.0);
+    const int left = std::min(grid - 2, static_cast<int>(column));
+    const int top = std::min(grid - 2, static_cast<int>(row));
+    const auto channel = [&](int x, int y, std::size_t c) {
+        return 1.0 +
+               look.colours.at((static_cast<std::size_t>(y) * grid + static_cast<std::size_t>(x)) * 3 + c);
+    };
+    Shares shares{};
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double upper = std::lerp(channel(left, top, c), channel(left + 1, top, c), column - left);
+        const double lower =
+            std::lerp(channel(left, top + 1, c), channel(left + 1, top + 1, c), column - left);
+        shares.at(c) = std::lerp(upper, lower, row - top);
+        sum += shares.at(c);
+    }
+    for (double& share : shares)
+        share /= sum;
+    return shares;
+}
+
+/// The distances of the colours of two pictures in the fields of a look.
 struct ColourDistance {
     double mean = 0;
-    double max_of_field = 0;  // of the field that differs most: one thing in another colour
+    double max_of_field = 0;  // one thing in another colour
 };
 
-ColourDistance colour_distance(const ShotLook& a, const ShotLook& b) {
+/// @param fit  lays the second picture over the first one
+ColourDistance colour_distance(const ShotLook& a, const ShotLook& b, const Fit& fit) {
+    constexpr int grid = ShotLook::grid;
+    if (fit.scale.x * fit.scale.y > 1) return colour_distance(b, a, inverse(fit));
     ColourDistance distance;
-    for (std::size_t i = 0; i < a.colours.size(); i += 3) {
-        const auto sum = [&](const ShotLook& look) {
-            return 3.0 + look.colours[i] + look.colours[i + 1] + look.colours[i + 2];
-        };
-        double field = 0;
-        for (std::size_t c = i; c < i + 3; ++c)
-            field += std::abs((a.colours[c] + 1) / sum(a) - (b.colours[c] + 1) / sum(b)) / 3;
-        distance.mean += field * 3 / static_cast<double>(a.colours.size());
-        distance.max_of_field = std::max(distance.max_of_field, field);
-    }
+    for (int row = 0; row < grid; ++row)
+        for (int column = 0; column < grid; ++column) {
+            const Vec2 place{(column + 0.5) / grid, (row + 0.5) / grid};
+            const Shares one = colour_at(a, place);
+            const Shares other = colour_at(b, {fit.centre.x + fit.scale.x * (place.x - 0.5),
+                                               fit.centre.y + fit.scale.y * (place.y - 0.5)});
+            double field = 0;
+            for (std::size_t c = 0; c < one.size(); ++c)
+                field += std::abs(one.at(c) - other.at(c)) / 3;
+            distance.mean += field / (grid * grid);
+            distance.max_of_field = std::max(distance.max_of_field, field);
+        }
     return distance;
 }
 
-/// True where nothing has another colour.
-bool are_coloured_alike(const ShotLook& a, const ShotLook& b) {
-    constexpr double max_mean = 0.045;
-    constexpr double max_field = 0.14;
-    const ColourDistance distance = colour_distance(a, b);
-    return distance.mean <= max_mean && distance.max_of_field <= max_field;
+/// True where nothing has another colour when the second picture lies over the first one.
+bool are_coloured_alike(const ShotLook& a, const ShotLook& b, const Fit& fit, Kinship kinship) {
+    const ColourDistance limit = kinship == Kinship::unknown
+                                     ? ColourDistance{.mean = 0.045, .max_of_field = 0.14}
+                                     : ColourDistance{.mean = 0.06, .max_of_field = 0.2};
+    const ColourDistance distance = colour_distance(a, b, fit);
+    return distance.mean <= limit.mean && distance.max_of_field <= limit.max_of_field;
+}
+
+/// The hash of a part of a picture, as that of a look. @param size  share of the picture's sides
+std::uint64_t part_hash(const PicturePrint& print, Vec2 centre, double size) {
+    constexpr int steps = ShotLook::hash_side;
+    std::uint64_t hash = 0;
+    for (int row = 0; row < steps; ++row) {
+        double before = 0;
+        for (int column = 0; column <= steps; ++column) {
+            const double shade = shade_at(print, centre.x + size * ((column + 0.5) / (steps + 1) - 0.5),
+                                          centre.y + size * ((row + 0.5) / steps - 0.5));
+            if (column > 0) hash = hash << 1U | static_cast<unsigned>(before > shade);
+            before = shade;
+        }
+    }
+    return hash;
 }
 
 /// True where one picture can be a crop of the other: prints know no ratio of the sides.
@@ -174,13 +292,6 @@ std::string_view stem_of(std::string_view path) {
     return dot == 0 ? path : path.substr(0, dot);
 }
 
-double likeness(const PicturePrint& a, const PicturePrint& b, double wanted) {
-    constexpr double max_gain = 0.12;  // of the search around the best of the grid
-    const RatedFit coarse = coarse_fit(a, b);
-    if (coarse.likeness < wanted - max_gain) return coarse.likeness;
-    return std::max(correlation(a, b, coarse.fit, side), refined(a, b, coarse.fit).likeness);
-}
-
 PhotoFacts facts_of(const MediaRecord& record) {
     PhotoFacts facts{.folder = folder_of(record.path), .stem = stem_of(record.path)};
     if (record.origin.taken) facts.taken = record.origin.taken->at.time_since_epoch();
@@ -206,13 +317,36 @@ CopyLimits copy_limits(Kinship kinship) {
     case Kinship::sequence:
         return {.min_likeness = 0.8, .max_hash_distance = 44};
     case Kinship::neighbours:
-        return {.min_likeness = 0.95, .max_hash_distance = 28};
+        return {.min_likeness = 0.95, .max_hash_distance = 18};
     case Kinship::unknown:
-        return {.min_likeness = 0.92, .max_hash_distance = 30};
+        return {.min_likeness = 0.92, .max_hash_distance = 24};
     case Kinship::strangers:
         break;
     }
     return {};
+}
+
+PhotoHashes hashes_of(const Shot& shot) {
+    constexpr double size = 0.875;
+    constexpr std::array<Vec2, 5> centres{
+        {{0.5, 0.5}, {0.44, 0.44}, {0.56, 0.44}, {0.44, 0.56}, {0.56, 0.56}}};
+    PhotoHashes hashes{.whole = shot.look->hash};
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        hashes.parts.at(i) = part_hash(*shot.print, centres.at(i), size);
+    return hashes;
+}
+
+int distance_between(const PhotoHashes& a, const PhotoHashes& b) {
+    int least = std::popcount(a.whole ^ b.whole);
+    for (std::size_t i = 0; i < a.parts.size(); ++i)
+        least =
+            std::min({least, std::popcount(a.parts.at(i) ^ b.whole), std::popcount(a.whole ^ b.parts.at(i))});
+    return least;
+}
+
+bool may_be_copies(const Shot& a, const Shot& b, Kinship kinship) {
+    constexpr double max_distance = 0.06;  // of colours, before the two are laid over each other
+    return kinship != Kinship::unknown || colour_distance(*a.look, *b.look, {}).mean <= max_distance;
 }
 
 bool are_near_copies(const MediaRecord& a, const MediaRecord& b) {
@@ -224,8 +358,11 @@ bool are_near_copies(const MediaRecord& a, const MediaRecord& b) {
     const Shot& other = b.shots.front();
     if (!are_shaped_alike(a, b)) return false;
     if (wanted > 1 || !one.print || !other.print || !one.look || !other.look) return false;
-    if (kin == Kinship::unknown && !are_coloured_alike(*one.look, *other.look)) return false;
-    return likeness(*one.print, *other.print, wanted) >= wanted;
+    const RatedFit best = best_fit(*one.print, *other.print, wanted);
+    if (best.likeness < wanted) return false;
+    if (kin == Kinship::copies) return true;  // somebody may have given it other colours
+    return are_coloured_alike(*one.look, *other.look, best.fit, kin) &&
+           pattern_likeness(*one.print, *other.print, best.fit) >= min_pattern_likeness;
 }
 
 bool are_live_pair(const MediaRecord& photo, const MediaRecord& film) {

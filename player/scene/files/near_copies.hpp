@@ -2,16 +2,13 @@
 
 #include "base/state/record.hpp"
 
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace vitrine::player {
-
-/// Tells how alike two photos look, by their prints: the correlation of their shades where they overlap best,
-/// after a shift or a crop of up to a quarter. 1: alike but for the exposure; near 0: nothing in common.
-/// @param wanted  a result below it may be too low
-double likeness(const PicturePrint& a, const PicturePrint& b, double wanted = -1);
 
 /// The relation of two photos by time and name.
 enum class Kinship {
@@ -37,11 +34,26 @@ Kinship kinship(const PhotoFacts& a, const PhotoFacts& b);
 
 /// The limits of near-copies.
 struct CopyLimits {
-    double min_likeness = 2;     // above 1: however alike, they are none
-    int max_hash_distance = -1;  // bits of 64 in which the hashes of their looks differ at most
+    double min_likeness = 2;  // correlation of their shades where they overlap best; above 1: they are none
+    int max_hash_distance = -1;  // bits of 64
 };
 
 CopyLimits copy_limits(Kinship kinship);
+
+/// Hashes of a photo and of parts of it. They find the photos that a photo could be a copy of.
+struct PhotoHashes {
+    std::uint64_t whole = 0;               // of its look
+    std::array<std::uint64_t, 5> parts{};  // seven eighths of its sides: in the middle and at the corners
+};
+
+/// @pre the shot has a print and a look
+PhotoHashes hashes_of(const Shot& shot);
+
+/// The bits in which two photos differ. A crop is compared with the parts of the whole photo.
+int distance_between(const PhotoHashes& a, const PhotoHashes& b);
+
+/// False where colours tell at once that two photos are no copies. @pre both shots have a look
+bool may_be_copies(const Shot& a, const Shot& b, Kinship kinship);
 
 /// True for two photos that show one take: frames of a burst, copies, crops and other exposures.
 bool are_near_copies(const MediaRecord& a, const MediaRecord& b);

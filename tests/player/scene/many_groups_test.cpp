@@ -150,13 +150,13 @@ class Library {
     double milliseconds_ = 0;
 };
 
-void check(const Library& library, double least_without_time) {
+void check(const Library& library) {
     for (const char* kind : {"crop", "exposure", "next"}) {
         CAPTURE(kind);
         MESSAGE(fmt::format("{}: found {:.3f} with times, {:.3f} without", kind, library.found(kind, true),
                             library.found(kind, false)));
         CHECK(library.found(kind, true) >= 0.95);
-        CHECK(library.found(kind, false) >= least_without_time);
+        CHECK(library.found(kind, false) >= 0.95);
     }
     MESSAGE(fmt::format("different pictures merged {:.4f}, {:.2f} ms of CPU a photo", library.merged(),
                         library.milliseconds()));
@@ -168,6 +168,6 @@ void check(const Library& library, double least_without_time) {
 TEST_CASE("near-copies are found and different pictures are not merged, also those of the same room") {
     const char* given = std::getenv("VITRINE_GROUPS");
     const std::size_t pictures = given == nullptr ? 300 : std::strtoul(given, nullptr, 10);
-    check(Library({}, pictures / 5, 3), 0.8);
-    if (given != nullptr) check(Library(real_scenes(), pictures / 5, 2), 0.8);
+    check(Library({}, pictures / 5, 3));
+    if (given != nullptr) check(Library(real_scenes(), pictures / 5, 2));
 }

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -29,18 +30,35 @@ struct Scene {
 
     double share() { return static_cast<double>(engine() % 1000) / 1000; }
 
+    double shade(Vec2 at) const {
+        double shade = 128;
+        for (const auto& [middle, form] : blobs) {
+            const Vec2 away = at - middle;
+            shade += form.x * std::exp(-(away.x * away.x + away.y * away.y) / (form.y * form.y));
+        }
+        return shade;
+    }
+
+    /// The hash of a look of a window.
+    std::uint64_t hash(Vec2 corner, double size) const {
+        std::uint64_t hash = 0;
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x) {
+                const auto at = [&](int column) {
+                    return shade(corner + Vec2{(column + 0.5) / 9, (y + 0.5) / 8} * size);
+                };
+                hash = hash << 1U | static_cast<unsigned>(at(x) > at(x + 1));
+            }
+        return hash;
+    }
+
     PicturePrint print(Vec2 corner = {0, 0}, double size = 1, double gain = 1) const {
         PicturePrint print{.shades = {}, .sharpness = 1};
         for (int y = 0; y < PicturePrint::side; ++y)
             for (int x = 0; x < PicturePrint::side; ++x) {
                 const Vec2 at =
                     corner + Vec2{(x + 0.5) / PicturePrint::side, (y + 0.5) / PicturePrint::side} * size;
-                double shade = 128;
-                for (const auto& [middle, form] : blobs) {
-                    const Vec2 away = at - middle;
-                    shade += form.x * std::exp(-(away.x * away.x + away.y * away.y) / (form.y * form.y));
-                }
-                print.shades.push_back(static_cast<std::uint8_t>(std::clamp(shade * gain, 0.0, 255.0)));
+                print.shades.push_back(static_cast<std::uint8_t>(std::clamp(shade(at) * gain, 0.0, 255.0)));
             }
         return print;
     }
@@ -138,6 +156,38 @@ void check_crowds(unsigned seeds) {
 }
 
 }  // namespace
+
+TEST_CASE("a crop is near to a part of the whole photo, however far from the photo itself") {
+    int far = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Scene scene(seed);
+        Shot whole, crop;
+        whole.print = scene.print();
+        whole.look = ShotLook{.hash = scene.hash({0, 0}, 1)};
+        crop.print = scene.print({0.2, 0.2}, 0.8);
+        crop.look = ShotLook{.hash = scene.hash({0.2, 0.2}, 0.8)};
+        const int distance = distance_between(hashes_of(whole), hashes_of(crop));
+        CHECK(distance <= 22);
+        CHECK(distance == distance_between(hashes_of(crop), hashes_of(whole)));
+        if (std::popcount(whole.look->hash ^ crop.look->hash) > 22) ++far;
+    }
+    CHECK(far > 3);
+}
+
+TEST_CASE("two skies that were taken at once are two, and with the same clouds they are one") {
+    const auto sky = [](const char* path, double cloud) {
+        PicturePrint print{.shades = {}, .sharpness = 1};
+        for (int y = 0; y < PicturePrint::side; ++y)
+            for (int x = 0; x < PicturePrint::side; ++x) {
+                const double away = (x - cloud) * (x - cloud) + (y - 8.0) * (y - 8.0);
+                print.shades.push_back(static_cast<std::uint8_t>(50 + 8 * y + 40 * std::exp(-away / 6)));
+            }
+        return seen(path, print);
+    };
+    const MediaRecord first = taken(sky("a.jpg", 4), 0s);
+    CHECK(group_with({first, taken(sky("b.jpg", 12), 1s)}, "a.jpg").empty());
+    CHECK(group_with({first, taken(sky("b.jpg", 4.2), 1s)}, "a.jpg").size() == 2);
+}
 
 TEST_CASE("frames of a burst are one group, the sharpest first, and other photos are none") {
     const std::vector<MediaRecord> records = folder();
