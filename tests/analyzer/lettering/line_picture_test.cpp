@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cairo/cairo.h>
+#include <pango/pangocairo.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -144,6 +145,20 @@ TEST_CASE("any bytes can be set") {
     }
     CHECK(inked_columns(set(home, "a\nb")).size() == inked_columns(set(home, "a b")).size());
     CHECK(inked_columns(set(home, "<b>")).size() > 40);
+}
+
+TEST_CASE("the fonts that come with Vitrine have letters for names in many scripts") {
+    const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 1, 1), &cairo_surface_destroy);
+    const std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo(cairo_create(surface.get()), &cairo_destroy);
+    for (const char* text : {"Žofín", "Αθήνα", "Київ", "שלום", "سلام", "नमस्ते", "สวัสดี", "東京", "アルバム",
+                             "ひらがな", "假期", "서울", "🎉"}) {
+        CAPTURE(text);
+        const std::unique_ptr<PangoLayout, void (*)(void*)> line(pango_cairo_create_layout(cairo.get()),
+                                                                 &g_object_unref);
+        pango_layout_set_text(line.get(), text, -1);
+        CHECK(pango_layout_get_unknown_glyphs_count(line.get()) == 0);
+    }
 }
 
 TEST_CASE("words are set in a sandbox that reads fonts and writes pictures only") {

@@ -61,28 +61,36 @@ bool is_near(const Picture& picture, int x, int y, const Rgb& colour) {
     return true;
 }
 
-MediaRecord grey_photo() {
-    MediaRecord record{.path = "grey.png", .state = MediaState::ready, .width = 160, .height = 90};
+MediaRecord grey_photo(const std::string& path = "grey.png") {
+    MediaRecord record{.path = path, .state = MediaState::ready, .width = 160, .height = 90};
     record.shots = {Shot{.region = {.polygon = to_polygon(Box{{60, 25}, {100, 65}})}}};
     return record;
 }
 
-/// A wall of one photo, of which there is a tapestry.
+/// A wall of grey photos, one by default, of each of which there is a tapestry.
 struct Theatre {
-    Theatre() : display({.screens = {{320, 180}}}, {}, 30) {
-        save_png(plain(160, 90, {120, 120, 120}), directory.path / "grey.png");
-        write_tiles(tapestry(), drawn_tapestry());
+    explicit Theatre(const Settings& wanted = {}, const std::vector<std::string>& paths = {"grey.png"})
+        : settings(wanted), display({.screens = {{320, 180}}}, {}, 30) {
+        std::vector<MediaRecord> records;
+        for (const std::string& path : paths) {
+            std::filesystem::create_directories((directory.path / path).parent_path());
+            save_png(plain(160, 90, {120, 120, 120}), directory.path / path);
+            write_tiles(tapestry(path), drawn_tapestry());
+            records.push_back(grey_photo(path));
+        }
         settings.state.directory = directory.path.string();
         settings.layout.max_enlargement = 100;
         settings.input.idle = 20s;
         stage = std::make_unique<Stage>(
             settings, StageOptions{.number = 3, .folder = {}, .awaits_sources = true}, sources);
-        stage->set_catalogue(std::vector<MediaRecord>{grey_photo()});
+        stage->set_catalogue(records);
         const auto screens = display.screens();
         stage->set_screens({screens.begin(), screens.end()}, 0s);
     }
 
-    std::filesystem::path tapestry() const { return directory.path / "tapestry" / record_id("grey.png"); }
+    std::filesystem::path tapestry(const std::string& path = "grey.png") const {
+        return directory.path / "tapestry" / record_id(path);
+    }
 
     void play(std::chrono::nanoseconds duration) {
         for (const auto end = now + duration; now < end; now += 100ms)
@@ -291,6 +299,47 @@ TEST_CASE("two taps on a film open its tapestry; the wheel goes through its leve
     theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
     theatre.play(2s);
     CHECK(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
+}
+
+TEST_CASE("two taps open a film's tapestry on a panning wall, too") {
+    Settings settings;
+    settings.layout.mode = WallMode::pan;
+    Theatre theatre(settings);
+    theatre.play(2s);
+    REQUIRE(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
+    theatre.tap({160, 90});
+    theatre.tap({160, 90});
+    theatre.play(2s);
+    CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
+}
+
+TEST_CASE("two taps on a folder open it; two more on a film in it open its tapestry, and Back leads to the "
+          "folder") {
+    Settings settings;
+    settings.layout.folders = FolderMode::nested;
+    Theatre theatre(settings, {"trip/one.png", "trip/two.png", "grey.png"});
+    theatre.play(3s);
+    const auto tap_twice = [&](Vec2 at) {
+        theatre.tap(at);
+        theatre.tap(at);
+        theatre.play(3s);
+    };
+    const auto is_strip = [&] { return is_near(theatre.picture(), 160, 140, colours[0]); };
+    // The loose photo is on one side of the wall, the folder on the other.
+    tap_twice({60, 90});
+    if (is_strip()) {
+        theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
+        theatre.play(3s);
+        tap_twice({260, 90});
+    }
+    CHECK_FALSE(is_strip());  // the folder is open
+    CHECK(theatre.stage->wall().opened_folder() == "trip");
+    tap_twice({60, 90});
+    CHECK(is_strip());
+    theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
+    theatre.play(3s);
+    CHECK_FALSE(is_strip());
+    CHECK(theatre.stage->wall().opened_folder() == "trip");
 }
 
 TEST_CASE("the tapestry of a film that has changed is not shown") {
