@@ -68,7 +68,8 @@ void FolderWall::handle_gesture(const Gesture& gesture) {
 }
 
 std::optional<SeenShot> FolderWall::shot_at(Vec2 point) const {
-    if (folders_.is_on_way() || is_inside(way_back(), point)) return std::nullopt;
+    const bool is_opening = !wanted_.empty() || folders_.is_on_way();
+    if (is_opening || is_inside(way_back(), point)) return std::nullopt;
     return wall().shot_at(point);
 }
 
