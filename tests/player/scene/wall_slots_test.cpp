@@ -48,10 +48,11 @@ struct Player {
     }
 };
 
-Player make_player(SlotSettings settings, const std::vector<MediaRecord>& records) {
+Player make_player(SlotSettings settings, const std::vector<MediaRecord>& records,
+                   const ShowHints& hints = {}) {
     settings.lead = 0s;
     Player player{.slots = WallSlots(settings)};
-    player.slots.set_catalogue(records);
+    player.slots.set_catalogue(records, hints);
     player.look();
     return player;
 }
@@ -73,6 +74,34 @@ TEST_CASE("every photo is shown once before any is shown again") {
                 REQUIRE(largest - smallest <= 1);
             }
             CHECK(wall.order.size() > 100);
+        }
+    }
+}
+
+TEST_CASE("photos of this day in other years come onto the wall before all others, in any order of shots") {
+    using namespace std::chrono;
+    ShowHints hints;
+    hints.today = local_days(2026y / November / 23);
+    for (const ShotOrder order : {ShotOrder::shuffle, ShotOrder::name, ShotOrder::taken}) {
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            std::mt19937 random(seed);
+            std::vector<MediaRecord> records = photos(400);
+            std::set<std::string> matches;
+            for (MediaRecord& record : records) {
+                const year_month_day date =
+                    year(2015 + static_cast<int>(random() % 11)) / November / day(1 + random() % 28);
+                record.origin.taken =
+                    TimeTaken{.at = sys_days(date) + 12h, .zone = 0min, .source = TimeSource::camera};
+                if (date.day() == 23d) matches.insert(record.path);
+            }
+            Player wall = make_player({.count = 12, .order = order, .seed = seed}, records, hints);
+            while (wall.order.size() < matches.size())
+                wall.run(1s);
+            std::set<std::string> first;
+            for (std::size_t i = 0; i < matches.size(); ++i)
+                first.insert(wall.order[i].path);
+            REQUIRE(matches.size() > 12);
+            CHECK(first == matches);
         }
     }
 }
