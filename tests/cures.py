@@ -51,6 +51,8 @@ CURES = [
     Cure("a cell with another form for one frame", "player/layout/cells/far_parts.cpp",
          "neighbours.emplace_back(distance_to(items.regions[j], middle), j)", "neighbours.emplace_back(distance_to(items.regions[j], middle) * 0 - touch_of(part, shown[j]), j)",
          "scene_test.transition_test"),
+    Cure("a hole where a small picture took a large one's seat", "player/layout/plan/flat_plan.cpp",
+         "if (hole <= max_hole || !can_be_filled(request)) return layout;", "if (hole >= 0) return layout;", "layout_test.plan_test"),
     Cure("a crop that is another photo", "player/scene/files/near_copies.cpp",
          "std::min({least, std::popcount(a.parts.at(i) ^ b.whole), std::popcount(a.whole ^ b.parts.at(i))})", "least + 0 * static_cast<int>(i)",
          "scene_test.file_groups_test"),

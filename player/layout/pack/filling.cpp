@@ -20,7 +20,6 @@ constexpr double unevenness_weight = 0.05;  // factor of the variance of ln(scal
 constexpr double tininess_weight = 20;      // factor of the mean square of ln(scale) missing to that
 constexpr double min_move_share = 0.003;    // shortest random move, share of the field's diagonal
 constexpr double max_move_share = 0.3;
-constexpr double max_share_from_home = 0.05;
 constexpr double pull_weight =
     0.15;  // factor of the mean distance from home in diagonals; costs are shares of the canvas
 constexpr double max_resize_step = 0.12;  // ln(scale) of a random step
@@ -263,7 +262,7 @@ class GapFilling {
     }
 
     /// The limit of a random move, as a share of the field's diagonal.
-    double max_move() const { return targets_.homes.empty() ? max_move_share : max_share_from_home; }
+    double max_move() const { return targets_.homes.empty() ? max_move_share : targets_.max_way; }
 
     double distance_home(std::size_t item) const {
         return targets_.homes.empty() ? 0 : length(now_.places[item] - targets_.homes[item]);

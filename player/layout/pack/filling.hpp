@@ -24,6 +24,7 @@ struct FillingTargets {
     double emptiness = 3;         // costs of an area without pixels, as a multiple of one without I-Regions
     double fair_size = -0.15;     // ln(scale) relative to the natural one; a smaller item is tiny
     int tries = 60'000;           // of each annealing
+    double max_way = 0.05;        // of one move where items have homes, share of the field's diagonal
 };
 
 /// The mean distance of the items from home, as a share of the field's diagonal; 0: they have none.

@@ -12,6 +12,7 @@
 #include "player/layout/pack/shape.hpp"
 #include "player/layout/pack/sliver_filling.hpp"
 #include "player/layout/plan/bands.hpp"
+#include "player/layout/plan/seat_exchanges.hpp"
 #include "player/layout/plan/warm_start.hpp"
 
 #include <algorithm>
@@ -155,6 +156,11 @@ bool has_kept_items(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_band; });
 }
 
+bool has_pinned_items(const PlanRequest& request) {
+    return std::ranges::any_of(request.items,
+                               [](const PlanItem& item) { return item.is_pinned && !item.is_band; });
+}
+
 /// True if a placed item may be moved.
 bool has_movable_items(const PlanRequest& request) {
     return std::any_of(request.items.begin(), request.items.end(),
@@ -249,13 +255,37 @@ class FlatPlan {
                                  std::vector<Vec2> homes) {
         if (!request_.fills) return arrangement;
         if (request_.is_coarse) return coarsely_filled(problem, frames_of(request_, problem), arrangement);
+        const FillingTargets targets = filling_targets(problem, std::move(homes));
+        const Arrangement filled = filled_once(problem, targets, arrangement);
+        return slivers_filled(problem, targets.frames, filled_again(problem, targets, filled));
+    }
+
+    /// Fills again, with farther moves, while a hole stays that this makes smaller.
+    Arrangement filled_again(PackingProblem& problem, FillingTargets targets, Arrangement filled) {
+        constexpr double max_hole = 0.003;  // share of the canvas
+        constexpr double min_gain = 0.001;
+        constexpr int max_tries = 3;
+        targets.emptiness *= 2;
+        targets.max_way *= 2;
+        double hole = unfilled_share(problem, targets.frames, filled);
+        for (int tries = 0; tries < max_tries && hole > max_hole; ++tries) {
+            PackingProblem trial = problem;
+            Arrangement again = filled_once(trial, targets, filled);
+            const double left = unfilled_share(trial, targets.frames, again);
+            if (left > hole - min_gain) break;
+            problem = std::move(trial);
+            filled = std::move(again);
+            hole = left;
+        }
+        return filled;
+    }
+
+    Arrangement filled_once(PackingProblem& problem, const FillingTargets& targets,
+                            const Arrangement& arrangement) {
         SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
                             watch_.should_stop);
-        const FillingTargets targets = filling_targets(problem, std::move(homes));
-        const Arrangement filled = is_for_few(problem)
-                                       ? few_filled(problem, targets, arrangement, random_, budget)
-                                       : fill_gaps(problem, targets, arrangement, random_, budget);
-        return slivers_filled(problem, targets.frames, filled);
+        return is_for_few(problem) ? few_filled(problem, targets, arrangement, random_, budget)
+                                   : fill_gaps(problem, targets, arrangement, random_, budget);
     }
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {
@@ -272,12 +302,58 @@ class FlatPlan {
     double ratio_;  // width / height of the canvas
 };
 
+/// The share of the canvas without a picture.
+double hole_of(const PlanRequest& request, const Layout& layout) {
+    PackingProblem problem = problem_on_canvas(request);
+    Arrangement arrangement{{}, 1};
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        const Placement& at = layout.placements[i];
+        problem.scales[i] = at.scale;
+        arrangement.places.push_back(problem.shapes[i].centroid * at.scale + at.offset);
+    }
+    return unfilled_share(problem, frames_of(request, problem), arrangement);
+}
+
+/// False where the pictures are so small that holes have to be expected.
+bool can_be_filled(const PlanRequest& request) {
+    constexpr double min_area = 1.2;  // of the pictures at their largest, share of the canvas
+    const PackingProblem problem = problem_of(request);
+    double sum = 0;
+    for (std::size_t i = 0; i < problem.items(); ++i)
+        sum += request.items[i].item.core.area() * problem.limits[i] * problem.limits[i];
+    return sum >= min_area * request.canvas.x * request.canvas.y;
+}
+
+/// Fills the hole that a change has left and no growth can fill: a newcomer and a kept item exchange their
+/// places, or else all is laid out anew.
+Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout layout) {
+    constexpr double max_hole = 0.01;  // share of the canvas
+    constexpr double min_gain = 0.005;
+    constexpr double min_gain_of_all = 0.05;
+    if (!request.fills || request.is_coarse || request.order == LayoutOrder::reading) return layout;
+    double hole = hole_of(request, layout);
+    if (hole <= max_hole || !can_be_filled(request)) return layout;
+    const PlanWatch untold{.on_better = {}, .should_stop = watch.should_stop};
+    const auto take_if_better = [&](const std::optional<Layout>& other, double gain) {
+        const double left = other ? hole_of(request, *other) : 1;
+        if (left > hole - gain) return;
+        layout = *other;
+        hole = left;
+    };
+    for (const PlanRequest& exchanged : seat_exchanges(request)) {
+        take_if_better(FlatPlan(exchanged, untold).changed_layout(), min_gain);
+        if (hole <= max_hole) return layout;
+    }
+    if (!has_pinned_items(request)) take_if_better(FlatPlan(request, untold).fresh_layout(), min_gain_of_all);
+    return layout;
+}
+
 /// @pre the bands of the canvas are items of the request
 Layout planned_flat(const PlanRequest& request, const PlanWatch& watch) {
     FlatPlan plan(request, watch);
     if (request.energy == EnergyMode::paper) return plan.paper_layout();
     if (has_movable_items(request))
-        if (const auto changed = plan.changed_layout()) return *changed;
+        if (auto changed = plan.changed_layout()) return without_hole(request, watch, *std::move(changed));
     return plan.fresh_layout();
 }
 

@@ -20,9 +20,15 @@ class ChangingWall {
   public:
     using Shots = std::vector<PlacedShot>;
 
+    /// @param budget  of each plan
     ChangingWall(Vec2 canvas, std::size_t count, std::uint64_t seed, DrawItems draw = random_item,
-                 const CellStyle& style = {})
-        : canvas_(canvas), random_(seed), seed_(seed), draw_(std::move(draw)), style_(style) {
+                 const CellStyle& style = {}, std::int64_t budget = 60'000)
+        : canvas_(canvas),
+          random_(seed),
+          seed_(seed),
+          draw_(std::move(draw)),
+          style_(style),
+          budget_(budget) {
         PlanRequest request;
         Shots wall;
         for (std::size_t i = 0; i < count; ++i) {
@@ -118,7 +124,7 @@ class ChangingWall {
     Shots laid_out(Shots wall, PlanRequest request) {
         request.canvas = canvas_;
         request.seed = seed_++;
-        request.budget = 60'000;
+        request.budget = budget_;
         const Layout layout = plan(request);
         for (std::size_t i = 0; i < wall.size(); ++i)
             wall[i].placement = layout.placements[i];
@@ -131,6 +137,7 @@ class ChangingWall {
     std::uint64_t seed_;
     DrawItems draw_;
     CellStyle style_;
+    std::int64_t budget_;
     SourceId last_ = 0;
     Shots shown_;
 };

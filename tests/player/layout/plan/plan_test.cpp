@@ -152,6 +152,34 @@ TEST_CASE("a newcomer is not tiny in the seat of the smallest item, and makes no
     }
 }
 
+TEST_CASE("a small picture leaves no hole in the seat of a large one") {
+    for (const std::uint64_t seed : {20U, 22U, 29U}) {
+        Random random(seed);
+        PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 60'000};
+        while (request.items.size() < 6)
+            if (const LayoutItem item = random_item(random); item.core.area() > 1e6)
+                request.items.push_back({.item = item});
+        const std::vector<LayoutItem> items = items_of(request);
+        const std::vector<Placement> before = plan(request).placements;
+        std::size_t largest = 0;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            request.items[i].previous = before[i];
+            if (seat_of(items[i], before[i]).area > seat_of(items[largest], before[largest]).area)
+                largest = i;
+        }
+        const LayoutItem small{.region = {{60, 40}, {260, 40}, {260, 160}, {60, 160}},
+                               .core = {{0, 0}, {320, 180}}};
+        request.items[largest] = {.item = small, .seat = seat_of(items[largest], before[largest])};
+        const Layout layout = plan(request);
+        std::vector<NamedItem> named;
+        for (const LayoutItem& item : items_of(request))
+            named.push_back({.path = {}, .item = item});
+        CAPTURE(seed);
+        CHECK(is_sound(request, layout, fmt::format("small_{}", seed)));
+        CHECK(plan_result(std::move(named), layout).canvas_filled >= 0.995);
+    }
+}
+
 TEST_CASE("items can be inserted and deleted from a standing layout") {
     PlanRequest request = random_request(8, 9);
     std::vector<Placement> before = plan(request).placements;
