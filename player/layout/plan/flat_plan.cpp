@@ -265,6 +265,7 @@ class FlatPlan {
         constexpr double max_hole = 0.003;  // share of the canvas
         constexpr double min_gain = 0.001;
         constexpr int max_tries = 3;
+        if (is_for_few(problem)) return filled;
         targets.emptiness *= 2;
         targets.max_way *= 2;
         double hole = unfilled_share(problem, targets.frames, filled);
@@ -327,12 +328,13 @@ bool can_be_filled(const PlanRequest& request) {
 /// Fills the hole that a change has left and no growth can fill: a newcomer and a kept item exchange their
 /// places, or else all is laid out anew.
 Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout layout) {
-    constexpr double max_hole = 0.01;  // share of the canvas
-    constexpr double min_gain = 0.005;
+    constexpr double max_hole = 0.006;  // share of the canvas
+    constexpr double min_gain = 0.004;
     constexpr double min_gain_of_all = 0.05;
     if (!request.fills || request.is_coarse || request.order == LayoutOrder::reading) return layout;
     double hole = hole_of(request, layout);
     if (hole <= max_hole || !can_be_filled(request)) return layout;
+    if (is_for_few(problem_of(request))) return layout;
     const PlanWatch untold{.on_better = {}, .should_stop = watch.should_stop};
     const auto take_if_better = [&](const std::optional<Layout>& other, double gain) {
         const double left = other ? hole_of(request, *other) : 1;
