@@ -1,5 +1,6 @@
 #include "player/layout/plan/flat_plan.hpp"
 
+#include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/arrangement.hpp"
 #include "player/layout/pack/coarse_filling.hpp"
 #include "player/layout/pack/descent.hpp"
@@ -325,6 +326,26 @@ bool can_be_filled(const PlanRequest& request) {
     return sum >= min_area * request.canvas.x * request.canvas.y;
 }
 
+/// True where the items that stay have a way to their new places on which none becomes much smaller.
+bool has_calm_way(const PlanRequest& request, const Layout& layout) {
+    constexpr double min_size = 0.7;  // of the smaller of both scales
+    std::vector<LayoutItem> items;
+    std::vector<Placement> from, to;
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+        const PlanItem& item = request.items[i];
+        if (!item.previous || item.is_band) continue;
+        items.push_back(item.item);
+        from.push_back(*item.previous);
+        to.push_back(layout.placements[i]);
+    }
+    const auto motion = motion_between(items, from, to, request.canvas);
+    if (!motion || motion->kind == Motion::Kind::detour) return false;
+    for (const std::vector<Placement>& key : motion->keys)
+        for (std::size_t i = 0; i < key.size(); ++i)
+            if (key[i].scale < min_size * std::min(from[i].scale, to[i].scale)) return false;
+    return true;
+}
+
 /// Fills the hole that a change has left and no growth can fill: a newcomer and a kept item exchange their
 /// places, or else all is laid out anew.
 Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout layout) {
@@ -336,18 +357,17 @@ Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout l
     if (hole <= max_hole || !can_be_filled(request)) return layout;
     if (is_for_few(problem_of(request))) return layout;
     const PlanWatch untold{.on_better = {}, .should_stop = watch.should_stop};
-    const auto take_if_better = [&](const std::optional<Layout>& other, double gain) {
+    for (const PlanRequest& exchanged : seat_exchanges(request)) {
+        const auto other = FlatPlan(exchanged, untold).changed_layout();
         const double left = other ? hole_of(request, *other) : 1;
-        if (left > hole - gain) return;
+        if (left > hole - min_gain || !has_calm_way(request, *other)) continue;
         layout = *other;
         hole = left;
-    };
-    for (const PlanRequest& exchanged : seat_exchanges(request)) {
-        take_if_better(FlatPlan(exchanged, untold).changed_layout(), min_gain);
         if (hole <= max_hole) return layout;
     }
-    if (!has_pinned_items(request)) take_if_better(FlatPlan(request, untold).fresh_layout(), min_gain_of_all);
-    return layout;
+    if (has_pinned_items(request)) return layout;
+    const Layout fresh = FlatPlan(request, untold).fresh_layout();
+    return hole_of(request, fresh) <= hole - min_gain_of_all ? fresh : layout;
 }
 
 /// @pre the bands of the canvas are items of the request

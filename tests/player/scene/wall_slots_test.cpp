@@ -88,8 +88,8 @@ TEST_CASE("photos of this day in other years come onto the wall before all other
             std::vector<MediaRecord> records = photos(400);
             std::set<std::string> matches;
             for (MediaRecord& record : records) {
-                const year_month_day date =
-                    year(2015 + static_cast<int>(random() % 11)) / November / day(1 + random() % 28);
+                const year_month_day date = year(2015 + static_cast<int>(random() % 11)) / November /
+                                            std::chrono::day(1 + random() % 28);
                 record.origin.taken =
                     TimeTaken{.at = sys_days(date) + 12h, .zone = 0min, .source = TimeSource::camera};
                 if (date.day() == 23d) matches.insert(record.path);
