@@ -43,9 +43,21 @@ double shade_at(const PicturePrint& print, double x, double y) {
            (at[side] * (1 - right) + at[side + 1] * right) * down;
 }
 
+/// The shades of a picture at a grid of places.
+struct GridShades {
+    GridShades(const PicturePrint& print, int side) : points(side) {
+        for (int row = 0; row < points; ++row)
+            for (int column = 0; column < points; ++column)
+                shades.push_back(shade_at(print, (column + 0.5) / points, (row + 0.5) / points));
+    }
+
+    int points;  // a side of the grid
+    std::vector<double> shades;
+};
+
 /// The correlation of two pictures that lie over each other, where both are.
-/// @param points  a side of the grid of places that are compared
-double correlation(const PicturePrint& a, const PicturePrint& b, const Fit& fit, int points) {
+double correlation(const GridShades& a, const PicturePrint& b, const Fit& fit) {
+    const int points = a.points;
     constexpr double min_overlap = 0.5;
     double n = 0, sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, products = 0;
     for (int row = 0; row < points; ++row)
@@ -54,7 +66,9 @@ double correlation(const PicturePrint& a, const PicturePrint& b, const Fit& fit,
             const double other_x = fit.centre.x + fit.scale.x * (x - 0.5);
             const double other_y = fit.centre.y + fit.scale.y * (y - 0.5);
             if (other_x < 0 || other_x > 1 || other_y < 0 || other_y > 1) continue;
-            const double one = shade_at(a, x, y), other = shade_at(b, other_x, other_y);
+            const double one = a.shades[static_cast<std::size_t>(row) * static_cast<std::size_t>(points) +
+                                        static_cast<std::size_t>(column)];
+            const double other = shade_at(b, other_x, other_y);
             n += 1;
             sum_a += one;
             sum_b += other;
@@ -126,7 +140,7 @@ struct RatedFit {
 
 /// The best of a grid of fits.
 RatedFit coarse_fit(const PicturePrint& a, const PicturePrint& b) {
-    constexpr int points = 8;
+    const GridShades shades(a, 8);
     constexpr std::array scales{0.78, 0.88, 1.0, 1.13, 1.28};
     constexpr std::array shifts{-0.1, -0.05, 0.0, 0.05, 0.1};
     RatedFit best;
@@ -134,7 +148,7 @@ RatedFit coarse_fit(const PicturePrint& a, const PicturePrint& b) {
         for (const double right : shifts)
             for (const double down : shifts) {
                 const Fit fit{.centre = {0.5 + right, 0.5 + down}, .scale = {scale, scale}};
-                const double rated = correlation(a, b, fit, points);
+                const double rated = correlation(shades, b, fit);
                 if (rated > best.likeness) best = {.likeness = rated, .fit = fit};
             }
     return best;
@@ -142,7 +156,8 @@ RatedFit coarse_fit(const PicturePrint& a, const PicturePrint& b) {
 
 /// Climbs from a fit to the best one near it, in ever smaller steps.
 RatedFit refined(const PicturePrint& a, const PicturePrint& b, const Fit& from) {
-    RatedFit best{.likeness = correlation(a, b, from, side), .fit = from};
+    const GridShades shades(a, side);
+    RatedFit best{.likeness = correlation(shades, b, from), .fit = from};
     for (const double step : {0.03, 0.012}) {
         for (int round = 0; round < 3; ++round) {
             const double before = best.likeness;
@@ -153,7 +168,7 @@ RatedFit refined(const PicturePrint& a, const PicturePrint& b, const Fit& from) 
                      : which == 1 ? fit.centre.y
                      : which == 2 ? fit.scale.x
                                   : fit.scale.y) += by;
-                    const double rated = correlation(a, b, fit, side);
+                    const double rated = correlation(shades, b, fit);
                     if (rated > best.likeness) best = {.likeness = rated, .fit = fit};
                 }
             if (best.likeness == before) break;

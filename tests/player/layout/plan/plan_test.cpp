@@ -1,5 +1,6 @@
 #include "player/layout/plan/plan.hpp"
 
+#include "player/layout/edit/motion.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/fair_shares.hpp"
 #include "tests/player/layout/instances.hpp"
@@ -18,6 +19,25 @@ bool is_sound(const PlanRequest& request, const Layout& layout, const std::strin
     for (const Placement& placement : layout.placements)
         if (placement.scale > request.max_scale * (1 + 1e-9)) return false;
     return layout.canvas == request.canvas && is_sound(items_of(request), layout, name);
+}
+
+/// The least scale of a kept item on its way to its new place, share of the smaller one of both ends.
+double smallest_on_way(const PlanRequest& request, const Layout& layout) {
+    std::vector<LayoutItem> items;
+    std::vector<Placement> from, to;
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+        if (!request.items[i].previous) continue;
+        items.push_back(request.items[i].item);
+        from.push_back(*request.items[i].previous);
+        to.push_back(layout.placements[i]);
+    }
+    const auto motion = motion_between(items, from, to, request.canvas);
+    if (!motion) return 0;
+    double least = 1;
+    for (const auto& key : motion->keys)
+        for (std::size_t i = 0; i < key.size(); ++i)
+            least = std::min(least, key[i].scale / std::min(from[i].scale, to[i].scale));
+    return least;
 }
 
 }  // namespace
@@ -152,7 +172,7 @@ TEST_CASE("a newcomer is not tiny in the seat of the smallest item, and makes no
     }
 }
 
-TEST_CASE("a small picture leaves no hole in the seat of a large one") {
+TEST_CASE("a small picture leaves no hole in the seat of a large one, and the others move calmly") {
     for (const std::uint64_t seed : {20U, 22U, 29U}) {
         Random random(seed);
         PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 60'000};
@@ -176,6 +196,7 @@ TEST_CASE("a small picture leaves no hole in the seat of a large one") {
             named.push_back({.path = {}, .item = item});
         CAPTURE(seed);
         CHECK(is_sound(request, layout, fmt::format("small_{}", seed)));
+        CHECK(smallest_on_way(request, layout) >= 0.7);
         CHECK(plan_result(std::move(named), layout).canvas_filled >= 0.995);
     }
 }
