@@ -326,6 +326,22 @@ class Show(unittest.TestCase):
         self.assertGreater(min(grounds[RATE:12 * RATE]), 1000, "pictures fill the wall")
         self.assertLess(max(grounds[15 * RATE:]), 500, "the idle picture, which has many colours and hardly any grey")
 
+    def test_panels_are_dark_outside_their_hours_and_show_the_wall_soon_after(self):
+        for number in range(3):
+            disc(self.root / f"{number}.png", COLOURS[number], number=number)
+        self.analyse()
+        script = Path(self.folder.name) / "script.txt"
+        script.write_text("0 clock 2026-12-24 17:59:56\n20 clock 2026-12-25 07:59:58\n")  # off at 4 s, on at 22 s
+
+        self.play("--duration", "27s", "--slots", "3", "--output.on", "08:00-18:00", "--rehearse", script)
+
+        told = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "frame=pts_time", "-of", "csv=p=0",
+                               Path(self.folder.name) / "wall.mp4"], capture_output=True, check=True, text=True).stdout
+        times = [float(line.strip(",")) for line in told.split()]
+        evening, morning = [time for time in times if time < 15], [time for time in times if time >= 15]
+        self.assertTrue(2 < evening[-1] <= 4 + 5, f"the last picture of the evening at {evening[-1]} s")
+        self.assertTrue(22 <= morning[0] <= 22 + 2, f"the first picture of the morning at {morning[0]} s")
+
     def write_records(self, names, pictures):
         """Films of one shot each, whose I-Region is their middle."""
         length = pictures * 1_000_000_000 // RATE
