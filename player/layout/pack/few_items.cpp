@@ -11,7 +11,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr std::size_t divisions = 8;   // that are tried
-constexpr double emptiness = 10. / 3;  // factor of the costs of an area without pixels
+constexpr double emptiness = 10;       // costs of an area without pixels; see FillingTargets
 constexpr int tries_of_few = 8'000;    // of each annealing
 constexpr double min_size = -0.33;     // ln(scale) relative to the fair one: half of its area
 constexpr double tiny_cost = 20;       // factor of the square of ln(scale) missing to that
@@ -47,7 +47,7 @@ bool is_for_few(const PackingProblem& problem) {
 Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
                        Random& random, SearchBudget& budget) {
     FillingTargets wished = targets;
-    wished.emptiness *= emptiness;
+    wished.emptiness = emptiness;
     wished.fair_size = min_size;
     wished.tries = tries_of_few;
     std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
