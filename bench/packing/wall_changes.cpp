@@ -7,8 +7,8 @@
 #include "bench/packing/bench.hpp"
 #include "player/layout/cells/cells.hpp"
 #include "player/layout/edit/make_way.hpp"
-#include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/energy.hpp"
+#include "player/layout/plan/motion.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/instances.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "player/layout/cells/cells.hpp"
-#include "player/layout/edit/motion.hpp"
+#include "player/layout/plan/motion.hpp"
 #include "player/scene/wall_shot.hpp"
 
 #include <chrono>

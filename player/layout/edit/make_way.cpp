@@ -1,9 +1,9 @@
 #include "player/layout/edit/make_way.hpp"
 
 #include "player/layout/edit/edit_window.hpp"
-#include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/energy.hpp"
 #include "player/layout/plan/bands.hpp"
+#include "player/layout/plan/motion.hpp"
 #include "player/layout/plan/plan_request.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "base/geometry/convex_hull.hpp"
 #include "player/layout/cells/bleeding_edge.hpp"
-#include "player/layout/edit/motion.hpp"
+#include "player/layout/plan/motion.hpp"
 
 #include <algorithm>
 #include <optional>

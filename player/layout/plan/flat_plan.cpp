@@ -1,6 +1,5 @@
 #include "player/layout/plan/flat_plan.hpp"
 
-#include "player/layout/edit/motion.hpp"
 #include "player/layout/pack/arrangement.hpp"
 #include "player/layout/pack/coarse_filling.hpp"
 #include "player/layout/pack/descent.hpp"
@@ -13,6 +12,7 @@
 #include "player/layout/pack/shape.hpp"
 #include "player/layout/pack/sliver_filling.hpp"
 #include "player/layout/plan/bands.hpp"
+#include "player/layout/plan/motion.hpp"
 #include "player/layout/plan/seat_exchanges.hpp"
 #include "player/layout/plan/warm_start.hpp"
 

@@ -1,6 +1,6 @@
 #include "player/layout/plan/plan.hpp"
 
-#include "player/layout/edit/motion.hpp"
+#include "player/layout/plan/motion.hpp"
 #include "player/layout/plan/plan_output.hpp"
 #include "tests/player/layout/fair_shares.hpp"
 #include "tests/player/layout/instances.hpp"

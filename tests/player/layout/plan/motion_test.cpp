@@ -1,4 +1,4 @@
-#include "player/layout/edit/motion.hpp"
+#include "player/layout/plan/motion.hpp"
 
 #include "tests/player/layout/instances.hpp"
 #include "tests/player/layout/soundness.hpp"

@@ -1,4 +1,4 @@
-#include "player/layout/edit/motion.hpp"
+#include "player/layout/plan/motion.hpp"
 
 #include "player/layout/pack/shape.hpp"
 
