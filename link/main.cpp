@@ -1,6 +1,7 @@
 #include "base/settings/setting_keys.hpp"
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
+#include "base/system/host_name.hpp"
 #include "base/system/log.hpp"
 #include "base/system/service.hpp"
 #include "base/system/stop_request.hpp"
@@ -9,9 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <exception>
 #include <stdexcept>
@@ -22,12 +21,6 @@
 namespace {
 
 using namespace vitrine;
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    if (::gethostname(name.data(), name.size() - 1) < 0) return "";
-    return name.data();
-}
 
 /// @throws std::runtime_error with a sentence for what is missing or wrong
 link::BrokerAccount account_of(const Settings& settings) {

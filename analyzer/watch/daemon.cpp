@@ -154,6 +154,7 @@ void set_all_words(MissingPictures& pictures, const WatchOptions& options,
                    const std::vector<std::string>& paths, const HintFiles& hints, const FileStates& states) {
     std::set<std::string> words = shown_folder_names(paths);
     if (!options.wall_code.empty()) words.insert(code_key(options.wall_code));
+    if (!options.share_address.empty()) words.insert(options.share_address);
     for (const std::string& path : paths) {
         if (const auto code = hints.hints_for(path).code) words.insert(code_key(*code));
         words.merge(caption_keys(options, path, hints, states));

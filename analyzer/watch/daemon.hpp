@@ -34,6 +34,7 @@ struct WatchOptions {
     std::vector<std::string> words_child;      // sets words; they are appended. Empty: none are set
     CaptionChoice captions = CaptionChoice::none;  // those that are set
     std::string wall_code;                         // the text of the wall's QR code; empty: none
+    std::string share_address;                     // on the idle picture; empty: none
     bool tells_years = false;                      // captions are set with the year, too
     std::string status_folder;                     // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};

@@ -6,6 +6,7 @@
 #include "analyzer/watch/daemon.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/settings/settings_snapshot.hpp"
+#include "base/settings/share_address.hpp"
 #include "base/system/log.hpp"
 #include "base/system/sandbox.hpp"
 #include "base/system/service.hpp"
@@ -85,6 +86,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
     options.captions = settings.show.captions;
     options.wall_code = settings.show.qr;
+    options.share_address = share_address(settings);
     options.tells_years = settings.show.on_this_day;
     options.words_child = {"/proc/self/exe", config, "set-words", "--"};
     options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);

@@ -342,6 +342,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "A QR code for the whole wall, such as \"https://example.org\". It stands where nothing matters, over "
      "the "
      "shot that stands longest and has room for it, and on the idle picture. \"\": none."},
+    {"show.share_address",
+     text<&S::show, &S::Show::share_address>("a text of at most 250 bytes, or nothing",
+                                             [](const std::string& value) { return value.size() <= 250; }),
+     SettingEffect::restart,
+     "The address at which files are dropped, such as '\\\\{host}\\media'. It stands on the idle picture. "
+     "{host}: the "
+     "name of this machine. \"\": the idle picture tells none."},
     {"show.on_this_day", flag<&S::show, &S::Show::on_this_day>(), SettingEffect::restart,
      "true: files that were taken on this day in other years come first in each round, whatever show.order "
      "says. "

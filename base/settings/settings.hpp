@@ -93,9 +93,10 @@ struct Settings {
         bool photo_drift = false;  // photos move slowly inside their cells
         double pan_speed = 30;     // canvas px a second
         std::string background = "#101014";
-        std::string holidays;      // dates_named()
-        std::string qr;            // the text of a QR code for the whole wall; empty: none
-        bool on_this_day = false;  // files taken on this day in other years come first
+        std::string holidays;       // dates_named()
+        std::string qr;             // the text of a QR code for the whole wall; empty: none
+        std::string share_address;  // where files are dropped, for the idle picture; empty: it does not tell
+        bool on_this_day = false;   // files taken on this day in other years come first
     } show;
 
     struct Input {

@@ -200,4 +200,12 @@ Box idle_code_place(int modules, Vec2 canvas) {
     return {end - Vec2{side, side}, end};
 }
 
+Box idle_words_place(double aspect, Vec2 canvas) {
+    constexpr double max_width = 0.6;  // share of the canvas: the QR code stands beside
+    const double margin = std::round(canvas.y / 20);
+    const double height = std::min(canvas.y / 14, max_width * canvas.x / aspect);
+    const Vec2 begin{margin, canvas.y - margin - height};
+    return {begin, begin + Vec2{height * aspect, height}};
+}
+
 }  // namespace vitrine::player

@@ -60,4 +60,8 @@ std::optional<Box> code_place(const CaptionRoom& room, int modules, Vec2 canvas,
 /// The place of the wall's QR code on the idle picture: at its lower right.
 Box idle_code_place(int modules, Vec2 canvas);
 
+/// The place of a line of words on the idle picture: at its lower left, a fourteenth of its height.
+/// @param aspect  width / height
+Box idle_words_place(double aspect, Vec2 canvas);
+
 }  // namespace vitrine::player

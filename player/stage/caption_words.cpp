@@ -31,7 +31,8 @@ std::string caption_on_wall(const std::string& path, const ShowHints& hints, con
 }
 
 void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& files) {
-    if (choice_ == CaptionChoice::none && wall_code_.empty() && frame.captions.empty()) return;
+    const bool has_wall_words = !wall_.code.empty() || !wall_.share.empty();
+    if (choice_ == CaptionChoice::none && !has_wall_words && frame.captions.empty()) return;
     follow(frame, [&](Kind kind, const std::string& path) { return text_of(kind, path, hints, files); });
     take_pictures(frame.canvas);
     for (auto& [key, caption] : captions_) {
@@ -43,20 +44,26 @@ void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& 
                                .alpha = std::clamp(age, 0.0, 1.0),
                                .is_sharp = key.first != Kind::caption});
     }
-    if (frame.idle >= 1 && frame.items.empty()) draw_idle_code(frame);
+    if (frame.idle >= 1 && frame.items.empty()) draw_idle_words(frame);
 }
 
-void CaptionWords::draw_idle_code(Frame& frame) const {
-    const auto known = pictures_.find(code_key(wall_code_));
-    if (known == pictures_.end()) return;
-    frame.words.push_back({.picture = known->second,
-                           .place = idle_code_place(known->second->width, frame.canvas),
-                           .is_sharp = true});
+void CaptionWords::draw_idle_words(Frame& frame) const {
+    const auto add = [&](const std::string& key, bool is_sharp, const auto& place_of) {
+        const auto known = pictures_.find(key);
+        if (known == pictures_.end()) return;
+        frame.words.push_back(
+            {.picture = known->second, .place = place_of(*known->second), .is_sharp = is_sharp});
+    };
+    add(code_key(wall_.code), true,
+        [&](const WordPicture& code) { return idle_code_place(code.width, frame.canvas); });
+    add(wall_.share, false, [&](const WordPicture& words) {
+        return idle_words_place(static_cast<double>(words.width) / words.height, frame.canvas);
+    });
 }
 
 std::string CaptionWords::text_of(Kind kind, const std::string& path, const ShowHints& hints,
                                   const RecordList& files) const {
-    if (kind == Kind::wall_code) return wall_code_;
+    if (kind == Kind::wall_code) return wall_.code;
     if (kind == Kind::caption)
         return choice_ == CaptionChoice::none ? "" : caption_on_wall(path, hints, files.find(path), choice_);
     const ShowHints::Entry file = hints.find(path);
@@ -73,7 +80,8 @@ bool CaptionWords::stays(const Caption& caption, const CaptionRoom& room, std::s
 void CaptionWords::follow(const Frame& frame, const TextOf& text_of) {
     Captions before = std::exchange(captions_, {});
     std::set<std::string> keys;
-    if (!wall_code_.empty()) keys.insert(code_key(wall_code_));
+    if (!wall_.code.empty()) keys.insert(code_key(wall_.code));
+    if (!wall_.share.empty()) keys.insert(wall_.share);
     for (const CaptionRoom& room : frame.captions)
         for (const Kind kind : {Kind::code, Kind::caption, Kind::wall_code}) {
             std::string text = text_of(kind, room.path);

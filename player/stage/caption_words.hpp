@@ -23,13 +23,18 @@ namespace vitrine::player {
 std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
                             CaptionChoice choice);
 
+/// The words of the whole wall.
+struct WallWords {
+    std::string code;   // the text of its own QR code; empty: none
+    std::string share;  // where files are dropped, for the idle picture; empty: nothing is told
+};
+
 /// Draws the captions and QR codes of the shots that stand, where nothing matters: asks for their pictures
 /// and adds those that are there as words. Looks for a place once for each shot and cell.
 class CaptionWords {
   public:
-    /// @param wall_code  the text of the wall's own QR code; empty: none
-    CaptionWords(std::filesystem::path state, CaptionChoice choice, std::string wall_code)
-        : state_(std::move(state)), choice_(choice), wall_code_(std::move(wall_code)) {}
+    CaptionWords(std::filesystem::path state, CaptionChoice choice, WallWords wall)
+        : state_(std::move(state)), choice_(choice), wall_(std::move(wall)) {}
 
     /// @param hints, files  have the captions
     void draw(Frame& frame, const ShowHints& hints, const RecordList& files);
@@ -56,7 +61,7 @@ class CaptionWords {
     static bool stays(const Caption& caption, const CaptionRoom& room, std::span<const DrawItem> items);
     std::string text_of(Kind kind, const std::string& path, const ShowHints& hints,
                         const RecordList& files) const;
-    void draw_idle_code(Frame& frame) const;
+    void draw_idle_words(Frame& frame) const;
     void follow(const Frame& frame, const TextOf& text_of);
     void take_pictures(Vec2 canvas);
     void find_place(Kind kind, Caption& caption, Vec2 canvas) const;
@@ -65,7 +70,7 @@ class CaptionWords {
 
     std::filesystem::path state_;
     CaptionChoice choice_;
-    std::string wall_code_;
+    WallWords wall_;
     std::optional<WordLoader> loader_;  // made when a caption is first wanted
     std::set<std::string> wanted_;
     std::map<std::string, std::shared_ptr<const WordPicture>> pictures_;  // of wanted keys

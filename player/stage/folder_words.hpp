@@ -17,8 +17,8 @@ namespace vitrine::player {
 class FolderWords {
   public:
     explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none,
-                         std::string wall_code = {})
-        : state_(std::move(state)), captions_(state_, captions, std::move(wall_code)) {}
+                         WallWords wall = {})
+        : state_(std::move(state)), captions_(state_, captions, std::move(wall)) {}
 
     /// @param hints, files  have the captions
     void draw(Frame& frame, const ShowHints& hints = {}, const RecordList& files = {});

@@ -1,6 +1,7 @@
 #include "player/stage/stage.hpp"
 
 #include "base/settings/settings.hpp"
+#include "base/settings/share_address.hpp"
 #include "base/state/tapestry.hpp"
 #include "base/system/log.hpp"
 #include "player/playback/source_pool.hpp"
@@ -38,8 +39,9 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
       painter_(std::make_unique<ScreenPainter>(settings, sources, std::move(options.others))),
       films_(std::make_unique<AudibleFilms>()),
-      words_(
-          std::make_unique<FolderWords>(settings.state.directory, settings.show.captions, settings.show.qr)),
+      words_(std::make_unique<FolderWords>(
+          settings.state.directory, settings.show.captions,
+          WallWords{.code = settings.show.qr, .share = share_address(settings)})),
       listener_(std::make_shared<const SourceListener>(
           SourceListener{.owner = options.number,
                          .call = [this](const SourceEvent& event) { shows_->handle_source_event(event); }})) {

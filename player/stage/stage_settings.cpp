@@ -2,12 +2,10 @@
 
 #include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
+#include "base/system/host_name.hpp"
 #include "player/scene/change_pace.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vitrine::player {
@@ -73,8 +71,8 @@ MediaPlaces media_places(const Settings& settings) {
 
 std::string box_name(const Settings& settings) {
     if (!settings.wall.box.empty()) return settings.wall.box;
-    std::array<char, 65> host{};  // as long as Linux has them
-    return ::gethostname(host.data(), host.size() - 1) == 0 ? host.data() : "box";
+    const std::string host = host_name();
+    return host.empty() ? "box" : host;
 }
 
 View view_of(const Settings& settings, int width, int height) {

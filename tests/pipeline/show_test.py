@@ -248,7 +248,23 @@ class Show(unittest.TestCase):
             if bare[at:at + 3] != shown[at:at + 3]:
                 self.assertLess(max(bare[at:at + 3]) - min(bare[at:at + 3]), 60, "a disc is covered")
         shutil.rmtree(self.state / "catalogue")
-        self.assertEqual(self.snapshot("idle", *wish)[1], ["https://example.org/wall"])
+        plain, codes = self.snapshot("idle", *wish)
+        self.assertEqual(codes, ["https://example.org/wall"])
+
+        # An address tells where to drop files: white letters at the lower left of the idle picture.
+        address = ("--show.share_address", "\\\\{host}\\media")
+        self.analyse(*wish, *address)
+        shutil.rmtree(self.state / "catalogue")
+        told, codes = self.snapshot("address", *wish, *address)
+        self.assertEqual(codes, ["https://example.org/wall"])
+
+        def letters(picture):
+            width, height = 3 * WIDTH, 3 * HEIGHT
+            return sum(min(picture[(y * width + x) * 3:][:3]) > 200
+                       for y in range(height * 7 // 8, height, 2) for x in range(0, width // 2, 2))
+
+        self.assertEqual(letters(plain), 0)
+        self.assertGreater(letters(told), 100)
 
     def test_a_plans_film_shows_how_the_packing_became_denser(self):
         for i, colour in enumerate(COLOURS):

@@ -3,7 +3,9 @@
 #include "base/settings/setting_options.hpp"
 #include "base/settings/settings_file.hpp"
 #include "base/settings/settings_text.hpp"
+#include "base/settings/share_address.hpp"
 #include "base/system/atomic_file.hpp"
+#include "base/system/host_name.hpp"
 
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
@@ -130,4 +132,13 @@ TEST_CASE("the part of a box in a wall is read, and a name with odd characters i
     CHECK(error_of("[wall]\nrole = \"both\"\n") != "");
     CHECK(error_of("[wall]\nleader = \"a b\"\n") != "");
     CHECK(error_of("[wall]\nsocket = \"link.sock\"\n") != "");
+}
+
+TEST_CASE("the address of the share has the machine's name, wherever it is asked for") {
+    Settings settings;
+    CHECK(share_address(settings).empty());
+    settings.show.share_address = R"(\\{host}\media, {host})";
+    CHECK(share_address(settings) == R"(\\)" + host_name() + R"(\media, )" + host_name());
+    settings.show.share_address = "{hos} {";
+    CHECK(share_address(settings) == "{hos} {");
 }
