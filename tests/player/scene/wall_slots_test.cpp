@@ -88,19 +88,19 @@ TEST_CASE("photos of this day in other years come onto the wall before all other
             std::vector<MediaRecord> records = photos(400);
             std::set<std::string> matches;
             for (MediaRecord& record : records) {
-                const year_month_day date = year(2015 + static_cast<int>(random() % 11)) / November /
-                                            std::chrono::day(1 + random() % 28);
+                const year in(2015 + static_cast<int>(random() % 11));
+                const year_month_day date = in / November / std::chrono::day(1 + random() % 28);
                 record.origin.taken =
                     TimeTaken{.at = sys_days(date) + 12h, .zone = 0min, .source = TimeSource::camera};
                 if (date.day() == 23d) matches.insert(record.path);
             }
-            Player wall = make_player({.count = 12, .order = order, .seed = seed}, records, hints);
+            Player wall = make_player({.count = 5, .order = order, .seed = seed}, records, hints);
             while (wall.order.size() < matches.size())
                 wall.run(1s);
             std::set<std::string> first;
             for (std::size_t i = 0; i < matches.size(); ++i)
                 first.insert(wall.order[i].path);
-            REQUIRE(matches.size() > 12);
+            REQUIRE(matches.size() > 5);
             CHECK(first == matches);
         }
     }
