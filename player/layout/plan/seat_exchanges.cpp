@@ -40,6 +40,7 @@ std::vector<PlanRequest> seat_exchanges(const PlanRequest& request) {
     std::ranges::sort(found, {}, &std::pair<double, PlanRequest>::first);
     found.resize(std::min(found.size(), max_exchanges));
     std::vector<PlanRequest> nearest;
+    nearest.reserve(found.size());
     for (auto& [distance, exchanged] : found)
         nearest.push_back(std::move(exchanged));
     return nearest;
