@@ -31,9 +31,22 @@ struct Fit {
     Vec2 scale{1, 1};
 };
 
-double shade_at(const PicturePrint& print, double x, double y) {
-    const double column = std::clamp(x * side - 0.5, 0.0, side - 1.0);
-    const double row = std::clamp(y * side - 0.5, 0.0, side - 1.0);
+Vec2 place_in_other(const Fit& fit, Vec2 place) {
+    return {fit.centre.x + fit.scale.x * (place.x - 0.5), fit.centre.y + fit.scale.y * (place.y - 0.5)};
+}
+
+bool is_in_picture(Vec2 place) {
+    return place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+}
+
+/// The middle of a cell of a grid over the picture.
+Vec2 cell_middle(int column, int row, int grid) {
+    return {(column + 0.5) / grid, (row + 0.5) / grid};
+}
+
+double shade_at(const PicturePrint& print, Vec2 place) {
+    const double column = std::clamp(place.x * side - 0.5, 0.0, side - 1.0);
+    const double row = std::clamp(place.y * side - 0.5, 0.0, side - 1.0);
     const int left = std::min(side - 2, static_cast<int>(column));
     const int top = std::min(side - 2, static_cast<int>(row));
     const double right = column - left;
@@ -45,10 +58,10 @@ double shade_at(const PicturePrint& print, double x, double y) {
 
 /// The shades of a picture at a grid of places.
 struct GridShades {
-    GridShades(const PicturePrint& print, int side) : points(side) {
+    GridShades(const PicturePrint& print, int grid) : points(grid) {
         for (int row = 0; row < points; ++row)
             for (int column = 0; column < points; ++column)
-                shades.push_back(shade_at(print, (column + 0.5) / points, (row + 0.5) / points));
+                shades.push_back(shade_at(print, cell_middle(column, row, points)));
     }
 
     int points;  // a side of the grid
@@ -62,13 +75,11 @@ double correlation(const GridShades& a, const PicturePrint& b, const Fit& fit) {
     double n = 0, sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, products = 0;
     for (int row = 0; row < points; ++row)
         for (int column = 0; column < points; ++column) {
-            const double x = (column + 0.5) / points, y = (row + 0.5) / points;
-            const double other_x = fit.centre.x + fit.scale.x * (x - 0.5);
-            const double other_y = fit.centre.y + fit.scale.y * (y - 0.5);
-            if (other_x < 0 || other_x > 1 || other_y < 0 || other_y > 1) continue;
+            const Vec2 there = place_in_other(fit, cell_middle(column, row, points));
+            if (!is_in_picture(there)) continue;
             const double one = a.shades[static_cast<std::size_t>(row) * static_cast<std::size_t>(points) +
                                         static_cast<std::size_t>(column)];
-            const double other = shade_at(b, other_x, other_y);
+            const double other = shade_at(b, there);
             n += 1;
             sum_a += one;
             sum_b += other;
@@ -85,28 +96,30 @@ double correlation(const GridShades& a, const PicturePrint& b, const Fit& fit) {
 
 /// The shades of two pictures at a place where both are.
 struct SharedPlace {
-    double x = 0, y = 0;  // in the first picture
+    Vec2 at;  // in the first picture
     double one = 0, other = 0;
 };
 
 /// Takes the gradient out of the shades: they are relative to a plane through them afterwards.
 /// @param places  a grid in a rectangle
 void remove_gradient(std::vector<SharedPlace>& places, double SharedPlace::*shade) {
-    double x = 0, y = 0, mean = 0;
+    const auto count = static_cast<double>(places.size());
+    Vec2 middle;
+    double mean = 0;
     for (const SharedPlace& place : places) {
-        x += place.x / static_cast<double>(places.size());
-        y += place.y / static_cast<double>(places.size());
-        mean += place.*shade / static_cast<double>(places.size());
+        middle = middle + place.at * (1 / count);
+        mean += place.*shade / count;
     }
-    double squares_x = 0, squares_y = 0, right = 0, down = 0;
+    Vec2 squares, slope;
     for (const SharedPlace& place : places) {
-        squares_x += (place.x - x) * (place.x - x);
-        squares_y += (place.y - y) * (place.y - y);
-        right += (place.x - x) * place.*shade;
-        down += (place.y - y) * place.*shade;
+        const Vec2 away = place.at - middle;
+        squares = squares + Vec2{away.x * away.x, away.y * away.y};
+        slope = slope + away * (place.*shade);
     }
-    for (SharedPlace& place : places)
-        place.*shade -= mean + right / squares_x * (place.x - x) + down / squares_y * (place.y - y);
+    for (SharedPlace& place : places) {
+        const Vec2 away = place.at - middle;
+        place.*shade -= mean + slope.x / squares.x * away.x + slope.y / squares.y * away.y;
+    }
 }
 
 /// The correlation of two pictures that lie over each other, without their gradients: one sky is like
@@ -115,12 +128,10 @@ double pattern_likeness(const PicturePrint& a, const PicturePrint& b, const Fit&
     std::vector<SharedPlace> places;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
-            const double x = (column + 0.5) / side, y = (row + 0.5) / side;
-            const double other_x = fit.centre.x + fit.scale.x * (x - 0.5);
-            const double other_y = fit.centre.y + fit.scale.y * (y - 0.5);
-            if (other_x < 0 || other_x > 1 || other_y < 0 || other_y > 1) continue;
-            places.push_back(
-                {.x = x, .y = y, .one = shade_at(a, x, y), .other = shade_at(b, other_x, other_y)});
+            const Vec2 at = cell_middle(column, row, side);
+            const Vec2 there = place_in_other(fit, at);
+            if (is_in_picture(there))
+                places.push_back({.at = at, .one = shade_at(a, at), .other = shade_at(b, there)});
         }
     remove_gradient(places, &SharedPlace::one);
     remove_gradient(places, &SharedPlace::other);
@@ -234,10 +245,9 @@ ColourDistance colour_distance(const ShotLook& a, const ShotLook& b, const Fit& 
     ColourDistance distance;
     for (int row = 0; row < grid; ++row)
         for (int column = 0; column < grid; ++column) {
-            const Vec2 place{(column + 0.5) / grid, (row + 0.5) / grid};
+            const Vec2 place = cell_middle(column, row, grid);
             const Shares one = colour_at(a, place);
-            const Shares other = colour_at(b, {fit.centre.x + fit.scale.x * (place.x - 0.5),
-                                               fit.centre.y + fit.scale.y * (place.y - 0.5)});
+            const Shares other = colour_at(b, place_in_other(fit, place));
             double field = 0;
             for (std::size_t c = 0; c < one.size(); ++c)
                 field += std::abs(one.at(c) - other.at(c)) / 3;
@@ -256,15 +266,15 @@ bool are_coloured_alike(const ShotLook& a, const ShotLook& b, const Fit& fit, Ki
     return distance.mean <= limit.mean && distance.max_of_field <= limit.max_of_field;
 }
 
-/// The hash of a part of a picture, as that of a look. @param size  share of the picture's sides
-std::uint64_t part_hash(const PicturePrint& print, Vec2 centre, double size) {
+/// The hash of a part of a picture, as that of a look.
+std::uint64_t part_hash(const PicturePrint& print, const Fit& part) {
     constexpr int steps = ShotLook::hash_side;
     std::uint64_t hash = 0;
     for (int row = 0; row < steps; ++row) {
         double before = 0;
         for (int column = 0; column <= steps; ++column) {
-            const double shade = shade_at(print, centre.x + size * ((column + 0.5) / (steps + 1) - 0.5),
-                                          centre.y + size * ((row + 0.5) / steps - 0.5));
+            const Vec2 place{(column + 0.5) / (steps + 1), (row + 0.5) / steps};
+            const double shade = shade_at(print, place_in_other(part, place));
             if (column > 0) hash = hash << 1U | static_cast<unsigned>(before > shade);
             before = shade;
         }
@@ -347,7 +357,7 @@ PhotoHashes hashes_of(const Shot& shot) {
         {{0.5, 0.5}, {0.44, 0.44}, {0.56, 0.44}, {0.44, 0.56}, {0.56, 0.56}}};
     PhotoHashes hashes{.whole = shot.look->hash};
     for (std::size_t i = 0; i < centres.size(); ++i)
-        hashes.parts.at(i) = part_hash(*shot.print, centres.at(i), size);
+        hashes.parts.at(i) = part_hash(*shot.print, {.centre = centres.at(i), .scale = {size, size}});
     return hashes;
 }
 
