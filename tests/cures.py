@@ -56,7 +56,7 @@ CURES = [
     Cure("a change of places that makes half the wall small", "player/layout/plan/flat_plan.cpp",
          " || !has_calm_way(request, *other)) continue;", ") continue;", "layout_test.plan_test"),
     Cure("a hole where a small picture took a large one's seat", "player/layout/plan/flat_plan.cpp",
-         "if (hole <= max_hole || !can_be_filled(request)) return layout;", "if (hole >= 0) return layout;", "layout_test.plan_test"),
+         "if (hole <= max_hole || !can_be_filled(problem, frames)) return layout;", "if (hole >= 0) return layout;", "layout_test.plan_test"),
     Cure("a crop that is another photo", "player/scene/files/near_copies.cpp",
          "std::min({least, std::popcount(a.parts.at(i) ^ b.whole), std::popcount(a.whole ^ b.parts.at(i))})", "least + 0 * static_cast<int>(i)",
          "scene_test.file_groups_test"),

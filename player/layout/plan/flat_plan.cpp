@@ -304,26 +304,24 @@ class FlatPlan {
     double ratio_;  // width / height of the canvas
 };
 
-/// The share of the canvas without a picture.
-double hole_of(const PlanRequest& request, const Layout& layout) {
-    PackingProblem problem = problem_on_canvas(request);
+/// The share of the canvas without a picture. @param frames  of the problem's items
+double hole_of(PackingProblem problem, const std::vector<Box>& frames, const Layout& layout) {
     Arrangement arrangement{{}, 1};
     for (std::size_t i = 0; i < problem.size(); ++i) {
         const Placement& at = layout.placements[i];
         problem.scales[i] = at.scale;
         arrangement.places.push_back(problem.shapes[i].centroid * at.scale + at.offset);
     }
-    return unfilled_share(problem, frames_of(request, problem), arrangement);
+    return unfilled_share(problem, frames, arrangement);
 }
 
 /// False where the pictures are so small that holes have to be expected.
-bool can_be_filled(const PlanRequest& request) {
+bool can_be_filled(const PackingProblem& problem, const std::vector<Box>& frames) {
     constexpr double min_area = 1.2;  // of the pictures at their largest, share of the canvas
-    const PackingProblem problem = problem_of(request);
     double sum = 0;
     for (std::size_t i = 0; i < problem.items(); ++i)
-        sum += request.items[i].item.core.area() * problem.limits[i] * problem.limits[i];
-    return sum >= min_area * request.canvas.x * request.canvas.y;
+        sum += frames[i].area() * problem.limits[i] * problem.limits[i];
+    return sum >= min_area * problem.whole().area();
 }
 
 /// True where the items that stay have a way to their new places on which none becomes much smaller.
@@ -353,13 +351,15 @@ Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout l
     constexpr double min_gain = 0.004;
     constexpr double min_gain_of_all = 0.05;
     if (!request.fills || request.is_coarse || request.order == LayoutOrder::reading) return layout;
-    double hole = hole_of(request, layout);
-    if (hole <= max_hole || !can_be_filled(request)) return layout;
-    if (is_for_few(problem_of(request))) return layout;
-    const PlanWatch untold{.on_better = {}, .should_stop = watch.should_stop};
+    const PackingProblem problem = problem_of(request);
+    if (is_for_few(problem)) return layout;
+    const std::vector<Box> frames = frames_of(request, problem);
+    double hole = hole_of(problem, frames, layout);
+    if (hole <= max_hole || !can_be_filled(problem, frames)) return layout;
+    const PlanWatch untold{.should_stop = watch.should_stop};
     for (const PlanRequest& exchanged : seat_exchanges(request)) {
         const auto other = FlatPlan(exchanged, untold).changed_layout();
-        const double left = other ? hole_of(request, *other) : 1;
+        const double left = other ? hole_of(problem, frames, *other) : 1;
         if (left > hole - min_gain || !has_calm_way(request, *other)) continue;
         layout = *other;
         hole = left;
@@ -367,7 +367,7 @@ Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout l
     }
     if (has_pinned_items(request)) return layout;
     const Layout fresh = FlatPlan(request, untold).fresh_layout();
-    return hole_of(request, fresh) <= hole - min_gain_of_all ? fresh : layout;
+    return hole_of(problem, frames, fresh) <= hole - min_gain_of_all ? fresh : layout;
 }
 
 /// @pre the bands of the canvas are items of the request
