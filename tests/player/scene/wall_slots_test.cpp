@@ -89,7 +89,8 @@ TEST_CASE("photos of this day in other years come onto the wall before all other
             std::set<std::string> matches;
             for (MediaRecord& record : records) {
                 const year in(2015 + static_cast<int>(random() % 11));
-                const year_month_day date = in / November / std::chrono::day(1 + random() % 28);
+                const year_month_day date =
+                    in / November / std::chrono::day(static_cast<unsigned>(1 + random() % 28));
                 record.origin.taken =
                     TimeTaken{.at = sys_days(date) + 12h, .zone = 0min, .source = TimeSource::camera};
                 if (date.day() == 23d) matches.insert(record.path);

@@ -103,6 +103,13 @@ struct Theatre {
         now += 100ms;
     }
 
+    /// Taps twice, and lets what that opens come.
+    void tap_twice(Vec2 at, std::chrono::nanoseconds duration = 2s) {
+        tap(at);
+        tap(at);
+        play(duration);
+    }
+
     Picture picture() { return dynamic_cast<OffscreenScreen&>(*display.screens()[0]).picture(); }
 
     TemporaryDirectory directory;
@@ -278,9 +285,7 @@ TEST_CASE("two taps on a film open its tapestry; the wheel goes through its leve
     theatre.play(2s);
     REQUIRE(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
 
-    theatre.tap({160, 90});
-    theatre.tap({160, 90});
-    theatre.play(2s);
+    theatre.tap_twice({160, 90});
     CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
     CHECK_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 
@@ -307,9 +312,7 @@ TEST_CASE("two taps open a film's tapestry on a panning wall, too") {
     Theatre theatre(settings);
     theatre.play(2s);
     REQUIRE(is_near(theatre.picture(), 160, 90, {120, 120, 120}));
-    theatre.tap({160, 90});
-    theatre.tap({160, 90});
-    theatre.play(2s);
+    theatre.tap_twice({160, 90});
     CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
 }
 
@@ -324,9 +327,7 @@ TEST_CASE("two taps on a folder open it; two more on a film in it open its tapes
             for (double y = 10; y < 180; y += 10) {
                 const auto seen = theatre.stage->wall().shot_at({x, y});
                 if (!seen || !seen->key.path.starts_with(folder)) continue;
-                theatre.tap({x, y});
-                theatre.tap({x, y});
-                return theatre.play(3s);
+                return theatre.tap_twice({x, y}, 3s);
             }
         FAIL("there is no shot of ", folder);
     };
@@ -349,18 +350,14 @@ TEST_CASE("the tapestry of a film that has changed is not shown") {
     changed.mtime_ns = 5;
     theatre.stage->set_catalogue(std::vector<MediaRecord>{changed});
     theatre.play(3s);
-    theatre.tap({160, 90});
-    theatre.tap({160, 90});
-    theatre.play(2s);
+    theatre.tap_twice({160, 90});
     CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 }
 
 TEST_CASE("a tapestry gives way to the wall when its film changes") {
     Theatre theatre;
     theatre.play(2s);
-    theatre.tap({160, 90});
-    theatre.tap({160, 90});
-    theatre.play(2s);
+    theatre.tap_twice({160, 90});
     REQUIRE_FALSE(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
     theatre.stage->set_catalogue(std::vector<MediaRecord>{grey_photo()});
     theatre.play(2s);
