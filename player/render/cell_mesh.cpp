@@ -41,10 +41,21 @@ void append_outline(Vertices& vertices, std::span<const Polygon> polygons) {
     });
 }
 
+/// True if no pixel lies in a triangle, as its corners share a line of the grid.
+bool is_flat(const std::array<Vec2, 3>& triangle) {
+    std::array<Vec2, 3> at;
+    for (std::size_t i = 0; i < at.size(); ++i)
+        at[i] = {on_grid(triangle[i].x), on_grid(triangle[i].y)};
+    return cross(at[1] - at[0], at[2] - at[0]) == 0;
+}
+
+/// Flat triangles are left out: of three triangles whose last one is flat, Mesa's llvmpipe may draw none.
 void append_triangles(Vertices& vertices, std::span<const std::array<Vec2, 3>> triangles) {
-    for (const auto& triangle : triangles)
+    for (const auto& triangle : triangles) {
+        if (is_flat(triangle)) continue;
         for (const Vec2 corner : triangle)
             append(vertices, corner, 1);
+    }
 }
 
 /// @param widths  the fringe's width at each corner, px

@@ -38,3 +38,9 @@ TEST_CASE("tiles that a triangle covers whole are blended as the reference blend
     for (const std::uint64_t seed : {27, 37})
         check(frames, seed, 700);
 }
+
+// The filler of a cell in this frame has a triangle so small that its corners are one.
+TEST_CASE("a frame with a flat triangle is drawn as the reference draws it") {
+    ComparedFrames frames;
+    check(frames, 5067, 700);
+}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <memory>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -71,6 +72,20 @@ TEST_CASE("blue first is drawn as red first, pixel for pixel, in another size, s
             wall.renderer.upload(source, blue_first.sample);
         CHECK(farthest(wall.shown(), expected) <= 2);
     }
+}
+
+TEST_CASE("a cell is drawn whole if one of its three triangles is flat") {
+    DrawnWall wall;
+    Cell shape = *cell(box(10, 20, 100, 90));
+    REQUIRE(shape.triangles.size() == 2);
+    shape.triangles.push_back({Vec2{100, 30}, Vec2{100, 30.0001}, Vec2{99.9999, 30.0001}});
+    wall.add(1, std::make_shared<const Cell>(shape), {0, 0});
+    wall.renderer.upload(1, still(100, 100, [](int, int) { return red; }).sample);
+
+    const Picture picture = wall.shown();
+
+    CHECK(is_near(at(picture, 50, 30), red));
+    CHECK(is_near(at(picture, 50, 80), red));
 }
 
 TEST_CASE("words lie over the pictures, with their own opacity and the whole's") {
