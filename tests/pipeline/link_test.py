@@ -1,60 +1,25 @@
 #!/usr/bin/env python3
-"""Two boxes of a wall and their broker, in network namespaces of their own on made-up addresses.
+"""Links and broker of two boxes of a wall, in network namespaces of their own. See shared_boxes.py.
 
     link_test.py BUILD_DIRECTORY [unittest arguments]
 
-`vitrinectl wall` writes the settings of both below a folder of the test; mosquitto, rsync and chrony are Debian's. The
-daemons are unpacked, not installed: whoever tests shall not find a broker running afterwards, nor another clock. A
-machine that lacks one of them, or may not make namespaces, prints NOT RUN.
+A machine that lacks one of the daemons, or may not make namespaces, prints NOT RUN.
 """
 import json
 import os
-import pwd
 import re
-import shutil
 import signal
 import socket
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-sys.dont_write_bytecode = True
-sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in ("share", "appliance")]
-from image import NotHere  # noqa: E402
-from share_server import unpack  # noqa: E402
+from shared_boxes import DAEMONS, LEADER, LINK, PATIENCE, Box, Broker, join_namespaces, run_tests, start_share, until
 
-SKIPPED = 77
-PACKAGES = ("mosquitto", "mosquitto-clients", "chrony", "libmosquitto1", "libcjson1", "libdlt2", "libwrap0", "libedit2", "libseccomp2")
-BUILD = Path(sys.argv[1]).resolve()
-SOURCE = Path(__file__).resolve().parents[2]
-LINK, WALL, FETCH = BUILD / "link" / "vitrine-link", SOURCE / "link" / "wall" / "wall", SOURCE / "link" / "wall" / "fetch"
-INSIDE = "VITRINE_LINK_TEST"
-DAEMONS = Path(os.environ.get(INSIDE, "/"))  # where Debian's packages are unpacked
-PATIENCE = 60  # seconds until what must come is given up
 SILENCE = 1.5  # seconds in which what must not come would have come
-LEADER, FOLLOWER = "10.77.0.1", "10.77.0.2"
 ACT = {"version": 1, "generation": 7, "at": 0.1, "name": "Zürich"}
-
-
-def require_this_machine():
-    """Throws NotHere, which says what this machine lacks."""
-    for name in ("rsync", "ip", "unshare", "nsenter"):
-        if not shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/sbin"):
-            raise NotHere(f"not installed: {name}")
-    if os.getuid() != 0 or subprocess.run(["unshare", "--net", "true"], capture_output=True).returncode != 0:
-        raise NotHere("no right to make a network namespace")
-
-
-def until(what, holds):
-    end = time.monotonic() + PATIENCE
-    while not (found := holds()):
-        if time.monotonic() > end:
-            raise AssertionError(f"not within {PATIENCE} s: {what}")
-        time.sleep(0.02)
-    return found
 
 
 class Player:
@@ -93,74 +58,15 @@ class Player:
         self.socket.close()
 
 
-class Box:
-    """The files of one box, as `vitrinectl wall` writes them."""
-
-    def __init__(self, folder, name, inside=()):
-        self.root, self.name, self.inside = Path(folder) / name, name, list(inside)
-        self.settings = self.root / "etc/vitrine/vitrine.toml"
-        self.settings.parent.mkdir(parents=True)
-        self.state = self.root / "state"
-        for part in ("catalogue", "store"):
-            (self.state / part).mkdir(parents=True)
-        self.settings.write_text(f'[state]\ndirectory = "{self.state}"\n\n[wall]\n# a comment\n#role = "alone"\nbox = "{name}"\n')
-        self.key = self.root / "etc/vitrine/wall.key"
-        self.link = None
-
-    def environment(self):
-        return {**os.environ, "VITRINE_WALL_ROOT": str(self.root), "VITRINE_LINK": f"{LINK} --config {self.settings}"}
-
-    def wall(self, *words):
-        return subprocess.run([WALL, *words], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
-
-    def fetch(self):
-        return subprocess.run([*self.inside, FETCH], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
-
-    def written(self, name):
-        """A file that was written, with the paths of this test in place of the machine's."""
-        path = self.root / name
-        path.write_text(path.read_text().replace("/etc/vitrine/wall/", f"{self.root}/etc/vitrine/wall/"))
-        return path
-
-    def socket(self):
-        return self.root / "link.sock"
-
-    def start(self, *options):
-        self.socket().unlink(missing_ok=True)
-        self.log = open(self.root / "log", "a")
-        self.link = subprocess.Popen([*self.inside, LINK, "--config", self.settings, "--wall.key", self.key, "--wall.socket", self.socket(), *options],
-                                     stderr=self.log)
-        return Player(self.socket())
-
-    def said(self):
-        return (self.root / "log").read_text()
-
-    def stop(self, number=signal.SIGTERM):
-        if self.link:
-            self.link.send_signal(number)
-            code = self.link.wait(PATIENCE)
-            self.log.close()
-            self.link = None
-            return code
-
-
 class TwoBoxes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         temporary = tempfile.TemporaryDirectory(prefix="vitrine-link-")
         cls.addClassCleanup(temporary.cleanup)
         cls.folder = temporary.name
-        # The namespace of the follower, joined to this one by a cable.
-        far = subprocess.Popen(["unshare", "--net", "sleep", "3600"])
+        far, inside = join_namespaces()
         cls.addClassCleanup(far.wait)
         cls.addClassCleanup(far.kill)
-        inside = ["nsenter", "--net", "--target", str(far.pid)]
-        until("a namespace", lambda: os.readlink(f"/proc/{far.pid}/ns/net") != os.readlink("/proc/self/ns/net"))
-        for command in (["ip", "link", "set", "lo", "up"], ["ip", "link", "add", "near", "type", "veth", "peer", "name", "far"],
-                        ["ip", "link", "set", "far", "netns", str(far.pid)], ["ip", "address", "add", f"{LEADER}/24", "dev", "near"],
-                        ["ip", "link", "set", "near", "up"], [*inside, "ip", "address", "add", f"{FOLLOWER}/24", "dev", "far"],
-                        [*inside, "ip", "link", "set", "far", "up"]):
-            subprocess.run(command, check=True)
         cls.left, cls.right = Box(cls.folder, "left"), Box(cls.folder, "right", inside)
         cls.late, cls.stranger = Box(cls.folder, "late", inside), Box(cls.folder, "stranger", inside)
         assert cls.left.wall("lead", "lobby").returncode == 0
@@ -169,41 +75,18 @@ class TwoBoxes(unittest.TestCase):
         for box, key in ((cls.right, cls.left.key), (cls.late, cls.left.key), (cls.stranger, other)):
             said = box.wall("join", "lobby", str(key), LEADER)
             assert said.returncode == 0, said.stderr
-        for name in ("etc/mosquitto/conf.d/vitrine-wall.conf", "etc/vitrine/wall/rsyncd.conf"):
-            cls.left.written(name)
-        # Debian's own settings of the broker, which include ours, and the broker's user.
-        conf = re.sub(r"^(pid_file|persistence_location|log_dest) .*\n", "", (DAEMONS / "etc/mosquitto/mosquitto.conf").read_text(), flags=re.M)
-        cls.conf = cls.left.root / "etc/mosquitto/mosquitto.conf"
-        cls.conf.write_text(conf.replace("/etc/mosquitto", str(cls.conf.parent)))
-        if "mosquitto" in [user.pw_name for user in pwd.getpwall()]:
-            shutil.chown(cls.left.root / "etc/vitrine/wall/broker.psk", "root", "mosquitto")
-        else:
-            with open(cls.conf, "a") as conf:
-                conf.write("user root\n")
-        Path(cls.folder).chmod(0o755)
-        cls.broker = None
-
-    @classmethod
-    def start_broker(cls):
-        cls.broker = subprocess.Popen(["mosquitto", "-c", cls.conf],
-                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-
-    @classmethod
-    def stop_broker(cls):
-        if cls.broker:
-            cls.broker.kill()
-            cls.broker.wait()
-            cls.broker = None
+        cls.broker = Broker(cls.left)
 
     def setUp(self):
-        self.start_broker()
-        self.addCleanup(self.stop_broker)
+        self.broker.start()
+        self.addCleanup(self.broker.stop)
         self.players = []
         for box in (self.left, self.right, self.late, self.stranger):
             self.addCleanup(box.stop, signal.SIGKILL)
 
     def start(self, box):
-        player = box.start()
+        box.start()
+        player = Player(box.socket())
         self.addCleanup(player.close)
         return player
 
@@ -257,12 +140,12 @@ class TwoBoxes(unittest.TestCase):
         right.hears("act", ACT)
         right.send("box/right", {"outputs": 1}, retain=True)
         left.hears("box/right", {"outputs": 1})
-        self.stop_broker()
+        self.broker.stop()
         until("both know", lambda: not left.is_connected() and not right.is_connected())
         left.send("act", {**ACT, "generation": 8}, retain=True)  # while nobody hears it
         right.send("ready/right", {"generation": 8})
         right.send("touch/right", {"x": 1})
-        self.start_broker()
+        self.broker.start()
         right.hears("act", {**ACT, "generation": 8})
         left.hears("ready/right", {"generation": 8})
         late = self.start(self.late)
@@ -305,7 +188,8 @@ class TwoBoxes(unittest.TestCase):
 
     def test_two_boxes_of_one_name_are_a_sentence(self):
         _, right = self.start_both()
-        late = self.late.start("--wall.box", "right")
+        self.late.start("--wall.box", "right")
+        late = Player(self.late.socket())
         self.addCleanup(late.close)
         until("a sentence", lambda: any("may be called 'right' too" in state["says"] for state in right.all("link") + late.all("link")))
 
@@ -325,8 +209,7 @@ class TwoBoxes(unittest.TestCase):
         self.assertLess(time.monotonic() - began, 10)
 
     def test_a_follower_fetches_catalogue_and_store_with_the_secret_alone(self):
-        share = subprocess.Popen(["rsync", "--daemon", "--no-detach", f"--config={self.left.root}/etc/vitrine/wall/rsyncd.conf", "--dparam=uid=root"],
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        share = start_share(self.left)
         self.addCleanup(share.wait)
         self.addCleanup(share.kill)
         (self.left.state / "store" / "a.mp4").write_bytes(b"clip" * 1000)
@@ -461,14 +344,4 @@ class Roles(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if INSIDE not in os.environ:
-        try:
-            require_this_machine()
-            os.environ[INSIDE] = str(unpack("wall-daemons", *PACKAGES))
-        except NotHere as reason:
-            print(f"NOT RUN: {reason}")
-            sys.exit(SKIPPED)
-        os.execvp("unshare", ["unshare", "--net", sys.executable, *sys.argv])
-    os.environ["PATH"] = f"{DAEMONS}/usr/sbin:{DAEMONS}/usr/bin:{os.environ['PATH']}:/usr/sbin:/sbin"
-    os.environ["LD_LIBRARY_PATH"] = f"{DAEMONS}/usr/lib/{os.uname().machine}-linux-gnu"
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)
+    run_tests()
