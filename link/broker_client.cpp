@@ -144,7 +144,7 @@ BrokerClient::~BrokerClient() {
 void BrokerClient::publish(const WallMessage& message) {
     {
         const std::lock_guard lock(shared_.mutex);
-        if (message.topic.kind == WallTopic::Kind::touch && !shared_.is_connected) return;
+        if (is_of_a_moment(message.topic.kind) && !shared_.is_connected) return;
         shared_.out.put(message);
     }
     ring(to_thread_.get());

@@ -5,8 +5,12 @@
 
 namespace vitrine::link {
 
+bool is_of_a_moment(WallTopic::Kind kind) {
+    return kind == WallTopic::Kind::touch || kind == WallTopic::Kind::lifted;
+}
+
 bool is_kept(WallTopic::Kind kind) {
-    return kind != WallTopic::Kind::touch && kind != WallTopic::Kind::link;
+    return !is_of_a_moment(kind) && kind != WallTopic::Kind::link;
 }
 
 void MessageQueue::put(WallMessage message) {

@@ -8,6 +8,9 @@
 
 namespace vitrine::link {
 
+/// True for topics of hands: what they did a while ago counts no more.
+bool is_of_a_moment(WallTopic::Kind kind);
+
 /// True for topics of which only the newest message counts; the broker keeps it. `ready` is one: a leader
 /// that comes back after a follower would not hear it else.
 bool is_kept(WallTopic::Kind kind);

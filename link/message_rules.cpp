@@ -33,7 +33,7 @@ bool hears(const WallPlace& place, WallTopic::Kind kind) {
 std::vector<std::string> subscriptions_of(const WallPlace& place) {
     const std::string prefix = prefix_of(place);
     if (place.is_leader) return {prefix + "ready/+", prefix + "touch/+", prefix + "box/+"};
-    return {prefix + "act", prefix + "prepare", prefix + "box/+"};
+    return {prefix + "act", prefix + "prepare", prefix + "lifted", prefix + "box/+"};
 }
 
 std::string broker_topic(const WallPlace& place, const WallTopic& topic) {

@@ -15,9 +15,10 @@ struct KindWord {
 };
 
 constexpr std::array kinds{
-    KindWord{"act", WallTopic::Kind::act, false},    KindWord{"prepare", WallTopic::Kind::prepare, false},
-    KindWord{"ready", WallTopic::Kind::ready, true}, KindWord{"touch", WallTopic::Kind::touch, true},
-    KindWord{"box", WallTopic::Kind::box, true},     KindWord{"link", WallTopic::Kind::link, false},
+    KindWord{"act", WallTopic::Kind::act, false},       KindWord{"prepare", WallTopic::Kind::prepare, false},
+    KindWord{"lifted", WallTopic::Kind::lifted, false}, KindWord{"ready", WallTopic::Kind::ready, true},
+    KindWord{"touch", WallTopic::Kind::touch, true},    KindWord{"box", WallTopic::Kind::box, true},
+    KindWord{"link", WallTopic::Kind::link, false},
 };
 
 }  // namespace
@@ -45,7 +46,8 @@ std::string text_of(const WallTopic& topic) {
 }
 
 bool is_of_leader(WallTopic::Kind kind) {
-    return kind == WallTopic::Kind::act || kind == WallTopic::Kind::prepare;
+    return kind == WallTopic::Kind::act || kind == WallTopic::Kind::prepare ||
+           kind == WallTopic::Kind::lifted;
 }
 
 }  // namespace vitrine

@@ -13,6 +13,8 @@ struct LiftedPose {
     double open = 0;   // 0: the outline of its cell, carried along; 1: the whole picture
     double alpha = 1;  // opacity
     double dims = 0;   // share by which the wall behind it is darker
+
+    bool operator==(const LiftedPose&) const = default;
 };
 
 /// A shot that is drawn above the wall, because a finger holds it or somebody looks at it. It goes from pose

@@ -115,6 +115,40 @@ void LiftedShots::light_filler(std::chrono::nanoseconds now) {
                      .duration = moves ? lighting_time : darkening_time};
 }
 
+LiftedMoment LiftedShots::moment(std::chrono::nanoseconds now) const {
+    LiftedMoment seen{.shots = {}, .filler_light = filler_light_.at(now)};
+    for (const auto& [source, lifted] : all_) {
+        const LiftedPose& goal = lifted.picture.goal();
+        seen.shots.push_back({.source = source,
+                              .state = lifted.state,
+                              .pose = lifted.picture.pose(now),
+                              .full_scale = goal.open > 0 ? goal.at.scale : 0,
+                              .seat = lifted.seat.at(now)});
+    }
+    return seen;
+}
+
+void LiftedShots::show(const LiftedMoment& seen, std::span<const PlacedShot> wall,
+                       std::chrono::nanoseconds now) {
+    std::erase_if(all_, [&](const auto& entry) {
+        return std::ranges::find(seen.shots, entry.first, &LiftedMoment::Shot::source) == seen.shots.end();
+    });
+    for (const LiftedMoment::Shot& shot : seen.shots) {
+        auto place = all_.find(shot.source);
+        if (place == all_.end()) {
+            const auto placed =
+                std::ranges::find(wall, shot.source, [](const PlacedShot& one) { return one.shot.source; });
+            if (placed == wall.end() || !placed->cell) continue;
+            place = all_.emplace(shot.source, Lifted{.picture = LiftedShot(*placed, now)}).first;
+        }
+        Lifted& lifted = place->second;
+        lifted.state = shot.state;
+        lifted.picture.aim(shot.pose, now, std::chrono::nanoseconds(0));
+        lifted.seat = {.from = shot.seat, .to = shot.seat};
+    }
+    filler_light_ = {.from = seen.filler_light, .to = seen.filler_light};
+}
+
 void LiftedShots::draw(Frame& frame) const {
     std::stable_partition(frame.items.begin(), frame.items.end(),
                           [](const DrawItem& item) { return item.alpha >= 1; });

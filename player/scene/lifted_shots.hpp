@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <span>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -38,6 +40,27 @@ struct Lifted {
     std::uint64_t touch = 0;            // of the hand that has it
     std::chrono::nanoseconds since{0};  // of the state
     Fading seat = {};                   // opacity of the place that it leaves, above the others' cells
+};
+
+/// The lifted shots as they are seen at one moment.
+struct LiftedMoment {
+    struct Shot {
+        SourceId source = 0;
+        LiftedState state = LiftedState::held;
+        LiftedPose pose;
+        double full_scale = 0;  // the scale of its whole picture, which it comes to; 0: only its cell is seen
+        double seat = 1;        // opacity of the place that it leaves
+
+        bool operator==(const Shot&) const = default;
+    };
+
+    std::vector<Shot> shots;
+    double filler_light = usual_filler_light;
+
+    /// True if the wall looks as if nobody had touched it.
+    bool is_nothing() const { return shots.empty() && filler_light == usual_filler_light; }
+
+    bool operator==(const LiftedMoment&) const = default;
 };
 
 /// The shots that are lifted off a wall, each at most once.
@@ -79,6 +102,12 @@ class LiftedShots {
     /// Filler becomes bright while hands move shots, and dark again afterwards: it moves, and a dark patch
     /// that moves is seen.
     void light_filler(std::chrono::nanoseconds now);
+
+    LiftedMoment moment(std::chrono::nanoseconds now) const;
+
+    /// Lifts the shots that were lifted off the same wall elsewhere, as they were seen there.
+    /// @param wall  the shots that are not lifted yet are lifted off this
+    void show(const LiftedMoment& seen, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
 
     /// Draws the shots above the wall in a frame, and dims what waits. Cells of the wall that lie above the
     /// others come after them.

@@ -60,7 +60,7 @@ std::span<Screen* const> Stage::screens() const {
 }
 
 void Stage::handle_input(const InputEvent& event) {
-    if (FollowedWall* const followed = wall().followed()) return followed->note_touch(event);
+    if (FollowedWall* const followed = wall().followed()) return followed->touches().note(event);
     gestures_->handle_input(event);
 }
 

@@ -40,6 +40,11 @@ WallAct FollowedSources::translated(WallAct act) {
     return act;
 }
 
+std::optional<SourceId> FollowedSources::find_own(std::int64_t run, SourceId source) const {
+    const auto found = own_.find({run, source});
+    return found == own_.end() ? std::nullopt : std::optional(found->second);
+}
+
 void FollowedSources::set_ready(SourceId source) {
     const auto found = sources_.find(source);
     if (found != sources_.end()) found->second.state = State::ready;
@@ -56,7 +61,8 @@ std::vector<ShotRequest> FollowedSources::ask_for(const WallAct& act, std::optio
                                                   nanoseconds now) {
     std::vector<ShotRequest> requests;
     for (const auto& [source, placed] : shots_of(act)) {
-        ShotRequest request = request_of(*placed);
+        const auto larger = larger_.find(source);
+        ShotRequest request = request_of(larger != larger_.end() ? larger->second : *placed);
         const auto [place, is_new] = sources_.try_emplace(source, Source{.request = request, .since = now});
         if (!is_new && place->second.request == request) continue;
         place->second.request = request;

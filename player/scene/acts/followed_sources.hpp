@@ -24,6 +24,12 @@ class FollowedSources {
     /// The act with this box's numbers.
     WallAct translated(WallAct act);
 
+    /// This box's number of a leader's source. None: no act has named it.
+    std::optional<SourceId> find_own(std::int64_t run, SourceId source) const;
+
+    /// Asks for these shots in the size that they have here, whatever size they have in acts.
+    void show_larger(std::map<SourceId, PlacedShot> larger) { larger_ = std::move(larger); }
+
     void set_ready(SourceId source);
     void set_failed(SourceId source, std::chrono::nanoseconds now);
 
@@ -61,6 +67,7 @@ class FollowedSources {
     SourceId given_ = 0;                                         // how many numbers
     std::map<std::pair<std::int64_t, SourceId>, SourceId> own_;  // (run, leader's number) -> own number
     std::map<SourceId, Source> sources_;
+    std::map<SourceId, PlacedShot> larger_;
 };
 
 }  // namespace vitrine::player

@@ -12,7 +12,6 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr std::size_t max_touches = 200;                  // between two calls
 constexpr auto patience = std::chrono::seconds(10);       // with shots that are not there
 constexpr auto clock_patience = std::chrono::seconds(5);  // of the first act, with a clock that is wrong
 constexpr auto fade_time =
@@ -56,6 +55,12 @@ void FollowedWall::prepare(const WallAct& coming) {
     if (!prepared_ || is_newer(coming.name, prepared_->name)) prepared_ = sources_.translated(coming);
 }
 
+void FollowedWall::take_lifted(std::int64_t run, LiftedMoment seen) {
+    for (LiftedMoment::Shot& shot : seen.shots)
+        shot.source = sources_.find_own(run, shot.source).value_or(0);
+    lifted_.take(std::move(seen), now_);
+}
+
 bool FollowedWall::is_between_acts() const {
     return waiting_.has_value() || !shown_ || has_ended(*shown_, leaders_time(*shown_, now_ + epoch_));
 }
@@ -70,16 +75,6 @@ FollowedState FollowedWall::state() const {
         if (*act) state.lacking.merge(sources_.lacking(**act));
     if (prepared_ && sources_.are_there(*prepared_)) state.prepared = prepared_->name;
     return state;
-}
-
-void FollowedWall::note_touch(const InputEvent& event) {
-    const auto* const contact = std::get_if<Contact>(&event);
-    auto* const last = touches_.empty() ? nullptr : std::get_if<Contact>(&touches_.back());
-    if (contact != nullptr && last != nullptr && contact->kind == Contact::Kind::move &&
-        last->kind == Contact::Kind::move && last->finger == contact->finger)
-        *last = *contact;
-    else if (touches_.size() < max_touches)
-        touches_.push_back(event);
 }
 
 /// True if the act begins with the wall that is shown now.
@@ -121,6 +116,8 @@ Frame FollowedWall::next_frame() {
         else
             fades_since_.reset(), before_.clear();
     }
+    const bool has_ended_now = has_ended(*shown_, frame.time);
+    lifted_.draw(frame, has_ended_now ? last_wall(*shown_) : shown_->shown, now_);
     frame.time = now_;
     return frame;
 }
@@ -128,12 +125,13 @@ Frame FollowedWall::next_frame() {
 WallStep FollowedWall::step(nanoseconds now) {
     now_ = now;
     WallStep step;
+    sources_.show_larger(lifted_.whole_pictures());
     if (prepared_) append(step.requests, sources_.ask_for(*prepared_, std::nullopt, now));
     for (const auto* act : {&shown_, &waiting_})
         if (*act) append(step.requests, sources_.ask_for(**act, leaders_time(**act, now_ + epoch_), now));
     take_waiting();
     step.frame = next_frame();
-    if (shown_ && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
+    if (shown_ && lifted_.is_empty() && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
         step.frame.captions = caption_rooms(last_wall(*shown_));
     std::set<SourceId> kept;
     for (const auto* act : {&shown_, &waiting_, &prepared_})

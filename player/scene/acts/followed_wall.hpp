@@ -1,7 +1,8 @@
 #pragma once
 
-#include "player/input/contact.hpp"
+#include "player/scene/acts/followed_lifted.hpp"
 #include "player/scene/acts/followed_sources.hpp"
+#include "player/scene/acts/noted_touches.hpp"
 #include "player/scene/acts/wall_act.hpp"
 #include "player/scene/show.hpp"
 
@@ -10,7 +11,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -68,16 +68,16 @@ class FollowedWall final : public Show {
     /// Opens the shots of an act that is about to come.
     void prepare(const WallAct& coming);
 
+    /// Draws what hands hold above the wall, as the leader has drawn it. @param run  of the leader
+    void take_lifted(std::int64_t run, LiftedMoment seen);
+
     /// True: nothing moves now and no act waits, so the clock may jump.
     bool is_between_acts() const;
 
     FollowedState state() const;
 
-    /// Notes a visitor's touch, canvas px, for the leader.
-    void note_touch(const InputEvent& event);
-
-    /// The touches since the last call. Of each finger's moves only the last counts.
-    std::vector<InputEvent> take_touches() { return std::exchange(touches_, {}); }
+    /// The touches of visitors, for the leader.
+    NotedTouches& touches() { return touches_; }
 
     /// The act that is drawn; nullptr: none yet.
     const WallAct* shown() const { return shown_ ? &*shown_ : nullptr; }
@@ -99,7 +99,8 @@ class FollowedWall final : public Show {
     std::vector<DrawItem> last_;                           // items of the last frame
     std::vector<DrawItem> before_;                         // items of what fades out
     std::optional<std::chrono::nanoseconds> fades_since_;  // none: no act fades in
-    std::vector<InputEvent> touches_;
+    NotedTouches touches_;
+    FollowedLifted lifted_;
 };
 
 }  // namespace vitrine::player

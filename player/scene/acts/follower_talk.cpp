@@ -2,7 +2,10 @@
 
 #include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/touch_json.hpp"
+
+#include <utility>
 
 namespace vitrine::player {
 
@@ -10,6 +13,7 @@ using Kind = WallTopic::Kind;
 
 void FollowerTalk::hear_more(const WallMessage& message) {
     if (message.topic.kind == Kind::act) act_ = act_from_json(message.payload);
+    if (message.topic.kind == Kind::lifted) lifted_ = lifted_from_json(message.payload);
     if (message.topic.kind == Kind::prepare) preparation_ = act_from_json(message.payload);
 }
 
@@ -19,6 +23,8 @@ void FollowerTalk::direct(Show& show, const BoxMoment& moment) {
     followed->set_clock(moment.epoch, moment.own.has_right_clock);
     if (preparation_) followed->prepare(*preparation_);
     if (act_) followed->take(*act_);
+    if (const auto lifted = std::exchange(lifted_, std::nullopt))
+        followed->take_lifted(lifted->first, lifted->second);
 }
 
 std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /*moment*/, BoxNote& note) {
@@ -35,7 +41,7 @@ std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /
                         .is_retained = true,
                         .payload = ready_to_json(*ready_)});
     }
-    if (const std::vector<InputEvent> touches = followed->take_touches(); !touches.empty())
+    if (const std::vector<InputEvent> touches = followed->touches().take(); !touches.empty())
         said.push_back({.topic = {.kind = Kind::touch, .box = box()},
                         .is_retained = false,
                         .payload = touches_to_json(touches)});

@@ -2,6 +2,7 @@
 
 #include "player/scene/acts/box_talk.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,8 +10,8 @@
 
 namespace vitrine::player {
 
-/// A follower's half of the talk: it hears acts and preparations, and says when it is ready, what it lacks
-/// and how it is touched.
+/// A follower's half of the talk: it hears acts, preparations and what hands hold, and says when it is ready,
+/// what it lacks and how it is touched.
 class FollowerTalk final : public BoxTalk {
   public:
     explicit FollowerTalk(std::string box) : BoxTalk(std::move(box)) {}
@@ -25,7 +26,8 @@ class FollowerTalk final : public BoxTalk {
 
     std::optional<WallAct> act_;
     std::optional<WallAct> preparation_;
-    std::optional<ActName> ready_;  // the preparation that it said it has
+    std::optional<std::pair<std::int64_t, LiftedMoment>> lifted_;  // run of the leader; none: no news
+    std::optional<ActName> ready_;                                 // the preparation that it said it has
 };
 
 }  // namespace vitrine::player

@@ -1,6 +1,6 @@
 #include "player/scene/acts/leader_talk.hpp"
 
-#include "player/scene/acts/led_wall.hpp"
+#include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/touch_json.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +18,7 @@ using Kind = WallTopic::Kind;
 
 constexpr std::size_t max_touches = 100;  // messages between two frames
 constexpr int fingers_of_box = 1000;
+constexpr auto lifted_pause = std::chrono::milliseconds(250);  // between two messages that say the same
 
 /// The same way with every second moment.
 WallWay coarser(const WallWay& way) {
@@ -87,6 +88,17 @@ std::optional<std::uint64_t> LeaderTalk::others_ready() const {
     return least;
 }
 
+/// Says what hands hold whenever that has changed, and now and then, as boxes let go what they hear no more
+/// of.
+void LeaderTalk::say_lifted(const LedNews& news, std::vector<WallMessage>& said) {
+    if (news.lifted.is_nothing() && lifted_.empty()) return;
+    std::string text = lifted_to_json(run_, news.lifted);
+    if (text == lifted_ && news.now - lifted_at_ < lifted_pause) return;
+    said.push_back({.topic = {.kind = Kind::lifted, .box = {}}, .is_retained = false, .payload = text});
+    lifted_ = news.lifted.is_nothing() ? std::string() : std::move(text);
+    lifted_at_ = news.now;
+}
+
 std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& moment, BoxNote& note) {
     note.leads = true;
     LedWall* const led = show.led();
@@ -115,7 +127,9 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
         std::erase_if(kept_, [&](const WallMessage& old) { return old.topic.kind == message.topic.kind; });
         kept_.push_back(message);
     }
-    return std::exchange(says_again_, false) ? kept_ : said;
+    if (std::exchange(says_again_, false)) said = kept_;
+    say_lifted(news, said);
+    return said;
 }
 
 void LeaderTalk::say_again() {

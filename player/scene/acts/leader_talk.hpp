@@ -2,6 +2,7 @@
 
 #include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/box_talk.hpp"
+#include "player/scene/acts/led_wall.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -14,8 +15,8 @@
 
 namespace vitrine::player {
 
-/// The leader's half of the talk: it says acts and preparations, and hears who is ready and who is touched. A
-/// box that was not ready in time is not waited for until it was ready once.
+/// The leader's half of the talk: it says acts, preparations and what hands hold, and hears who is ready and
+/// who is touched. A box that was not ready in time is not waited for until it was ready once.
 class LeaderTalk final : public BoxTalk {
   public:
     /// The longest act that is told, bytes: the line around it needs some.
@@ -36,6 +37,7 @@ class LeaderTalk final : public BoxTalk {
     void hear_more(const WallMessage& message) override;
     std::vector<WallMessage> speak_more(Show& show, const BoxMoment& moment, BoxNote& note) override;
     std::optional<std::uint64_t> others_ready() const;
+    void say_lifted(const LedNews& news, std::vector<WallMessage>& said);
 
     std::int64_t run_;
     std::size_t max_bytes_;
@@ -45,6 +47,8 @@ class LeaderTalk final : public BoxTalk {
     std::optional<std::chrono::nanoseconds> epoch_;             // of the last act
     std::vector<std::pair<std::string, std::string>> touches_;  // box, payload
     std::vector<WallMessage> kept_;                             // the last act and the last preparation
+    std::string lifted_;                     // what hands held when it was said last; empty: nothing
+    std::chrono::nanoseconds lifted_at_{0};  // and when that was
     bool says_again_ = false;
     bool is_act_too_long_ = false;  // the last one: the others keep what they show
 };

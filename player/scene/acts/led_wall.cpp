@@ -65,6 +65,7 @@ void LedWall::source_ready(SourceId source) {
 LedNews LedWall::take_news() {
     return {.act = std::exchange(act_, std::nullopt),
             .preparation = std::exchange(preparation_, std::nullopt),
+            .lifted = wall_.parts().lifted.moment(now_),
             .now = now_};
 }
 

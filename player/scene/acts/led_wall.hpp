@@ -18,6 +18,7 @@ namespace vitrine::player {
 struct LedNews {
     std::optional<WallAct> act;          // the newest; its generation counts the acts
     std::optional<WallAct> preparation;  // the wall that comes next; its generation counts the preparations
+    LiftedMoment lifted = {};            // what hands hold above the wall now
     std::chrono::nanoseconds now{0};     // the wall's time
 };
 

@@ -5,7 +5,7 @@
 using namespace vitrine;
 
 TEST_CASE("each topic is read as it is written") {
-    for (const char* text : {"act", "prepare", "ready/left", "touch/left", "box/left", "link"}) {
+    for (const char* text : {"act", "prepare", "lifted", "ready/left", "touch/left", "box/left", "link"}) {
         const auto topic = wall_topic(text);
         REQUIRE_MESSAGE(topic, text);
         CHECK(text_of(*topic) == text);

@@ -1,6 +1,7 @@
 #include "player/scene/acts/act_json.hpp"
 
 #include "player/scene/acts/box_note.hpp"
+#include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/touch_json.hpp"
 #include "tests/player/scene/acts/shared_house.hpp"
 #include "tests/player/scene/changing_wall.hpp"
@@ -173,6 +174,23 @@ TEST_CASE("what boxes tell of themselves is read as it was written, and bounded"
     const ActName name{.run = 1, .generation = 2};
     CHECK(ready_from_json(ready_to_json(name)) == name);
     CHECK_THROWS_AS(ready_from_json("{}"), std::runtime_error);
+}
+
+TEST_CASE("lifted shots travel as they were seen") {
+    const LiftedMoment seen{
+        .shots = {{.source = 3,
+                   .state = LiftedState::whole,
+                   .pose = {.at = {0.1, {-7.3, 1e-9}}, .open = 0.3, .alpha = 0.7, .dims = 0.2},
+                   .full_scale = 1.7,
+                   .seat = 0.9}},
+        .filler_light = 0.9};
+    CHECK(lifted_from_json(lifted_to_json(12, seen)) == std::pair(std::int64_t{12}, seen));
+    for (
+        const char* const bad :
+        {"", "7", "{}", R"({"version":1,"run":1,"filler_light":2,"shots":[]})",
+         R"({"version":1,"run":1,"filler_light":1,"shots":[{}]})",
+         R"({"version":1,"run":1,"filler_light":1,"shots":[{"source":1,"state":99,"at":[1,0,0],"open":0,"alpha":1,"dims":0,"full_scale":0,"seat":1}]})"})
+        CHECK_THROWS_AS(lifted_from_json(bad), std::runtime_error);
 }
 
 TEST_CASE("touches travel as they were made") {

@@ -329,6 +329,7 @@ class SharedHouse {
                  {item.placement.scale, item.placement.offset.x, item.placement.offset.y})
                 add(std::hash<double>()(number));
             add(static_cast<std::size_t>(std::lround(item.alpha * 1e6)));
+            add(static_cast<std::size_t>(std::lround(item.filler_light * 1e6)));
             Ns& seen = box.seen[item.source];
             if (item.local + rounding < seen) ++box.back;
             seen = std::max(seen, item.local);

@@ -32,6 +32,44 @@ void bring_late_box(SharedHouse& house) {
     house.start_follower(2);
 }
 
+/// A leader and a follower whose wall stands.
+SharedHouse resting_house(int slots = 3) {
+    SharedHouse::Options options{.seed = 4, .followers = 1};
+    options.wall = {
+        .slots = {.count = slots, .order = ShotOrder::name, .dwell = 1h}, .lead = 500ms, .touch_lead = 60ms};
+    if (slots > 5) options.records = photos(slots);
+    SharedHouse house(options);
+    house.run(6s);
+    return house;
+}
+
+/// A hand on the first shot of the leader's wall.
+class Hand {
+  public:
+    explicit Hand(SharedHouse& house)
+        : house_(house), source_(house.led().parts().shown.front().shot.source) {}
+
+    /// Moves by a way, within a frame.
+    void drag(Vec2 way) {
+        at_ = at_ + way;
+        touch(Gesture::Kind::drag, way);
+        house_.run(33ms);
+    }
+
+    void drop() { touch(Gesture::Kind::drop, {}); }
+
+  private:
+    void touch(Gesture::Kind kind, Vec2 way) {
+        house_.led().handle_gesture(
+            {.kind = kind, .touch = 1, .subject = source_, .at = at_, .from = from_, .moved = way});
+    }
+
+    SharedHouse& house_;  // outlives this
+    SourceId source_;
+    Vec2 from_{200, 360};
+    Vec2 at_ = from_;
+};
+
 }  // namespace
 
 TEST_CASE("three boxes with clocks of their own show the same frames, and changes begin together") {
@@ -166,13 +204,62 @@ TEST_CASE("an act that is too long for the others is not told, and the leader sa
     CHECK_FALSE(silent.boxes[1].frames.back().is_whole);
 }
 
+TEST_CASE("a shot in a hand is seen above the wall on all boxes, where the hand was a moment ago") {
+    SharedHouse house = resting_house();
+    TestBox& lead = house.boxes[0];
+    TestBox& follower = house.boxes[1];
+    const std::size_t shots = lead.last.items.size();
+    Hand hand(house);
+    std::vector<Vec2> places;
+    for (int k = 0; k < 12; ++k) {
+        hand.drag({20, 10});
+        places.push_back(lead.last.items.back().placement.offset);
+        if (k < 4) continue;
+        const Vec2 seen = follower.last.items.back().placement.offset;
+        CHECK(std::find(places.end() - 4, places.end(), seen) != places.end());  // 33 ms each
+    }
+    house.run(2s);  // the hand rests
+    CHECK(lead.last.items.size() > shots);
+    CHECK(lead.frames.back().content == follower.frames.back().content);
+    hand.drop();
+    house.run(1200ms);
+    CHECK(lead.last.items.size() == shots);
+    CHECK(lead.frames.back().content == follower.frames.back().content);
+}
+
+TEST_CASE("a shot in a hand goes back to its place on boxes that hear no more of it") {
+    SharedHouse house = resting_house();
+    const std::size_t shots = house.boxes[1].last.items.size();
+    Hand hand(house);
+    hand.drag({20, 10});
+    hand.drag({20, 10});
+    house.run(300ms);
+    CHECK(house.boxes[1].last.items.size() > shots);
+    house.cut(1);
+    house.run(1500ms);
+    CHECK(house.boxes[1].last.items.size() == shots);
+    CHECK(house.boxes[1].gaps == 0);
+}
+
+TEST_CASE("a shot that is as large as the screen is asked for in that size on all boxes") {
+    SharedHouse house = resting_house(9);
+    const WallShot shot = house.led().parts().shown.front().shot;
+    const int before = house.boxes[0].playing.at(shot.source).width;
+    house.led().handle_gesture({.kind = Gesture::Kind::tap,
+                                .touch = 1,
+                                .subject = shot.source,
+                                .at = {200, 360},
+                                .from = {200, 360}});
+    house.run(2s);
+    const auto width_on = [&](TestBox& box) { return box.playing.at(box.last.items.back().source).width; };
+    CHECK(width_on(house.boxes[0]) > before);
+    CHECK(width_on(house.boxes[1]) == width_on(house.boxes[0]));
+    CHECK(house.boxes[0].frames.back().content == house.boxes[1].frames.back().content);
+}
+
 TEST_CASE("a touch on a box that follows moves the wall of all") {
-    SharedHouse house({.seed = 4,
-                       .wall = {.slots = {.count = 3, .order = ShotOrder::name, .dwell = 1h},
-                                .lead = 500ms,
-                                .touch_lead = 60ms}});
-    house.run(6s);
-    house.followed(1).note_touch(Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}});
+    SharedHouse house = resting_house();
+    house.followed(1).touches().note(Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}});
     house.run(100ms);
     const std::vector<InputEvent> touches = house.boxes[0].talk->take_touches(1s);
     REQUIRE(touches.size() == 1);

@@ -1,0 +1,35 @@
+#include "player/scene/acts/followed_lifted.hpp"
+
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr auto patience = std::chrono::seconds(1);  // with a leader that says no more
+
+}  // namespace
+
+void FollowedLifted::take(LiftedMoment seen, std::chrono::nanoseconds now) {
+    seen_ = std::move(seen);
+    seen_at_ = now;
+}
+
+void FollowedLifted::draw(Frame& frame, std::span<const PlacedShot> wall, std::chrono::nanoseconds now) {
+    if (now - seen_at_ >= patience) seen_ = {};
+    lifted_.show(seen_, wall, frame.time);
+    if (!seen_.is_nothing()) lifted_.draw(frame);
+}
+
+std::map<SourceId, PlacedShot> FollowedLifted::whole_pictures() const {
+    std::map<SourceId, PlacedShot> all;
+    for (const LiftedMoment::Shot& shot : seen_.shots) {
+        const Lifted* const lifted = lifted_.find(shot.source);
+        if (lifted == nullptr || shot.full_scale <= 0) continue;
+        all[shot.source] = lifted->picture.placed();
+        all[shot.source].placement.scale = shot.full_scale;
+    }
+    return all;
+}
+
+}  // namespace vitrine::player

@@ -1,0 +1,68 @@
+#include "player/scene/acts/lifted_json.hpp"
+
+#include "player/scene/acts/act_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr int version = 1;
+constexpr double max_scale = 1e4;
+constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+
+double share_in(const ActJson& json, const char* key) {
+    const double share = number_in(json.at(key), 1);
+    if (share < 0) throw ActFault(fmt::format("the leader tells of lifted shots with a '{}' below 0", key));
+    return share;
+}
+
+ActJson to_json(const LiftedMoment::Shot& shot) {
+    return {{"source", shot.source},           {"state", static_cast<int>(shot.state)},
+            {"at", to_act_json(shot.pose.at)}, {"open", shot.pose.open},
+            {"alpha", shot.pose.alpha},        {"dims", shot.pose.dims},
+            {"full_scale", shot.full_scale},   {"seat", shot.seat}};
+}
+
+LiftedMoment::Shot shot_in(const ActJson& json) {
+    const auto last_state = static_cast<std::int64_t>(LiftedState::dismissed);
+    LiftedMoment::Shot shot{.source = static_cast<SourceId>(whole_in(json, "source", 0, largest)),
+                            .state = static_cast<LiftedState>(whole_in(json, "state", 0, last_state)),
+                            .pose = {.at = placement_in(json.at("at")),
+                                     .open = share_in(json, "open"),
+                                     .alpha = share_in(json, "alpha"),
+                                     .dims = share_in(json, "dims")},
+                            .full_scale = number_in(json.at("full_scale"), max_scale),
+                            .seat = share_in(json, "seat")};
+    if (shot.full_scale < 0) throw ActFault("the leader tells of a lifted shot with a scale below 0");
+    return shot;
+}
+
+}  // namespace
+
+std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen) {
+    ActJson shots = ActJson::array();
+    for (const LiftedMoment::Shot& shot : seen.shots)
+        shots.push_back(to_json(shot));
+    return ActJson{
+        {"version", version}, {"run", run}, {"shots", std::move(shots)}, {"filler_light", seen.filler_light}}
+        .dump();
+}
+
+std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text) {
+    try {
+        const ActJson json = ActJson::parse(text);
+        LiftedMoment seen{.shots = {}, .filler_light = share_in(json, "filler_light")};
+        for (const ActJson& shot : array_in(json, "shots", max_act_shots))
+            seen.shots.push_back(shot_in(shot));
+        return {whole_in(json, "run", 0, largest), std::move(seen)};
+    } catch (const nlohmann::json::exception& error) {
+        throw ActFault(fmt::format("the leader tells of lifted shots in words that are not understood: {}",
+                                   error.what()));
+    }
+}
+
+}  // namespace vitrine::player
