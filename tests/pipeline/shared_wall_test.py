@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""Two boxes of one wall as they run: players, links, Debian's broker and rsync, a network between them. See shared_boxes.py.
+
+    shared_wall_test.py BUILD_DIRECTORY [unittest arguments]
+
+The boxes share the clock of this machine, which counts as kept right. A machine that lacks one of the daemons, or may
+not make namespaces, prints NOT RUN.
+"""
+import json
+import os
+import signal
+import statistics
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+from drawn_media import pattern, png
+from shared_boxes import BUILD, LEADER, PATIENCE, Box, Broker, join_namespaces, run_tests, start_share, until
+
+ANALYZER, PLAYER, CTL = (BUILD / name for name in ("analyzer/vitrine-analyzer", "player/vitrine-player", "player/control/vitrinectl"))
+RATE = 25  # pictures a second
+BRIGHT = 150  # level that the walls of these tests always have somewhere, and the idle picture never
+ACROSS, DOWN = 32, 18  # px of the pictures that are compared
+SAME = 2  # levels: the mean difference of two coded pictures of one moment is less
+NEAR = 8  # the same while a hand moves a shot, which others see some milliseconds later
+DRAG_AT = 20  # seconds after the follower's start
+END = 34
+
+
+def ffmpeg(*arguments):
+    return subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-y", *map(str, arguments)], check=True, capture_output=True).stdout
+
+
+def draw_media(folder):
+    folder.mkdir()
+    for number in range(4):  # each brighter than the one before
+        fields = pattern(number)
+        png(folder / f"photo{number}.png", 240, 180, lambda x, y, n=number, of=fields: [value // 4 + 50 * n + 10 for value in of(x, y)])
+    for seconds in (5, 7):  # the whole picture tells the time: a bright bar goes to the right
+        ffmpeg("-f", "lavfi", "-i", f"color=0x203050:size=320x180:rate={RATE}:duration={seconds}", "-f", "lavfi", "-i",
+               f"color=0xf0f0e0:size=40x180:rate={RATE}:duration={seconds}", "-filter_complex", f"overlay=x=280*t/{seconds}",
+               "-pix_fmt", "yuv420p", folder / f"film{seconds}.mp4")
+
+
+def small_pictures(film):
+    """Each picture of a film as grey values, ACROSS x DOWN."""
+    raw = ffmpeg("-i", film, "-vf", f"scale={ACROSS}:{DOWN}:flags=area,format=gray", "-f", "rawvideo", "-")
+    size = ACROSS * DOWN
+    return [raw[i:i + size] for i in range(0, len(raw), size)]
+
+
+def difference(a, b):
+    return sum(abs(x - y) for x, y in zip(a, b)) / len(a)
+
+
+def shift(left, right, begin, count):
+    """By how many pictures the films of two boxes are apart, as they show the same, and how far these are from equal."""
+    found = {}
+    for apart in range(-begin, len(left) - begin - count):
+        found[apart] = statistics.fmean(difference(left[begin + apart + k], right[begin + k]) for k in range(0, count, 5))
+    best = min(found, key=found.get)
+    return best, found[best]
+
+
+class Wall(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="vitrine-shared-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        far, inside = join_namespaces()
+        cls.addClassCleanup(far.wait)
+        cls.addClassCleanup(far.kill)
+        cls.left, cls.right = Box(cls.folder, "left"), Box(cls.folder, "right", inside)
+        assert cls.left.wall("lead", "lobby").returncode == 0
+        assert cls.right.wall("join", "lobby", str(cls.left.key), LEADER).returncode == 0
+        cls.broker = Broker(cls.left)
+        cls.media = cls.folder / "media"
+        draw_media(cls.media)
+        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--config", cls.left.settings, "--media.root", cls.media,
+                        "--analyzer.saliency", "plain", "--status.folder", ""], check=True, timeout=PATIENCE, capture_output=True)
+
+    def setUp(self):
+        self.broker.start()
+        self.addCleanup(self.broker.stop)
+        self.ended = threading.Event()
+        self.follow_fetches()
+        for box in (self.left, self.right):
+            box.start()
+            self.addCleanup(box.stop, signal.SIGKILL)
+
+    def end(self, process):
+        process.kill()
+        process.wait()
+
+    def follow_fetches(self):
+        """Fetches as the units of a follower do: when the link has heard of files, and now and then."""
+        share = start_share(self.left)
+        self.addCleanup(self.end, share)
+
+        def fetch():
+            while not self.ended.wait(0.5):
+                self.right.fetch()
+
+        thread = threading.Thread(target=fetch)
+        thread.start()
+        self.addCleanup(thread.join)
+        self.addCleanup(self.ended.set)
+
+    def environment(self, box):
+        return {**os.environ, "DBUS_SYSTEM_BUS_ADDRESS": f"unix:path={box.root / 'bus'}", "LD_LIBRARY_PATH": ""}
+
+    def start_player(self, box, name, *options):
+        """Starts a player on a bus of its own. It films what it shows as NAME."""
+        environment = self.environment(box)
+        if not (box.root / "bus").exists():
+            bus = subprocess.Popen(["dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address=unix:path={box.root / 'bus'}"], env=environment,
+                                   stderr=subprocess.DEVNULL)
+            self.addCleanup((box.root / "bus").unlink)
+            self.addCleanup(self.end, bus)
+            until("a bus", (box.root / "bus").exists)
+        with open(box.root / f"{name}.log", "w") as log:
+            player = subprocess.Popen([*box.inside, PLAYER, "--config", box.settings, "--wall.key", box.key, "--wall.socket", box.socket(),
+                                       "--screen", "offscreen:320x180", "--output.frame_rate", str(RATE), "--pace", "realtime", "--status.folder", "",
+                                       "--film", self.folder / f"{name}.mp4", *map(str, options)],
+                                      env={**environment, "LD_PRELOAD": str(BUILD / "tests/pipeline/libkept_clock.so")}, stderr=log)
+        self.addCleanup(self.end, player)
+        return player
+
+    def start_leader(self, name, *options):
+        return self.start_player(self.left, name, "--media.root", self.media, "--layout.slots", 6, "--show.dwell_seconds", 3600, *options)
+
+    def boxes(self, box):
+        """What a box says of all boxes, by their names."""
+        said = subprocess.run([CTL, "status", "--json"], env=self.environment(box), capture_output=True, text=True, timeout=PATIENCE)
+        return {b["name"]: b["says"] for b in json.loads(said.stdout).get("wall", {}).get("boxes", [])} if said.returncode == 0 else {}
+
+    def wait_until_in_step(self):
+        for box in (self.left, self.right):
+            until(f"{box.name} tells that all are in step", lambda: "in step" in self.boxes(box).get("right", "").replace("not in step", ""))
+
+    def listen(self):
+        """Notes when which message passes the broker. @return  the times and topics so far"""
+        heard = []
+        spy = subprocess.Popen(["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
+                                "-t", "vitrine/lobby/#", "-F", "%U %t"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(spy.stdout.close)
+        self.addCleanup(self.end, spy)
+
+        def note():
+            for line in spy.stdout:
+                moment, topic = line.split()
+                heard.append((float(moment), topic.removeprefix("vitrine/lobby/")))
+
+        threading.Thread(target=note, daemon=True).start()
+        return heard
+
+    def test_a_follower_shows_the_leaders_wall_and_its_visitors_move_it(self):
+        script = self.folder / "script"
+        script.write_text(f"{DRAG_AT} drag 80 45 240 135 2\n")
+        leader = self.start_leader("left", "--duration", f"{END + 2}s")
+        heard = self.listen()
+        follower = self.start_player(self.right, "right", "--media.root", self.folder / "none", "--rehearse", script, "--duration", f"{END}s")
+        self.wait_until_in_step()
+        for player in (follower, leader):
+            self.assertEqual(player.wait(PATIENCE), 0)
+        left, right = (small_pictures(self.folder / f"{name}.mp4") for name in ("left", "right"))
+
+        with self.subTest("the same picture at the same moment, before, while and after the wall is moved"):
+            windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, DRAG_AT + 1, DRAG_AT + 6, DRAG_AT + 10)}
+            print(f"pictures apart, and how far from equal: {windows}")
+            for at, (apart, off) in windows.items():
+                self.assertLess(off, NEAR if at == DRAG_AT + 1 else SAME, f"at {at} s")
+                self.assertLessEqual(abs(apart - windows[12][0]), 1, f"at {at} s")
+        with self.subTest("the drag moved both"):
+            before, after = ([max(pixel) for pixel in zip(*right[at * RATE:(at + 7) * RATE:5])] for at in (12, DRAG_AT + 6))
+            self.assertGreater(difference(before, after), SAME)
+        touches = [moment for moment, topic in heard if topic == "touch/right"]
+        news = [moment for moment, topic in heard if topic in ("act", "lifted")]
+        self.assertTrue(touches)
+        back = [min(moment for moment in news if moment >= touch) - touch for touch in touches if news and touch <= news[-1]]
+        self.assertTrue(back, "nothing came back of a touch")
+        print(f"{len(touches)} messages of touches; the leader answers after {1000 * statistics.median(back):.0f} ms in the median, "
+              f"95 %: {1000 * sorted(back)[len(back) * 95 // 100]:.0f} ms, {RATE} pictures a second")
+
+    def test_a_follower_goes_on_without_broker_and_leader_and_is_in_step_once_they_are_back(self):
+        leader = self.start_leader("first")
+        follower = self.start_player(self.right, "other", "--media.root", self.folder / "none")
+        self.wait_until_in_step()
+        time.sleep(1)
+        begin = time.monotonic()
+        self.broker.stop()
+        time.sleep(2)
+        self.broker.start()
+        self.end(leader)
+        time.sleep(3)
+        alone = time.monotonic() - begin
+        leader = self.start_leader("second")
+        self.wait_until_in_step()
+        time.sleep(5)
+        for player in (leader, follower):
+            player.send_signal(signal.SIGTERM)
+            self.assertEqual(player.wait(PATIENCE), 0)
+        left, right = (small_pictures(self.folder / f"{name}.mp4") for name in ("second", "other"))
+        first = next(k for k, picture in enumerate(right) if max(picture) > BRIGHT)
+        for k, picture in enumerate(right[first:]):
+            self.assertGreater(max(picture), BRIGHT, f"picture {first + k} of {len(right)} is dark")
+        since = len(right) - round((time.monotonic() - begin) * RATE)
+        for k in range(since, since + round(alone * RATE), RATE):
+            self.assertGreater(difference(right[k], right[k + RATE // 2]), 0.5, "films stand still")
+        apart, off = shift(left, right, len(right) - 3 * RATE, RATE)
+        self.assertLess(off, SAME, f"{apart} pictures apart")
+
+
+if __name__ == "__main__":
+    run_tests()
