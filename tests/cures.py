@@ -180,7 +180,7 @@ CURES = [
     Cure("a shot in a hand that other boxes do not show", "player/scene/acts/leader_talk.cpp",
          "    say_lifted(news, said);\n", "", "acts_test.shared_wall_test"),
     Cure("a shot that stays in a hand where the network was cut", "player/scene/acts/followed_lifted.cpp",
-         "    if (now - seen_at_ >= patience) seen_ = {};\n", "    (void)patience;\n", "acts_test.shared_wall_test"),
+         "    if (now - seen_at_ >= patience) seen_ = {};\n", "    (void)now, (void)patience;\n", "acts_test.shared_wall_test"),
     Cure("a black cell of two triangles and a flat one", "player/render/cell_mesh.cpp",
          "        if (is_flat(triangle)) continue;\n", "        (void)is_flat;\n", "render_test.renderer_test"),
     Cure("a black triangle in a frame of a change", "player/layout/cells/triangulation.cpp",
