@@ -95,6 +95,7 @@ class SharedHouse {
         double cuts = 0;   // chance of a cut of a box's connection, a second
         double heals = 1;  // chance that a cut ends, a second
         std::size_t max_act_bytes = LeaderTalk::max_told_bytes;
+        std::function<Layout(const WallPlan&)> lay_out = side_by_side;
         std::vector<MediaRecord> records = {film("a", 2), photo("b"), film("c", 1), photo("d"), film("e", 3)};
         WallSettings wall = {
             .slots = {.count = 3, .order = ShotOrder::name, .dwell = std::chrono::seconds(2)},
@@ -294,7 +295,7 @@ class SharedHouse {
                     truth + std::chrono::milliseconds(std::uniform_int_distribution(20, 300)(random_));
             box.playing[request.source] = request;
         }
-        if (step.plan && !step.plan->way) box.show->set_layout(side_by_side(*step.plan));
+        if (step.plan && !step.plan->way) box.show->set_layout(options_.lay_out(*step.plan));
         if (step.plan && step.plan->way) {
             Layout layout{.canvas = step.plan->canvas, .generation = step.plan->generation, .is_final = true};
             layout.way = std::make_shared<const WallWay>(way_to(*step.plan->way));
