@@ -6,8 +6,11 @@
 #include "base/system/atomic_file.hpp"
 #include "base/system/log.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <system_error>
 
 namespace vitrine::analyzer {
@@ -43,9 +46,19 @@ std::optional<StoredShot> stored(StoredShot place_of, const StorePlace& place, c
     return is_readable ? std::optional(std::move(place_of)) : std::nullopt;
 }
 
+/// Copies what a file holds. Its mode is left out: whoever may read the store may read the copy, and a reader
+/// in the sandbox cannot change a mode.
+void copy_content(const std::string& from, const fs::path& to) {
+    std::ifstream in(from, std::ios::binary);
+    std::ofstream out(to, std::ios::binary);
+    out << in.rdbuf();
+    out.close();
+    if (!in || !out)
+        throw std::system_error(std::make_error_code(std::errc::io_error), fmt::format("copy '{}'", from));
+}
+
 std::optional<StoredShot> copied(const std::string& file, StoredShot place_of, const StorePlace& place) {
-    return stored(std::move(place_of), place,
-                  [&](const fs::path& to) { fs::copy_file(file, to, fs::copy_options::overwrite_existing); });
+    return stored(std::move(place_of), place, [&](const fs::path& to) { copy_content(file, to); });
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ constexpr std::array free_calls {
 constexpr std::array missing_calls{SYS_clone3, SYS_io_uring_setup, SYS_io_uring_enter, SYS_io_uring_register};
 
 // Calls that do nothing and say that they did it: GLib sets the priority of each thread to what it is, and
-// the standard library the mode of a copy that has just been made.
+// libraries set the mode of a file that they have just made. It keeps the mode that it was made with.
 constexpr std::array idle_calls{SYS_sched_setattr, SYS_fchmod};
 
 constexpr std::uint32_t first_unknown_call = 451;  // of Linux 6.2: libraries try new calls

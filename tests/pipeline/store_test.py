@@ -89,6 +89,11 @@ class Store(unittest.TestCase):
                 self.assertTrue((self.state / "store" / shot["stored"]["file"]).is_file(), record)
                 self.assertFalse(shot["stored"]["dropped"])
 
+    def test_every_file_of_the_store_can_be_read_by_its_owner_and_group(self):
+        for path in (self.state / "store").rglob("*"):
+            if path.is_file():
+                self.assertEqual(path.stat().st_mode & 0o440, 0o440, path)
+
     def test_overwriting_truncating_and_removing_the_media_changes_no_picture(self):
         undisturbed = self.play("undisturbed")
         self.assertGreater(undisturbed.count(b"\n"), 6 * RATE)

@@ -61,6 +61,15 @@ TEST_CASE("a small photo is stored byte for byte") {
     CHECK(read_file(shelf.place.store / stored->file) == read_file(file));
 }
 
+TEST_CASE("a copy can be read by whoever may read the store, whatever mode the photo has") {
+    const Shelf shelf;
+    const std::string file = write_photo(shelf.home.path / "a.png", 60, 40, 3);
+    fs::permissions(file, fs::perms::owner_read);
+    REQUIRE(shelf.photo(file, 60, 40));
+    const fs::perms usual = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+    CHECK((fs::status(shelf.folder() / "photo").permissions() & usual) == usual);
+}
+
 TEST_CASE("a large photo is stored smaller, and stays as transparent as it was") {
     const Shelf shelf;
     const std::string file = write_photo(shelf.home.path / "a.png", 5760, 40, 4);
