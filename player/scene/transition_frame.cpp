@@ -137,6 +137,13 @@ class DriftingPhotos {
     std::map<SourceId, Vec2> offsets_;
 };
 
+/// The share of a transition that is over. One that takes no time is over once it begins.
+double share_of(std::chrono::nanoseconds duration, std::chrono::nanoseconds passed) {
+    if (passed < std::chrono::nanoseconds(0)) return 0;
+    if (passed >= duration) return 1;
+    return std::chrono::duration<double>(passed) / std::chrono::duration<double>(duration);
+}
+
 /// The layers of a transition, the lower one first, with the photos at their places.
 std::pair<Layer, Layer> drifting_layers(const Transition& transition, std::pair<Layer, Layer> layers,
                                         double share, std::chrono::nanoseconds now) {
@@ -153,10 +160,7 @@ std::pair<Layer, Layer> drifting_layers(const Transition& transition, std::pair<
 Frame transition_frame(const Transition& transition, std::chrono::nanoseconds passed, const CellStyle& style,
                        std::chrono::nanoseconds now) {
     const Vec2 canvas = transition.canvas;
-    const double share =
-        passed >= transition.duration
-            ? 1
-            : std::chrono::duration<double>(passed) / std::chrono::duration<double>(transition.duration);
+    const double share = share_of(transition.duration, passed);
     if (transition.motion.kind == Motion::Kind::still || share <= 0 || share >= 1) {
         std::pair<Layer, Layer> layers{placed_shots(transition.old_wall), placed_shots(transition.new_wall)};
         if (share > 0 && share < 1) layers = drifting_layers(transition, std::move(layers), share, now);

@@ -143,8 +143,8 @@ Transition transition_in(const ActJson& json, const WallAct& act) {
     if (transition.fade_begin < 0 || transition.fade_end <= transition.fade_begin)
         throw ActFault("an act has a change that fades in no time");
     transition.duration = time_in(json, "duration_ns");
-    if (transition.duration <= 0ns || transition.duration > max_change_time)
-        throw ActFault("an act has a change that takes no time, or too long");
+    if (transition.duration < 0ns || transition.duration > max_change_time)
+        throw ActFault("an act has a change that ends before it begins, or takes too long");
     return transition;
 }
 

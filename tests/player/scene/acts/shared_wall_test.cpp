@@ -89,6 +89,18 @@ TEST_CASE("three boxes with clocks of their own show the same frames, and change
     CHECK(house.faults == 0);
 }
 
+TEST_CASE("changes that take no time are followed, too") {
+    SharedHouse::Options options{.seed = 3, .followers = 1};
+    options.wall.transition.duration = 0ns;
+    SharedHouse house(options);
+    house.run(30s);
+    REQUIRE(house.followed(1).shown() != nullptr);
+    CHECK(house.followed(1).shown()->name.generation >= 5);
+    CHECK(share_in_step(house.boxes[0], house.boxes[1], 10s) >= 0.999);
+    CHECK(house.boxes[1].gaps == 0);
+    CHECK(house.faults == 0);
+}
+
 TEST_CASE("a cut of a second delays no change") {
     SharedHouse house({.seed = 6, .cuts = 0.3});
     house.run(90s);
