@@ -8,7 +8,7 @@ import subprocess
 import image
 from machine import wait_for
 
-DAEMONS = ["mosquitto", "chrony", "rsync", "avahi-daemon", "libmosquitto1"]
+DAEMONS = ["mosquitto", "chrony", "rsync", "avahi-daemon", "avahi-utils", "libmosquitto1"]
 LEADS = "mosquitto chrony vitrine-link vitrine-wall-share vitrine-player vitrine-analyzer"
 FOLLOWS = "chrony vitrine-link vitrine-wall-fetch.path vitrine-wall-fetch.timer vitrine-player"
 WRITTEN = ["/etc/vitrine/wall", "/etc/mosquitto/conf.d/vitrine-wall.conf", "/etc/chrony/conf.d/vitrine-wall.conf",

@@ -1,0 +1,125 @@
+"""Two boxes with a network between them become one wall, as docs/wall.md tells it: systemd and Debian's daemons in both.
+
+The machines are emulated: states are asserted here and no times.
+"""
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import image
+from appliance import MEDIA, Appliance
+from cases.boxes import bring_daemons, wait_for_status, wait_until_up
+from machine import Machine, wait_for
+
+SNAPSHOT = "wall"
+MODULES = ("net/core/failover.ko", "drivers/net/net_failover.ko", "drivers/net/virtio_net.ko")
+ADDRESSES = {"hall-1": "10.78.0.1", "hall-2": "10.78.0.2"}
+SEEN = ("red", "blue", "magenta")  # the files of the leader's wall: one less than a box has by itself
+
+
+def network_modules(box):
+    """A folder with the modules of the guest's kernel that drive its network; the guest is made without them."""
+    folder = box.machine.share / "modules"
+    folder.mkdir()
+    release = box.sh("uname -r")
+    try:
+        image.run("apt-get", "download", f"linux-image-{release}", cwd=folder)
+        package = next(folder.glob("*.deb"))
+        members = [f"./lib/modules/{release}/kernel/{name}" for name in MODULES]
+        tar = subprocess.run(["dpkg-deb", "--fsys-tarfile", package], check=True, capture_output=True).stdout
+        subprocess.run(["tar", "-x", "-C", folder, "--strip-components=4", *members], input=tar, check=True, capture_output=True)
+        package.unlink()
+    except subprocess.CalledProcessError as error:
+        raise image.NotHere(f"the guest's kernel {release} cannot be had: {error.stderr[-1000:]}") from error
+    return folder
+
+
+def plug_in(box, cable, listens):
+    """Plugs in a network card with a cable between the two machines."""
+    where = {"type": "unix", "path": str(cable)}
+    box.machine.qmp.ask("netdev_add", type="stream", id="cable", server=listens, addr=where)
+    box.machine.qmp.ask("device_add", driver="virtio-net-pci", id="card", netdev="cable", bus="port0",
+                        mac=f"52:54:00:78:00:0{1 if listens else 2}")
+
+
+def name_and_connect(box, name, modules):
+    """Gives a box its name and its address."""
+    if not (box.machine.share / "modules").exists():
+        shutil.copytree(modules, box.machine.share / "modules")
+    box.machine.mount_share()
+    for module in MODULES:
+        box.sh(f"insmod /host/modules/kernel/{module} || lsmod | grep -q {Path(module).stem}")
+    box.machine.unmount_share()
+    card = wait_for("a network card", lambda: box.sh("ls /sys/class/net | grep -v '^lo$'", fails=True))
+    box.sh(f"hostname {name}; echo {name} >/etc/hostname; echo '127.0.0.1 {name}' >>/etc/hosts; systemctl try-restart avahi-daemon")
+    box.sh(f"ip link set lo up; ip address add {ADDRESSES[name]}/24 dev {card}; ip link set {card} up")
+    return card
+
+
+def lead(box):
+    said = box.sh(f"rm {MEDIA}/green.png; vitrinectl wall lead lobby")
+    assert "this box leads the wall 'lobby'" in said, said
+    wait_until_up(box, "mosquitto chrony vitrine-link vitrine-wall-share vitrine-player vitrine-analyzer")
+    box.wait_for_wall("the leader's wall", files=SEEN)
+    return box.sh("cat /etc/vitrine/wall.key")
+
+
+def follow(box, key):
+    """Finds the leader in the network and shows its wall, with no file of its own."""
+    box.sh(f"rm -f {MEDIA}/*; echo {key} >/run/wall.key")
+    wait_for("an empty wall", lambda: not box.files_in(box.machine.picture()))
+    said = wait_for("an answer of the leader", lambda: box.sh("vitrinectl wall join lobby /run/wall.key", fails=True))
+    assert f"this box follows '{ADDRESSES['hall-1']}'" in said, said
+    wait_until_up(box, "chrony vitrine-link vitrine-wall-fetch.path vitrine-wall-fetch.timer vitrine-player")
+    box.wait_for_wall("the follower's wall", files=SEEN)
+
+
+def agree(boxes):
+    """Both tell that the follower is in step, and the follower has its time from the leader."""
+    for box in boxes:
+        wait_for_status(box, "'lobby'", "hall-1   leads", "hall-2   follows, in step")
+    tracking = boxes[1].sh("chronyc -n tracking; chronyc -n sources")
+    assert f"({ADDRESSES['hall-1']})" in tracking and "Leap status     : Normal" in tracking, tracking
+    assert re.search(rf"\^\* {re.escape(ADDRESSES['hall-1'])}", tracking), tracking
+
+
+def cut_and_heal(boxes, card):
+    leader, follower = boxes
+    follower.sh(f"ip link set {card} down")
+    wait_for_status(follower, "no connection")
+    assert not follower.lacking(follower.look("without a network"), SEEN)
+    follower.wait_for_motion("a film without a network")
+    leader.sh(f"rm {MEDIA}/blue.png")
+    leader.wait_for_wall("the leader's wall while the other is gone", files=("red", "magenta"))
+    follower.sh(f"ip link set {card} up; ip address replace {ADDRESSES['hall-2']}/24 dev {card}")
+    wait_for("the leader's change", lambda: follower.files_in(follower.machine.picture()) == {"red", "magenta"})
+    follower.look("with a network again")
+
+
+def run(box):
+    disk = box.pictures.parent / "two_boxes_other.qcow2"
+    shutil.copy(box.pictures.parent / "prepared.qcow2", disk)
+    machine = Machine(box.machine.image, disk, SNAPSHOT)
+    other = Appliance(machine, box.pictures / "hall-2")
+    other.pictures.mkdir()
+    boxes = (box, other)
+    try:
+        cable = box.machine.folder / "cable"
+        modules = network_modules(box)
+        for one, name in zip(boxes, ADDRESSES):
+            bring_daemons(one)
+            plug_in(one, cable, name == "hall-1")
+            card = name_and_connect(one, name, modules)
+        key = lead(box)
+        follow(other, key)
+        agree(boxes)
+        cut_and_heal(boxes, card)
+        agree(boxes)
+    except AssertionError:
+        for one in boxes:
+            print(one.sh("journalctl -b -q -u vitrine-link -u vitrine-wall-fetch -u vitrine-wall-share -u mosquitto -u chrony -n 60 --no-hostname", fails=True))
+        raise
+    finally:
+        machine.stop()
+        disk.unlink()
