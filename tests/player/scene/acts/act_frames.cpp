@@ -1,8 +1,7 @@
 // Makes acts of a wall that is planned as the player plans, and tells what a box draws of acts: so that boxes
 // with different libraries of mathematics can be compared.
 //   act_frames make SEED   prints an act a line: turns, and shots in a hand
-//   act_frames draw        reads such lines; prints a line for each of nine moments of each act: its items
-//   with
+//   act_frames draw        reads such lines; prints nine moments of each act, a line each: the items with
 //                          their places and the outlines of their cells, canvas px
 
 #include "player/layout/plan/plan.hpp"
@@ -108,11 +107,19 @@ void print(const Frame& frame) {
     fmt::print("]\n");
 }
 
+/// The time that an act's change takes: a way, a transition, or the fade of the first wall.
+Ns duration_of(const WallAct& act) {
+    if (!act.change) return 0ns;
+    if (act.change->way) return act.change->duration;
+    return act.change->transition ? act.change->transition->duration : act.fade;
+}
+
 void draw() {
     for (std::string line; std::getline(std::cin, line);) {
         const WallAct act = act_from_json(line);
+        const Ns began = act.change ? act.change->began : 1s;
         for (int k = 0; k <= moments; ++k)
-            print(act_frame(act, act.change ? act.change->began + act.change->duration * k / moments : 1s));
+            print(act_frame(act, began + duration_of(act) * k / moments));
     }
 }
 

@@ -3,9 +3,11 @@
 
     other_libm_test.py ACT_FRAMES [SEEDS [OTHER_ACT_FRAMES]]
 
-OTHER_ACT_FRAMES is the same program of a build with other options of the compiler, such as -march=x86-64-v3
--ffp-contract=fast: as on ARM, products are then added without being rounded. glibc has two sets of functions, for processors with fused multiplication and without; GLIBC_TUNABLES chooses. On a
+glibc has two sets of functions, for processors with fused multiplication and without; GLIBC_TUNABLES chooses. On a
 processor without it both are the same: then the test prints NOT RUN.
+
+OTHER_ACT_FRAMES is the same program, built with other options of the compiler. -march=x86-64-v3 -ffp-contract=fast adds
+products that were not rounded, as compilers do for ARM.
 """
 import json
 import os
@@ -22,7 +24,8 @@ NEAR = 0.5  # px
 
 
 def run(*words, text=None, environment=None):
-    return subprocess.run([OTHER if environment else PROGRAM, *map(str, words)], input=text, capture_output=True, text=True, check=True, env=environment).stdout
+    command = [OTHER if environment else PROGRAM, *map(str, words)]
+    return subprocess.run(command, input=text, capture_output=True, text=True, check=True, env=environment).stdout
 
 
 def distance(point, outline):
