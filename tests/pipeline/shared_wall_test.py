@@ -201,6 +201,7 @@ class Wall(unittest.TestCase):
         leader = self.start_leader("second")
         self.wait_until_in_step()
         time.sleep(5)
+        end = time.monotonic()
         for player in (leader, follower):
             player.send_signal(signal.SIGTERM)
             self.assertEqual(player.wait(PATIENCE), 0)
@@ -208,7 +209,7 @@ class Wall(unittest.TestCase):
         first = next(k for k, picture in enumerate(right) if max(picture) > BRIGHT)
         for k, picture in enumerate(right[first:]):
             self.assertGreater(max(picture), BRIGHT, f"picture {first + k} of {len(right)} is dark")
-        since = len(right) - round((time.monotonic() - begin) * RATE)
+        since = len(right) - round((end - begin) * RATE)
         for k in range(since, since + round(alone * RATE), RATE):
             self.assertGreater(difference(right[k], right[k + RATE // 2]), 0.5, "films stand still")
         apart, off = shift(left, right, len(right) - 3 * RATE, RATE)

@@ -88,8 +88,8 @@ std::optional<std::uint64_t> LeaderTalk::others_ready() const {
     return least;
 }
 
-/// Says what hands hold whenever that has changed, and now and then, as boxes let go what they hear no more
-/// of.
+/// Says what hands hold whenever that has changed, and four times a second while they hold something: a box
+/// that hears nothing puts the shots back.
 void LeaderTalk::say_lifted(const LedNews& news, std::vector<WallMessage>& said) {
     if (news.lifted.is_nothing() && lifted_.empty()) return;
     std::string text = lifted_to_json(run_, news.lifted);

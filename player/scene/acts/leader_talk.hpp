@@ -47,8 +47,8 @@ class LeaderTalk final : public BoxTalk {
     std::optional<std::chrono::nanoseconds> epoch_;             // of the last act
     std::vector<std::pair<std::string, std::string>> touches_;  // box, payload
     std::vector<WallMessage> kept_;                             // the last act and the last preparation
-    std::string lifted_;                     // what hands held when it was said last; empty: nothing
-    std::chrono::nanoseconds lifted_at_{0};  // and when that was
+    std::string lifted_;                     // the last message about lifted shots; empty: hands hold nothing
+    std::chrono::nanoseconds lifted_at_{0};  // when that was said
     bool says_again_ = false;
     bool is_act_too_long_ = false;  // the last one: the others keep what they show
 };

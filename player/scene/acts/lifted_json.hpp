@@ -9,11 +9,11 @@
 
 namespace vitrine::player {
 
-/// What hands hold above the wall, for the boxes that follow. @param run  of the leader, whose sources it
-/// names
+/// Writes down what hands hold above the wall, for the boxes that follow.
+/// @param run  of the leader; its sources have numbers of their own in each run
 std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen);
 
-/// @return the run of the leader, and what it has drawn
+/// Reads what the leader has written. @return the leader's run, and what hands hold there
 /// @throws std::runtime_error with one sentence
 std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text);
 

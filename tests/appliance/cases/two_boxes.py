@@ -9,10 +9,10 @@ from pathlib import Path
 
 import image
 from appliance import MEDIA, Appliance
-from cases.boxes import bring_daemons, wait_for_status, wait_until_up
+from cases.boxes import FOLLOWS, LEADS, bring_daemons, wait_for_status, wait_until_up
 from machine import Machine, wait_for
+from rig import SNAPSHOT
 
-SNAPSHOT = "wall"
 MODULES = ("net/core/failover.ko", "drivers/net/net_failover.ko", "drivers/net/virtio_net.ko")
 ADDRESSES = {"hall-1": "10.78.0.1", "hall-2": "10.78.0.2"}
 SEEN = ("red", "blue", "magenta")  # the files of the leader's wall: one less than a box has by itself
@@ -60,7 +60,7 @@ def name_and_connect(box, name, modules):
 def lead(box):
     said = box.sh(f"rm {MEDIA}/green.png; vitrinectl wall lead lobby")
     assert "this box leads the wall 'lobby'" in said, said
-    wait_until_up(box, "mosquitto chrony vitrine-link vitrine-wall-share vitrine-player vitrine-analyzer")
+    wait_until_up(box, LEADS)
     box.wait_for_wall("the leader's wall", files=SEEN)
     return box.sh("cat /etc/vitrine/wall.key")
 
@@ -71,7 +71,7 @@ def follow(box, key):
     wait_for("an empty wall", lambda: not box.files_in(box.machine.picture()))
     said = wait_for("an answer of the leader", lambda: box.sh("vitrinectl wall join lobby /run/wall.key", fails=True))
     assert f"this box follows '{ADDRESSES['hall-1']}'" in said, said
-    wait_until_up(box, "chrony vitrine-link vitrine-wall-fetch.path vitrine-wall-fetch.timer vitrine-player")
+    wait_until_up(box, FOLLOWS)
     box.wait_for_wall("the follower's wall", files=SEEN)
 
 
