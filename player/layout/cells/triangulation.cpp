@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 
 namespace vitrine::player {
 
@@ -11,6 +12,34 @@ namespace {
 
 bool is_in_triangle(CellPoint p, CellPoint a, CellPoint b, CellPoint c) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+}
+
+constexpr std::int64_t near_enough = 2;  // grid steps
+
+/// True if a loop is so narrow that no pixel lies in it.
+bool is_needle(const Loop& loop) {
+    double around = 0;  // grid steps
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const CellPoint next = loop[(k + 1) % loop.size()];
+        around +=
+            std::hypot(static_cast<double>(next.x - loop[k].x), static_cast<double>(next.y - loop[k].y));
+    }
+    return std::abs(twice_area(loop)) <= static_cast<double>(near_enough) * around;
+}
+
+/// An outline without the needles that begin and end at one of its corners. Ears beside a needle could lie
+/// outside of the outline.
+Loop without_needles(const Loop& outline) {
+    for (auto first = outline.begin(); first != outline.end(); ++first)
+        for (auto again = std::find(std::next(first), outline.end(), *first); again != outline.end();
+             again = std::find(std::next(again), outline.end(), *first)) {
+            const Loop inside(first, again);
+            Loop rest(again, outline.end());
+            rest.insert(rest.end(), outline.begin(), first);
+            if (is_needle(inside)) return without_needles(rest);
+            if (is_needle(rest)) return without_needles(inside);
+        }
+    return outline;
 }
 
 /// Cuts ears off an outline until nothing is left.
@@ -88,8 +117,6 @@ class EarClipping {
     std::vector<GridTriangle> triangles_;
 };
 
-constexpr std::int64_t near_enough = 2;  // grid steps
-
 /// The position of a point along the side a -> b, in (0, 1); negative if the point is not on the side.
 double place_on_side(CellPoint p, CellPoint a, CellPoint b) {
     if (p == a || p == b) return -1;
@@ -132,7 +159,7 @@ Loop with_corners(const Loop& loop, const std::vector<CellPoint>& corners) {
 }  // namespace
 
 std::vector<GridTriangle> triangulated(const Loop& outline) {
-    return EarClipping(outline).run();
+    return EarClipping(without_needles(outline)).run();
 }
 
 void share_corners(const std::vector<Loops*>& loops) {

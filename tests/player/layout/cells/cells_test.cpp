@@ -7,6 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace vitrine;
 using namespace vitrine::player;
 
@@ -66,6 +69,56 @@ TEST_CASE("an outline that crosses itself by a step of the grid is triangulated 
     for (const GridTriangle& t : triangulated(outline))
         sum += turn(t[0], t[1], t[2]);
     CHECK(static_cast<double>(sum) == doctest::Approx(static_cast<double>(whole)).epsilon(1e-4));
+}
+
+// Each was a cell in a frame of a change, of which a triangle lay over a neighbour's I-Region.
+TEST_CASE("an outline with a needle is triangulated whole, and nothing beside it") {
+    const Polygon outlines[] = {{{353.2730712890625, 159.06573486328125},
+                                 {326.02395629882812, 159.06573486328125},
+                                 {330.17691040039062, 162.10867309570312},
+                                 {327.30767822265625, 166.87890625},
+                                 {326.85922241210938, 167.63946533203125},
+                                 {313.8150634765625, 190.21371459960938},
+                                 {313.8150634765625, 269.9837646484375},
+                                 {445.32449340820312, 269.9837646484375},
+                                 {445.32449340820312, 269.98379516601562},
+                                 {313.8150634765625, 269.9837646484375},
+                                 {311.20611572265625, 269.98379516601562},
+                                 {192.50888061523438, 269.98379516601562},
+                                 {195.96206665039062, 246.66796875},
+                                 {197.25015258789062, 163.28921508789062},
+                                 {214.91513061523438, 133.06881713867188},
+                                 {274.16110229492188, 133.06881713867188},
+                                 {274.16110229492188, 136.88809204101562},
+                                 {445.32449340820312, 136.88809204101562},
+                                 {445.32449340820312, 159.06573486328125}},
+                                {{479.984375, 269.984375},
+                                 {280.52218627929688, 269.98434448242188},
+                                 {280.52215576171875, 269.984375},
+                                 {249.1505126953125, 269.984375},
+                                 {249.1505126953125, 269.98434448242188},
+                                 {280.52215576171875, 269.984375},
+                                 {280.52218627929688, 269.98434448242188},
+                                 {285.69021606445312, 263.10714721679688},
+                                 {285.69021606445312, 242.43814086914062},
+                                 {285.69021606445312, 144.351318359375},
+                                 {285.69021606445312, 125.71322631835938},
+                                 {297.5048828125, 125.71322631835938},
+                                 {366.00845336914062, 125.71322631835938},
+                                 {479.984375, 125.71322631835938}}};
+    for (const Polygon& polygon : outlines) {
+        Loop outline = to_grid(polygon);
+        for (std::size_t begin = 0; begin < outline.size(); ++begin) {
+            CAPTURE(begin);
+            double sum = 0;
+            for (const GridTriangle& t : triangulated(outline)) {
+                CHECK(turn(t[0], t[1], t[2]) >= 0);
+                sum += static_cast<double>(turn(t[0], t[1], t[2]));
+            }
+            CHECK(sum == doctest::Approx(std::abs(twice_area(outline))).epsilon(1e-6));
+            std::ranges::rotate(outline, outline.begin() + 1);
+        }
+    }
 }
 
 TEST_CASE("cells share the canvas out exactly and hold their regions whole") {
