@@ -171,13 +171,14 @@ class TwoBoxes(unittest.TestCase):
 
     def test_a_message_of_another_version_or_of_no_sense_is_a_sentence_and_goes_no_further(self):
         _, right = self.start_both()
-        hostile = [b'{"version":2}', b"nonsense", b"[1]", b"{}", b"\xff\xfe", b"[" * 100000, b'{"version":1,"a":1e999}', b"x" * 1050000]
-        for payload in hostile:
+        self.publish("vitrine/lobby/act", b'{"version":2}')
+        # The next message waits for this: while the link is slow, a newer act takes the place of one that it has not read.
+        until("a sentence", lambda: any("version 2" in state["says"] for state in right.all("link")))
+        for payload in (b"nonsense", b"[1]", b"{}", b"\xff\xfe", b"[" * 100000, b'{"version":1,"a":1e999}', b"x" * 1050000):
             self.publish("vitrine/lobby/act", payload)
         self.publish("vitrine/lobby/act", json.dumps(ACT).encode())
         right.hears("act", ACT)
         self.assertEqual(right.all("act"), [ACT])
-        until("a sentence", lambda: any("version 2" in state["says"] for state in right.all("link")))
         self.assertLessEqual(self.right.said().count("a message is refused"), 3, "the log is not flooded")
 
     def test_a_follower_that_sends_what_only_the_leader_may_is_let_go(self):
