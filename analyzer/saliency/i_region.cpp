@@ -16,7 +16,7 @@ constexpr double min_area = 0.08;  // share of the picture
 constexpr double max_area = 0.80;
 // These two concern the region of a subject that a network has outlined.
 constexpr double subject_min_area = 0.05;
-constexpr double subject_margin = 0.02;  // share of the diagonal
+constexpr double subject_margin = 0.01;  // share of the diagonal
 constexpr double middle = 0.6;           // share of each side, where nothing is salient
 
 Polygon middle_of(const Box& core) {

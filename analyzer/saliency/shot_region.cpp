@@ -190,9 +190,10 @@ void add_centre(SaliencyMap& volume, std::size_t frames) {
               (centre_saliency * static_cast<double>(std::max<std::size_t>(1, frames)));
 }
 
-/// The page of text that a photo shows; no corners where it shows none, and in a film.
+/// The page of text that a photo shows; no corners where it shows none, where somebody is before it, and in a
+/// film.
 Polygon page_in(const std::vector<Sample>& samples, cv::Size size) {
-    if (samples.size() != 1) return {};
+    if (samples.size() != 1 || !samples.front().faces.empty()) return {};
     return text_page(samples.front().lines,
                      {static_cast<double>(size.width), static_cast<double>(size.height)});
 }

@@ -5,12 +5,13 @@
 
 namespace vitrine::analyzer {
 
-constexpr double sure_certainty = 0.8;   // from here on the outline alone makes the region
+constexpr double sure_certainty = 0.7;   // from here on the outline alone makes the region
 constexpr double blind_certainty = 0.5;  // below, nothing stands out
 
 /// The outline of a picture's subject, as a network sees it.
 struct SubjectOutline {
-    Polygon sure;      // convex, px of the map: hull of all that is rather the subject than not
+    Polygon sure;      // convex, px of the map: hull of all that is rather the subject than not, and of
+                       // fainter things that stand apart from it
     Polygon possible;  // convex: also what may be the subject. Both have no corners where nothing stands out
     double certainty = 0;  // [0, 1]: 1 where the map is black and white, with one outline at any threshold
 };

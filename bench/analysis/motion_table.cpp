@@ -6,6 +6,7 @@
 #include "analyzer/one_file/analyze.hpp"
 #include "bench/analysis/made_takes.hpp"
 #include "bench/analysis/region_score.hpp"
+#include "bench/analysis/subject_scores.hpp"
 #include "bench/analysis/tables.hpp"
 #include "bench/analysis/take.hpp"
 
@@ -33,11 +34,13 @@ struct Held {
     double mean = 0;
     double worst = 1;
     double area = 0;  // share of the picture, mean over the frames
-    int frames = 0;
+    std::vector<double> shares;
 
     void add(double share, double part) {
-        mean += (share - mean) / ++frames;
-        area += (part - area) / frames;
+        shares.push_back(share);
+        const auto count = static_cast<double>(shares.size());
+        mean += (share - mean) / count;
+        area += (part - area) / count;
         worst = std::min(worst, share);
     }
 };
@@ -109,7 +112,7 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
 
 void print_row(const std::string& name, const TakeScore& s) {
     fmt::print(
-        "  {:32} {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | "
+        "  {:34} {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | {:6.3f} {:6.3f} | "
         "{:6.3f} {:6.3f}\n",
         name, s.ours.mean, s.ours.worst, s.ours.area, s.plain.mean, s.plain.worst, s.plain.area,
         s.best_box.mean, s.best_box.worst, s.middle_box.mean, s.middle_box.worst, s.letter.mean,
@@ -118,12 +121,13 @@ void print_row(const std::string& name, const TakeScore& s) {
 
 void takes_table(const char* title, std::size_t count, const std::function<Take(std::size_t)>& take_of,
                  const TableInput& input) {
-    fmt::print("{:34} {:^20} | {:^20} | box on subject | box in middle  | letter\n{:34} {:>6} {:>6} {:>6} | "
+    fmt::print("{:36} {:^20} | {:^20} | box on subject | box in middle  | letter\n{:36} {:>6} {:>6} {:>6} | "
                "{:>6} {:>6} "
                "{:>6} | {:>6} {:>6} | {:>6} {:>6} | {:>6} {:>6}\n",
                title, "with the network", "plain", "", "mean", "worst", "area", "mean", "worst", "area",
                "mean", "worst", "mean", "worst", "mean", "area");
     TakeScore sum;
+    TakeScore frames;  // of all takes
     constexpr std::array all{&TakeScore::ours, &TakeScore::plain, &TakeScore::best_box,
                              &TakeScore::middle_box, &TakeScore::letter};
     for (std::size_t i = 0; i < count; ++i) {
@@ -132,12 +136,14 @@ void takes_table(const char* title, std::size_t count, const std::function<Take(
         const TakeScore s = take_score(take, file, input);
         print_row(take.name, s);
         for (Held TakeScore::*way : all) {
-            Held& total = sum.*way;
-            total.add((s.*way).mean, (s.*way).area);
-            total.worst = std::min(total.worst, (s.*way).worst);
+            (sum.*way).add((s.*way).mean, (s.*way).area);
+            std::vector<double>& shares = (frames.*way).shares;
+            shares.insert(shares.end(), (s.*way).shares.begin(), (s.*way).shares.end());
         }
     }
-    print_row(fmt::format("mean of {}", count), sum);
+    for (Held TakeScore::*way : all)
+        (sum.*way).worst = lowest_tenth((frames.*way).shares);
+    print_row(fmt::format("mean of {}, worst tenth of frames", count), sum);
 }
 
 /// A source that notes when each of its frames is shown.
@@ -160,7 +166,24 @@ class TimedSource : public FrameSource {
     std::vector<std::chrono::nanoseconds> times_;
 };
 
-/// Films whose subjects are labelled in a few frames.
+/// The scores of a film's labelled frames.
+std::vector<RegionScore> film_scores(const fs::path& film, const nlohmann::json& frames,
+                                     const AnalysisSettings& settings) {
+    TimedSource source(open_media(film.string(), settings.frame_size));
+    const MediaRecord record = analyze(source, settings);
+    const cv::Size size(record.width, record.height);
+    std::vector<RegionScore> scores;
+    for (const auto& [index, entry] : frames.items()) {
+        const std::vector<Box> subjects = boxes(nlohmann::json{{"subject", entry}}, "subject");
+        const Polygon region = region_at(record, source.time(std::stoul(index)));
+        if (subjects.empty() || region.empty()) continue;
+        scores.push_back(
+            region_score(region, size, filled(size, subjects), cv::Mat::zeros(size, CV_8UC1), {}));
+    }
+    return scores;
+}
+
+/// Films whose subjects are labelled in a few frames. A film that is not decoded here is named.
 void films(const TableInput& input, const AnalysisSettings& settings, const char* name) {
     std::ifstream file(input.media / "photos" / "boxes.json");
     if (!file) return;
@@ -168,21 +191,18 @@ void films(const TableInput& input, const AnalysisSettings& settings, const char
     RegionScore sum;
     double least = 1;
     for (const auto& [path, frames] : labels["video_frames"].items()) {
-        TimedSource source(open_media((input.media / path).string(), settings.frame_size));
-        const MediaRecord record = analyze(source, settings);
-        if (input.is_verbose) fmt::print("  {:32}", path);
-        for (const auto& [index, entry] : frames.items()) {
-            const std::vector<Box> subjects = boxes(nlohmann::json{{"subject", entry}}, "subject");
-            const Polygon region = region_at(record, source.time(std::stoul(index)));
-            if (subjects.empty() || region.empty()) continue;
-            const cv::Size size(record.width, record.height);
-            const RegionScore s =
-                region_score(region, size, filled(size, subjects), cv::Mat::zeros(size, CV_8UC1), {});
-            if (input.is_verbose) fmt::print("  cov {:.2f} area {:.2f}", s.coverage, s.area);
-            sum.add(s);
-            least = std::min(least, s.coverage);
+        std::string row;
+        try {
+            for (const RegionScore& s : film_scores(input.media / path, frames, settings)) {
+                row += fmt::format("  cov {:.2f} area {:.2f}", s.coverage, s.area);
+                sum.add(s);
+                least = std::min(least, s.coverage);
+            }
+        } catch (const MediaError& error) {
+            fmt::print("  {}: {}\n", path, error.what());
+            continue;
         }
-        if (input.is_verbose) fmt::print("\n");
+        if (input.is_verbose) fmt::print("  {:32}{}\n", path, row);
     }
     fmt::print("labelled frames of films, {:16} IoU {:.3f} coverage {:.3f} worst {:.3f} area {:.3f}  n={}\n",
                name, sum.iou / sum.count, sum.coverage / sum.count, least, sum.area / sum.count, sum.count);

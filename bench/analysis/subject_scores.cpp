@@ -32,6 +32,11 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
+double lowest_tenth(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return mean(std::span(values).first((values.size() + 9) / 10));
+}
+
 void SubjectScores::add(const RegionScore& s, double subject_area) {
     faces += s.faces;
     whole_faces += s.whole_faces;
@@ -50,12 +55,10 @@ void print_scores_head() {
 void print_scores(const char* name, SubjectScores s) {
     if (s.coverage.empty()) return;
     const double follows = correlation(s.area, s.subject);
-    std::sort(s.coverage.begin(), s.coverage.end());
     std::sort(s.area.begin(), s.area.end());
-    const std::size_t tenth = (s.coverage.size() + 9) / 10;
     fmt::print("{:22} {:6.3f} {:6.3f} {:7.3f} {:6.3f} {:6.3f} {:6.2f} {:6}/{}\n", name, mean(s.coverage),
-               mean(std::span(s.coverage).first(tenth)), s.area[s.area.size() / 2], mean(s.area), mean(s.iou),
-               follows, s.whole_faces, s.faces);
+               lowest_tenth(s.coverage), s.area[s.area.size() / 2], mean(s.area), mean(s.iou), follows,
+               s.whole_faces, s.faces);
 }
 
 }  // namespace vitrine::analyzer

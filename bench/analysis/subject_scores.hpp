@@ -19,6 +19,9 @@ struct SubjectScores {
     void add(const RegionScore& s, double subject_area);
 };
 
+/// The mean of the lowest tenth of the values.
+double lowest_tenth(std::vector<double> values);
+
 /// The names of the columns of print_scores().
 void print_scores_head();
 

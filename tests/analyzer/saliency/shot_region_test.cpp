@@ -208,6 +208,11 @@ TEST_CASE("the region of a photo of a page is the page, wherever the network loo
     CHECK(is_inside_convex(found.shot.region.polygon, Vec2{20, 30} * 4 + Vec2{1, 1}));
     CHECK(is_inside_convex(found.shot.region.polygon, Vec2{90, 40} * 4 - Vec2{1, 1}));
     CHECK_FALSE(is_inside_convex(found.shot.region.polygon, Vec2{130, 20} * 4));
+    photo.faces = {{.box = {{124, 12}, {136, 26}}}};  // somebody stands before a board
+    const ShotEvidence person = shot_region({photo}, {}, {160, 90}, {640, 360}, {});
+    CHECK_FALSE(person.is_page);
+    for (const Vec2 place : {Vec2{130, 20}, Vec2{22, 32}, Vec2{78, 64}})
+        CHECK(is_inside_convex(person.shot.region.polygon, place * 4));
 }
 
 TEST_CASE("what the network saw in one sample of a film bounds the region of the shot") {

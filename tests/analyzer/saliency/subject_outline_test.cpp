@@ -73,6 +73,19 @@ TEST_CASE("two subjects are one outline, a speck is none") {
     CHECK_FALSE(holds(subject_outline(specked).sure, {150, 5}));
 }
 
+TEST_CASE("what is faint about a subject is its surroundings, what is faint beside it is one more thing") {
+    SaliencyMap map = dark();
+    map(cv::Rect(30, 40, 60, 40)).setTo(0.3);  // one of the two looks saw a part of this
+    cv::circle(map, {50, 60}, 15, 1, cv::FILLED);
+    cv::circle(map, {140, 20}, 10, 0.3, cv::FILLED);
+    const Polygon sure = subject_outline(map).sure;
+    CHECK(holds(sure, {50, 60}));
+    CHECK(holds(sure, {140, 20}));
+    CHECK_FALSE(holds(sure, {32, 42}));
+    CHECK_FALSE(holds(sure, {32, 78}));
+    CHECK_FALSE(holds(sure, {88, 78}));
+}
+
 TEST_CASE("the region of a sure subject follows its size, down to a twentieth of the picture") {
     const Polygon small = region_of(with_disc({40, 60}, 12, 1));
     CHECK(share(small) < 0.09);
@@ -96,7 +109,7 @@ TEST_CASE("a subject at an edge takes the region to that edge, and a rectangle k
 TEST_CASE("where the network doubts, the plain region counts too; where nothing stands out it is large") {
     SaliencyMap doubtful = with_disc({40, 60}, 30, 18);
     const SubjectOutline outline = subject_outline(doubtful);
-    REQUIRE(outline.certainty < 0.88);
+    REQUIRE(outline.certainty < sure_certainty);
     const Polygon region = region_of(doubtful);
     CHECK(holds(region, {40, 60}));
     CHECK(holds(region, {115, 60}));
