@@ -7,17 +7,18 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr const char* mesa_variable = "LP_PERF";
-constexpr const char* no_linear_path = "no_rast_linear";
+void add_word(const char* variable, const std::string& word) {
+    const char* const given = std::getenv(variable);
+    const std::string words = given != nullptr ? given : "";
+    if (words == "all" || words.find(word) != std::string::npos) return;  // `all` stands alone
+    ::setenv(variable, words.empty() ? word.c_str() : (words + "," + word).c_str(), 1);
+}
 
 }  // namespace
 
 void set_mesa_options() {
-    const char* const given = std::getenv(mesa_variable);
-    const std::string words = given != nullptr ? given : "";
-    if (words == "all" || words.find(no_linear_path) != std::string::npos) return;  // `all` stands alone
-    const std::string all = words.empty() ? no_linear_path : words + "," + no_linear_path;
-    ::setenv(mesa_variable, all.c_str(), 1);
+    add_word("LP_PERF", "no_rast_linear");
+    add_word("GALLIVM_PERF", "no_aos_sampling");
 }
 
 }  // namespace vitrine::player

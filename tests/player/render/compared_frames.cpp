@@ -112,7 +112,6 @@ Deviation deviation(const Picture& drawn, const ReferenceImage& expected, bool i
 
 Deviation ComparedFrames::compare(std::uint64_t seed, int max_side) {
     const RandomFrame made = random_frame(seed, max_side);
-    has_planes_ = made.has_planes;
     OffscreenScreen screen({.width = made.width, .height = made.height}, egl_);
     ReferenceCompositor reference(made.width, made.height, made.view);
     renderer_.aim(made.width, made.height, made.view);

@@ -26,14 +26,8 @@ struct Deviation {
 
     double worst() const;
 
-    /// True if the renderer draws as it should. Half a step is for smaller copies, each of which is rounded
-    /// to 8 bits. Planes may be further off: a sampler reads each in steps of 8 bits, and one step of a
-    /// colour difference is two of blue, one of brightness 1.2 of all.
-    bool is_good(bool has_planes) const {
-        const double channel = has_planes ? 6 : 3;
-        return grey <= (has_planes ? 3.5 : 2.5) && colour <= channel && at_edges <= channel &&
-               blocks <= (has_planes ? 3 : 2);
-    }
+    /// True if the renderer draws as it should.
+    bool is_good() const { return grey <= 2 && colour <= 3 && at_edges <= 3 && blocks <= 2; }
 };
 
 Deviation deviation(const Picture& drawn, const ReferenceImage& expected, bool is_noise);
@@ -43,9 +37,6 @@ class ComparedFrames {
   public:
     Deviation compare(std::uint64_t seed, int max_side);
 
-    /// True if the last frame had pictures of planes.
-    bool has_planes() const { return has_planes_; }
-
     /// The frame that the renderer drew last, and the reference's.
     const Picture& drawn() const { return drawn_; }
 
@@ -54,7 +45,6 @@ class ComparedFrames {
   private:
     std::shared_ptr<Egl> egl_ = std::make_shared<Egl>(Egl::surfaceless());  // shared with the screens
     Renderer renderer_{1, 1};
-    bool has_planes_ = false;
     Picture drawn_;
     ReferenceImage expected_;
 };

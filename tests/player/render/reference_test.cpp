@@ -13,7 +13,7 @@ void check(ComparedFrames& frames, std::uint64_t seed, int max_side) {
     const Deviation found = frames.compare(seed, max_side);
     CAPTURE(found.place);
     CAPTURE(found.worst());
-    CHECK(found.is_good(frames.has_planes()));
+    CHECK(found.is_good());
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ TEST_CASE("random frames are drawn as the reference draws them") {
 // and centres of pixels lie on sides of triangles.
 TEST_CASE("frames with many translucent edges over one another are drawn as the reference draws them") {
     ComparedFrames frames;
-    for (const std::uint64_t seed : {3979, 5891, 7050, 10439, 10855, 10923})
+    for (const std::uint64_t seed : {5891, 7050, 10439, 10855, 10923})
         check(frames, seed, 700);
 }
 
@@ -36,6 +36,14 @@ TEST_CASE("frames with many translucent edges over one another are drawn as the 
 TEST_CASE("tiles that a triangle covers whole are blended as the reference blends them") {
     ComparedFrames frames;
     for (const std::uint64_t seed : {27, 37})
+        check(frames, seed, 700);
+}
+
+// Without set_mesa_options() pixels of these are more than 2 levels of grey off, as textures are read in
+// steps.
+TEST_CASE("smaller copies and planes are read as finely as the reference reads them") {
+    ComparedFrames frames;
+    for (const std::uint64_t seed : {3028, 3979})
         check(frames, seed, 700);
 }
 
