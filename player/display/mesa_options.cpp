@@ -7,6 +7,7 @@ namespace vitrine::player {
 
 namespace {
 
+/// Adds a word to those that a variable of the environment has.
 void add_word(const char* variable, const std::string& word) {
     const char* const given = std::getenv(variable);
     const std::string words = given != nullptr ? given : "";
