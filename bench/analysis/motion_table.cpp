@@ -4,6 +4,7 @@
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/one_file/analyze.hpp"
+#include "base/state/media_error.hpp"
 #include "bench/analysis/made_takes.hpp"
 #include "bench/analysis/region_score.hpp"
 #include "bench/analysis/subject_scores.hpp"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <vector>
 
 namespace vitrine::analyzer {
 
