@@ -65,6 +65,7 @@ struct Sizes {
     std::vector<double> covered;   // share of the canvas, of each wall
     std::vector<double> edges;     // share of the canvas' edge that no picture reaches, of each wall
     std::vector<double> moves;     // mean of the others' ways, shares of the diagonal, of each turn
+    std::vector<double> on_way;    // smallest scale of a shot on its way, of each change
 };
 
 /// The shares of the canvas that no picture reaches in drags.
@@ -205,6 +206,7 @@ class ChangedWalls {
         print_shares("I-Region of a newcomer / its fair share", sizes_.newcomers);
         print_shares("smallest I-Region of a wall / its fair share", sizes_.smallest);
         print_shares("share of the canvas that I-Regions cover", sizes_.covered);
+        print_shares("smallest scale of a shot on its way / at rest", sizes_.on_way);
         fmt::print("mean way of the others: median {:.3f} of the diagonal\n", quantile(sizes_.moves, 0.5));
         const auto print_most = [](const char* name, const std::vector<double>& values) {
             fmt::print("{}: median {:.3f}, 95th percentile {:.3f}, most {:.3f}\n", name,
@@ -228,6 +230,7 @@ class ChangedWalls {
         const double start = cpu_ms();
         const Transition made = transition(canvas, wall.shown(), next, style);
         rows_[name].search_ms += cpu_ms() - start;
+        sizes_.on_way.push_back(smallest_scale(made.motion));
         look_at(rows_[name], made, frames_);
     }
 

@@ -11,10 +11,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double clearance = 1.0 / 64;  // canvas px between regions that are shrunk and others
-constexpr double guard_share = 0.3;     // side of the part of a seat that no shot may cross on its way
-constexpr int samples = 24;             // times at which the ways are looked at
-constexpr double min_fade = 0.3;        // share of the duration
+constexpr double clearance = 1.0 / 64;     // canvas px between regions that are shrunk and others
+constexpr double guard_share = 0.3;        // side of the part of a seat that no shot may cross on its way
+constexpr double min_common_share = 0.25;  // of the smaller of two seats; with less they are two places
+constexpr int samples = 24;                // times at which the ways are looked at
+constexpr double min_fade = 0.3;           // share of the duration
 
 /// The farthest that a corner of a moving shot's region goes between a key and the next, canvas px.
 double way_from(const Transition& transition, std::size_t key) {
@@ -52,14 +53,28 @@ LayoutItem item_of(const Polygon& region) {
     return {.region = region, .core = bounding_box(region)};
 }
 
-/// The middle of what the seats of two shots have in common. None: nothing.
+/// The middle of what the seats of two shots have in common. None: they have too little in common.
 std::optional<LayoutItem> guard_of(const PlacedShot& leaving, const PlacedShot& coming) {
-    const Loops common = intersection_of({to_grid(placed_region(leaving.shot.item, leaving.placement))},
-                                         {to_grid(placed_region(coming.shot.item, coming.placement))});
-    if (common.size() != 1 || area_of(common) < 1) return std::nullopt;
+    const Loops before{to_grid(placed_region(leaving.shot.item, leaving.placement))};
+    const Loops after{to_grid(placed_region(coming.shot.item, coming.placement))};
+    const Loops common = intersection_of(before, after);
+    const double least = min_common_share * std::min(area_of(before), area_of(after));
+    if (common.size() != 1 || area_of(common) < std::max(1.0, least)) return std::nullopt;
     const Polygon whole = from_grid(common[0]);
     const Vec2 middle = centroid(whole);
     return item_of(transformed(whole, guard_share, middle * (1 - guard_share)));
+}
+
+/// Points of a shot's region near its corners and near the middles of its sides.
+std::vector<Vec2> points_towards_border(const PlacedShot& placed) {
+    const Polygon region = placed_region(placed.shot.item, placed.placement);
+    const Vec2 middle = centroid(region);
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < region.size(); ++k)
+        for (const Vec2 target : {region[k], (region[k] + region[(k + 1) % region.size()]) * 0.5})
+            for (const double share : {0.7, 0.9})
+                points.push_back(middle + (target - middle) * share);
+    return points;
 }
 
 /// Finds the parts of all shots in a transition.
@@ -187,14 +202,11 @@ class TransitionSearch {
                 shot.focus = centroid(guard.item.region);
                 return;
             }
-        constexpr double towards_corner = 0.7;
-        const Polygon region = placed_region(shot.placed.shot.item, shot.placed.placement);
-        const Vec2 middle = centroid(region);
         ChangingShot best = shot;
-        best.focus = middle;
-        for (const Vec2 corner : region) {
+        best.focus = centroid(placed_region(shot.placed.shot.item, shot.placed.placement));
+        for (const Vec2 point : points_towards_border(shot.placed)) {
             ChangingShot other = shot;
-            other.focus = middle + (corner - middle) * towards_corner;
+            other.focus = point;
             const double gain = time_of(other, leaves) - time_of(best, leaves);
             if (leaves ? gain > 0 : gain < 0) best = other;
         }

@@ -324,24 +324,38 @@ bool can_be_filled(const PackingProblem& problem, const std::vector<Box>& frames
     return sum >= min_area * problem.whole().area();
 }
 
-/// True where the items that stay have a way to their new places on which none becomes much smaller.
-bool has_calm_way(const PlanRequest& request, const Layout& layout) {
-    constexpr double min_size = 0.7;  // of the smaller of both scales
+/// The middle of what a newcomer covers of the seat that it takes over. Others that cross it would hide both
+/// the shot that leaves and the newcomer. Empty: it covers too little of the seat.
+Polygon guarded_middle(const PlanItem& newcomer, const Placement& placement) {
+    constexpr double guard_share = 0.3;  // of the side
+    constexpr double min_share = 0.25;   // of the seat
+    const double half = 0.4 * std::sqrt(newcomer.seat->area);
+    const Box seat{newcomer.seat->centre - Vec2{half, half}, newcomer.seat->centre + Vec2{half, half}};
+    const Polygon common = clipped(placed_region(newcomer.item, placement), seat);
+    if (common.size() < 3 || std::abs(signed_area(common)) < min_share * seat.area()) return {};
+    return transformed(common, guard_share, centroid(common) * (1 - guard_share));
+}
+
+/// True where the items that stay have a way to their new places that leaves the newcomers' seats free.
+bool has_free_way(const PlanRequest& request, const Layout& layout) {
     std::vector<LayoutItem> items;
     std::vector<Placement> from, to;
     for (std::size_t i = 0; i < request.items.size(); ++i) {
         const PlanItem& item = request.items[i];
-        if (!item.previous || item.is_band) continue;
-        items.push_back(item.item);
-        from.push_back(*item.previous);
-        to.push_back(layout.placements[i]);
+        if (item.is_band) continue;
+        if (item.previous) {
+            items.push_back(item.item);
+            from.push_back(*item.previous);
+            to.push_back(layout.placements[i]);
+        } else if (item.seat) {
+            const Polygon middle = guarded_middle(item, layout.placements[i]);
+            if (middle.empty()) continue;
+            items.push_back({.region = middle, .core = bounding_box(middle)});
+            from.emplace_back();
+            to.emplace_back();
+        }
     }
-    const auto motion = motion_between(items, from, to, request.canvas);
-    if (!motion || motion->kind == Motion::Kind::detour) return false;
-    for (const std::vector<Placement>& key : motion->keys)
-        for (std::size_t i = 0; i < key.size(); ++i)
-            if (key[i].scale < min_size * std::min(from[i].scale, to[i].scale)) return false;
-    return true;
+    return motion_between(items, from, to, request.canvas).has_value();
 }
 
 /// Fills the hole that a change has left and no growth can fill: a newcomer and a kept item exchange their
@@ -360,7 +374,7 @@ Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout l
     for (const PlanRequest& exchanged : seat_exchanges(request)) {
         const auto other = FlatPlan(exchanged, untold).changed_layout();
         const double left = other ? hole_of(problem, frames, *other) : 1;
-        if (left > hole - min_gain || !has_calm_way(request, *other)) continue;
+        if (left > hole - min_gain || !has_free_way(request, *other)) continue;
         layout = *other;
         hole = left;
         if (hole <= max_hole) return layout;

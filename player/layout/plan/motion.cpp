@@ -3,6 +3,7 @@
 #include "player/layout/pack/shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -10,8 +11,8 @@
 // Straight motion is free of overlap for most small changes. If it is not, mostly an item moves to a place
 // where another one still is: then that other one moves first. Items that would pass through each other
 // become smaller until they do not meet; a convex region that shrinks about an inner point stays within
-// itself, so shrinking is always free. There remain items that change places: they move by way of a halfway
-// layout, in which conflicts are pushed apart sideways.
+// itself, so shrinking is always free. Items that change places move by way of a halfway layout, in which
+// conflicts are pushed apart sideways. Of both the one is taken on which the items stay larger.
 
 namespace vitrine::player {
 
@@ -21,10 +22,9 @@ using Placements = std::vector<Placement>;
 
 constexpr double apart = 1.0 / 128;  // canvas px; more than the rounding by the grid of exact areas
 constexpr std::size_t max_stages = 4;
-constexpr double shrink = 0.88;        // factor of each try
-constexpr double min_factor = 0.5;     // times the smaller of both scales, during the motion
-constexpr double detour_factor = 0.7;  // times the smaller of both scales, at the halfway layout
-constexpr int max_pushes = 60;         // rounds of pushing items apart at the halfway layout
+constexpr double shrink = 0.94;                            // factor of each try
+constexpr std::array halfway_factors{1.0, 0.9, 0.8, 0.7};  // times the smaller of both scales
+constexpr int max_pushes = 60;  // rounds of pushing items apart at the halfway layout
 
 double support(const Polygon& outline, Vec2 direction) {
     double largest = -std::numeric_limits<double>::infinity();
@@ -97,14 +97,32 @@ class MotionSearch {
         if (!is_free(from_, from_) || !is_free(to_, to_)) return std::nullopt;
         if (is_free(from_, to_)) return Motion{Motion::Kind::straight, {from_, to_}};
         if (auto found = staged()) return found;
-        if (auto keys = shrunk(from_, to_)) return Motion{Motion::Kind::shrunk, *keys};
-        return detour();
+        return calmest();
     }
 
   private:
     bool is_free(const Placements& a, const Placements& b) const {
         const std::vector<bool> in_conflict = conflicts(a, b);
         return std::find(in_conflict.begin(), in_conflict.end(), true) == in_conflict.end();
+    }
+
+    /// The one with the largest items and the fewest stops of the motions on which some items are smaller, or
+    /// go by way of a halfway layout.
+    std::optional<Motion> calmest() const {
+        std::optional<Motion> best;
+        const auto compare = [&](std::optional<Motion> other) {
+            if (!other || smallest_scale(*other) < min_scale_on_way) return;
+            if (!best || calmness(*other) > calmness(*best)) best = std::move(other);
+        };
+        if (auto keys = shrunk(from_, to_)) compare(Motion{Motion::Kind::shrunk, std::move(*keys)});
+        for (const double factor : halfway_factors)
+            if (!best || factor > calmness(*best)) compare(detour(factor));
+        return best;
+    }
+
+    static double calmness(const Motion& motion) {
+        constexpr double cost_of_stop = 0.03;  // of the scale
+        return smallest_scale(motion) - cost_of_stop * static_cast<double>(motion.keys.size());
     }
 
     std::size_t size() const { return outlines_.size(); }
@@ -143,9 +161,13 @@ class MotionSearch {
         return motion;
     }
 
+    /// Where an item's centroid is, canvas px.
+    Vec2 place(std::size_t item, const Placement& at) const {
+        return centroids_[item] * at.scale + at.offset;
+    }
+
     Placement about_centroid(std::size_t item, const Placement& at, double scale) const {
-        const Vec2 place = centroids_[item] * at.scale + at.offset;
-        return {scale, place - centroids_[item] * scale};
+        return {scale, place(item, at) - centroids_[item] * scale};
     }
 
     /// Shrinks the items that meet others, before the motion, and enlarges them again after it.
@@ -168,21 +190,21 @@ class MotionSearch {
             }
             for (std::size_t i = 0; i < size(); ++i) {
                 if (in_conflict[i]) factors[i] *= shrink;
-                if (factors[i] < min_factor) return std::nullopt;
+                if (factors[i] < min_scale_on_way) return std::nullopt;
             }
         }
     }
 
     /// Pushes the halfway places apart until nothing overlaps. None: some still overlap after max_pushes
     /// rounds.
-    std::optional<Placements> halfway() const {
+    /// @param factor  of the items that move, times the smaller of both scales
+    std::optional<Placements> halfway(double factor) const {
         Placements middle;
         for (std::size_t i = 0; i < size(); ++i) {
             const Placement even = mixed(from_[i], to_[i], 0.5);
             const bool moves = from_[i] != to_[i];
-            middle.push_back(
-                moves ? about_centroid(i, even, detour_factor * std::min(from_[i].scale, to_[i].scale))
-                      : even);
+            middle.push_back(moves ? about_centroid(i, even, factor * std::min(from_[i].scale, to_[i].scale))
+                                   : even);
         }
         for (int k = 0; k < max_pushes; ++k) {
             bool is_clear = true;
@@ -197,13 +219,17 @@ class MotionSearch {
         return std::nullopt;
     }
 
+    Placement inside_canvas(std::size_t item, const Placement& at) const {
+        const Box box = placed(extents_[item], at);
+        const Vec2 low{std::max(0.0, -box.min.x), std::max(0.0, -box.min.y)};
+        const Vec2 high{std::max(0.0, box.max.x - canvas_.x), std::max(0.0, box.max.y - canvas_.y)};
+        return {at.scale, at.offset + low - high};
+    }
+
     /// Moves two items apart, rather sideways than along the first one's way.
     void push(std::size_t i, std::size_t j, Placements& at) const {
-        const auto place = [&](std::size_t k, const Placements& p) {
-            return centroids_[k] * p[k].scale + p[k].offset;
-        };
-        const Vec2 between = place(i, at) - place(j, at);
-        const Vec2 way = (place(i, to_) - place(i, from_)) - (place(j, to_) - place(j, from_));
+        const Vec2 between = place(i, at[i]) - place(j, at[j]);
+        const Vec2 way = (place(i, to_[i]) - place(i, from_[i])) - (place(j, to_[j]) - place(j, from_[j]));
         Vec2 aside{-way.y, way.x};
         if (dot(aside, between) < 0) aside = aside * -1;
         const double far = std::max(1.0, length(between));
@@ -214,21 +240,47 @@ class MotionSearch {
         for (const std::size_t k : {i, j}) {
             if (from_[k] == to_[k]) continue;
             at[k].offset = at[k].offset + direction * (k == i ? step : -step);
-            const Box box = placed(extents_[k], at[k]);
-            const Vec2 low{std::max(0.0, -box.min.x), std::max(0.0, -box.min.y)};
-            const Vec2 high{std::max(0.0, box.max.x - canvas_.x), std::max(0.0, box.max.y - canvas_.y)};
-            at[k].offset = at[k].offset + low - high;
+            at[k] = inside_canvas(k, at[k]);
         }
     }
 
-    std::optional<Motion> detour() const {
-        const auto middle = halfway();
+    /// The places beside the straight way, as far aside as the halfway places are.
+    /// @param share  of the way
+    Placements beside(const Placements& middle, double share) const {
+        Placements places;
+        for (std::size_t i = 0; i < size(); ++i) {
+            const Placement even = mixed(from_[i], to_[i], 0.5);
+            const Vec2 aside = place(i, middle[i]) - place(i, even);
+            Placement at = mixed(from_[i], to_[i], share);
+            at.offset = at.offset + aside;
+            at = about_centroid(i, at, middle[i].scale);
+            places.push_back(from_[i] == to_[i] ? at : inside_canvas(i, at));
+        }
+        return places;
+    }
+
+    /// By way of the halfway places, or past them on parallel ways.
+    std::optional<Motion> detour(double factor) const {
+        const auto middle = halfway(factor);
         if (!middle) return std::nullopt;
-        auto keys = shrunk(from_, *middle);
-        const auto rest = keys ? shrunk(*middle, to_) : std::nullopt;
-        if (!rest) return std::nullopt;
-        keys->insert(keys->end(), rest->begin() + 1, rest->end());
-        return Motion{Motion::Kind::detour, std::move(*keys)};
+        if (auto found = motion_through({*middle})) return found;
+        constexpr double begin = 0.25;  // of the parallel ways
+        return motion_through({beside(*middle, begin), beside(*middle, 1 - begin)});
+    }
+
+    std::optional<Motion> motion_through(const std::vector<Placements>& places) const {
+        Motion motion{Motion::Kind::detour, {from_}};
+        const auto go_to = [&](const Placements& next) {
+            if (!is_free(next, next)) return false;
+            const auto keys = shrunk(motion.keys.back(), next);
+            if (!keys) return false;
+            motion.keys.insert(motion.keys.end(), keys->begin() + 1, keys->end());
+            return true;
+        };
+        for (const Placements& next : places)
+            if (!go_to(next)) return std::nullopt;
+        if (!go_to(to_)) return std::nullopt;
+        return motion;
     }
 
     Vec2 canvas_;
@@ -250,6 +302,16 @@ std::vector<Placement> placements_at(const Motion& motion, double time) {
     for (std::size_t i = 0; i < motion.keys[key].size(); ++i)
         now.push_back(mixed(motion.keys[key][i], motion.keys[key + 1][i], at - static_cast<double>(key)));
     return now;
+}
+
+double smallest_scale(const Motion& motion) {
+    double smallest = 1;
+    for (std::size_t i = 0; i < motion.keys.front().size(); ++i) {
+        const double at_rest = std::min(motion.keys.front()[i].scale, motion.keys.back()[i].scale);
+        for (const Placements& key : motion.keys)
+            smallest = std::min(smallest, key[i].scale / at_rest);
+    }
+    return smallest;
 }
 
 OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, double clearance) {
