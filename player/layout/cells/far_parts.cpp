@@ -14,9 +14,9 @@ constexpr double min_touch = 1;    // canvas px of a border
 constexpr int rounds = 2;          // a neighbour may get its border with a part from another one
 constexpr double min_area = 0.01;  // canvas px^2; a smaller part is an error of rounding
 
-/// The length of the border of two areas, canvas px.
-double touch_of(const Loops& part, const Loops& other) {
-    return area_of(intersection_of(grown(part, reach), other)) / reach;
+/// True if an area touches the one around which a rim has been grown.
+bool touches(const Loops& grown_part, const Loops& other) {
+    return area_of(intersection_of(grown_part, other)) >= min_touch * reach;
 }
 
 bool has_hole(const Loops& loops) {
@@ -49,14 +49,15 @@ std::vector<Loop> taken_far_parts(Loops& shown, const Polygon& region) {
 /// little from frame to frame, while the lengths of borders jump. @return what is left
 Loops given_away(Loops part, std::vector<Loops>& shown, const ItemAreas& items) {
     const Vec2 middle = centroid(from_grid(part.front()));
-    std::vector<std::pair<double, std::size_t>> neighbours;
+    const Loops grown_part = grown(part, reach);
+    std::vector<std::pair<double, std::size_t>> others;
     for (std::size_t j = 0; j < shown.size(); ++j)
-        if (touch_of(part, shown[j]) >= min_touch)
-            neighbours.emplace_back(distance_to(items.regions[j], middle), j);
-    std::ranges::sort(neighbours);
-    for (const auto& [distance, j] : neighbours) {
+        others.emplace_back(distance_to(items.regions[j], middle), j);
+    std::ranges::sort(others);
+    for (const auto& [distance, j] : others) {
+        if (!touches(grown_part, shown[j])) continue;
         Loops given = intersection_of(part, items.cores[j]);
-        if (area_of(given) < min_area || touch_of(given, shown[j]) < min_touch) continue;
+        if (area_of(given) < min_area || !touches(grown(given, reach), shown[j])) continue;
         part = difference_of(part, items.cores[j]);
         add_part(shown[j], given);
         if (area_of(part) < min_area) return {};

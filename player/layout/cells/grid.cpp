@@ -64,6 +64,18 @@ GridBox box_of(const Loops& loops) {
     return box;
 }
 
+/// True if the boxes of two areas have no inner point in common.
+bool are_apart(const Loops& a, const Loops& b) {
+    const auto has_points = [](const Loops& loops) {
+        return !loops.empty() && std::ranges::none_of(loops, &Loop::empty);
+    };
+    if (!has_points(a) || !has_points(b)) return false;
+    const GridBox box = box_of(a);
+    const GridBox other = box_of(b);
+    return box.right <= other.left || other.right <= box.left || box.bottom <= other.top ||
+           other.bottom <= box.top;
+}
+
 Loop to_loop(const GridBox& box) {
     return {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
 }
@@ -116,6 +128,7 @@ double area_of(const Loops& loops) {
 }
 
 Loops intersection_of(const Loops& a, const Loops& b) {
+    if (are_apart(a, b)) return {};
     return combined(clipper::ctIntersection, a, b);
 }
 
