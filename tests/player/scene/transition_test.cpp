@@ -84,6 +84,14 @@ TEST_CASE("only the shots that have no free way fade from place to place") {
     CHECK(made.old_wall[2].moving);
 }
 
+TEST_CASE("a shot whose seat another one takes keeps a place in the corner that is covered last") {
+    const Transition made =
+        transition(canvas, wall({shot(1, 0, {25, -25}, 2.5), shot(2, 1, {130, -25}, 2.5)}),
+                   wall({shot(2, 1, {25, -25}, 2.5), shot(3, 0, {130, -25}, 2.5)}), style);
+    CHECK(wayless_count(made) == 0);
+    CHECK(made.fade_end - made.fade_begin >= 0.5);
+}
+
 TEST_CASE("no shot darts: a long way between two keys gets more time than a short one") {
     constexpr int frames = 24;
     // A motion at one speed has 1, and a straight way that is eased has 1.5.

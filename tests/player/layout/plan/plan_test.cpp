@@ -32,12 +32,7 @@ double smallest_on_way(const PlanRequest& request, const Layout& layout) {
         to.push_back(layout.placements[i]);
     }
     const auto motion = motion_between(items, from, to, request.canvas);
-    if (!motion) return 0;
-    double least = 1;
-    for (const auto& key : motion->keys)
-        for (std::size_t i = 0; i < key.size(); ++i)
-            least = std::min(least, key[i].scale / std::min(from[i].scale, to[i].scale));
-    return least;
+    return motion ? smallest_scale(*motion) : 0;
 }
 
 }  // namespace
