@@ -49,7 +49,7 @@ CURES = [
          "    return cell.parts.empty() ? nullptr : &cell.parts.front();", "    return cell.parts.empty() ? nullptr : &cell.parts.back();",
          "scene_test.caption_place_test"),
     Cure("a cell with another form for one frame", "player/layout/cells/far_parts.cpp",
-         "others.emplace_back(distance_to(items.regions[j], middle), j)", "others.emplace_back(-area_of(intersection_of(grown_part, shown[j])), j)",
+         "others.emplace_back(distance_to(items.regions[j], middle), j)", "others.emplace_back(distance_to(items.regions[j], middle) * 0 - area_of(intersection_of(grown_part, shown[j])), j)",
          "scene_test.transition_test"),
     Cure("a tapestry in place of the folder that was tapped twice", "player/scene/folders/folder_wall.cpp",
          "    const bool is_opening = !wanted_.empty() || ", "    const bool is_opening = ", "stage_test.tapestry_playback_test"),
