@@ -174,8 +174,8 @@ TEST_CASE("a small picture leaves no hole in the seat of a large one, and the ot
     };
 
     // The exchange that would fill the last wall has no free way.
-    for (const auto& [seed, least_filled] :
-         {Wall{20, 0.995}, Wall{22, 0.995}, Wall{29, 0.995}, Wall{141, 0.98}}) {
+    for (const Wall& wall : {Wall{20, 0.995}, Wall{22, 0.995}, Wall{29, 0.995}, Wall{141, 0.98}}) {
+        const std::uint64_t seed = wall.seed;
         Random random(seed);
         PlanRequest request{.canvas = {1920, 1080}, .seed = seed, .budget = 60'000};
         while (request.items.size() < 6)
@@ -199,7 +199,7 @@ TEST_CASE("a small picture leaves no hole in the seat of a large one, and the ot
         CAPTURE(seed);
         CHECK(is_sound(request, layout, fmt::format("small_{}", seed)));
         CHECK(smallest_on_way(request, layout) >= 0.7);
-        CHECK(plan_result(std::move(named), layout).canvas_filled >= least_filled);
+        CHECK(plan_result(std::move(named), layout).canvas_filled >= wall.least_filled);
     }
 }
 
