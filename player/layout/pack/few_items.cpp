@@ -10,9 +10,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 8;   // that are tried
+constexpr std::size_t divisions = 12;  // that are tried
 constexpr double emptiness = 10;       // costs of an area without pixels; see FillingTargets
-constexpr int tries_of_few = 8'000;    // of each annealing
+constexpr int tries_of_all = 3'000;    // of each annealing
+constexpr std::size_t finalists = 4;   // the best of all, which are annealed once more
+constexpr int tries_of_finalists = 10'000;
 constexpr double min_size = -0.33;     // ln(scale) relative to the fair one: half of its area
 constexpr double tiny_cost = 20;       // factor of the square of ln(scale) missing to that
 constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
@@ -37,6 +39,13 @@ double cost_of(const PackingProblem& problem, const FillingTargets& targets, con
            covered / problem.field.area() + tiny + way_weight * mean_way(problem, targets, made.places);
 }
 
+/// An arrangement that is tried, and its cost.
+struct Candidate {
+    PackingProblem problem;  // with its scales
+    Arrangement made;
+    double cost = 0;
+};
+
 }  // namespace
 
 bool is_for_few(const PackingProblem& problem) {
@@ -49,13 +58,11 @@ Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, c
     FillingTargets wished = targets;
     wished.emptiness = emptiness;
     wished.fair_size = min_size;
-    wished.tries = tries_of_few;
+    wished.tries = tries_of_all;
     std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
     starts.push_back({start.places, scales_at(problem, start.growth)});
     Contacts contacts(problem.shapes, problem.clearance);
-    PackingProblem best = problem;
-    std::optional<Arrangement> found;
-    double least = 0;
+    std::vector<Candidate> candidates;
     for (SizedArrangement& sized : starts) {
         PackingProblem trial = problem;
         trial.scales = std::move(sized.scales);
@@ -63,14 +70,19 @@ Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, c
         if (!is_free(trial, made, contacts)) continue;  // rounding
         made = fill_gaps(trial, wished, made, random, budget);
         const double cost = cost_of(trial, wished, made);
-        if (found && cost >= least) continue;
-        least = cost;
-        best = std::move(trial);
-        found = std::move(made);
+        candidates.push_back({std::move(trial), std::move(made), cost});
     }
-    if (!found) return start;
-    problem = std::move(best);
-    return *found;
+    if (candidates.empty()) return start;
+    std::ranges::sort(candidates, {}, &Candidate::cost);
+    candidates.resize(std::min(candidates.size(), finalists));
+    wished.tries = tries_of_finalists;
+    for (Candidate& candidate : candidates) {
+        candidate.made = fill_gaps(candidate.problem, wished, candidate.made, random, budget);
+        candidate.cost = cost_of(candidate.problem, wished, candidate.made);
+    }
+    Candidate& best = *std::ranges::min_element(candidates, {}, &Candidate::cost);
+    problem = std::move(best.problem);
+    return std::move(best.made);
 }
 
 }  // namespace vitrine::player

@@ -8,9 +8,9 @@ namespace vitrine::player {
 /// True if few_filled() is made for the problem: two to five items, none pinned, in any order.
 bool is_for_few(const PackingProblem& problem);
 
-/// Fills the canvas with few items. It begins with `start` and with the best divisions into rectangles, fills
-/// the gaps of each (filling.hpp), and takes the one that leaves least of the canvas without pixels, unless
-/// an item became tiny or all would go far from home.
+/// Fills the canvas with few items. It begins with `start` and with the best divisions into rectangles, and
+/// fills the gaps of each (filling.hpp), then once more of the best. It takes the one that leaves least of
+/// the canvas without pixels, unless an item became tiny or all would go far from home.
 /// @param problem  in: the problem of `start`; out: with the scales of the result
 /// @param start    free of overlap
 /// @return         free of overlap
