@@ -12,7 +12,7 @@
 // where another one still is: then that other one moves first. Items that would pass through each other
 // become smaller until they do not meet; a convex region that shrinks about an inner point stays within
 // itself, so shrinking is always free. Items that change places move by way of a halfway layout, in which
-// conflicts are pushed apart sideways. Of both the one is taken on which the items stay larger.
+// conflicts are pushed apart sideways. Of these the calmer one is taken.
 
 namespace vitrine::player {
 
@@ -106,8 +106,8 @@ class MotionSearch {
         return std::find(in_conflict.begin(), in_conflict.end(), true) == in_conflict.end();
     }
 
-    /// The one with the largest items and the fewest stops of the motions on which some items are smaller, or
-    /// go by way of a halfway layout.
+    /// Of the motions on which some items are smaller or go by way of a halfway layout, the one with the
+    /// largest items and the fewest stops.
     std::optional<Motion> calmest() const {
         std::optional<Motion> best;
         const auto compare = [&](std::optional<Motion> other) {
@@ -268,6 +268,7 @@ class MotionSearch {
         return motion_through({beside(*middle, begin), beside(*middle, 1 - begin)});
     }
 
+    /// A motion that comes to rest at these places in turn. None: one is not free, or has no free way to it.
     std::optional<Motion> motion_through(const std::vector<Placements>& places) const {
         Motion motion{Motion::Kind::detour, {from_}};
         const auto go_to = [&](const Placements& next) {

@@ -51,15 +51,16 @@ OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, doubl
 std::vector<int> meetings(std::span<const LayoutItem> items, std::span<const Placement> from,
                           std::span<const Placement> to);
 
-/// An item that were smaller on its way would be hard to follow.
+/// The least scale of an item on its way; a smaller one is hard to follow.
 constexpr double min_scale_on_way = 0.7;  // times the smaller of its two scales at rest
 
 /// The least scale of an item during a motion, in shares of the smaller one of its two at rest.
 double smallest_scale(const Motion& motion);
 
 /// A motion of all items from one layout to another in which no I-Region ever covers another, and none is
-/// smaller than min_scale_on_way allows. Tries in turn: all items at once, some after others, some smaller
-/// during the motion, by way of a halfway layout. None: none of these works, and only a crossfade is left.
+/// smaller than min_scale_on_way allows. Tries in turn: all items at once, some after others, and then the
+/// calmer way of two: some items smaller during the motion, or by way of a halfway layout. None: none of
+/// these works, and only a crossfade is left.
 ///
 /// @param from, to  free of overlap, one placement for each item
 /// @param canvas    px; a region that is inside it in both layouts never leaves it
