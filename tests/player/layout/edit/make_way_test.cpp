@@ -61,7 +61,7 @@ std::vector<double> open_after_drops(const Drops& drops) {
 }  // namespace
 
 TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
-    const std::vector<double> open = open_after_drops({.items = 8, .walls = 5});
+    const std::vector<double> open = open_after_drops({.items = 8, .walls = 3});
     CHECK(open[open.size() / 2] <= 0.02);
     CHECK(open[open.size() * 9 / 10] <= 0.09);
     CHECK(open.back() <= 0.2);
@@ -69,7 +69,7 @@ TEST_CASE("after a drop on a small wall pictures cover the canvas, also after ma
 
 TEST_CASE("after a drop on a wall of few no dark part stays") {
     for (const std::size_t items : {std::size_t{3}, std::size_t{5}}) {
-        const std::vector<double> open = open_after_drops({.items = items, .walls = 2});
+        const std::vector<double> open = open_after_drops({.items = items, .walls = 1});
         CHECK(open[open.size() / 2] <= 0.08);
         CHECK(open[open.size() * 9 / 10] <= 0.2);
     }
