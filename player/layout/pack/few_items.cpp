@@ -10,11 +10,11 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 12;  // that are tried
-constexpr double emptiness = 10;       // costs of an area without pixels; see FillingTargets
-constexpr int tries_of_all = 3'000;    // of each annealing
-constexpr std::size_t finalists = 4;   // the best of all, which are annealed once more
-constexpr int tries_of_finalists = 10'000;
+constexpr std::size_t divisions = 8;  // that are tried
+constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
+constexpr int tries_of_all = 4'000;   // of each annealing
+constexpr std::size_t finalists = 3;  // the best of all, which are annealed once more
+constexpr int tries_of_finalists = 8'000;
 constexpr double min_size = -0.33;     // ln(scale) relative to the fair one: half of its area
 constexpr double tiny_cost = 20;       // factor of the square of ln(scale) missing to that
 constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow

@@ -28,7 +28,6 @@ namespace vitrine::player {
 namespace {
 
 constexpr double filling_share = 0.3;  // share of the budget, in addition to it
-constexpr double few_share = 0.5;      // the same for few items
 constexpr double usual_share = 0.5;    // covered share of the canvas after the initial packing
 
 /// The largest scale at which an item's region lies inside the field.
@@ -285,11 +284,10 @@ class FlatPlan {
 
     Arrangement filled_once(PackingProblem& problem, const FillingTargets& targets,
                             const Arrangement& arrangement) {
-        const bool is_few = is_for_few(problem);
-        const double moves = static_cast<double>(request_.budget) * (is_few ? few_share : filling_share);
-        SearchBudget budget(static_cast<std::int64_t>(moves), watch_.should_stop);
-        return is_few ? few_filled(problem, targets, arrangement, random_, budget)
-                      : fill_gaps(problem, targets, arrangement, random_, budget);
+        SearchBudget budget(static_cast<std::int64_t>(static_cast<double>(request_.budget) * filling_share),
+                            watch_.should_stop);
+        return is_for_few(problem) ? few_filled(problem, targets, arrangement, random_, budget)
+                                   : fill_gaps(problem, targets, arrangement, random_, budget);
     }
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {
