@@ -202,15 +202,16 @@ class TransitionSearch {
                 shot.focus = centroid(guard.item.region);
                 return;
             }
-        ChangingShot best = shot;
-        best.focus = centroid(placed_region(shot.placed.shot.item, shot.placed.placement));
+        shot.focus = centroid(placed_region(shot.placed.shot.item, shot.placed.placement));
+        double best = time_of(shot, leaves);
         for (const Vec2 point : points_towards_border(shot.placed)) {
             ChangingShot other = shot;
             other.focus = point;
-            const double gain = time_of(other, leaves) - time_of(best, leaves);
-            if (leaves ? gain > 0 : gain < 0) best = other;
+            const double time = time_of(other, leaves);
+            if (leaves ? time <= best : time >= best) continue;
+            shot.focus = point;
+            best = time;
         }
-        shot.focus = best.focus;
     }
 
     /// The share of the duration at which a shot that leaves has no place any more, or from which on a shot

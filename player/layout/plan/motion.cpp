@@ -106,23 +106,30 @@ class MotionSearch {
         return std::find(in_conflict.begin(), in_conflict.end(), true) == in_conflict.end();
     }
 
-    /// Of the motions on which some items are smaller or go by way of a halfway layout, the one with the
-    /// largest items and the fewest stops.
+    /// Returns the calmest of the motions that make some items smaller or lead through a halfway layout.
+    /// None: there is no such motion.
     std::optional<Motion> calmest() const {
+        constexpr std::size_t keys_of_detour = 3;  // at least
         std::optional<Motion> best;
+        double calm = 0;
         const auto compare = [&](std::optional<Motion> other) {
-            if (!other || smallest_scale(*other) < min_scale_on_way) return;
-            if (!best || calmness(*other) > calmness(*best)) best = std::move(other);
+            if (!other) return;
+            const double scale = smallest_scale(*other);
+            const double value = calmness(scale, other->keys.size());
+            if (scale < min_scale_on_way || (best && value <= calm)) return;
+            best = std::move(other);
+            calm = value;
         };
         if (auto keys = shrunk(from_, to_)) compare(Motion{Motion::Kind::shrunk, std::move(*keys)});
         for (const double factor : halfway_factors)
-            if (!best || factor > calmness(*best)) compare(detour(factor));
+            if (!best || calmness(factor, keys_of_detour) > calm) compare(detour(factor));
         return best;
     }
 
-    static double calmness(const Motion& motion) {
+    /// A motion is calm where the items stay large and stop seldom.
+    static double calmness(double smallest, std::size_t keys) {
         constexpr double cost_of_stop = 0.03;  // of the scale
-        return smallest_scale(motion) - cost_of_stop * static_cast<double>(motion.keys.size());
+        return smallest - cost_of_stop * static_cast<double>(keys);
     }
 
     std::size_t size() const { return outlines_.size(); }
