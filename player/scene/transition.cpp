@@ -5,17 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace vitrine::player {
 
 namespace {
 
-constexpr double clearance = 1.0 / 64;     // canvas px between regions that are shrunk and others
-constexpr double guard_share = 0.3;        // side of the part of a seat that no shot may cross on its way
-constexpr double min_common_share = 0.25;  // of the smaller of two seats; with less they are two places
-constexpr int samples = 24;                // times at which the ways are looked at
-constexpr double min_fade = 0.3;           // share of the duration
+constexpr double clearance = 1.0 / 64;  // canvas px between regions that are shrunk and others
+constexpr int samples = 24;             // times at which the ways are looked at
+constexpr double min_fade = 0.3;        // share of the duration
 
 /// The farthest that a corner of a moving shot's region goes between a key and the next, canvas px.
 double way_from(const Transition& transition, std::size_t key) {
@@ -49,20 +46,13 @@ double progress_of(const Transition& transition, double share) {
     return (static_cast<double>(stage) + eased(passed)) / static_cast<double>(stages);
 }
 
-LayoutItem item_of(const Polygon& region) {
-    return {.region = region, .core = bounding_box(region)};
-}
-
 /// The middle of what the seats of two shots have in common. None: they have too little in common.
 std::optional<LayoutItem> guard_of(const PlacedShot& leaving, const PlacedShot& coming) {
     const Loops before{to_grid(placed_region(leaving.shot.item, leaving.placement))};
     const Loops after{to_grid(placed_region(coming.shot.item, coming.placement))};
     const Loops common = intersection_of(before, after);
-    const double least = min_common_share * std::min(area_of(before), area_of(after));
-    if (common.size() != 1 || area_of(common) < std::max(1.0, least)) return std::nullopt;
-    const Polygon whole = from_grid(common[0]);
-    const Vec2 middle = centroid(whole);
-    return item_of(transformed(whole, guard_share, middle * (1 - guard_share)));
+    if (common.size() != 1) return std::nullopt;
+    return guard_of_seat(from_grid(common[0]), std::min(area_of(before), area_of(after)));
 }
 
 /// Points of a shot's region near its corners and near the middles of its sides.

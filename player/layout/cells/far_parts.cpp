@@ -14,7 +14,7 @@ constexpr double min_touch = 1;    // canvas px of a border
 constexpr int rounds = 2;          // a neighbour may get its border with a part from another one
 constexpr double min_area = 0.01;  // canvas px^2; a smaller part is an error of rounding
 
-/// True if an area touches the one around which a rim has been grown.
+/// True if another area borders on a part. @param grown_part  the part, grown by `reach`
 bool touches(const Loops& grown_part, const Loops& other) {
     return area_of(intersection_of(grown_part, other)) >= min_touch * reach;
 }

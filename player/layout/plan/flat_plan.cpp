@@ -324,16 +324,12 @@ bool can_be_filled(const PackingProblem& problem, const std::vector<Box>& frames
     return sum >= min_area * problem.whole().area();
 }
 
-/// The middle of what a newcomer covers of the seat that it takes over. Others that cross it would hide both
-/// the shot that leaves and the newcomer. Empty: it covers too little of the seat.
-Polygon guarded_middle(const PlanItem& newcomer, const Placement& placement) {
-    constexpr double guard_share = 0.3;  // of the side
-    constexpr double min_share = 0.25;   // of the seat
+/// The middle of what a newcomer covers of the seat that it takes over, which counts as a square here. None:
+/// it covers too little.
+std::optional<LayoutItem> guard_of(const PlanItem& newcomer, const Placement& placement) {
     const double half = 0.4 * std::sqrt(newcomer.seat->area);
     const Box seat{newcomer.seat->centre - Vec2{half, half}, newcomer.seat->centre + Vec2{half, half}};
-    const Polygon common = clipped(placed_region(newcomer.item, placement), seat);
-    if (common.size() < 3 || std::abs(signed_area(common)) < min_share * seat.area()) return {};
-    return transformed(common, guard_share, centroid(common) * (1 - guard_share));
+    return guard_of_seat(clipped(placed_region(newcomer.item, placement), seat), seat.area());
 }
 
 /// True where the items that stay have a way to their new places that leaves the newcomers' seats free.
@@ -348,9 +344,9 @@ bool has_free_way(const PlanRequest& request, const Layout& layout) {
             from.push_back(*item.previous);
             to.push_back(layout.placements[i]);
         } else if (item.seat) {
-            const Polygon middle = guarded_middle(item, layout.placements[i]);
-            if (middle.empty()) continue;
-            items.push_back({.region = middle, .core = bounding_box(middle)});
+            const auto guard = guard_of(item, layout.placements[i]);
+            if (!guard) continue;
+            items.push_back(*guard);
             from.emplace_back();
             to.emplace_back();
         }

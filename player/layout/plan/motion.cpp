@@ -326,6 +326,16 @@ OverlapInterval overlap_interval(const MovingItem& a, const MovingItem& b, doubl
     return overlap_of({a.item.region, a.from, a.to}, {b.item.region, b.from, b.to}, clearance);
 }
 
+std::optional<LayoutItem> guard_of_seat(const Polygon& common, double seat_area) {
+    constexpr double guard_share = 0.3;        // of the side
+    constexpr double min_common_share = 0.25;  // of the area
+    if (common.size() < 3) return std::nullopt;
+    const double area = std::abs(signed_area(common));
+    if (area < std::max(1.0, min_common_share * seat_area)) return std::nullopt;
+    const Polygon middle = transformed(common, guard_share, centroid(common) * (1 - guard_share));
+    return LayoutItem{.region = middle, .core = bounding_box(middle)};
+}
+
 std::vector<int> meetings(std::span<const LayoutItem> items, std::span<const Placement> from,
                           std::span<const Placement> to) {
     constexpr double clearance = 1.0 / 64;  // canvas px

@@ -57,6 +57,12 @@ constexpr double min_scale_on_way = 0.7;  // times the smaller of its two scales
 /// The least scale of an item during a motion, in shares of the smaller one of its two at rest.
 double smallest_scale(const Motion& motion);
 
+/// Returns the middle of what an item that leaves and one that comes have in common. Items that cross it
+/// would hide both. None: they have so little in common that they are at two places.
+/// @param common     canvas px, convex
+/// @param seat_area  canvas px^2 of the smaller of both
+std::optional<LayoutItem> guard_of_seat(const Polygon& common, double seat_area);
+
 /// A motion of all items from one layout to another in which no I-Region ever covers another, and none is
 /// smaller than min_scale_on_way allows. Tries in turn: all items at once, some after others, and then the
 /// calmer way of two: some items smaller during the motion, or by way of a halfway layout. None: none of

@@ -95,25 +95,21 @@ TEST_CASE("what goes where another stands waits for it") {
     CHECK(motion->keys[1][1] == to[1]);
 }
 
-TEST_CASE("two items that change places find a way") {
+TEST_CASE("items that change places go around each other rather than become small") {
     const std::vector<LayoutItem> items{square, square};
-    const std::vector<Placement> from{{2, {40, 50}}, {2, {120, 50}}};
-    const std::vector<Placement> to{{2, {120, 50}}, {2, {40, 50}}};
-    const auto motion = motion_between(items, from, to, {160, 100});
-    REQUIRE(motion);
+    const auto exchanged = [&](double y, Vec2 canvas) {
+        const std::vector<Placement> places{{2, {40, y}}, {2, {120, y}}};
+        return motion_between(items, places, std::vector{places[1], places[0]}, canvas);
+    };
     Random random(1);
-    check_motion(items, *motion, {160, 100}, random, 200);
-}
-
-TEST_CASE("an item that changes places goes around the others rather than become small") {
-    const std::vector<LayoutItem> items{square, square};
-    const std::vector<Placement> from{{2, {40, 40}}, {2, {120, 40}}};
-    const std::vector<Placement> to{{2, {120, 40}}, {2, {40, 40}}};
-    const auto wide = motion_between(items, from, to, {160, 100});
-    REQUIRE(wide);
-    CHECK(wide->kind == Motion::Kind::detour);
-    CHECK(smallest_scale(*wide) >= 0.9);
-    CHECK_FALSE(motion_between(items, from, to, {160, 60}));  // one had to be half as large
+    for (const double y : {40, 50}) {
+        const auto motion = exchanged(y, {160, 100});
+        REQUIRE(motion);
+        CHECK(motion->kind == Motion::Kind::detour);
+        CHECK(smallest_scale(*motion) >= 0.9);
+        check_motion(items, *motion, {160, 100}, random, 200);
+    }
+    CHECK_FALSE(exchanged(40, {160, 60}));  // one had to be half as large
 }
 
 TEST_CASE("where there is no way there is no motion") {
