@@ -41,6 +41,15 @@ void CellMeshes::drop_old() {
     ++frames_;
 }
 
+void CellLayer::prepare(const DrawItem& item) {
+    if (!pictures_.has(item.source)) return;
+    PictureTexture& picture = pictures_.at(item.source);
+    picture.prepare(Sampling::smooth, texels_a_px(picture, item));
+    const CellMesh::Layer& filler = meshes_.of(item.cell).filler;
+    if (filler.outline.count + filler.triangles.count + filler.fringe.count > 0)
+        picture.reduced().prepare(Sampling::filler, texels_a_px(picture, item));
+}
+
 void CellLayer::draw(std::span<const DrawItem> items, const ToNdc& view, bool is_on_pixels) {
     is_on_pixels_ = is_on_pixels;
     const auto for_each = [&](auto draw_it) {
@@ -88,8 +97,7 @@ void CellLayer::draw_range(const PictureProgram& program, const DrawItem& item, 
     glBindVertexArray(meshes_.of(item.cell).array.id());
     texture.bind_sampled(program.is_filler() ? Sampling::filler
                          : is_one_to_one     ? Sampling::exact
-                                             : Sampling::smooth,
-                         texture.width() / (item.picture.x * item.placement.scale));
+                                             : Sampling::smooth);
     program.use(item, {.texture = texture, .slide = pictures_.slide(item.source), .is_exact = is_one_to_one},
                 view);
     glDrawArrays(mode, range.first, range.count);

@@ -44,6 +44,10 @@ class CellLayer {
     /// @param pictures  outlives this
     explicit CellLayer(UploadedPictures& pictures) : pictures_(pictures) {}
 
+    /// Makes what the drawing of an item's picture needs. Call it for all items before the frame is drawn. An
+    /// item without a picture needs nothing.
+    void prepare(const DrawItem& item);
+
     /// Draws a run of items of one opacity. They form one layer of cells that meet in seams. Items without a
     /// picture are left out.
     /// @param is_on_pixels  in this frame, canvas points with whole numbers are corners of pixels

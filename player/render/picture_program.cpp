@@ -10,8 +10,6 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double filler_blur = 0.25;  // radius, as a share of the picture's shorter side
-
 /// The part of a picture that has nothing of its bars, source px. @param texel  of the smaller copy that is
 /// read, as a share of the picture: one that lies over the edge of a bar is not read
 Box within_bars(const DrawItem& item, Vec2 texel) {
@@ -76,10 +74,10 @@ void PictureProgram::set_texels(const DrawItem& item, const DrawnPicture& pictur
 }
 
 void PictureProgram::set_blur(const DrawItem& item, const PictureTexture& texture) const {
-    const double radius = filler_blur * std::min(texture.width(), texture.height());  // texels
+    const double radius = texture.blur_radius();
     set(blur_, {radius / texture.width(), radius / texture.height()});
     glUniform1f(light_, static_cast<float>(item.filler_light));
-    glUniform1f(level_, static_cast<float>(std::max(0.0, std::log2(radius) - 1)));  // half a radius a texel
+    glUniform1f(level_, static_cast<float>(texture.blur_level()));
     const Box part = within_bars(item, {radius / 2 / texture.width(), radius / 2 / texture.height()});
     glUniform4f(mirrors_, static_cast<float>(part.min.x / item.picture.x),
                 static_cast<float>(part.min.y / item.picture.y),

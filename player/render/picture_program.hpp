@@ -19,6 +19,11 @@ struct DrawnPicture {
     bool is_exact = false;          // each texel is drawn as one pixel
 };
 
+/// Texels of a picture per canvas px, across.
+inline double texels_a_px(const PictureTexture& picture, const DrawItem& item) {
+    return picture.width() / (item.picture.x * item.placement.scale);
+}
+
 /// A GL program that draws the picture of an item into its cell.
 class PictureProgram {
   public:

@@ -33,17 +33,27 @@ class PictureTexture {
     /// The pixels are copied before this returns. @pre fits(sample)
     void upload(const Sample& sample);
 
-    /// Binds the planes to the texture units from 0 on. A photo that is shown small gets smaller copies once.
-    /// A film gets none for this, because it would need them for every picture. The filler needs them for
-    /// both. @pre for filler: the picture is not of shared planes
+    /// Makes the smaller copies that drawing needs. Call it before the frame is drawn: these are drawn to
+    /// frame buffers of their own. A photo that is shown small gets them once. A film gets none for this,
+    /// because it would need them for every picture. The filler needs them for both.
+    /// @pre for filler: the picture is not of shared planes
     /// @param texels  texels of the picture per canvas px
-    void bind_sampled(Sampling sampling, double texels);
+    void prepare(Sampling sampling, double texels);
+
+    /// Binds the planes to the texture units from 0 on. @pre it is prepared for this
+    void bind_sampled(Sampling sampling) const;
 
     /// The picture that can have smaller copies: this one, or for shared planes a copy a quarter as wide.
     PictureTexture& reduced();
 
     /// The owner of shared planes. It must live until the graphics card has read them.
     const std::shared_ptr<const void>& lender() const { return lender_; }
+
+    /// Radius of the filler's blur, texels.
+    double blur_radius() const;
+
+    /// The smaller copy that the filler reads, of which a texel is about half the blur's radius wide.
+    int blur_level() const;
 
     int width() const { return width_; }
 
@@ -61,7 +71,7 @@ class PictureTexture {
 
     void make_room();
     void bind(GLint smaller, GLint larger, GLint wrap) const;
-    void make_smaller_copies();
+    void make_smaller_copies(int last);
     void copy_from(const PictureTexture& larger);
 
     int width_;  // px
@@ -71,7 +81,7 @@ class PictureTexture {
     std::array<GlTexture, 3> planes_;     // the layout says how many of them are used
     std::shared_ptr<const void> lender_;  // shared by the decoder's buffer pool; none: the planes are our own
     std::unique_ptr<PictureTexture> reduced_;
-    bool has_smaller_copies_ = false;
+    int smaller_copies_ = 0;  // how many have been made of this picture
     std::uint64_t uploads_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "player/render/renderer.hpp"
 
+#include "player/render/picture_program.hpp"
 #include "player/render/uncovered.hpp"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ void Renderer::forget(SourceId source) {
 
 void Renderer::draw(const Frame& frame) {
     assert(is_own_thread());
+    prepare_pictures(frame);
     clear();
     const ToNdc view = look_at(frame.canvas);
     draw_idle(frame, view);
@@ -82,6 +84,18 @@ void Renderer::draw(const Frame& frame) {
     cells_.drop_old();
     if (zooms_) zooms_->drop_old();
     check_gl("draw a frame");
+}
+
+/// Here, and not while the screen is drawn to: each change of the frame buffer makes a card that draws by
+/// tiles, and Mesa's software renderer, store and load all that is drawn so far.
+void Renderer::prepare_pictures(const Frame& frame) {
+    for (const DrawItem& item : frame.items) {
+        if (item.alpha <= 0) continue;
+        if (!item.zoom)
+            cells_.prepare(item);
+        else if (has(item.source))
+            pictures_.at(item.source).prepare(Sampling::smooth, texels_a_px(pictures_.at(item.source), item));
+    }
 }
 
 /// Makes the whole screen black.
@@ -184,8 +198,7 @@ void Renderer::draw_zooms(std::span<const DrawItem> items, const ToNdc& view) {
     if (!zooms_) zooms_.emplace();
     for (const DrawItem& item : items) {
         if (!has(item.source)) continue;
-        PictureTexture& texture = pictures_.at(item.source);
-        texture.bind_sampled(Sampling::smooth, texture.width() / (item.picture.x * item.placement.scale));
+        pictures_.at(item.source).bind_sampled(Sampling::smooth);
         zooms_->draw(item, view);
     }
 }

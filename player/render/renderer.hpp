@@ -50,6 +50,7 @@ class Renderer {
 
   private:
     bool is_own_thread() const;
+    void prepare_pictures(const Frame& frame);
     void clear() const;
     ToNdc look_at(Vec2 canvas);
     bool leaves_holes(const Frame& frame) const;
