@@ -67,6 +67,20 @@ Frame wall(int width, int height, int columns, int rows) {
     return frame;
 }
 
+// The same cells, each with a thin strip of filler: the films' smaller copies are made for each picture.
+Frame filled_wall(int width, int height, int columns, int rows) {
+    Frame frame = wall(width, height, columns, rows);
+    for (DrawItem& item : frame.items) {
+        Cell made = *item.cell;
+        const Polygon& quad = made.parts.front();
+        const Vec2 beside{quad[0].x + 8, quad[0].y};
+        made.filler = {{quad[0], beside, quad[3]}};
+        made.filler_triangles = {{quad[0], beside, quad[3]}};
+        item.cell = std::make_shared<const Cell>(std::move(made));
+    }
+    return frame;
+}
+
 struct Cost {
     double wall = 0;  // ms a frame
     double cpu = 0;   // ms a frame, all threads together: what other programs do hardly shows in it
@@ -106,6 +120,8 @@ void measure(int width, int height) {
     for (std::size_t i = 8; i < 16; ++i)
         fading.items[i].alpha = 0.5;
 
+    const Frame filled = filled_wall(width, height, 4, 2);
+
     const Cost quad = time_of(wall(width, height, 1, 1));
     const auto print = [&](const char* what, Cost spent) {
         fmt::print("{:>4}p  {:<26} {:7.2f} ms, CPU {:7.2f} ms, {:5.2f} x one picture\n", height, what,
@@ -117,6 +133,12 @@ void measure(int width, int height) {
     print("idle picture",
           time_of({.canvas = {static_cast<double>(width), static_cast<double>(height)}, .idle = 1}));
     print("upload of 8 x 640x360", cost(upload_all));
+    print("upload, with filler drawn", cost([&] {
+              upload_all();
+              screen.begin_frame();
+              renderer.draw(filled);
+              screen.present({});
+          }));
     print("read back", cost([&] { screen.picture(); }));
 }
 
