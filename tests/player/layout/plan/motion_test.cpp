@@ -112,6 +112,17 @@ TEST_CASE("items that change places go around each other rather than become smal
     CHECK_FALSE(exchanged(40, {160, 60}));  // one had to be half as large
 }
 
+TEST_CASE("a seat is guarded in its middle where its two shots have a quarter of it in common") {
+    const Polygon common = to_polygon({{100, 50}, {110, 60}});  // 100 px^2
+    const auto guard = guard_of_seat(common, 390);
+    REQUIRE(guard);
+    const Box box = bounding_box(guard->region);
+    CHECK(length(box.min - Vec2{103.5, 53.5}) < 1e-9);
+    CHECK(length(box.max - Vec2{106.5, 56.5}) < 1e-9);
+    CHECK_FALSE(guard_of_seat(common, 410));
+    CHECK_FALSE(guard_of_seat({}, 410));
+}
+
 TEST_CASE("where there is no way there is no motion") {
     // Each fills the canvas' height, and half of it, when small: two cannot pass a third.
     const LayoutItem wall{.region = to_polygon({{-10, -50}, {10, 50}}), .core = {{-10, -50}, {10, 50}}};
