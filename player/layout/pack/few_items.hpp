@@ -10,7 +10,8 @@ bool is_for_few(const PackingProblem& problem);
 
 /// Fills the canvas with few items. It begins with `start` and with the best divisions into rectangles, and
 /// fills the gaps of each (filling.hpp), then once more of the best. It takes the one that leaves least of
-/// the canvas without pixels, unless an item became tiny or all would go far from home.
+/// the canvas without pixels, unless an item became tiny or all would go far from home, or one that leaves a
+/// little more and that the items can reach from where they are.
 /// @param problem  in: the problem of `start`; out: with the scales of the result
 /// @param start    free of overlap
 /// @return         free of overlap

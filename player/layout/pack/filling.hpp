@@ -25,6 +25,8 @@ struct FillingTargets {
     double fair_size = -0.15;     // ln(scale) relative to the natural one; a smaller item is tiny
     int tries = 60'000;           // of each annealing
     double max_way = 0.05;        // of one move where items have homes, share of the field's diagonal
+    /// True if the items have a way from where they are to there; no function: to everywhere.
+    std::function<bool(const PackingProblem&, const Arrangement&)> is_reachable;
 };
 
 /// The mean distance of the items from home, as a share of the field's diagonal; 0: they have none.

@@ -168,6 +168,36 @@ bool has_movable_items(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
 }
 
+/// The middle of what a newcomer covers of the seat that it takes over, which counts as a square here. None:
+/// it covers too little.
+std::optional<LayoutItem> guard_of(const PlanItem& newcomer, const Placement& placement) {
+    const double half = 0.4 * std::sqrt(newcomer.seat->area);
+    const Box seat{newcomer.seat->centre - Vec2{half, half}, newcomer.seat->centre + Vec2{half, half}};
+    return guard_of_seat(clipped(placed_region(newcomer.item, placement), seat), seat.area());
+}
+
+/// True where the items that stay have a way to their new places that leaves the newcomers' seats free.
+bool has_free_way(const PlanRequest& request, const Layout& layout) {
+    std::vector<LayoutItem> items;
+    std::vector<Placement> from, to;
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+        const PlanItem& item = request.items[i];
+        if (item.is_band) continue;
+        if (item.previous) {
+            items.push_back(item.item);
+            from.push_back(*item.previous);
+            to.push_back(layout.placements[i]);
+        } else if (item.seat) {
+            const auto guard = guard_of(item, layout.placements[i]);
+            if (!guard) continue;
+            items.push_back(*guard);
+            from.emplace_back();
+            to.emplace_back();
+        }
+    }
+    return motion_between(items, from, to, request.canvas).has_value();
+}
+
 /// The making of one plan: uses up its random numbers and its budget.
 class FlatPlan {
   public:
@@ -291,9 +321,14 @@ class FlatPlan {
     }
 
     FillingTargets filling_targets(const PackingProblem& problem, std::vector<Vec2> homes) const {
-        return {.frames = frames_of(request_, problem),
-                .natural = scales_of(request_, problem),
-                .homes = std::move(homes)};
+        FillingTargets targets{.frames = frames_of(request_, problem),
+                               .natural = scales_of(request_, problem),
+                               .homes = std::move(homes)};
+        if (!targets.homes.empty())
+            targets.is_reachable = [this](const PackingProblem& of, const Arrangement& made) {
+                return has_free_way(request_, layout_of(of, made));
+            };
+        return targets;
     }
 
     const PlanRequest& request_;  // outlives this
@@ -322,36 +357,6 @@ bool can_be_filled(const PackingProblem& problem, const std::vector<Box>& frames
     for (std::size_t i = 0; i < problem.items(); ++i)
         sum += frames[i].area() * problem.limits[i] * problem.limits[i];
     return sum >= min_area * problem.whole().area();
-}
-
-/// The middle of what a newcomer covers of the seat that it takes over, which counts as a square here. None:
-/// it covers too little.
-std::optional<LayoutItem> guard_of(const PlanItem& newcomer, const Placement& placement) {
-    const double half = 0.4 * std::sqrt(newcomer.seat->area);
-    const Box seat{newcomer.seat->centre - Vec2{half, half}, newcomer.seat->centre + Vec2{half, half}};
-    return guard_of_seat(clipped(placed_region(newcomer.item, placement), seat), seat.area());
-}
-
-/// True where the items that stay have a way to their new places that leaves the newcomers' seats free.
-bool has_free_way(const PlanRequest& request, const Layout& layout) {
-    std::vector<LayoutItem> items;
-    std::vector<Placement> from, to;
-    for (std::size_t i = 0; i < request.items.size(); ++i) {
-        const PlanItem& item = request.items[i];
-        if (item.is_band) continue;
-        if (item.previous) {
-            items.push_back(item.item);
-            from.push_back(*item.previous);
-            to.push_back(layout.placements[i]);
-        } else if (item.seat) {
-            const auto guard = guard_of(item, layout.placements[i]);
-            if (!guard) continue;
-            items.push_back(*guard);
-            from.emplace_back();
-            to.emplace_back();
-        }
-    }
-    return motion_between(items, from, to, request.canvas).has_value();
 }
 
 /// Fills the hole that a change has left and no growth can fill: a newcomer and a kept item exchange their

@@ -209,6 +209,22 @@ std::size_t check_changes(std::uint64_t seeds, const CellStyle& cells) {
 
 }  // namespace
 
+TEST_CASE("few shots take places to which they have a way, so that few fade") {
+    int changes = 0;
+    int faded = 0;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        ChangingWall changing({1920, 1080}, 6, seed);
+        for (int change = 0; change < 4; ++change) {
+            const auto next = change == 0 ? changing.with_one_less() : changing.turned();
+            const Transition made = transition(changing.canvas(), changing.shown(), next, style);
+            ++changes;
+            if (wayless_count(made) > 0) ++faded;
+            changing.show(next);
+        }
+    }
+    CHECK(faded <= changes / 20);
+}
+
 TEST_CASE("no frame of a change covers an I-Region that stays, is bare, or has new filler") {
     CHECK(check_changes(4, {}) <= 2);
 }
