@@ -5,7 +5,7 @@
 namespace vitrine::player {
 
 /// Copies pictures from one texture to another, or from one smaller copy of a texture to the next. While this
-/// lives, GL draws to a frame buffer of this and cuts nothing off.
+/// lives, GL draws to a frame buffer of its own and cuts nothing off.
 class PictureCopier {
   public:
     /// A texture, or one of its smaller copies.
@@ -29,8 +29,8 @@ class PictureCopier {
   private:
     using FrameBuffer = GlObject<&glGenFramebuffers, &glDeleteFramebuffers>;
 
-    bool is_cut_;         // before
-    GLint drawn_to_ = 0;  // before
+    bool is_cut_;         // before this
+    GLint drawn_to_ = 0;  // before this
     FrameBuffer from_;
     FrameBuffer to_;
 };
