@@ -41,13 +41,9 @@ void CellMeshes::drop_old() {
     ++frames_;
 }
 
-void CellLayer::prepare(const DrawItem& item) {
-    if (!pictures_.has(item.source)) return;
-    PictureTexture& picture = pictures_.at(item.source);
-    picture.prepare(Sampling::smooth, texels_a_px(picture, item));
+bool CellLayer::has_filler(const DrawItem& item) {
     const CellMesh::Layer& filler = meshes_.of(item.cell).filler;
-    if (filler.outline.count + filler.triangles.count + filler.fringe.count > 0)
-        picture.reduced().prepare(Sampling::filler, texels_a_px(picture, item));
+    return filler.outline.count + filler.triangles.count + filler.fringe.count > 0;
 }
 
 void CellLayer::draw(std::span<const DrawItem> items, const ToNdc& view, bool is_on_pixels) {

@@ -44,9 +44,8 @@ class CellLayer {
     /// @param pictures  outlives this
     explicit CellLayer(UploadedPictures& pictures) : pictures_(pictures) {}
 
-    /// Makes what the drawing of an item's picture needs. Call it for all items before the frame is drawn. An
-    /// item without a picture needs nothing.
-    void prepare(const DrawItem& item);
+    /// True if draw() fills a part of the item's cell with its blurred picture.
+    bool has_filler(const DrawItem& item);
 
     /// Draws a run of items of one opacity. They form one layer of cells that meet in seams. Items without a
     /// picture are left out.

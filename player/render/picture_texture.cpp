@@ -94,7 +94,13 @@ void reserve(const PlaneForm& form, int width, int height) {
 
 PictureTexture::PictureTexture(int width, int height, PixelLayout layout, const ColourCode& colours)
     : width_(width), height_(height), layout_(layout), colours_(colours) {
-    make_room();
+    assert(width_ > 0 && height_ > 0);
+    for (std::size_t i = 0; i < plane_count(layout_); ++i) {
+        const PlaneForm plane = form(layout_, i);
+        glBindTexture(GL_TEXTURE_2D, planes_[i].id());
+        reserve(plane, share(width_, plane), share(height_, plane));
+    }
+    check_gl("make room for a picture");
 }
 
 PictureTexture::PictureTexture(const Sample& sample)
@@ -118,16 +124,6 @@ PictureTexture::PictureTexture(const Sample& sample, const PictureImport& import
     }
 }
 
-void PictureTexture::make_room() {
-    assert(width_ > 0 && height_ > 0);
-    for (std::size_t i = 0; i < plane_count(layout_); ++i) {
-        const PlaneForm plane = form(layout_, i);
-        glBindTexture(GL_TEXTURE_2D, planes_[i].id());
-        reserve(plane, share(width_, plane), share(height_, plane));
-    }
-    check_gl("make room for a picture");
-}
-
 bool PictureTexture::fits(const Sample& sample) const {
     return !lender_ && width_ == sample.width && height_ == sample.height && layout_ == sample.layout;
 }
@@ -145,11 +141,12 @@ void PictureTexture::upload(const Sample& sample) {
     ++uploads_;
 }
 
-void PictureTexture::prepare(Sampling sampling, double texels) {
-    if (texels >= small_picture && is_still())
-        make_smaller_copies(level_count(width_, height_) - 1);
-    else if (sampling == Sampling::filler)
-        make_smaller_copies(blur_level());
+void PictureTexture::prepare(double texels) {
+    if (texels >= small_picture && is_still()) make_smaller_copies(level_count(width_, height_) - 1);
+}
+
+void PictureTexture::prepare_filler() {
+    make_smaller_copies(blur_level());
 }
 
 double PictureTexture::blur_radius() const {

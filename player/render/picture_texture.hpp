@@ -33,12 +33,15 @@ class PictureTexture {
     /// The pixels are copied before this returns. @pre fits(sample)
     void upload(const Sample& sample);
 
-    /// Makes the smaller copies that drawing needs. Call it before the frame is drawn: these are drawn to
-    /// frame buffers of their own. A photo that is shown small gets them once. A film gets none for this,
-    /// because it would need them for every picture. The filler needs them for both.
-    /// @pre for filler: the picture is not of shared planes
+    /// Makes the smaller copies that drawing needs, once for a photo that is shown small. A film gets none,
+    /// because it would need them for every picture. Call it before the frame is drawn: the copies are drawn
+    /// to frame buffers of their own.
     /// @param texels  texels of the picture per canvas px
-    void prepare(Sampling sampling, double texels);
+    void prepare(double texels);
+
+    /// Makes the smaller copies that the filler needs, before the frame is drawn.
+    /// @pre the picture is not of shared planes
+    void prepare_filler();
 
     /// Binds the planes to the texture units from 0 on. @pre it is prepared for this
     void bind_sampled(Sampling sampling) const;
@@ -69,7 +72,6 @@ class PictureTexture {
     /// False: it is a film's, because it was uploaded more than once or is shared.
     bool is_still() const { return uploads_ == 1 && !lender_; }
 
-    void make_room();
     void bind(GLint smaller, GLint larger, GLint wrap) const;
     void make_smaller_copies(int last);
     void copy_from(const PictureTexture& larger);

@@ -90,11 +90,10 @@ void Renderer::draw(const Frame& frame) {
 /// tiles, and Mesa's software renderer, store and load all that is drawn so far.
 void Renderer::prepare_pictures(const Frame& frame) {
     for (const DrawItem& item : frame.items) {
-        if (item.alpha <= 0) continue;
-        if (!item.zoom)
-            cells_.prepare(item);
-        else if (has(item.source))
-            pictures_.at(item.source).prepare(Sampling::smooth, texels_a_px(pictures_.at(item.source), item));
+        if (item.alpha <= 0 || !has(item.source)) continue;
+        PictureTexture& picture = pictures_.at(item.source);
+        picture.prepare(texels_a_px(picture, item));
+        if (!item.zoom && cells_.has_filler(item)) picture.reduced().prepare_filler();
     }
 }
 

@@ -14,10 +14,10 @@ constexpr double emptiness = 10;      // costs of an area without pixels; see Fi
 constexpr int tries_of_all = 4'000;   // of each annealing
 constexpr std::size_t finalists = 3;  // the best of all, which are annealed once more
 constexpr int tries_of_finalists = 8'000;
-constexpr double min_size = -0.33;        // ln(scale) relative to the fair one: half of its area
-constexpr double tiny_cost = 20;          // factor of the square of ln(scale) missing to that
-constexpr double max_price_of_way = 0.3;  // 3 % of the canvas without pixels
-constexpr double limit_share = 0.999;     // share of its largest scale from which an item cannot grow
+constexpr double min_size = -0.33;                     // ln(scale) relative to the fair one: half of its area
+constexpr double tiny_cost = 20;                       // factor of the square of ln(scale) missing to that
+constexpr double max_price_of_way = 0.03 * emptiness;  // of the canvas without pixels
+constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
 
 /// The cost of an arrangement, the same for all of one set of items. @pre a growth of 1
 double cost_of(const PackingProblem& problem, const FillingTargets& targets, const Arrangement& made) {
@@ -46,28 +46,30 @@ struct Candidate {
     double cost = 0;
 };
 
-/// Sorts candidates by their costs. @return the first that the items can reach, or none: the end
-std::vector<Candidate>::iterator sort_and_find_reachable(std::vector<Candidate>& candidates,
-                                                         const FillingTargets& targets) {
-    std::ranges::sort(candidates, {}, &Candidate::cost);
+/// The first candidate that the items can reach, or none: the end.
+std::vector<Candidate>::iterator first_reachable(std::vector<Candidate>& candidates,
+                                                 const FillingTargets& targets) {
     if (!targets.is_reachable) return candidates.begin();
     return std::ranges::find_if(candidates,
                                 [&](const Candidate& c) { return targets.is_reachable(c.problem, c.made); });
 }
 
-/// Leaves the best candidates, and among them one that the items can reach, if there is one.
+/// Leaves the best candidates, the best one first, and among them one that the items can reach, if there is
+/// one.
 void keep_finalists(std::vector<Candidate>& candidates, const FillingTargets& targets) {
-    const auto reachable = sort_and_find_reachable(candidates, targets);
+    std::ranges::sort(candidates, {}, &Candidate::cost);
     if (candidates.size() <= finalists) return;
     const auto last = candidates.begin() + finalists - 1;
+    const auto reachable = first_reachable(candidates, targets);
     if (reachable > last && reachable != candidates.end()) std::iter_swap(last, reachable);
     candidates.resize(finalists);
 }
 
 /// The best candidate, or one that is hardly worse and that the items can reach. @param candidates  not empty
 Candidate& chosen(std::vector<Candidate>& candidates, const FillingTargets& targets) {
-    const auto reachable = sort_and_find_reachable(candidates, targets);
+    std::ranges::sort(candidates, {}, &Candidate::cost);
     Candidate& best = candidates.front();
+    const auto reachable = first_reachable(candidates, targets);
     if (reachable == candidates.end() || reachable->cost > best.cost + max_price_of_way) return best;
     return *reachable;
 }

@@ -3,6 +3,7 @@
 #include "player/layout/pack/arrangement.hpp"
 #include "player/layout/pack/search_budget.hpp"
 
+#include <functional>
 #include <span>
 
 namespace vitrine::player {
