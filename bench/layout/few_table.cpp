@@ -93,7 +93,9 @@ double searched_share(const PlanRequest& request, const Items& items, const Layo
                            .natural = natural_scales(items, problem.shapes),
                            .homes = {},
                            .emptiness = mostly_emptiness,
-                           .fair_size = half_area};
+                           .fair_size = half_area,
+                           .heating = 3,
+                           .trade_share = 0.4};
     SizedArrangement known{{}, {}};
     for (std::size_t i = 0; i < items.size(); ++i) {
         targets.frames.push_back(moved(items[i].core, problem.shapes[i].centroid * -1));
@@ -101,7 +103,7 @@ double searched_share(const PlanRequest& request, const Items& items, const Layo
         known.places.push_back(problem.shapes[i].centroid * at.scale + at.offset);
         known.scales.push_back(at.scale);
     }
-    std::vector<SizedArrangement> starts = best_rectangles(problem, targets, 12);
+    std::vector<SizedArrangement> starts = best_rectangles(problem, targets, 16);
     starts.push_back(known);
     const double smallest =
         std::min(0.5, std::ranges::min(fair_shares(items, planned.placements, request.max_scale)));

@@ -9,15 +9,15 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t divisions = 8;  // that are tried
-constexpr double emptiness = 10;      // costs of an area without pixels; see FillingTargets
-constexpr int tries_of_all = 4'000;   // of each annealing
-constexpr std::size_t finalists = 3;  // the best of all, which are annealed once more
-constexpr int tries_of_finalists = 8'000;
-constexpr double min_size = -0.33;                     // ln(scale) relative to the fair one: half of its area
-constexpr double tiny_cost = 20;                       // factor of the square of ln(scale) missing to that
+constexpr std::size_t divisions = 16;  // that are tried
+constexpr double emptiness = 10;       // costs of an area without pixels; see FillingTargets
+constexpr double heating = 3;          // see FillingTargets
+constexpr double trade_share = 0.4;    // see FillingTargets
+constexpr std::size_t finalists = 3;   // the best of all, which are annealed once more
+constexpr double first_share = 0.7;    // of the budget, for all; the rest is for the finalists
+constexpr double min_size = -0.33;     // ln(scale) relative to the fair one: half of its area
+constexpr double tiny_cost = 20;       // factor of the square of ln(scale) missing to that
 constexpr double max_price_of_way = 0.03 * emptiness;  // of the canvas without pixels
-constexpr double limit_share = 0.999;  // share of its largest scale from which an item cannot grow
 
 /// The cost of an arrangement, the same for all of one set of items. @pre a growth of 1
 double cost_of(const PackingProblem& problem, const FillingTargets& targets, const Arrangement& made) {
@@ -30,13 +30,17 @@ double cost_of(const PackingProblem& problem, const FillingTargets& targets, con
     const double growth = std::sqrt(covered / wished);
     double tiny = 0;
     for (std::size_t i = 0; i < problem.size(); ++i) {
-        if (problem.scales[i] >= problem.limits[i] * limit_share) continue;
-        const double lack =
-            std::max(0.0, min_size - std::log(problem.scales[i] / (targets.natural[i] * growth)));
+        const double fair = std::min(targets.natural[i] * growth, problem.limits[i]);
+        const double lack = std::max(0.0, min_size - std::log(problem.scales[i] / fair));
         tiny += tiny_cost * lack * lack;
     }
     return targets.emptiness * exact_unfilled_share(problem, targets.frames, made) -
            covered / problem.field.area() + tiny + way_weight * mean_way(problem, targets, made.places);
+}
+
+/// The tries of each annealing where some starts share a number of moves.
+int tries_of_each(double moves, std::size_t starts) {
+    return static_cast<int>(moves / static_cast<double>(max_annealings * starts));
 }
 
 /// An arrangement that is tried, and its cost.
@@ -86,9 +90,12 @@ Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, c
     FillingTargets wished = targets;
     wished.emptiness = emptiness;
     wished.fair_size = min_size;
-    wished.tries = tries_of_all;
+    wished.heating = heating;
+    wished.trade_share = trade_share;
     std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
     starts.push_back({start.places, scales_at(problem, start.growth)});
+    const auto moves = static_cast<double>(budget.left());
+    wished.tries = tries_of_each(first_share * moves, starts.size());
     Contacts contacts(problem.shapes, problem.clearance);
     std::vector<Candidate> candidates;
     for (SizedArrangement& sized : starts) {
@@ -102,7 +109,7 @@ Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, c
     }
     if (candidates.empty()) return start;
     keep_finalists(candidates, targets);
-    wished.tries = tries_of_finalists;
+    wished.tries = tries_of_each((1 - first_share) * moves, candidates.size());
     for (Candidate& candidate : candidates) {
         candidate.made = fill_gaps(candidate.problem, wished, candidate.made, random, budget);
         candidate.cost = cost_of(candidate.problem, wished, candidate.made);

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -135,13 +136,21 @@ class SizeSpread {
     double lacks_ = 0;  // sum of the squares of what is missing to a fair size
 };
 
-/// Simulated annealing from one arrangement. All items are made smaller first, so that there is room to move.
-class GapFilling {
+/// The share of the canvas without a frame.
+double empty_share(const PackingProblem& problem, const FillingTargets& targets,
+                   const Arrangement& arrangement) {
+    if (targets.frames.empty()) return 0;
+    return problem.size() <= max_exact ? exact_unfilled_share(problem, targets.frames, arrangement)
+                                       : unfilled_share(problem, targets.frames, arrangement);
+}
+
+/// The items of one arrangement, which can be moved and resized one by one, and the cost.
+class ItemsToFill {
   public:
     /// @param contacts   contacts of the problem, at any scales
-    /// @param loosening  factor of all scales at the start, <= 1
-    GapFilling(const PackingProblem& problem, const FillingTargets& targets, const Contacts& contacts,
-               const Arrangement& start, double loosening)
+    /// @param loosening  factor of the scales that may become smaller, <= 1, so that there is room to move
+    ItemsToFill(const PackingProblem& problem, const FillingTargets& targets, const Contacts& contacts,
+                const Arrangement& start, double loosening)
         : problem_(problem),
           targets_(targets),
           contacts_(contacts),
@@ -159,58 +168,38 @@ class GapFilling {
             if (!problem_.pinned[i] && min_resized_[i] < resized_[i])
                 set(i, std::max(resized_[i] + std::log(loosening), min_resized_[i]), now_.places[i]);
         }
-        cost_ = cost();
-        keep();
     }
 
-    void run(int tries, Random& random, SearchBudget& budget) {
-        for (int k = 0; k < tries && !budget.is_spent(); ++k) {
-            const double left = 1 - static_cast<double>(k) / tries;
-            const std::size_t item = uniform_index(random, problem_.size());
-            if (problem_.pinned[item]) continue;
-            budget.spend();
-            step(item, left, random);
-        }
-    }
+    const PackingProblem& problem() const { return problem_; }
 
-    const FillingState& best() const { return best_; }
+    const Arrangement& arrangement() const { return now_; }
 
-  private:
-    double area(std::size_t item) const {
-        return problem_.shapes[item].area * problem_.scales[item] * problem_.scales[item];
-    }
+    /// The size and place of an item.
+    struct State {
+        std::size_t item = 0;
+        double resized = 0;  // ln(scale / base)
+        Vec2 place;          // canvas px
+    };
 
-    double cost() const {
-        const auto count = static_cast<double>(problem_.size());
-        return targets_.emptiness * empty() - covered_ + spread_.cost(count) + pull() * moved_;
-    }
+    State state_of(std::size_t item) const { return {item, resized_[item], now_.places[item]}; }
 
-    double empty() const {
-        if (targets_.frames.empty()) return 0;
-        return problem_.size() <= max_exact ? exact_unfilled_share(problem_, targets_.frames, now_)
-                                            : unfilled_share(problem_, targets_.frames, now_);
-    }
+    void restore(const State& state) { set(state.item, state.resized, state.place); }
 
-    /// Tries one change of an item. @param wide  from 1 at the start to 0 at the end: steps get smaller with
-    /// it, and the temperature falls with its square
-    void step(std::size_t item, double wide, Random& random) {
-        const double temperature = first_temperature * wide * wide;
+    void move(std::size_t item, Vec2 by) { set(item, resized_[item], now_.places[item] + by); }
+
+    /// Resizes an item within its limits. @param by  ln(scale)  @param anchor  stays; source px from the
+    /// centroid
+    void resize(std::size_t item, double by, Vec2 anchor) {
+        const double max_resized =
+            std::max(resized_[item], std::min(max_resizing, std::log(problem_.limits[item] / base_[item])));
+        const double before = problem_.scales[item];
         const Vec2 place = now_.places[item];
-        const double resized = resized_[item];
-        if (uniform_index(random, 2) == 0)
-            resize(item, wide, random);
-        else
-            set(item, resized, place + random_move(problem_, wide * max_move(), random));
+        set(item, std::clamp(resized_[item] + by, min_resized_[item], max_resized), place);
+        set(item, resized_[item], place + anchor * (before - problem_.scales[item]));
+    }
+
+    void keep_inside(std::size_t item) {
         set(item, resized_[item], moved_into(now_.places[item], problem_.place_range(item, 1)));
-        if (is_allowed(item)) {
-            const double there = cost();
-            if (there <= cost_ || uniform(random) < std::exp((cost_ - there) / temperature)) {
-                cost_ = there;
-                if (cost_ < best_.cost - rounding_gain) keep();
-                return;
-            }
-        }
-        set(item, resized, place);
     }
 
     bool is_allowed(std::size_t item) const {
@@ -219,19 +208,16 @@ class GapFilling {
                is_in_order(problem_, now_.places, 1);  // resizing changes the height of a line
     }
 
-    /// Resizes an item about a corner, the middle of a side or the middle.
-    void resize(std::size_t item, double wide, Random& random) {
-        const double max_resized =
-            std::max(resized_[item], std::min(max_resizing, std::log(problem_.limits[item] / base_[item])));
-        const double by = max_resize_step * (0.1 + 0.9 * wide) * (2 * uniform(random) - 1);
-        const Box& extent = problem_.shapes[item].extent;
-        const double x = static_cast<double>(uniform_index(random, 3)) / 2;
-        const double y = static_cast<double>(uniform_index(random, 3)) / 2;
-        const Vec2 anchor{extent.min.x + x * extent.width(), extent.min.y + y * extent.height()};
-        const double before = problem_.scales[item];
-        const Vec2 place = now_.places[item];
-        set(item, std::clamp(resized_[item] + by, min_resized_[item], max_resized), place);
-        set(item, resized_[item], place + anchor * (before - problem_.scales[item]));
+    double cost() const {
+        const auto count = static_cast<double>(problem_.size());
+        const double pull = pull_weight / (length(problem_.field.max - problem_.field.min) * count);
+        return targets_.emptiness * empty_share(problem_, targets_, now_) - covered_ + spread_.cost(count) +
+               pull * moved_;
+    }
+
+  private:
+    double area(std::size_t item) const {
+        return problem_.shapes[item].area * problem_.scales[item] * problem_.scales[item];
     }
 
     /// Sets the base of the sizes: the natural sizes times one factor, the mean of the items that can still
@@ -255,15 +241,6 @@ class GapFilling {
         }
     }
 
-    /// The cost of each px of moved_.
-    double pull() const {
-        const double diagonal = length(problem_.field.max - problem_.field.min);
-        return pull_weight / (diagonal * static_cast<double>(problem_.size()));
-    }
-
-    /// The limit of a random move, as a share of the field's diagonal.
-    double max_move() const { return targets_.homes.empty() ? max_move_share : targets_.max_way; }
-
     double distance_home(std::size_t item) const {
         return targets_.homes.empty() ? 0 : length(now_.places[item] - targets_.homes[item]);
     }
@@ -282,8 +259,6 @@ class GapFilling {
         resized_[item] = resized;
     }
 
-    void keep() { best_ = {now_, problem_.scales, cost_}; }
-
     PackingProblem problem_;
     const FillingTargets& targets_;  // outlives this
     Contacts contacts_;
@@ -294,7 +269,95 @@ class GapFilling {
     SizeSpread spread_;                // spread of resized_
     double covered_ = 0;               // area of the I-Regions, share of the field
     double moved_ = 0;                 // sum of all items' distances from home, canvas px
-    double cost_ = 0;
+};
+
+/// Simulated annealing of the items of one arrangement.
+class GapFilling {
+  public:
+    /// @param temperature  at the start
+    GapFilling(const FillingTargets& targets, ItemsToFill items, double temperature)
+        : targets_(targets), items_(std::move(items)), temperature_(temperature), cost_(items_.cost()) {
+        keep();
+    }
+
+    void run(int tries, Random& random, SearchBudget& budget) {
+        const PackingProblem& problem = items_.problem();
+        for (int k = 0; k < tries && !budget.is_spent(); ++k) {
+            const double left = 1 - static_cast<double>(k) / tries;
+            const std::size_t item = uniform_index(random, problem.size());
+            if (problem.pinned[item]) continue;
+            budget.spend();
+            if (targets_.trade_share > 0 && uniform(random) < targets_.trade_share)
+                trade_sizes(item, left, random);
+            else
+                change(item, left, random);
+        }
+    }
+
+    const FillingState& best() const { return best_; }
+
+  private:
+    /// Tries one change of an item. @param wide  from 1 at the start to 0 at the end: steps get smaller with
+    /// it, and the temperature falls with its square
+    void change(std::size_t item, double wide, Random& random) {
+        const ItemsToFill::State before = items_.state_of(item);
+        if (uniform_index(random, 2) == 0)
+            resize(item, max_resize(wide) * (2 * uniform(random) - 1), random);
+        else
+            items_.move(item, random_move(items_.problem(), wide * max_move(), random));
+        items_.keep_inside(item);
+        if (!items_.is_allowed(item) || !is_accepted(wide, random)) items_.restore(before);
+    }
+
+    /// Tries to make one item larger and another one smaller. Steps of one item lead there only through
+    /// states with a larger gap. @param wide  as for change()
+    void trade_sizes(std::size_t larger, double wide, Random& random) {
+        const PackingProblem& problem = items_.problem();
+        const std::size_t others = problem.size() - 1;
+        const std::size_t smaller = (larger + 1 + uniform_index(random, others)) % problem.size();
+        if (problem.pinned[smaller]) return;
+        const ItemsToFill::State larger_before = items_.state_of(larger);
+        const ItemsToFill::State smaller_before = items_.state_of(smaller);
+        const double growth = max_resize(wide) * uniform(random);
+        const double loss = max_resize(wide) * uniform(random);
+        resize(smaller, -loss, random);
+        resize(larger, growth, random);
+        items_.keep_inside(larger);
+        items_.keep_inside(smaller);
+        if (items_.is_allowed(larger) && items_.is_allowed(smaller) && is_accepted(wide, random)) return;
+        items_.restore(larger_before);
+        items_.restore(smaller_before);
+    }
+
+    /// True if the state is kept: it costs less, or chance allows it.
+    bool is_accepted(double wide, Random& random) {
+        const double there = items_.cost();
+        const double temperature = temperature_ * wide * wide;
+        if (there > cost_ && uniform(random) >= std::exp((cost_ - there) / temperature)) return false;
+        cost_ = there;
+        if (cost_ < best_.cost - rounding_gain) keep();
+        return true;
+    }
+
+    /// Resizes an item about a corner, the middle of a side or the middle. @param by  ln(scale)
+    void resize(std::size_t item, double by, Random& random) {
+        const Box& extent = items_.problem().shapes[item].extent;
+        const double x = static_cast<double>(uniform_index(random, 3)) / 2;
+        const double y = static_cast<double>(uniform_index(random, 3)) / 2;
+        items_.resize(item, by, {extent.min.x + x * extent.width(), extent.min.y + y * extent.height()});
+    }
+
+    static double max_resize(double wide) { return max_resize_step * (0.1 + 0.9 * wide); }
+
+    /// The limit of a random move, as a share of the field's diagonal.
+    double max_move() const { return targets_.homes.empty() ? max_move_share : targets_.max_way; }
+
+    void keep() { best_ = {items_.arrangement(), items_.problem().scales, cost_}; }
+
+    const FillingTargets& targets_;  // outlives this
+    ItemsToFill items_;
+    double temperature_;
+    double cost_;
     FillingState best_;
 };
 
@@ -335,19 +398,20 @@ Arrangement fill_gaps(PackingProblem& problem, const FillingTargets& targets, co
                       Random& random, SearchBudget& budget) {
     if (problem.size() == 0 || problem.size() > max_items) return start;
 
-    constexpr double free[] = {0.97, 0.95, 0.9};
-    constexpr double calm[] = {0.99, 0.97};
+    constexpr std::array<double, max_annealings> free = {0.97, 0.95, 0.9};
+    constexpr std::array<double, 2> calm = {0.99, 0.97};
     const bool is_free = targets.homes.empty();
     const auto loosenings = is_free ? std::span<const double>(free) : std::span<const double>(calm);
     const int tries = is_free ? targets.tries : targets.tries / 2;
     const Contacts contacts(problem.shapes, problem.clearance);
-    const double start_cost = GapFilling(problem, targets, contacts, start, 1).best().cost;
-    FillingState best{start, problem.scales, start_cost};
+    FillingState best{start, problem.scales, ItemsToFill(problem, targets, contacts, start, 1).cost()};
+    double temperature = first_temperature;
     for (const double loosening : loosenings) {
-        GapFilling filling(problem, targets, contacts, start, loosening);
+        GapFilling filling(targets, {problem, targets, contacts, start, loosening}, temperature);
         filling.run(tries, random, budget);
         if (filling.best().cost < best.cost) best = filling.best();
         if (budget.is_spent()) break;
+        temperature *= targets.heating;
     }
     problem.scales = best.scales;
     return best.arrangement;

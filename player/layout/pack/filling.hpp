@@ -17,6 +17,9 @@ double unfilled_share(const PackingProblem& problem, std::span<const Box> frames
 double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                             const Arrangement& arrangement);
 
+/// The number of annealings from one start.
+constexpr std::size_t max_annealings = 3;
+
 /// The aims of a filling.
 struct FillingTargets {
     std::vector<Box> frames;      // see unfilled_share(); none: pictures need not fill the canvas
@@ -25,6 +28,8 @@ struct FillingTargets {
     double emptiness = 3;         // costs of an area without pixels, as a multiple of one without I-Regions
     double fair_size = -0.15;     // ln(scale) relative to the natural one; a smaller item is tiny
     int tries = 60'000;           // of each annealing
+    double heating = 1;           // factor of the temperature from one annealing to the next
+    double trade_share = 0;       // of the tries, two items or more: one item grows and another one shrinks
     double max_way = 0.05;        // of one move where items have homes, share of the field's diagonal
     /// True if the items have a way from where they are to there; no function: to everywhere.
     std::function<bool(const PackingProblem&, const Arrangement&)> is_reachable;

@@ -205,30 +205,42 @@ class Division {
     std::vector<std::vector<float>> costs_;  // of each set, by the size of its rectangle
 };
 
+/// The divisions with one first cut, the parts of each cut exchanged or not; the best one first.
+std::vector<SizedArrangement> turned_divisions(const PackingProblem& problem, const FillingTargets& targets,
+                                               const Division& division, const Cut& first) {
+    using Costed = std::pair<double, SizedArrangement>;
+    PackingProblem sized = problem;
+    std::vector<Costed> made;
+    for (Set turned = 0; turned < Set{1} << division.cut_count(); ++turned) {
+        SizedArrangement one = division.arrangement(first, turned);
+        sized.scales = one.scales;
+        const double cost = targets.emptiness * exact_unfilled_share(sized, targets.frames, {one.places, 1}) +
+                            way_weight * mean_way(problem, targets, one.places);
+        made.emplace_back(cost, std::move(one));
+    }
+    std::ranges::stable_sort(made, {}, &Costed::first);
+    std::vector<SizedArrangement> sorted;
+    for (Costed& one : made)
+        sorted.push_back(std::move(one.second));
+    return sorted;
+}
+
 }  // namespace
 
 std::vector<SizedArrangement> best_rectangles(const PackingProblem& problem, const FillingTargets& targets,
                                               std::size_t count) {
     assert(problem.size() >= 2 && problem.size() <= max_in_rectangles);
     const Division division(problem, targets);
-    PackingProblem sized = problem;
-    std::vector<SizedArrangement> results;
+    std::vector<std::vector<SizedArrangement>> turned;
     for (const Cut& cut : division.first_cuts()) {
-        if (results.size() == count || !std::isfinite(cut.cost)) break;
-        double least = std::numeric_limits<double>::infinity();
-        SizedArrangement best;
-        for (Set turned = 0; turned < Set{1} << division.cut_count(); ++turned) {
-            SizedArrangement made = division.arrangement(cut, turned);
-            sized.scales = made.scales;
-            const double cost =
-                targets.emptiness * exact_unfilled_share(sized, targets.frames, {made.places, 1}) +
-                way_weight * mean_way(problem, targets, made.places);
-            if (cost >= least) continue;
-            least = cost;
-            best = std::move(made);
-        }
-        results.push_back(std::move(best));
+        if (turned.size() == count || !std::isfinite(cut.cost)) break;
+        turned.push_back(turned_divisions(problem, targets, division, cut));
     }
+    std::vector<SizedArrangement> results;
+    const std::size_t turns = std::size_t{1} << division.cut_count();
+    for (std::size_t k = 0; k < turns; ++k)
+        for (std::vector<SizedArrangement>& of_cut : turned)
+            if (results.size() < count) results.push_back(std::move(of_cut[k]));
     return results;
 }
 

@@ -26,8 +26,9 @@ constexpr std::size_t max_in_rectangles = 5;
 /// frame counts in its own rectangle only, and a region as the box around it.
 ///
 /// @param count  the most results
-/// @return       one for each of the best first cuts, the best first, free of overlap. Parts are exchanged so
-///               that frames fill most of the canvas and items are near home
+/// @return       free of overlap. First the best one of each of the best first cuts, the best cut first: its
+///               parts are exchanged so that frames fill most of the canvas and items are near home. Then the
+///               second best of each, and so on
 std::vector<SizedArrangement> best_rectangles(const PackingProblem& problem, const FillingTargets& targets,
                                               std::size_t count);
 
