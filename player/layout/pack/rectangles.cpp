@@ -220,6 +220,7 @@ std::vector<SizedArrangement> turned_divisions(const PackingProblem& problem, co
     }
     std::ranges::stable_sort(made, {}, &Costed::first);
     std::vector<SizedArrangement> sorted;
+    sorted.reserve(made.size());
     for (Costed& one : made)
         sorted.push_back(std::move(one.second));
     return sorted;
