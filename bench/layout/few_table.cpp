@@ -89,13 +89,9 @@ double searched_share(const PlanRequest& request, const Items& items, const Layo
     constexpr double mostly_emptiness = 40;
     constexpr double half_area = -0.34;  // ln(scale)
     PackingProblem problem = problem_for(request, items);
-    FillingTargets targets{.frames = {},
-                           .natural = natural_scales(items, problem.shapes),
-                           .homes = {},
-                           .emptiness = mostly_emptiness,
-                           .fair_size = half_area,
-                           .heating = 3,
-                           .trade_share = 0.4};
+    FillingTargets targets = targets_for_few({.natural = natural_scales(items, problem.shapes)});
+    targets.emptiness = mostly_emptiness;
+    targets.fair_size = half_area;
     SizedArrangement known{{}, {}};
     for (std::size_t i = 0; i < items.size(); ++i) {
         targets.frames.push_back(moved(items[i].core, problem.shapes[i].centroid * -1));

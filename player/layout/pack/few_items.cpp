@@ -85,13 +85,17 @@ bool is_for_few(const PackingProblem& problem) {
     return problem.size() >= 2 && problem.size() <= max_in_rectangles && !problem.keeps_order && !has_pinned;
 }
 
+FillingTargets targets_for_few(FillingTargets targets) {
+    targets.emptiness = emptiness;
+    targets.fair_size = min_size;
+    targets.heating = heating;
+    targets.trade_share = trade_share;
+    return targets;
+}
+
 Arrangement few_filled(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
                        Random& random, SearchBudget& budget) {
-    FillingTargets wished = targets;
-    wished.emptiness = emptiness;
-    wished.fair_size = min_size;
-    wished.heating = heating;
-    wished.trade_share = trade_share;
+    FillingTargets wished = targets_for_few(targets);
     std::vector<SizedArrangement> starts = best_rectangles(problem, wished, divisions);
     starts.push_back({start.places, scales_at(problem, start.growth)});
     const auto moves = static_cast<double>(budget.left());

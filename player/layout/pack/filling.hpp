@@ -17,7 +17,7 @@ double unfilled_share(const PackingProblem& problem, std::span<const Box> frames
 double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                             const Arrangement& arrangement);
 
-/// The number of annealings from one start.
+/// The most annealings from one start.
 constexpr std::size_t max_annealings = 3;
 
 /// The aims of a filling.

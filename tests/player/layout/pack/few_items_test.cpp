@@ -32,62 +32,6 @@ double empty_of(const std::vector<LayoutItem>& items, const Layout& layout) {
     return 1 - plan_result(named, layout).canvas_filled;
 }
 
-/// Wide photos with the I-Regions that the analyzer found.
-const std::vector<LayoutItem> wide_photos{
-    {.region = {{820, 901},
-                {1851, 558},
-                {4025, 1537},
-                {4099, 1685},
-                {4024, 1912},
-                {3741, 2194},
-                {2735, 2430},
-                {1787, 2503},
-                {873, 2342},
-                {735, 2204},
-                {648, 2030},
-                {536, 1022}},
-     .core = {{0, 0}, {4640, 3472}}},
-    {.region = {{0, 320}, {50, 0}, {716, 0}, {728, 14}, {738, 30}, {800, 157}, {800, 542}, {0, 542}},
-     .core = {{0, 0}, {800, 542}}},
-    {.region = {{1, 441},
-                {254, 31},
-                {355, 0},
-                {525, 0},
-                {550, 31},
-                {555, 284},
-                {555, 311},
-                {550, 505},
-                {474, 549},
-                {307, 549},
-                {1, 537}},
-     .core = {{0, 0}, {800, 549}}},
-    {.region = {{175, 310},
-                {266, 107},
-                {513, 55},
-                {642, 45},
-                {681, 74},
-                {798, 260},
-                {814, 341},
-                {821, 466},
-                {773, 683},
-                {599, 700},
-                {209, 700},
-                {129, 523}},
-     .core = {{0, 0}, {840, 700}}},
-    {.region = {{845, 452},
-                {1391, 178},
-                {1952, 178},
-                {2317, 361},
-                {2572, 617},
-                {2572, 1285},
-                {2237, 1621},
-                {1998, 1740},
-                {1442, 1740},
-                {1043, 1540},
-                {699, 1196},
-                {485, 873}},
-     .core = {{0, 0}, {2572, 1740}}}};
-
 /// A problem of square regions in the middle of frames.
 struct Framed {
     PackingProblem problem;
@@ -139,6 +83,7 @@ TEST_CASE("three to five real pictures fill screens of other shapes") {
 }
 
 TEST_CASE("pictures that must change their sizes together fill a screen") {
+    const std::vector<LayoutItem> photos = wide_items();
     const auto check = [](const std::vector<LayoutItem>& items, Vec2 canvas) {
         PlanRequest request = request_of(items, canvas);
         request.max_scale = 1.5;
@@ -146,9 +91,9 @@ TEST_CASE("pictures that must change their sizes together fill a screen") {
         CHECK(is_sound(items, layout, "together"));
         CHECK(empty_of(items, layout) <= 0.02);
     };
-    check({wide_photos[0], wide_photos[1]}, {1920, 1080});
-    check({wide_photos[4], wide_photos[0]}, {1920, 1080});
-    check({wide_photos[2], wide_photos[1], wide_photos[0], wide_photos[3]}, {3840, 1080});
+    check({photos[0], photos[1]}, {1920, 1080});
+    check({photos[4], photos[0]}, {1920, 1080});
+    check({photos[2], photos[1], photos[0], photos[3]}, {3840, 1080});
 }
 
 TEST_CASE("one of three real pictures is replaced, and the screen is still filled") {
