@@ -2,7 +2,6 @@
 
 #include "player/layout/plan/plan_request.hpp"
 
-#include <functional>
 #include <span>
 
 namespace vitrine::player {
@@ -34,19 +33,5 @@ Layout without_bands(Layout layout, const PlanRequest& request);
 
 /// The same for the layouts that a watch is told. @param watch, request  outlive the result
 PlanWatch without_bands(const PlanWatch& watch, const PlanRequest& request);
-
-using PlanFunction = std::function<Layout(const PlanRequest& request, const PlanWatch& watch)>;
-
-/// Shares the items out to the outputs, those of a group together, by the sizes that they wish for, and plans
-/// each output by itself. An item that has a place or a seat stays on its output. Pinned items keep their
-/// places.
-Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
-
-/// The same with the best of some ways to share the items out. What has a place may come to another output.
-Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
-
-/// The cost of a layout, as the filling counts it (pack/filling.hpp), of what is seen of the canvas: smaller
-/// is better.
-double cost_of_plan(const PlanRequest& request, const Layout& layout);
 
 }  // namespace vitrine::player

@@ -13,6 +13,7 @@
 #include "player/layout/pack/sliver_filling.hpp"
 #include "player/layout/plan/bands.hpp"
 #include "player/layout/plan/motion.hpp"
+#include "player/layout/plan/plan_by_outputs.hpp"
 #include "player/layout/plan/seat_exchanges.hpp"
 #include "player/layout/plan/warm_start.hpp"
 

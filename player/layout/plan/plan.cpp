@@ -5,6 +5,7 @@
 #include "player/layout/plan/kept_layout.hpp"
 #include "player/layout/plan/neighbours.hpp"
 #include "player/layout/plan/nesting.hpp"
+#include "player/layout/plan/plan_by_outputs.hpp"
 
 #include <algorithm>
 #include <cmath>

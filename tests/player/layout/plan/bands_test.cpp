@@ -1,6 +1,7 @@
 #include "player/layout/plan/bands.hpp"
 
 #include "player/layout/plan/flat_plan.hpp"
+#include "player/layout/plan/plan_by_outputs.hpp"
 #include "tests/player/layout/banded_edits.hpp"
 #include "tests/player/layout/soundness.hpp"
 
