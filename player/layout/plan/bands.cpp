@@ -42,7 +42,7 @@ bool is_clear_of_bands(const PlanRequest& request, std::span<const Placement> pl
     if (request.canvas.bands.empty()) return true;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         const PlanItem& item = request.items[i];
-        if (item.is_pinned && item.previous) continue;
+        if (has_pinned_place(item)) continue;
         if (is_under_band(request.canvas, item.item, placements[i])) return false;
     }
     return true;

@@ -64,7 +64,7 @@ PackingProblem problem_of(const PlanRequest& request) {
     problem.canvas = {{0, 0}, request.canvas};
     for (const PlanItem& entry : request.items) {
         problem.shapes.push_back(shape_of(entry.item.region));
-        problem.pinned.push_back(entry.is_pinned && entry.previous.has_value());
+        problem.pinned.push_back(has_pinned_place(entry));
         const Placement at = entry.previous.value_or(Placement{});
         problem.pinned_places.push_back(problem.shapes.back().centroid * at.scale + at.offset);
         if (entry.is_band) ++problem.bands;

@@ -16,10 +16,6 @@ namespace vitrine::player {
 
 namespace {
 
-bool is_pinned(const PlanItem& item) {
-    return item.is_pinned && item.previous;
-}
-
 /// True for a new wall on which like shots shall stand beside each other.
 bool wants_alike(const PlanRequest& request) {
     constexpr std::size_t least = 3;  // two have one way to stand beside each other
@@ -45,9 +41,9 @@ Layout planned(const PlanRequest& request, const PlanWatch& watch) {
 /// True if pinned items are the only ones that have a place.
 bool is_new_around_pinned(const PlanRequest& request) {
     const auto is_placed = [](const PlanItem& item) { return item.previous.has_value(); };
-    return std::ranges::any_of(request.items, is_pinned) &&
+    return std::ranges::any_of(request.items, has_pinned_place) &&
            std::ranges::all_of(request.items,
-                               [&](const auto& item) { return is_pinned(item) || !is_placed(item); });
+                               [&](const auto& item) { return has_pinned_place(item) || !is_placed(item); });
 }
 
 /// The area of other items' I-Regions under a pinned item at a place, canvas px^2.
@@ -83,16 +79,16 @@ Layout plan(const PlanRequest& request, const PlanWatch& watch) {
     if (std::optional<Layout> kept = kept_layout(request)) return std::move(*kept);
     if (!is_new_around_pinned(request)) return planned(request, watch);
     PlanRequest without = request;
-    std::erase_if(without.items, is_pinned);
+    std::erase_if(without.items, has_pinned_place);
     if (without.items.empty()) return planned(request, watch);
     const Layout free = planned(without, {.should_stop = watch.should_stop});
     PlanRequest around = request;
     auto placement = free.placements.begin();
     for (PlanItem& item : around.items)
-        if (!is_pinned(item)) item.previous = *placement++;
+        if (!has_pinned_place(item)) item.previous = *placement++;
     bool is_clear = true;
     for (PlanItem& item : around.items)
-        if (is_pinned(item)) is_clear = take_best_place(item, around) && is_clear;
+        if (has_pinned_place(item)) is_clear = take_best_place(item, around) && is_clear;
     if (!is_clear) return planned(around, watch);
     Layout layout = free;
     layout.placements.clear();

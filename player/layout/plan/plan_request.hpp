@@ -39,6 +39,9 @@ struct PlanItem {
     static constexpr int no_group = -1;
 };
 
+/// True if an item keeps its place exactly.
+bool has_pinned_place(const PlanItem& item);
+
 /// The seat of a placed item, for its successor.
 Seat seat_of(const LayoutItem& item, const Placement& placement);
 
