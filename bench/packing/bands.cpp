@@ -3,16 +3,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vitrine::player {
 
 namespace {
 
+constexpr std::size_t max_tried = 4;  // items that are shared out in all ways
+
 /// The sums over some walls.
 struct BandSums {
     double with = 0;     // share of what the outputs show that is under I-Regions
     double without = 0;  // the same of the canvas without bands
+    double most = 0;     // the same of the fullest of all ways to share the items out to the outputs
     double hidden = 0;   // canvas px^2 of I-Regions under bands
     double with_ms = 0;
     double without_ms = 0;
@@ -35,6 +41,33 @@ Canvas row_of(int count, double gap) {
     return canvas_of({count * (bench_canvas.x + gap) - gap, bench_canvas.y}, std::move(outputs));
 }
 
+/// I-Regions of one output that shows some of the items, canvas px^2.
+double covered_on_output(const PlanRequest& request, unsigned items) {
+    PlanRequest part = request;
+    part.canvas = Canvas(bench_canvas);
+    part.items.clear();
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+        if ((items >> i & 1U) != 0) part.items.push_back(request.items[i]);
+    return part.items.empty() ? 0 : covered_px(part, plan(part));
+}
+
+/// I-Regions of the fullest of all ways to share the items out to outputs of one size, canvas px^2.
+double most_covered(const PlanRequest& request, std::size_t outputs) {
+    const std::size_t count = request.items.size();
+    std::vector<double> covered;
+    for (unsigned items = 0; items < 1U << count; ++items)
+        covered.push_back(covered_on_output(request, items));
+    std::vector<double> most = covered;  // on some outputs, by the items that these show
+    for (std::size_t k = 1; k < outputs; ++k) {
+        const std::vector<double> before = most;
+        for (unsigned items = 0; items < before.size(); ++items)
+            for (unsigned last = 0; last <= items; ++last)
+                if ((last & ~items) == 0)
+                    most[items] = std::max(most[items], before[items ^ last] + covered[last]);
+    }
+    return most.back();
+}
+
 void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
     PlanRequest request = wished;
     request.canvas = Canvas(Vec2(canvas));
@@ -50,6 +83,7 @@ void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
         shown += output.area();
     sums.with += covered_px(request, layout) / shown;
     sums.hidden += hidden_px(request, layout);
+    if (request.items.size() <= max_tried) sums.most += most_covered(request, canvas.outputs.size()) / shown;
 }
 
 }  // namespace
@@ -57,9 +91,10 @@ void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
 void print_bands(const char* title, const Draw& draw, int instances, bool fills) {
     fmt::print("\nbezels, {}: share of the screens under regions, with bands and without, of {} walls\n",
                title, instances);
-    fmt::print("outputs  gap  items   with  without  quotient  px under bands   ms with  without\n");
+    fmt::print(
+        "outputs  gap  items   with  without  quotient  most possible  px under bands   ms with  without\n");
     for (const auto& [outputs, gap] : {std::pair{2, 40.0}, {2, 200.0}, {3, 40.0}})
-        for (const std::size_t count : {3, 6, 12, 24}) {
+        for (const std::size_t count : {3, 4, 6, 12, 24}) {
             BandSums sums;
             for (int k = 0; k < instances; ++k) {
                 Random random(static_cast<std::uint64_t>(k) + 1);
@@ -67,10 +102,13 @@ void print_bands(const char* title, const Draw& draw, int instances, bool fills)
                 wished.fills = fills;
                 add_wall(row_of(outputs, gap), wished, sums);
             }
-            fmt::print("{:>7}  {:>3}  {:>5}  {:.3f}    {:.3f}     {:.3f}  {:>14}  {:>8.0f}  {:>7.0f}\n",
-                       outputs, gap, count, sums.with / instances, sums.without / instances,
-                       sums.with / sums.without, sums.hidden, sums.with_ms / instances,
-                       sums.without_ms / instances);
+            const std::string most =
+                count <= max_tried ? fmt::format("{:.3f}", sums.most / sums.without) : std::string("-");
+            fmt::print(
+                "{:>7}  {:>3}  {:>5}  {:.3f}    {:.3f}     {:.3f}  {:>13}  {:>14}  {:>8.0f}  {:>7.0f}\n",
+                outputs, gap, count, sums.with / instances, sums.without / instances,
+                sums.with / sums.without, most, sums.hidden, sums.with_ms / instances,
+                sums.without_ms / instances);
         }
 }
 

@@ -5,6 +5,7 @@
 #include "player/layout/plan/bands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -15,14 +16,16 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr int samples = 48;                // of an output, across and down
-constexpr std::size_t max_exchanged = 24;  // items; more fill outputs well however they are shared out
-constexpr int exchanges = 24;              // of items between outputs that are tried
-constexpr std::int64_t quick_share = 30;   // a try has this part of the budget
-constexpr double emptiness = 3;            // costs of an area without pixels; see FillingTargets
-constexpr double unevenness = 0.05;        // factor of the variance of ln(scale)
-constexpr double tininess = 20;            // factor of the mean square of ln(scale) missing to a fair one
-constexpr double fair_size = -0.15;        // ln(scale) relative to the natural one
+constexpr int samples = 48;               // of an output, across and down
+constexpr std::size_t max_shared = 16;    // items; more fill outputs well however they are shared out
+constexpr int exchanges = 60;             // of items between outputs that are tried
+constexpr std::int64_t quick_share = 10;  // a try of few items has this part of the budget
+constexpr std::size_t few = 6;            // a try of more has less
+constexpr double emptiness = 3;           // cost of a canvas without pixels
+constexpr double fullness = 2;            // what a canvas of I-Regions saves
+constexpr double unevenness = 0.05;       // factor of the variance of ln(scale)
+constexpr double tininess = 5;            // factor of the mean square of ln(scale) missing to a fair one
+constexpr double fair_size = -0.15;       // ln(scale) relative to the natural one
 
 /// The outputs, without those that overlap an earlier one.
 std::vector<Box> separate_outputs(const Canvas& canvas) {
@@ -71,7 +74,13 @@ class Sharing {
 
     const std::vector<Box>& outputs() const { return outputs_; }
 
-    bool is_on(std::size_t item, std::size_t output) const { return output_of_[item] == output; }
+    /// The items shared out to each output, by its number; rising.
+    std::vector<std::vector<std::size_t>> items_of_outputs() const {
+        std::vector<std::vector<std::size_t>> items(outputs_.size());
+        for (std::size_t i = 0; i < output_of_.size(); ++i)
+            if (output_of_[i] != nowhere) items[output_of_[i]].push_back(i);
+        return items;
+    }
 
     /// Exchanges two items of different outputs, or takes one to another output. Groups stay together.
     void disturb(Random& random) {
@@ -106,7 +115,7 @@ class Sharing {
         std::map<int, std::size_t> known;
         for (std::size_t i = 0; i < request_->items.size(); ++i) {
             const PlanItem& item = request_->items[i];
-            if (item.is_pinned && item.previous) continue;
+            if (has_pinned_place(item)) continue;
             const auto [place, is_new] = known.try_emplace(item.group, bodies.size());
             if (item.group == PlanItem::no_group || is_new) bodies.emplace_back();
             (item.group == PlanItem::no_group ? bodies.back() : bodies[place->second]).items.push_back(i);
@@ -155,29 +164,34 @@ class Sharing {
     std::vector<Body> bodies_;
 };
 
-/// The request of what one output shows. @param is_on  tells the items that are shared out to it
-PlanRequest request_on(const PlanRequest& request, const Box& output, std::vector<std::size_t>& inside,
-                       const std::function<bool(std::size_t)>& is_on) {
+/// The pinned items that an output shows a part of.
+std::vector<std::size_t> pinned_on(const PlanRequest& request, const Box& output) {
+    std::vector<std::size_t> pinned;
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+        const PlanItem& item = request.items[i];
+        if (!has_pinned_place(item)) continue;
+        const Box box = bounding_box(placed_region(item.item, *item.previous));
+        if (!intersection(box, output).is_empty()) pinned.push_back(i);
+    }
+    return pinned;
+}
+
+/// The request of what one output shows.
+PlanRequest request_on(const PlanRequest& request, const Box& output, const std::vector<std::size_t>& items) {
     PlanRequest part = request;
     part.canvas = Canvas(output.max - output.min);
     part.items.clear();
     const Placement shift{1, output.min * -1};
-    for (std::size_t i = 0; i < request.items.size(); ++i) {
+    for (const std::size_t i : items) {
         PlanItem item = request.items[i];
-        const bool is_pinned = item.is_pinned && item.previous;
-        const bool reaches_in =
-            is_pinned &&
-            !intersection(bounding_box(placed_region(item.item, *item.previous)), output).is_empty();
-        if (!reaches_in && !(is_on(i) && !is_pinned)) continue;
         if (item.previous) item.previous = composed(*item.previous, shift);
         if (item.home) item.home = composed(*item.home, shift);
         if (item.seat) item.seat->centre = item.seat->centre - output.min;
-        inside.push_back(i);
         part.items.push_back(std::move(item));
     }
-    part.budget = std::max<std::int64_t>(
-        1, request.budget * static_cast<std::int64_t>(inside.size()) /
-               std::max<std::int64_t>(1, static_cast<std::int64_t>(request.items.size())));
+    const auto share = static_cast<std::int64_t>(items.size());
+    const auto all = static_cast<std::int64_t>(std::max<std::size_t>(1, request.items.size()));
+    part.budget = std::max<std::int64_t>(1, request.budget * share / all);
     return part;
 }
 
@@ -225,55 +239,91 @@ double spread_cost(const PlanRequest& request, const Layout& layout) {
     return cost / static_cast<double>(std::max<std::size_t>(1, sizes.size()));
 }
 
-Layout planned_as(const Sharing& sharing, const PlanRequest& request, const PlanWatch& watch,
-                  const PlanFunction& plan) {
-    Layout layout{.canvas = request.canvas, .placements = std::vector<Placement>(request.items.size())};
-    for (std::size_t i = 0; i < request.items.size(); ++i)
-        layout.placements[i] = request.items[i].previous.value_or(Placement{});
-    for (std::size_t k = 0; k < sharing.outputs().size(); ++k) {
-        const Box& output = sharing.outputs()[k];
-        std::vector<std::size_t> inside;
-        const PlanRequest part =
-            request_on(request, output, inside, [&](std::size_t i) { return sharing.is_on(i, k); });
-        const Layout made = plan(part, watch);
-        for (std::size_t n = 0; n < inside.size(); ++n) {
-            if (part.items[n].is_pinned && part.items[n].previous) continue;
-            layout.placements[inside[n]] = composed(made.placements[n], {1, output.min});
-        }
+/// Plans outputs one by one, and each only once for the same items.
+class OutputPlans {
+  public:
+    /// @param request, watch, plan  outlive this
+    OutputPlans(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan)
+        : request_(&request),
+          watch_(&watch),
+          plan_(&plan),
+          are_new_(std::ranges::none_of(request.items,
+                                        [](const PlanItem& item) { return item.previous || item.seat; })) {}
+
+    Layout planned_as(const Sharing& sharing) {
+        Layout layout{.canvas = request_->canvas,
+                      .placements = std::vector<Placement>(request_->items.size())};
+        for (std::size_t i = 0; i < request_->items.size(); ++i)
+            layout.placements[i] = request_->items[i].previous.value_or(Placement{});
+        const std::vector<std::vector<std::size_t>> shared = sharing.items_of_outputs();
+        for (std::size_t k = 0; k < shared.size(); ++k)
+            add(sharing.outputs()[k], shared[k], layout);
+        layout.energy = 1 - covered_px(*request_, layout) / (request_->canvas.x * request_->canvas.y);
+        return layout;
+    }
+
+  private:
+    using Key = std::pair<std::array<double, 4>, std::vector<std::size_t>>;
+
+    /// Adds what one output shows.
+    void add(const Box& output, std::vector<std::size_t> items, Layout& layout) {
+        const std::vector<std::size_t> pinned = pinned_on(*request_, output);
+        items.insert(items.end(), pinned.begin(), pinned.end());
+        std::ranges::sort(items);
+        const Vec2 corner = are_new_ ? Vec2{} : output.min;  // outputs of one size are alike for new items
+        const Vec2 size = output.max - output.min;
+        const auto [at, is_new] = made_.try_emplace({{corner.x, corner.y, size.x, size.y}, items});
+        if (is_new) at->second = (*plan_)(request_on(*request_, output, items), *watch_);
+        const Layout& made = at->second;
+        for (std::size_t n = 0; n < items.size(); ++n)
+            if (!has_pinned_place(request_->items[items[n]]))
+                layout.placements[items[n]] = composed(made.placements[n], {1, output.min});
         for (LayoutGroup group : made.groups) {
             for (std::size_t& item : group.items)
-                item = inside[item];
+                item = items[item];
             layout.groups.push_back(std::move(group));
         }
     }
-    layout.energy = 1 - covered_px(request, layout) / (request.canvas.x * request.canvas.y);
-    return layout;
+
+    const PlanRequest* request_;
+    const PlanWatch* watch_;
+    const PlanFunction* plan_;
+    bool are_new_;                // no item has a place
+    std::map<Key, Layout> made_;  // by the output's corner and size and its items
+};
+
+/// The best of some ways to share the items out, by quick plans.
+Sharing best_sharing(Sharing best, const PlanRequest& request, const PlanWatch& watch,
+                     const PlanFunction& plan) {
+    PlanRequest quick = request;
+    const std::size_t many = std::max(few, request.items.size());
+    quick.budget = std::max<std::int64_t>(1, request.budget * static_cast<std::int64_t>(few) /
+                                                 (quick_share * static_cast<std::int64_t>(many)));
+    OutputPlans plans(quick, watch, plan);
+    Random random(request.seed);
+    double least = cost_of_plan(quick, plans.planned_as(best));
+    for (int k = 0; k < exchanges && !(watch.should_stop && watch.should_stop()); ++k) {
+        Sharing next = best;
+        next.disturb(random);
+        const double cost = cost_of_plan(quick, plans.planned_as(next));
+        if (cost >= least) continue;
+        least = cost;
+        best = std::move(next);
+    }
+    return best;
 }
 
 }  // namespace
 
 Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan) {
-    return planned_as(Sharing(request), request, watch, plan);
+    return OutputPlans(request, watch, plan).planned_as(Sharing(request));
 }
 
 Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan) {
     Sharing best(request);
-    if (!best.has_choice() || request.items.size() > max_exchanged)
-        return planned_as(best, request, watch, plan);
-    PlanRequest quick = request;
-    quick.fills = false;
-    quick.budget = std::max<std::int64_t>(1, request.budget / quick_share);
-    Random random(request.seed);
-    double least = cost_of_plan(quick, planned_as(best, quick, watch, plan));
-    for (int k = 0; k < exchanges && !(watch.should_stop && watch.should_stop()); ++k) {
-        Sharing next = best;
-        next.disturb(random);
-        const double cost = cost_of_plan(quick, planned_as(next, quick, watch, plan));
-        if (cost >= least) continue;
-        least = cost;
-        best = std::move(next);
-    }
-    return planned_as(best, request, watch, plan);
+    if (best.has_choice() && request.items.size() <= max_shared)
+        best = best_sharing(best, request, watch, plan);
+    return OutputPlans(request, watch, plan).planned_as(best);
 }
 
 double cost_of_plan(const PlanRequest& request, const Layout& layout) {
@@ -281,7 +331,7 @@ double cost_of_plan(const PlanRequest& request, const Layout& layout) {
     for (const Box& part : seen_parts(request.canvas))
         shown += part.area();
     const double unseen = request.fills ? unseen_share(request, layout) : 0;
-    return emptiness * unseen - covered_px(request, layout) / shown + spread_cost(request, layout);
+    return emptiness * unseen - fullness * covered_px(request, layout) / shown + spread_cost(request, layout);
 }
 
 }  // namespace vitrine::player

@@ -16,8 +16,9 @@ Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const
 /// The same with the best of some ways to share the items out. What has a place may come to another output.
 Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
 
-/// The cost of a layout, as the filling counts it (pack/filling.hpp), of what is seen of the canvas: smaller
-/// is better.
+/// The cost of a layout on what is seen of the canvas: smaller is better. Empty parts and uneven sizes cost,
+/// I-Regions save. Sizes count less than in the filling (pack/filling.hpp): items shared out to outputs
+/// cannot all get their fair size.
 double cost_of_plan(const PlanRequest& request, const Layout& layout);
 
 }  // namespace vitrine::player

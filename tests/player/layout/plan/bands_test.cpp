@@ -1,7 +1,6 @@
 #include "player/layout/plan/bands.hpp"
 
-#include "player/layout/plan/flat_plan.hpp"
-#include "player/layout/plan/plan_by_outputs.hpp"
+#include "player/layout/plan/plan.hpp"
 #include "tests/player/layout/banded_edits.hpp"
 #include "tests/player/layout/soundness.hpp"
 
@@ -57,19 +56,6 @@ TEST_CASE("an item that stood where a bezel now is moves to an output") {
         request.items[i].previous = before.placements[i];
     request.canvas = two_outputs(40);
     CHECK(is_clear_of_bands(request, plan(request).placements));
-}
-
-TEST_CASE("outputs planned by themselves share the items out by area") {
-    const PlanRequest request = request_on(two_outputs(40), 6, 4);
-    const Layout layout = plan_by_outputs(request, {}, plan_flat);
-    CHECK(is_clear_of_bands(request, layout.placements));
-    CHECK(is_sound(items_of(request), layout, "bands_by_outputs"));
-    const auto on_first = std::ranges::count_if(request.items, [&](const PlanItem& item) {
-        const auto i = static_cast<std::size_t>(&item - request.items.data());
-        return seat_of(item.item, layout.placements[i]).centre.x < 640;
-    });
-    CHECK(on_first >= 2);
-    CHECK(on_first <= 4);
 }
 
 // `long` makes 10,000 (many_bands_test).

@@ -1,0 +1,84 @@
+#include "player/layout/plan/plan_by_outputs.hpp"
+
+#include "player/layout/plan/bands.hpp"
+#include "player/layout/plan/flat_plan.hpp"
+#include "player/layout/plan/plan.hpp"
+#include "tests/player/layout/instances.hpp"
+#include "tests/player/layout/real_items.hpp"
+#include "tests/player/layout/soundness.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+Canvas two_outputs(Vec2 output, double gap) {
+    return canvas_of({2 * output.x + gap, output.y},
+                     {{{0, 0}, output}, {{output.x + gap, 0}, {2 * output.x + gap, output.y}}});
+}
+
+PlanRequest request_on(const Canvas& canvas, std::size_t count, std::uint64_t seed) {
+    PlanRequest request{.canvas = canvas, .seed = seed, .budget = 20'000, .max_scale = 4};
+    Random random(seed);
+    for (std::size_t k = 0; k < count; ++k)
+        request.items.push_back({.item = random_item(random)});
+    return request;
+}
+
+}  // namespace
+
+TEST_CASE("outputs planned by themselves share the items out by area") {
+    const PlanRequest request = request_on(two_outputs({640, 360}, 40), 6, 4);
+    const Layout layout = plan_by_outputs(request, {}, plan_flat);
+    CHECK(is_clear_of_bands(request, layout.placements));
+    CHECK(is_sound(items_of(request), layout, "bands_by_outputs"));
+    const auto on_first = std::ranges::count_if(request.items, [&](const PlanItem& item) {
+        const auto i = static_cast<std::size_t>(&item - request.items.data());
+        return seat_of(item.item, layout.placements[i]).centre.x < 640;
+    });
+    CHECK(on_first >= 2);
+    CHECK(on_first <= 4);
+}
+
+TEST_CASE("an output is planned once for the same items, however they came to it") {
+    const PlanRequest request = request_on(two_outputs({640, 360}, 40), 5, 2);
+    std::multiset<std::vector<double>> planned;
+    const auto plan_one = [&](const PlanRequest& part, const PlanWatch& watch) {
+        std::vector<double> key{static_cast<double>(part.budget)};
+        for (const PlanItem& item : part.items)
+            key.push_back(item.item.region.front().x);
+        planned.insert(key);
+        return plan_flat(part, watch);
+    };
+    const Layout layout = best_plan_by_outputs(request, {}, plan_one);
+    CHECK(is_clear_of_bands(request, layout.placements));
+    CHECK(planned.size() >= 10);
+    for (const std::vector<double>& key : planned)
+        CHECK(planned.count(key) == 1);
+}
+
+TEST_CASE("real regions cover nearly as much of two outputs as of a canvas without a bezel") {
+    std::vector<LayoutItem> all = real_items();
+    for (const LayoutItem& item : wide_items())
+        all.push_back(item);
+    double with = 0;
+    double without = 0;
+    for (std::size_t wall = 0; wall < 4; ++wall) {
+        PlanRequest request{.canvas = two_outputs({1920, 1080}, 40), .seed = wall + 1, .max_scale = 4};
+        for (std::size_t k = 0; k < 6; ++k)
+            request.items.push_back({.item = all[(3 * wall + 2 * k) % all.size()]});
+        with += covered_px(request, plan(request)) / (2 * 1920 * 1080);
+        const double px = request.canvas.x * request.canvas.y;
+        request.canvas = Canvas(Vec2(request.canvas));
+        without += covered_px(request, plan(request)) / px;
+    }
+    CAPTURE(with / 4);
+    CAPTURE(without / 4);
+    CHECK(with >= 0.97 * without);
+}
