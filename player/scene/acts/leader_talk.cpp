@@ -38,6 +38,18 @@ std::string fitting_json(WallAct act, std::size_t max_bytes) {
     return text.size() > max_bytes ? std::string() : text;
 }
 
+/// The wall after the act's change, to which the others fade when the change begins.
+WallAct without_way(WallAct act) {
+    WallChange& change = *act.change;
+    act.shown.clear();
+    change = {.phase = WallChange::Phase::arriving,
+              .canvas = change.canvas,
+              .wall = std::move(change.wall),
+              .is_final = true,
+              .began = change.began};
+    return act;
+}
+
 WallMessage message_of(Kind kind, std::string payload) {
     return {.topic = {.kind = kind, .box = {}}, .is_retained = true, .payload = std::move(payload)};
 }
@@ -45,11 +57,21 @@ WallMessage message_of(Kind kind, std::string payload) {
 }  // namespace
 
 std::string LeaderTalk::complaint() const {
-    if (!is_act_too_long_) return {};
-    return fmt::format(
-        "a change cannot be told to the other boxes, as it takes more than {} bytes: they keep what they "
-        "show until a change is shorter; fewer slots help",
-        max_bytes_);
+    switch (told_) {
+    case Told::whole:
+        return {};
+    case Told::without_way:
+        return fmt::format(
+            "the way of a change takes more than {} bytes: the other boxes fade to its end; fewer slots "
+            "help",
+            max_bytes_);
+    case Told::nothing:
+        return fmt::format(
+            "a change cannot be told to the other boxes, as it takes more than {} bytes: they keep what "
+            "they show until a change is shorter; fewer slots help",
+            max_bytes_);
+    }
+    return {};
 }
 
 void LeaderTalk::hear_more(const WallMessage& message) {
@@ -99,6 +121,21 @@ void LeaderTalk::say_lifted(const LedNews& news, std::vector<WallMessage>& said)
     lifted_at_ = news.now;
 }
 
+/// An act as text, without its way if that is too long; empty: it is still too long.
+std::string LeaderTalk::text_of_act(WallAct act) {
+    act.name.generation += skipped_;
+    std::string text = fitting_json(act, max_bytes_);
+    told_ = Told::whole;
+    if (text.empty() && act.change) {
+        ++act.name.generation;  // no follower takes it for the act after the one that it shows: it fades
+        ++skipped_;
+        told_ = Told::without_way;
+        text = fitting_json(without_way(std::move(act)), max_bytes_);
+    }
+    if (text.empty()) told_ = Told::nothing;
+    return text;
+}
+
 std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& moment, BoxNote& note) {
     note.leads = true;
     LedWall* const led = show.led();
@@ -116,9 +153,9 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
         news.act->name.run = run_;
         news.act->epoch = epoch;
         epoch_ = epoch;
-        said_ = news.act->name;
-        said.push_back(message_of(Kind::act, fitting_json(std::move(*news.act), max_bytes_)));
-        is_act_too_long_ = said.back().payload.empty();
+        const std::uint64_t generation = news.act->name.generation;
+        said.push_back(message_of(Kind::act, text_of_act(std::move(*news.act))));
+        said_ = ActName{.run = run_, .generation = generation + skipped_};
     }
     std::erase_if(said, [](const WallMessage& message) { return message.payload.empty(); });
     led->heed({.ready = others_ready(), .needs_act = needs_act});

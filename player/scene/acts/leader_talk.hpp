@@ -34,9 +34,17 @@ class LeaderTalk final : public BoxTalk {
     std::vector<InputEvent> take_touches(std::chrono::nanoseconds now) override;
 
   private:
+    /// The parts of the last act that the others were told.
+    enum class Told {
+        whole,
+        without_way,  // the end of its change: they fade to it
+        nothing,      // they keep what they show
+    };
+
     void hear_more(const WallMessage& message) override;
     std::vector<WallMessage> speak_more(Show& show, const BoxMoment& moment, BoxNote& note) override;
     std::optional<std::uint64_t> others_ready() const;
+    std::string text_of_act(WallAct act);
     void say_lifted(const LedNews& news, std::vector<WallMessage>& said);
 
     std::int64_t run_;
@@ -50,7 +58,8 @@ class LeaderTalk final : public BoxTalk {
     std::string lifted_;                     // the last message about lifted shots; empty: hands hold nothing
     std::chrono::nanoseconds lifted_at_{0};  // when that was said
     bool says_again_ = false;
-    bool is_act_too_long_ = false;  // the last one: the others keep what they show
+    Told told_ = Told::whole;
+    std::uint64_t skipped_ = 0;  // numbers of acts that no act has
 };
 
 }  // namespace vitrine::player

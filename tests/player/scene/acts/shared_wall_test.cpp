@@ -216,6 +216,22 @@ TEST_CASE("an act that is too long for the others is not told, and the leader sa
     CHECK_FALSE(silent.boxes[1].frames.back().is_whole);
 }
 
+TEST_CASE("if the way of a change is too long to be told, the others fade to its end as it begins") {
+    SharedHouse::Options options{.seed = 5, .followers = 1, .max_act_bytes = 3000};
+    options.wall.slots.dwell = 6s;
+    SharedHouse house(options);
+    int faded = 0;
+    for (int second = 0; second < 40; ++second) {
+        house.run(1s);
+        faded += house.boxes[0].talk->complaint().find("fade to its end") != std::string::npos ? 1 : 0;
+    }
+    CHECK(faded >= 30);
+    CHECK(share_in_step(house.boxes[0], house.boxes[1], 10s) >= 0.7);  // but while it fades
+    CHECK(house.boxes[1].gaps == 0);
+    CHECK(house.boxes[1].back == 0);
+    CHECK(house.faults == 0);
+}
+
 TEST_CASE("a shot in a hand is seen above the wall on all boxes, where the hand was a moment ago") {
     SharedHouse house = resting_house();
     TestBox& lead = house.boxes[0];
