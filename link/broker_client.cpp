@@ -4,6 +4,7 @@
 #include "base/system/handle.hpp"
 #include "base/wall/broken_line.hpp"
 #include "link/backoff.hpp"
+#include "link/broker_fault.hpp"
 
 #include <fmt/format.h>
 #include <mosquitto.h>
@@ -29,14 +30,9 @@ constexpr int max_on_the_way = 20;  // messages that the broker has not confirme
 constexpr int tick = 1000;          // ms between two looks at the connection's timers
 constexpr std::string_view gone = R"({"gone":true})";
 
-std::string in_words(int result) {
-    if (result == MOSQ_ERR_ERRNO) return std::generic_category().message(errno);
-    if (result == MOSQ_ERR_TLS) return "it does not take this key";
-    return mosquitto_strerror(result);
-}
-
 void check(int result, const char* what) {
-    if (result != MOSQ_ERR_SUCCESS) throw std::runtime_error(fmt::format("{}: {}", what, in_words(result)));
+    if (result != MOSQ_ERR_SUCCESS)
+        throw std::runtime_error(fmt::format("{}: {}", what, broker_fault(result)));
 }
 
 }  // namespace
@@ -202,7 +198,7 @@ std::string BrokerClient::serve(Connection& connection) {
             result = mosquitto_loop_write(client, 1);
         if (result == MOSQ_ERR_SUCCESS) result = mosquitto_loop_misc(client);
     }
-    return connection.refusal.empty() ? in_words(result) : connection.refusal;
+    return connection.refusal.empty() ? broker_fault(result) : connection.refusal;
 }
 
 /// In the loop's thread: hands over all that came.
