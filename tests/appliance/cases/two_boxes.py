@@ -84,6 +84,20 @@ def agree(boxes):
     assert re.search(rf"\^\* {re.escape(ADDRESSES['hall-1'])}", tracking), tracking
 
 
+def lose_and_find_the_time(boxes):
+    """The follower's chrony loses the time: all tell it, and the wall goes on by a clock of its own. Then it is found again."""
+    follower = boxes[1]
+    follower.sh("chronyc offline && chronyc reset sources")
+    for box in boxes:
+        wait_for_status(box, "by its own clock: nobody keeps the system's right")
+    tracking = follower.sh("chronyc -n tracking")
+    assert "Leap status     : Not synchronised" in tracking, tracking
+    assert not follower.lacking(follower.look("by its own clock"), SEEN)
+    follower.wait_for_motion("a film by its own clock")
+    follower.sh("chronyc online")
+    agree(boxes)
+
+
 def cut_and_heal(boxes, card):
     leader, follower = boxes
     follower.sh(f"ip link set {card} down")
@@ -114,6 +128,7 @@ def run(box):
         key = lead(box)
         follow(other, key)
         agree(boxes)
+        lose_and_find_the_time(boxes)
         cut_and_heal(boxes, card)
         agree(boxes)
     except AssertionError:
