@@ -169,6 +169,15 @@ bool has_movable_items(const PlanRequest& request) {
                        [](const PlanItem& item) { return item.previous.has_value() && !item.is_pinned; });
 }
 
+/// True if nothing but newcomers in the seats of others changes a wall.
+bool is_turn(const PlanRequest& request) {
+    const auto is_new = [](const PlanItem& item) { return !item.previous; };
+    return request.fills && !has_pinned_items(request) && request.order == LayoutOrder::free &&
+           has_movable_items(request) && std::ranges::any_of(request.items, is_new) &&
+           std::ranges::all_of(request.items,
+                               [&](const PlanItem& item) { return !is_new(item) || item.seat; });
+}
+
 /// The middle of what a newcomer covers of the seat that it takes over, which counts as a square here. None:
 /// it covers too little.
 std::optional<LayoutItem> guard_of(const PlanItem& newcomer, const Placement& placement) {
@@ -402,6 +411,11 @@ Layout plan_with_bands(const PlanRequest& request, const PlanWatch& watch) {
         return plan_by_outputs(request, {.should_stop = watch.should_stop}, plan_flat);
     };
     if (request.energy == EnergyMode::paper) return by_outputs();
+    if (is_turn(request)) {
+        const PlanWatch untold{.should_stop = watch.should_stop};
+        std::optional<Layout> changed = change_by_outputs(request, untold, plan_flat);
+        if (changed && is_clear_of_bands(request, changed->placements)) return *std::move(changed);
+    }
     const PlanWatch told = without_bands(watch, request);
     Layout whole = without_bands(planned_flat(with_bands(request), told), request);
     const bool is_clear = is_clear_of_bands(request, whole.placements);

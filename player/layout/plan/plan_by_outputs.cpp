@@ -21,11 +21,12 @@ constexpr std::size_t max_shared = 16;    // items; more fill outputs well howev
 constexpr int exchanges = 60;             // of items between outputs that are tried
 constexpr std::int64_t quick_share = 10;  // a try of few items has this part of the budget
 constexpr std::size_t few = 6;            // a try of more has less
-constexpr double emptiness = 3;           // cost of a canvas without pixels
-constexpr double fullness = 2;            // what a canvas of I-Regions saves
-constexpr double unevenness = 0.05;       // factor of the variance of ln(scale)
-constexpr double tininess = 5;            // factor of the mean square of ln(scale) missing to a fair one
-constexpr double fair_size = -0.15;       // ln(scale) relative to the natural one
+constexpr double max_hole = 0.01;    // share of an output that no picture reaches after a change of its own
+constexpr double emptiness = 3;      // cost of a canvas without pixels
+constexpr double fullness = 2;       // what a canvas of I-Regions saves
+constexpr double unevenness = 0.05;  // factor of the variance of ln(scale)
+constexpr double tininess = 5;       // factor of the mean square of ln(scale) missing to a fair one
+constexpr double fair_size = -0.15;  // ln(scale) relative to the natural one
 
 /// The outputs, without those that overlap an earlier one.
 std::vector<Box> separate_outputs(const Canvas& canvas) {
@@ -200,12 +201,11 @@ std::vector<Box> seen_parts(const Canvas& canvas) {
     return canvas.outputs.empty() ? std::vector<Box>{{{0, 0}, canvas}} : canvas.outputs;
 }
 
-/// The share of what is seen that no picture reaches, sampled.
-double unseen_share(const PlanRequest& request, const Layout& layout) {
+/// The share of some parts of the canvas that no picture reaches, sampled.
+double unseen_share(const PlanRequest& request, const Layout& layout, const std::vector<Box>& parts) {
     std::vector<Box> pictures;
     for (std::size_t i = 0; i < request.items.size(); ++i)
         pictures.push_back(placed_core(request.items[i].item, layout.placements[i]));
-    const std::vector<Box> parts = seen_parts(request.canvas);
     int missing = 0;
     for (const Box& part : parts)
         for (int y = 0; y < samples; ++y)
@@ -239,6 +239,14 @@ double spread_cost(const PlanRequest& request, const Layout& layout) {
     return cost / static_cast<double>(std::max<std::size_t>(1, sizes.size()));
 }
 
+/// All items where they were.
+Layout kept_places(const PlanRequest& request) {
+    Layout layout{.canvas = request.canvas, .placements = {}};
+    for (const PlanItem& item : request.items)
+        layout.placements.push_back(item.previous.value_or(Placement{}));
+    return layout;
+}
+
 /// Plans outputs one by one, and each only once for the same items.
 class OutputPlans {
   public:
@@ -251,19 +259,13 @@ class OutputPlans {
                                         [](const PlanItem& item) { return item.previous || item.seat; })) {}
 
     Layout planned_as(const Sharing& sharing) {
-        Layout layout{.canvas = request_->canvas,
-                      .placements = std::vector<Placement>(request_->items.size())};
-        for (std::size_t i = 0; i < request_->items.size(); ++i)
-            layout.placements[i] = request_->items[i].previous.value_or(Placement{});
+        Layout layout = kept_places(*request_);
         const std::vector<std::vector<std::size_t>> shared = sharing.items_of_outputs();
         for (std::size_t k = 0; k < shared.size(); ++k)
             add(sharing.outputs()[k], shared[k], layout);
         layout.energy = 1 - covered_px(*request_, layout) / (request_->canvas.x * request_->canvas.y);
         return layout;
     }
-
-  private:
-    using Key = std::pair<std::array<double, 4>, std::vector<std::size_t>>;
 
     /// Adds what one output shows.
     void add(const Box& output, std::vector<std::size_t> items, Layout& layout) {
@@ -284,6 +286,9 @@ class OutputPlans {
             layout.groups.push_back(std::move(group));
         }
     }
+
+  private:
+    using Key = std::pair<std::array<double, 4>, std::vector<std::size_t>>;
 
     const PlanRequest* request_;
     const PlanWatch* watch_;
@@ -326,11 +331,33 @@ Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, 
     return OutputPlans(request, watch, plan).planned_as(best);
 }
 
+std::optional<Layout> change_by_outputs(const PlanRequest& request, const PlanWatch& watch,
+                                        const PlanFunction& plan) {
+    const Sharing sharing(request);
+    const std::vector<std::vector<std::size_t>> shared = sharing.items_of_outputs();
+    Layout layout = kept_places(request);
+    OutputPlans plans(request, watch, plan);
+    for (std::size_t k = 0; k < shared.size(); ++k) {
+        const Box& output = sharing.outputs()[k];
+        const bool is_same = std::ranges::all_of(shared[k], [&](std::size_t i) {
+            const PlanItem& item = request.items[i];
+            if (!item.previous) return false;
+            const Box box = bounding_box(placed_region(item.item, *item.previous));
+            return intersection(box, output) == box;
+        });
+        if (is_same && unseen_share(request, layout, {output}) <= max_hole) continue;
+        plans.add(output, shared[k], layout);
+        if (unseen_share(request, layout, {output}) > max_hole) return std::nullopt;
+    }
+    layout.energy = 1 - covered_px(request, layout) / (request.canvas.x * request.canvas.y);
+    return layout;
+}
+
 double cost_of_plan(const PlanRequest& request, const Layout& layout) {
     double shown = 0;
     for (const Box& part : seen_parts(request.canvas))
         shown += part.area();
-    const double unseen = request.fills ? unseen_share(request, layout) : 0;
+    const double unseen = request.fills ? unseen_share(request, layout, seen_parts(request.canvas)) : 0;
     return emptiness * unseen - fullness * covered_px(request, layout) / shown + spread_cost(request, layout);
 }
 

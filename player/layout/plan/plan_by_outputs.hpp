@@ -3,6 +3,7 @@
 #include "player/layout/plan/plan_request.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace vitrine::player {
 
@@ -15,6 +16,11 @@ Layout plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const
 
 /// The same with the best of some ways to share the items out. What has a place may come to another output.
 Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, const PlanFunction& plan);
+
+/// A change of a wall, each output by itself. An output to which nothing comes, and which is full, stays as
+/// it is. None: an output would be left with a hole.
+std::optional<Layout> change_by_outputs(const PlanRequest& request, const PlanWatch& watch,
+                                        const PlanFunction& plan);
 
 /// The cost of a layout on what is seen of the canvas: smaller is better. Empty parts and uneven sizes cost,
 /// I-Regions save. Sizes count less than in the filling (pack/filling.hpp): items shared out to outputs

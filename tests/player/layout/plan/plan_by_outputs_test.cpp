@@ -82,3 +82,28 @@ TEST_CASE("real regions cover nearly as much of two outputs as of a canvas witho
     CAPTURE(without / 4);
     CHECK(with >= 0.97 * without);
 }
+
+TEST_CASE("a turn on one output leaves the others as they are, and no hole") {
+    const std::vector<LayoutItem> all = real_items();
+    PlanRequest request{.canvas = two_outputs({1920, 1080}, 40), .seed = 1, .max_scale = 4};
+    for (std::size_t k = 0; k < 12; ++k)
+        request.items.push_back({.item = all[k % all.size()]});
+    Layout layout = plan(request);
+    for (std::size_t turn = 0; turn < 6; ++turn) {
+        const double middle = request.canvas.x / 2;
+        const std::size_t leaving = 2 * turn % 12;
+        const Seat seat = seat_of(request.items[leaving].item, layout.placements[leaving]);
+        for (std::size_t i = 0; i < 12; ++i)
+            request.items[i].previous = layout.placements[i];
+        request.items[leaving] = {.item = all[(leaving + 3) % all.size()], .seat = seat};
+        const Layout next = plan(request);
+        CAPTURE(turn);
+        CHECK(is_sound(items_of(request), next, "turn_of_an_output"));
+        for (std::size_t i = 0; i < 12; ++i) {
+            const bool is_there = seat_of(request.items[i].item, layout.placements[i]).centre.x < middle;
+            if (i != leaving && is_there != (seat.centre.x < middle))
+                CHECK(next.placements[i] == layout.placements[i]);
+        }
+        layout = next;
+    }
+}
