@@ -1,5 +1,6 @@
 #include "player/layout/plan/bands.hpp"
 #include "bench/packing/bench.hpp"
+#include "player/layout/plan/plan_by_outputs.hpp"
 
 #include <fmt/format.h>
 
@@ -86,6 +87,52 @@ void add_wall(const Canvas& canvas, const PlanRequest& wished, BandSums& sums) {
     if (request.items.size() <= max_tried) sums.most += most_covered(request, canvas.outputs.size()) / shown;
 }
 
+/// The sums over some turns.
+struct TurnSums {
+    double unseen = 0;
+    double covered = 0;
+    int moved = 0;      // items that stay and do not stand still
+    int elsewhere = 0;  // those of them on an output on which nothing leaves
+    double ms = 0;
+};
+
+void add_turn(const PlanRequest& request, const Seat& seat, const Layout& layout, TurnSums& sums) {
+    const auto output_at = [&](Vec2 centre) { return output_of(request.canvas, Box{centre, centre}); };
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+        const auto& previous = request.items[i].previous;
+        if (!previous || *previous == layout.placements[i]) continue;
+        ++sums.moved;
+        if (output_at(seat_of(request.items[i].item, *previous).centre) != output_at(seat.centre))
+            ++sums.elsewhere;
+    }
+    sums.unseen += unseen_share(request, layout);
+    sums.covered += covered_px(request, layout) / (2 * bench_canvas.x * bench_canvas.y);
+}
+
+/// One wall on two outputs, on which one item after the other takes the place of another.
+TurnSums make_turns(const Draw& draw, std::size_t count, int turns) {
+    Random random(count);
+    PlanRequest request = request_for(draw(count, random), 1);
+    request.fills = true;
+    request.canvas = row_of(2, 40);
+    Layout layout = plan(request);
+    TurnSums sums;
+    for (int turn = 0; turn < turns; ++turn) {
+        const std::size_t leaving = uniform_index(random, count);
+        const Seat seat = seat_of(request.items[leaving].item, layout.placements[leaving]);
+        for (std::size_t i = 0; i < count; ++i) {
+            request.items[i].previous = layout.placements[i];
+            request.items[i].seat.reset();
+        }
+        request.items[leaving] = {.item = draw(1, random).front(), .seat = seat};
+        const double start = cpu_ms();
+        layout = plan(request);
+        sums.ms += cpu_ms() - start;
+        add_turn(request, seat, layout, sums);
+    }
+    return sums;
+}
+
 }  // namespace
 
 void print_bands(const char* title, const Draw& draw, int instances, bool fills) {
@@ -110,6 +157,17 @@ void print_bands(const char* title, const Draw& draw, int instances, bool fills)
                 sums.with / sums.without, most, sums.hidden, sums.with_ms / instances,
                 sums.without_ms / instances);
         }
+}
+
+void print_band_turns(const Draw& draw, int turns) {
+    fmt::print("\nbezels, {} turns of a wall on two outputs: mean of a turn\n", turns);
+    fmt::print("items  no picture  regions  shots that move  of these on the other output     ms\n");
+    for (const std::size_t count : {4, 6, 9, 12}) {
+        const TurnSums sums = make_turns(draw, count, turns);
+        fmt::print("{:>5}  {:>10.4f}  {:>7.3f}  {:>15.1f}  {:>28.1f}  {:>5.0f}\n", count, sums.unseen / turns,
+                   sums.covered / turns, static_cast<double>(sums.moved) / turns,
+                   static_cast<double>(sums.elsewhere) / turns, sums.ms / turns);
+    }
 }
 
 }  // namespace vitrine::player

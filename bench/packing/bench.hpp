@@ -53,6 +53,9 @@ PlanRequest request_for(const Items& items, std::uint64_t seed);
 ///               only where the items' frames are real
 void print_shares(const char* title, const Draw& draw, int instances, bool fills);
 void print_bands(const char* title, const Draw& draw, int instances, bool fills);
+
+/// Turns of walls on two outputs.
+void print_band_turns(const Draw& draw, int turns);
 void print_paper(int instances);
 void print_moves();
 void print_many();

@@ -1,8 +1,8 @@
 // Measures density, time and calm of the packing of I-Regions: the paper's way and ours, on the same
 // instances.
 //   packing [--only TABLE] [--instances N] [--edits N] [--catalogue DIRECTORY]
-// Tables: shares, real, paper, moves, many, changes, edits, bands. Shares are of a 16:9 screen, times are of
-// the CPU.
+// Tables: shares, real, paper, moves, many, changes, edits, bands, turns. Shares are of a 16:9 screen, times
+// are of the CPU.
 
 #include "bench/packing/bench.hpp"
 
@@ -55,16 +55,16 @@ int main(int argc, char** argv) {
     if (wants("changes")) print_changes(options.instances);
     if (wants("shares")) print_shares("random hulls", random_hulls, options.instances, false);
     if (wants("real") && !options.catalogue.empty()) print_real(options);
-    if (wants("bands")) {
-        const Items real = regions_of(options.catalogue);
-        const auto drawn = [&](std::size_t count, Random& random) {
-            Items items;
-            for (std::size_t i = 0; i < count; ++i)
-                items.push_back(real[uniform_index(random, real.size())]);
-            return items;
-        };
-        print_bands("random hulls", random_hulls, options.instances, false);
-        if (!real.empty()) print_bands("regions of the catalogue", drawn, options.instances, true);
-    }
+    const Items real = regions_of(options.catalogue);
+    const auto drawn = [&](std::size_t count, Random& random) {
+        Items items;
+        for (std::size_t i = 0; i < count; ++i)
+            items.push_back(real[uniform_index(random, real.size())]);
+        return items;
+    };
+    if (wants("bands")) print_bands("random hulls", random_hulls, options.instances, false);
+    if (wants("bands") && !real.empty())
+        print_bands("regions of the catalogue", drawn, options.instances, true);
+    if (wants("turns") && !real.empty()) print_band_turns(drawn, options.instances);
     if (wants("edits")) print_edits(options.edits);
 }

@@ -202,7 +202,7 @@ std::vector<Box> seen_parts(const Canvas& canvas) {
 }
 
 /// The share of some parts of the canvas that no picture reaches, sampled.
-double unseen_share(const PlanRequest& request, const Layout& layout, const std::vector<Box>& parts) {
+double unseen_part(const PlanRequest& request, const Layout& layout, const std::vector<Box>& parts) {
     std::vector<Box> pictures;
     for (std::size_t i = 0; i < request.items.size(); ++i)
         pictures.push_back(placed_core(request.items[i].item, layout.placements[i]));
@@ -345,19 +345,23 @@ std::optional<Layout> change_by_outputs(const PlanRequest& request, const PlanWa
             const Box box = bounding_box(placed_region(item.item, *item.previous));
             return intersection(box, output) == box;
         });
-        if (is_same && unseen_share(request, layout, {output}) <= max_hole) continue;
+        if (is_same && unseen_part(request, layout, {output}) <= max_hole) continue;
         plans.add(output, shared[k], layout);
-        if (unseen_share(request, layout, {output}) > max_hole) return std::nullopt;
+        if (unseen_part(request, layout, {output}) > max_hole) return std::nullopt;
     }
     layout.energy = 1 - covered_px(request, layout) / (request.canvas.x * request.canvas.y);
     return layout;
+}
+
+double unseen_share(const PlanRequest& request, const Layout& layout) {
+    return unseen_part(request, layout, seen_parts(request.canvas));
 }
 
 double cost_of_plan(const PlanRequest& request, const Layout& layout) {
     double shown = 0;
     for (const Box& part : seen_parts(request.canvas))
         shown += part.area();
-    const double unseen = request.fills ? unseen_share(request, layout, seen_parts(request.canvas)) : 0;
+    const double unseen = request.fills ? unseen_share(request, layout) : 0;
     return emptiness * unseen - fullness * covered_px(request, layout) / shown + spread_cost(request, layout);
 }
 

@@ -22,6 +22,9 @@ Layout best_plan_by_outputs(const PlanRequest& request, const PlanWatch& watch, 
 std::optional<Layout> change_by_outputs(const PlanRequest& request, const PlanWatch& watch,
                                         const PlanFunction& plan);
 
+/// The share of what is seen of the canvas that no picture reaches, sampled.
+double unseen_share(const PlanRequest& request, const Layout& layout);
+
 /// The cost of a layout on what is seen of the canvas: smaller is better. Empty parts and uneven sizes cost,
 /// I-Regions save. Sizes count less than in the filling (pack/filling.hpp): items shared out to outputs
 /// cannot all get their fair size.
