@@ -239,11 +239,11 @@ double spread_cost(const PlanRequest& request, const Layout& layout) {
     return cost / static_cast<double>(std::max<std::size_t>(1, sizes.size()));
 }
 
-/// All items where they were.
+/// All items where they were. A new one is nowhere: a point.
 Layout kept_places(const PlanRequest& request) {
     Layout layout{.canvas = request.canvas, .placements = {}};
     for (const PlanItem& item : request.items)
-        layout.placements.push_back(item.previous.value_or(Placement{}));
+        layout.placements.push_back(item.previous.value_or(Placement{0, {}}));
     return layout;
 }
 
