@@ -3,8 +3,8 @@
 #include "player/layout/edit/edit_window.hpp"
 #include "player/layout/pack/energy.hpp"
 #include "player/layout/plan/bands.hpp"
-#include "player/layout/plan/plan_by_outputs.hpp"
 #include "player/layout/plan/motion.hpp"
+#include "player/layout/plan/plan_by_outputs.hpp"
 #include "player/layout/plan/plan_request.hpp"
 
 #include <algorithm>
