@@ -69,7 +69,7 @@ TEST_CASE("real regions cover nearly as much of two outputs as of a canvas witho
         all.push_back(item);
     double with = 0;
     double without = 0;
-    for (std::size_t wall = 0; wall < 4; ++wall) {
+    for (std::size_t wall = 0; wall < 2; ++wall) {
         PlanRequest request{.canvas = two_outputs({1920, 1080}, 40), .seed = wall + 1, .max_scale = 4};
         for (std::size_t k = 0; k < 6; ++k)
             request.items.push_back({.item = all[(3 * wall + 2 * k) % all.size()]});
@@ -78,18 +78,19 @@ TEST_CASE("real regions cover nearly as much of two outputs as of a canvas witho
         request.canvas = Canvas(Vec2(request.canvas));
         without += covered_px(request, plan(request)) / px;
     }
-    CAPTURE(with / 4);
-    CAPTURE(without / 4);
+    CAPTURE(with / 2);
+    CAPTURE(without / 2);
     CHECK(with >= 0.97 * without);
 }
 
 TEST_CASE("a turn on one output leaves the others as they are, and no hole") {
     const std::vector<LayoutItem> all = real_items();
-    PlanRequest request{.canvas = two_outputs({1920, 1080}, 40), .seed = 1, .max_scale = 4};
+    PlanRequest request{
+        .canvas = two_outputs({1920, 1080}, 40), .seed = 1, .budget = 100'000, .max_scale = 4};
     for (std::size_t k = 0; k < 12; ++k)
         request.items.push_back({.item = all[k % all.size()]});
     Layout layout = plan(request);
-    for (std::size_t turn = 0; turn < 6; ++turn) {
+    for (std::size_t turn = 0; turn < 4; ++turn) {
         const double middle = request.canvas.x / 2;
         const std::size_t leaving = 2 * turn % 12;
         const Seat seat = seat_of(request.items[leaving].item, layout.placements[leaving]);
