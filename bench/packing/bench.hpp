@@ -35,6 +35,9 @@ Items random_hulls(std::size_t count, Random& random);
 /// The items of all shots in a catalogue's records.
 Items regions_of(const std::string& directory);
 
+/// Draws some of the items, which are not empty. @param items  outlive the result
+Draw drawn_from(const Items& items);
+
 /// The shapes of items, scaled so that they would cover half the canvas.
 struct ScaledItems {
     std::vector<Shape> shapes;

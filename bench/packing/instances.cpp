@@ -47,6 +47,15 @@ Items random_hulls(std::size_t count, Random& random) {
     return items;
 }
 
+Draw drawn_from(const Items& items) {
+    return [&items](std::size_t count, Random& random) {
+        Items drawn;
+        for (std::size_t i = 0; i < count; ++i)
+            drawn.push_back(items[uniform_index(random, items.size())]);
+        return drawn;
+    };
+}
+
 ScaledItems scaled(const Items& items) {
     ScaledItems result;
     for (const LayoutItem& item : items)

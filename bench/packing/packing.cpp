@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <functional>
 #include <string_view>
 
 using namespace vitrine;
@@ -28,20 +29,18 @@ BenchOptions options_of(int argc, char** argv) {
     return options;
 }
 
-void print_real(const BenchOptions& options) {
+/// The tables of real regions that are wanted.
+void print_real(const BenchOptions& options, const std::function<bool(std::string_view)>& wants) {
     const Items all = regions_of(options.catalogue);
     if (all.empty()) {
         fmt::print("\nno regions in '{}'\n", options.catalogue);
         return;
     }
-    const auto drawn = [&](std::size_t count, Random& random) {
-        Items items;
-        for (std::size_t i = 0; i < count; ++i)
-            items.push_back(all[uniform_index(random, all.size())]);
-        return items;
-    };
-    print_shares(fmt::format("{} regions of the catalogue", all.size()).c_str(), drawn, options.instances,
-                 true);
+    const Draw drawn = drawn_from(all);
+    const std::string title = fmt::format("{} regions of the catalogue", all.size());
+    if (wants("real")) print_shares(title.c_str(), drawn, options.instances, true);
+    if (wants("bands")) print_bands(title.c_str(), drawn, options.instances, true);
+    if (wants("turns")) print_band_turns(drawn, options.instances);
 }
 
 }  // namespace
@@ -54,17 +53,7 @@ int main(int argc, char** argv) {
     if (wants("many")) print_many();
     if (wants("changes")) print_changes(options.instances);
     if (wants("shares")) print_shares("random hulls", random_hulls, options.instances, false);
-    if (wants("real") && !options.catalogue.empty()) print_real(options);
-    const Items real = regions_of(options.catalogue);
-    const auto drawn = [&](std::size_t count, Random& random) {
-        Items items;
-        for (std::size_t i = 0; i < count; ++i)
-            items.push_back(real[uniform_index(random, real.size())]);
-        return items;
-    };
     if (wants("bands")) print_bands("random hulls", random_hulls, options.instances, false);
-    if (wants("bands") && !real.empty())
-        print_bands("regions of the catalogue", drawn, options.instances, true);
-    if (wants("turns") && !real.empty()) print_band_turns(drawn, options.instances);
+    if (!options.catalogue.empty()) print_real(options, wants);
     if (wants("edits")) print_edits(options.edits);
 }

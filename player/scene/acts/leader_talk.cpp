@@ -28,8 +28,8 @@ WallWay coarser(const WallWay& way) {
     return half;
 }
 
-/// An act as text. If it is too long, its way is seen in fewer moments; empty: it is still too long.
-std::string fitting_json(WallAct act, std::size_t max_bytes) {
+/// An act as text. If it is too long, its way loses moments; empty: it is still too long.
+std::string fitting_json(WallAct& act, std::size_t max_bytes) {
     std::string text = to_json(act);
     while (text.size() > max_bytes && act.change && act.change->way && act.change->way->keys.size() > 1) {
         act.change->way = std::make_shared<const WallWay>(coarser(*act.change->way));
@@ -38,8 +38,8 @@ std::string fitting_json(WallAct act, std::size_t max_bytes) {
     return text.size() > max_bytes ? std::string() : text;
 }
 
-/// The wall after the act's change, to which the others fade when the change begins.
-WallAct without_way(WallAct act) {
+/// Leaves the wall after the act's change, to which the others fade when the change begins.
+void drop_way(WallAct& act) {
     WallChange& change = *act.change;
     act.shown.clear();
     change = {.phase = WallChange::Phase::arriving,
@@ -47,7 +47,6 @@ WallAct without_way(WallAct act) {
               .wall = std::move(change.wall),
               .is_final = true,
               .began = change.began};
-    return act;
 }
 
 WallMessage message_of(Kind kind, std::string payload) {
@@ -121,8 +120,8 @@ void LeaderTalk::say_lifted(const LedNews& news, std::vector<WallMessage>& said)
     lifted_at_ = news.now;
 }
 
-/// An act as text, without its way if that is too long; empty: it is still too long.
-std::string LeaderTalk::text_of_act(WallAct act) {
+/// An act as text, without its way if that is too long; empty: it is still too long. Numbers it anew.
+std::string LeaderTalk::text_of_act(WallAct& act) {
     act.name.generation += skipped_;
     std::string text = fitting_json(act, max_bytes_);
     told_ = Told::whole;
@@ -130,7 +129,8 @@ std::string LeaderTalk::text_of_act(WallAct act) {
         ++act.name.generation;  // no follower takes it for the act after the one that it shows: it fades
         ++skipped_;
         told_ = Told::without_way;
-        text = fitting_json(without_way(std::move(act)), max_bytes_);
+        drop_way(act);
+        text = fitting_json(act, max_bytes_);
     }
     if (text.empty()) told_ = Told::nothing;
     return text;
@@ -147,15 +147,14 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
     if (news.preparation) {
         preparation_ = news.preparation->name.generation;
         news.preparation->name.run = run_;
-        said.push_back(message_of(Kind::prepare, fitting_json(std::move(*news.preparation), max_bytes_)));
+        said.push_back(message_of(Kind::prepare, fitting_json(*news.preparation, max_bytes_)));
     }
     if (news.act) {
         news.act->name.run = run_;
         news.act->epoch = epoch;
         epoch_ = epoch;
-        const std::uint64_t generation = news.act->name.generation;
-        said.push_back(message_of(Kind::act, text_of_act(std::move(*news.act))));
-        said_ = ActName{.run = run_, .generation = generation + skipped_};
+        said.push_back(message_of(Kind::act, text_of_act(*news.act)));
+        said_ = news.act->name;
     }
     std::erase_if(said, [](const WallMessage& message) { return message.payload.empty(); });
     led->heed({.ready = others_ready(), .needs_act = needs_act});

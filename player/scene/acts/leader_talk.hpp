@@ -44,7 +44,7 @@ class LeaderTalk final : public BoxTalk {
     void hear_more(const WallMessage& message) override;
     std::vector<WallMessage> speak_more(Show& show, const BoxMoment& moment, BoxNote& note) override;
     std::optional<std::uint64_t> others_ready() const;
-    std::string text_of_act(WallAct act);
+    std::string text_of_act(WallAct& act);
     void say_lifted(const LedNews& news, std::vector<WallMessage>& said);
 
     std::int64_t run_;

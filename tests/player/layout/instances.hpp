@@ -37,6 +37,20 @@ inline PlanRequest random_request(std::size_t count, std::uint64_t seed) {
     return request;
 }
 
+/// The same on another canvas, planned shortly.
+inline PlanRequest random_request_on(const Canvas& canvas, std::size_t count, std::uint64_t seed) {
+    PlanRequest request = random_request(count, seed);
+    request.canvas = canvas;
+    request.budget = 20'000;
+    return request;
+}
+
+/// Two outputs of one size beside each other.
+inline Canvas two_outputs(Vec2 output, double gap) {
+    return canvas_of({2 * output.x + gap, output.y},
+                     {{{0, 0}, output}, {{output.x + gap, 0}, {2 * output.x + gap, output.y}}});
+}
+
 inline std::vector<LayoutItem> items_of(const PlanRequest& request) {
     std::vector<LayoutItem> items;
     for (const PlanItem& item : request.items)

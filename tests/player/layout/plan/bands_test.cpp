@@ -2,6 +2,7 @@
 
 #include "player/layout/plan/plan.hpp"
 #include "tests/player/layout/banded_edits.hpp"
+#include "tests/player/layout/instances.hpp"
 #include "tests/player/layout/soundness.hpp"
 
 #include <doctest/doctest.h>
@@ -11,26 +12,10 @@
 using namespace vitrine;
 using namespace vitrine::player;
 
-namespace {
-
-Canvas two_outputs(double gap) {
-    return canvas_of({1280 + gap, 360}, {{{0, 0}, {640, 360}}, {{640 + gap, 0}, {1280 + gap, 360}}});
-}
-
-PlanRequest request_on(const Canvas& canvas, std::size_t count, std::uint64_t seed) {
-    PlanRequest request{.canvas = canvas, .seed = seed, .budget = 20'000, .max_scale = 4};
-    Random random(seed);
-    for (std::size_t k = 0; k < count; ++k)
-        request.items.push_back({.item = random_item(random)});
-    return request;
-}
-
-}  // namespace
-
 TEST_CASE("no region is under a bezel, in a plan of one item or of many") {
     for (const std::size_t count : {1, 2, 5, 9})
         for (const double gap : {1, 40, 700}) {
-            const PlanRequest request = request_on(two_outputs(gap), count, count);
+            const PlanRequest request = random_request_on(two_outputs({640, 360}, gap), count, count);
             const Layout layout = plan(request);
             CHECK(is_clear_of_bands(request, layout.placements));
             CHECK(is_sound(items_of(request), layout, "bands"));
@@ -40,7 +25,7 @@ TEST_CASE("no region is under a bezel, in a plan of one item or of many") {
 TEST_CASE("without its bands the same wall has regions across the middle") {
     int across = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        PlanRequest request = request_on(two_outputs(40), 5, seed);
+        PlanRequest request = random_request_on(two_outputs({640, 360}, 40), 5, seed);
         const Canvas canvas = std::exchange(request.canvas, Canvas(Vec2(request.canvas)));
         const Layout layout = plan(request);
         request.canvas = canvas;
@@ -50,11 +35,11 @@ TEST_CASE("without its bands the same wall has regions across the middle") {
 }
 
 TEST_CASE("an item that stood where a bezel now is moves to an output") {
-    PlanRequest request = request_on(Canvas(1320, 360), 4, 3);
+    PlanRequest request = random_request_on(Canvas(1320, 360), 4, 3);
     const Layout before = plan(request);
     for (std::size_t i = 0; i < request.items.size(); ++i)
         request.items[i].previous = before.placements[i];
-    request.canvas = two_outputs(40);
+    request.canvas = two_outputs({640, 360}, 40);
     CHECK(is_clear_of_bands(request, plan(request).placements));
 }
 

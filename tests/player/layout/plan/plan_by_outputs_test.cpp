@@ -16,25 +16,8 @@
 using namespace vitrine;
 using namespace vitrine::player;
 
-namespace {
-
-Canvas two_outputs(Vec2 output, double gap) {
-    return canvas_of({2 * output.x + gap, output.y},
-                     {{{0, 0}, output}, {{output.x + gap, 0}, {2 * output.x + gap, output.y}}});
-}
-
-PlanRequest request_on(const Canvas& canvas, std::size_t count, std::uint64_t seed) {
-    PlanRequest request{.canvas = canvas, .seed = seed, .budget = 20'000, .max_scale = 4};
-    Random random(seed);
-    for (std::size_t k = 0; k < count; ++k)
-        request.items.push_back({.item = random_item(random)});
-    return request;
-}
-
-}  // namespace
-
 TEST_CASE("outputs planned by themselves share the items out by area") {
-    const PlanRequest request = request_on(two_outputs({640, 360}, 40), 6, 4);
+    const PlanRequest request = random_request_on(two_outputs({640, 360}, 40), 6, 4);
     const Layout layout = plan_by_outputs(request, {}, plan_flat);
     CHECK(is_clear_of_bands(request, layout.placements));
     CHECK(is_sound(items_of(request), layout, "bands_by_outputs"));
@@ -47,7 +30,7 @@ TEST_CASE("outputs planned by themselves share the items out by area") {
 }
 
 TEST_CASE("an output is planned once for the same items, however they came to it") {
-    const PlanRequest request = request_on(two_outputs({640, 360}, 40), 5, 2);
+    const PlanRequest request = random_request_on(two_outputs({640, 360}, 40), 5, 2);
     std::multiset<std::vector<double>> planned;
     const auto plan_one = [&](const PlanRequest& part, const PlanWatch& watch) {
         std::vector<double> key{static_cast<double>(part.budget)};
@@ -100,6 +83,7 @@ TEST_CASE("a turn on one output leaves the others as they are, and no hole") {
         const Layout next = plan(request);
         CAPTURE(turn);
         CHECK(is_sound(items_of(request), next, "turn_of_an_output"));
+        CHECK(unseen_share(request, next) <= 0.01);
         for (std::size_t i = 0; i < 12; ++i) {
             const bool is_there = seat_of(request.items[i].item, layout.placements[i]).centre.x < middle;
             if (i != leaving && is_there != (seat.centre.x < middle))
