@@ -45,6 +45,8 @@ CURES = [
          "if (frame.finer)", "if (frame.finer && !faces_)", "real.photographs_test", ("photographs_test",)),
     Cure("a dog taken for a face in a film", "analyzer/saliency/sample.cpp",
          "face.box.height() <= max_small_face * map_side", "face.box.height() <= 1e3 * max_small_face", "saliency_test.shot_region_test"),
+    Cure("a car taken for a letter", "analyzer/saliency/sample.cpp",
+         "(is_one_letter(line) || !is_seen(line, small, picture.size()))", "false", "saliency_test.sample_test"),
     Cure("a caption on another picture", "player/scene/caption_place.cpp",
          "    return cell.parts.empty() ? nullptr : &cell.parts.front();", "    return cell.parts.empty() ? nullptr : &cell.parts.back();",
          "scene_test.caption_place_test"),

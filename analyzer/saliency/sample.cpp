@@ -13,6 +13,9 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int line_side = 640;           // px of the picture in which lines of text are searched
+constexpr int small_line_side = 320;     // px of the small look for them
+constexpr double line_trace = 1e-3;      // of the small look's map: there may be a line
+constexpr double tall_line = 0.07;       // of the picture's longest side
 constexpr double max_small_face = 0.12;  // share of the map's longer side; larger ones are found in any frame
 
 cv::Size fitted(cv::Size size, int side) {
@@ -117,6 +120,44 @@ SaliencyMap placed_map(const SaliencyMap& map, const cv::Rect& part, cv::Size si
     return result;
 }
 
+/// Says if a small look sees a line's core within a line.
+/// @param line     px of the picture
+/// @param map      what the look sees of all of the picture
+bool is_seen(const Box& line, const cv::Mat& map, cv::Size picture) {
+    const double x = static_cast<double>(map.cols) / picture.width;
+    const double y = static_cast<double>(map.rows) / picture.height;
+    const cv::Point corner{static_cast<int>(line.min.x * x), static_cast<int>(line.min.y * y)};
+    const cv::Point end{static_cast<int>(std::ceil(line.max.x * x)),
+                        static_cast<int>(std::ceil(line.max.y * y))};
+    const cv::Rect part = cv::Rect(corner, end) & cv::Rect({}, map.size());
+    double most = 0;
+    if (!part.empty()) cv::minMaxLoc(map(part), nullptr, &most);
+    return most >= line_core;
+}
+
+/// Says if a box is no longer than one letter.
+bool is_one_letter(const Box& line) {
+    return std::max(line.width(), line.height()) < 1.5 * std::min(line.width(), line.height());
+}
+
+/// The lines in a picture, px of it, as far as a reader would miss them. A small look comes first. A picture
+/// that is no larger has no lines where that look sees no trace of one. A tall line has several letters, and
+/// both looks see it: enlarged, a car or a dog's head may be taken for a letter.
+std::vector<Box> lines_in(LineDetector& detector, const cv::Mat& picture) {
+    const cv::Mat small = detector.map(picture, small_line_side);
+    double most = 0;
+    cv::minMaxLoc(small, nullptr, &most);
+    const int longest = std::max(picture.cols, picture.rows);
+    if (longest <= small_line_side && most < line_trace) return {};
+    const Vec2 size{static_cast<double>(picture.cols), static_cast<double>(picture.rows)};
+    std::vector<Box> lines = readable_lines(detector.find(picture, line_side), size);
+    std::erase_if(lines, [&](const Box& line) {
+        return line.height() > tall_line * longest &&
+               (is_one_letter(line) || !is_seen(line, small, picture.size()));
+    });
+    return lines;
+}
+
 }  // namespace
 
 cv::Size map_size(cv::Size frame) {
@@ -182,11 +223,9 @@ SaliencyMap subject_in(SaliencyNetwork& network, const Sample& sample) {
 std::vector<Box> find_lines(LineDetector& detector, const FramePair& pair) {
     const cv::Size size = pair.frame.size();
     const cv::Rect active = seen_part(pair.active, size);
-    const std::vector<Box> found = detector.find(pair.frame(active), line_side);
     const double scale = static_cast<double>(map_size(size).width) / size.width;
     const Vec2 corner{static_cast<double>(active.x), static_cast<double>(active.y)};
-    std::vector<Box> lines =
-        readable_lines(found, {static_cast<double>(active.width), static_cast<double>(active.height)});
+    std::vector<Box> lines = lines_in(detector, pair.frame(active));
     for (Box& line : lines)
         line = {(line.min + corner) * scale, (line.max + corner) * scale};
     return lines;

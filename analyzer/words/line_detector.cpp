@@ -13,7 +13,7 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int input_multiple = 32;
-constexpr float core_value = 0.3F;     // values of the map from which a pixel is a line's core
+constexpr std::size_t max_nets = 2;    // one for each size of its input
 constexpr double min_score = 0.6;      // mean value of a core
 constexpr double growth = 1.5;         // a line is its core grown by area / length of the outline, times this
 constexpr double room = 0.1;           // around the line, share of its height: for accents and descenders
@@ -71,20 +71,31 @@ LineDetector::LineDetector(const std::string& file) : file_(file) {
     std::ifstream stream(file, std::ios::binary);
     model_.assign(std::istreambuf_iterator<char>(stream), {});
     try {
-        net_ = cv::dnn::readNetFromONNX(model_.data(), model_.size());
+        nets_.push_back({.net = cv::dnn::readNetFromONNX(model_.data(), model_.size()), .size = {}});
     } catch (const cv::Exception& e) {
         throw std::runtime_error("read text model '" + file + "': " + e.what());
     }
 }
 
+// OpenCV 4.6 computes nonsense after a change of size.
+cv::dnn::Net& LineDetector::net_for(cv::Size size) {
+    const auto known = std::ranges::find_if(
+        nets_, [&](const SizedNet& net) { return net.size == size || net.size.empty(); });
+    if (known != nets_.end()) {
+        known->size = size;
+        return known->net;
+    }
+    if (nets_.size() >= max_nets) nets_.erase(nets_.begin());
+    nets_.push_back({.net = cv::dnn::readNetFromONNX(model_.data(), model_.size()), .size = size});
+    return nets_.back().net;
+}
+
 cv::Mat LineDetector::map_of(const cv::Mat& bgr, cv::Size size) {
     cv::Mat output;
     try {
-        if (size != size_ && !size_.empty())  // OpenCV 4.6 computes nonsense after a change of size
-            net_ = cv::dnn::readNetFromONNX(model_.data(), model_.size());
-        size_ = size;
-        net_.setInput(input_of(bgr, size));
-        output = net_.forward();
+        cv::dnn::Net& net = net_for(size);
+        net.setInput(input_of(bgr, size));
+        output = net.forward();
     } catch (const cv::Exception& e) {
         throw std::runtime_error("run text model '" + file_ + "': " + e.what());
     }
@@ -93,10 +104,14 @@ cv::Mat LineDetector::map_of(const cv::Mat& bgr, cv::Size size) {
     return cv::Mat(output.size[2], output.size[3], CV_32FC1, output.ptr<float>()).clone();
 }
 
+cv::Mat LineDetector::map(const cv::Mat& bgr, int side) {
+    return map_of(bgr, input_size(bgr.size(), side));
+}
+
 std::vector<Box> LineDetector::find(const cv::Mat& bgr, int side) {
     const cv::Mat map = map_of(bgr, input_size(bgr.size(), side));
     std::vector<std::vector<cv::Point>> outlines;
-    cv::findContours(map >= core_value, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
+    cv::findContours(map >= line_core, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
     const double scale_x = static_cast<double>(bgr.cols) / map.cols;
     const double scale_y = static_cast<double>(bgr.rows) / map.rows;
     const Box picture{{0, 0}, {static_cast<double>(bgr.cols), static_cast<double>(bgr.rows)}};

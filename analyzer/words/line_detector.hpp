@@ -10,6 +10,8 @@
 
 namespace vitrine::analyzer {
 
+constexpr float line_core = 0.3F;  // values of the map from which a pixel is a line's core
+
 /// Finds lines of text in a picture, whatever their script, by a neural network that marks the core of each
 /// line. It reads nothing.
 /// Source: Liao et al., Real-time Scene Text Detection with Differentiable Binarization, AAAI 2020; the
@@ -28,13 +30,23 @@ class LineDetector {
     /// @throws std::runtime_error if the network does not take such a picture or gives no map
     std::vector<Box> find(const cv::Mat& bgr, int side);
 
+    /// What the network sees, at the size at which it looks.
+    /// @return  CV_32FC1 in [0, 1]: how likely each pixel is a line's core
+    /// @throws std::runtime_error like find()
+    cv::Mat map(const cv::Mat& bgr, int side);
+
   private:
+    struct SizedNet {
+        cv::dnn::Net net;
+        cv::Size size;  // of its input so far; empty: it has had none
+    };
+
     cv::Mat map_of(const cv::Mat& bgr, cv::Size size);
+    cv::dnn::Net& net_for(cv::Size size);
 
     std::string file_;
     std::vector<char> model_;  // bytes of the file
-    cv::dnn::Net net_;
-    cv::Size size_;  // of the net's input so far; empty: it has had none
+    std::vector<SizedNet> nets_;
 };
 
 }  // namespace vitrine::analyzer

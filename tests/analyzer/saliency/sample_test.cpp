@@ -1,8 +1,27 @@
 #include "analyzer/saliency/sample.hpp"
 
 #include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
 
-using namespace vitrine::analyzer;
+namespace vitrine::analyzer {
+namespace {
+
+/// Enlarged, the detector takes it for a letter.
+/// @param half_length  px; half of it is the car's half width
+cv::Mat car_from_above(cv::Size size, int half_length) {
+    cv::Mat picture(size, CV_8UC3, cv::Scalar(90, 80, 80));
+    const cv::Point centre(size.width / 4, size.height / 2);
+    const int half_width = half_length / 2;
+    cv::ellipse(picture, centre, {half_width, half_length}, 0, 0, 360, cv::Scalar(220, 210, 230), cv::FILLED,
+                cv::LINE_AA);
+    for (const int y : {-half_length / 2, half_length / 4})
+        cv::rectangle(picture, centre + cv::Point(-half_width * 2 / 3, y),
+                      centre + cv::Point(half_width * 2 / 3, y + half_length / 4), cv::Scalar(40, 30, 30),
+                      cv::FILLED);
+    return picture;
+}
+
+}  // namespace
 
 TEST_CASE("frames of any shape have maps, however narrow they are") {
     for (const cv::Size size : {cv::Size(2, 2), cv::Size(16384, 2), cv::Size(2, 16384), cv::Size(3840, 64)}) {
@@ -15,3 +34,21 @@ TEST_CASE("frames of any shape have maps, however narrow they are") {
         CHECK(map_size(size).area() > 0);
     }
 }
+
+TEST_CASE("a thing that looks like one large letter is no line of words; words beside it are one") {
+    LineDetector detector(VITRINE_MODELS "/text_detection.onnx");
+    for (const int half_length : {30, 36, 42, 48, 54}) {
+        CAPTURE(half_length);
+        cv::Mat picture = car_from_above({320, 180}, half_length);
+        CHECK(find_lines(detector, {picture, {}}).empty());
+        cv::putText(picture, "Parking", {170, 100}, cv::FONT_HERSHEY_SIMPLEX, 0.8, cv::Scalar::all(250), 2,
+                    cv::LINE_AA);
+        const std::vector<Box> lines = find_lines(detector, {picture, {}});
+        REQUIRE(lines.size() == 1);
+        CHECK(lines.front().min.x < 86);  // px of the map, which is half as large
+        CHECK(lines.front().min.x > 70);
+        CHECK(lines.front().max.x > 130);
+    }
+}
+
+}  // namespace vitrine::analyzer
