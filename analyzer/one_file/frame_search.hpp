@@ -19,8 +19,9 @@ namespace vitrine::analyzer {
 class FrameSearch {
   public:
     /// A photo is shown to the network where the settings want it; its lines are searched then, too. Of a
-    /// film what the network needs is kept in the samples.
-    /// @throws std::runtime_error if a model cannot be read
+    /// film what the network needs is kept in the samples. Logs a student that cannot be used, and does without
+    /// it.
+    /// @throws std::runtime_error if another model cannot be read
     FrameSearch(const AnalysisSettings& settings, MediaKind kind);
 
     /// Small faces are searched in the finer picture of a frame.
@@ -31,6 +32,9 @@ class FrameSearch {
     Sample search(const FramePair& pair, const FilmFrame& frame, int count);
 
   private:
+    void open_network();
+    SaliencyMap subject_of(const FramePair& pair);
+
     const AnalysisSettings& settings_;     // outlives the search
     std::unique_ptr<FaceDetector> faces_;  // null: not searched
     std::unique_ptr<ImageSaliencyStage> stage_;

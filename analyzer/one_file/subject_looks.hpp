@@ -10,7 +10,15 @@
 
 namespace vitrine::analyzer {
 
-/// Lets the network look at a few samples of each shot of a film, at a small size. The looks are few beside
+/// The pace at which a network looks at a film.
+struct LookPace {
+    double pixels = 0;   // of one picture of the film, for one look earned a second
+    double seconds = 0;  // of a shot, for one look more than the first
+    double at_once = 0;  // looks before anything is earned
+    int max = 0;         // looks in a shot
+};
+
+/// Lets the network look at some samples of each shot of a film, at a small size. The looks are few beside
 /// what decoding costs: a film earns them by its pixels, and a shot for which none is left keeps its plain
 /// region. Logs a model that cannot be used, once, and does without it.
 class SubjectLooks {
@@ -27,7 +35,8 @@ class SubjectLooks {
     bool open();
 
     const AnalysisSettings& settings_;  // outlives the looks
-    double rate_ = 0;                   // looks a second of film
+    LookPace pace_;
+    double rate_ = 0;  // looks a second of film
     int taken_ = 0;
     bool is_off_ = false;
     std::unique_ptr<SaliencyNetwork> network_;  // null: not opened yet

@@ -3,6 +3,7 @@
 #include "base/system/atomic_file.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace vitrine::analyzer {
 namespace {
@@ -19,12 +20,27 @@ std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side)
 }
 
 SubjectNetwork::SubjectNetwork(const std::string& file)
-    : full_(file), coarse_(open_network(file, coarse_side)) {}
+    : SubjectNetwork(std::make_unique<SaliencyNetwork>(file)) {
+    if (auto coarse = open_network(file, coarse_side)) looks_.push_back(std::move(coarse));
+}
+
+SubjectNetwork::SubjectNetwork(std::unique_ptr<SaliencyNetwork> network) {
+    looks_.push_back(std::move(network));
+}
 
 SaliencyMap SubjectNetwork::find(const FramePair& pair) {
-    SaliencyMap full = find_subject(full_, pair);
-    if (!coarse_) return full;
-    return (full + find_subject(*coarse_, pair)) / 2;
+    SaliencyMap sum = find_subject(*looks_.front(), pair);
+    for (std::size_t i = 1; i < looks_.size(); ++i)
+        sum += find_subject(*looks_[i], pair);
+    return sum / static_cast<double>(looks_.size());
+}
+
+std::unique_ptr<SubjectNetwork> photo_network(const AnalysisSettings& settings) {
+    const std::string& model = settings.saliency_model;
+    if (model.empty()) return nullptr;
+    if (settings.is_student)
+        return std::make_unique<SubjectNetwork>(std::make_unique<SaliencyNetwork>(model, coarse_side));
+    return settings.looks_at_photos ? std::make_unique<SubjectNetwork>(model) : nullptr;
 }
 
 }  // namespace vitrine::analyzer

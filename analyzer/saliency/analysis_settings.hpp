@@ -23,7 +23,8 @@ struct AnalysisSettings {
     DriftMode drift = DriftMode::smallest_area;
     RegionSettings region;
     std::string saliency_model;   // an ONNX file that finds subjects (subject_outline.hpp); "": not used
-    bool looks_at_photos = true;  // asks that network about photos; films are asked about now and then
+    bool is_student = false;      // that network is small: it looks at photos at once, and often at films
+    bool looks_at_photos = true;  // asks a large network about photos; films are asked about now and then
     std::string text_model;       // an ONNX file that finds lines of text (line_detector.hpp); "": not used
     int text_interval = 10;       // samples of a film from one search for lines to the next
     std::string face_model;       // YuNet's ONNX file; "": not used

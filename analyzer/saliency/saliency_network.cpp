@@ -43,7 +43,7 @@ std::string with_input_side(std::string model, int side) {
     return model;
 }
 
-SaliencyNetwork::SaliencyNetwork(const std::string& file) : file_(file) {
+SaliencyNetwork::SaliencyNetwork(const std::string& file, int side) : file_(file), side_(side) {
     try {
         net_ = cv::dnn::readNetFromONNX(file);
         output_ = first_output(net_);

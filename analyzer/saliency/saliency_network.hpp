@@ -17,13 +17,14 @@ constexpr int full_side = 320;  // px, of the square input of U2-Net's models
 /// @param side   px, a multiple of 32, from 128 to full_side
 std::string with_input_side(std::string model, int side);
 
-/// A neural network that finds the subject of a picture: one input of 1 x 3 x 320 x 320, RGB with the means
-/// and deviations of ImageNet, whose first output is one map. U2-Net and its small form are such.
+/// A neural network that finds the subject of a picture: one square input of RGB with the means and
+/// deviations of ImageNet, whose first output is one map. U2-Net and its small form are such.
 class SaliencyNetwork {
   public:
     /// @param file  ONNX
+    /// @param side  px, of its input
     /// @throws std::runtime_error if it cannot be read
-    explicit SaliencyNetwork(const std::string& file);
+    explicit SaliencyNetwork(const std::string& file, int side = full_side);
 
     /// @param file   name of the model, for errors
     /// @param model  ONNX, by with_input_side()
@@ -31,7 +32,7 @@ class SaliencyNetwork {
     /// @throws std::runtime_error if it cannot be read
     SaliencyNetwork(std::string file, std::span<const char> model, int side);
 
-    /// Takes about a second of processor time at the full side.
+    /// U2-Net's small form takes about a second of processor time at the full side, its student .03 s.
     /// @param bgr  CV_8UC3, not empty
     /// @return     for each pixel how likely it is the subject's, in [0, 1], of the input's size; stretched
     /// to

@@ -96,7 +96,8 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
                      "--resume",
                      fmt::format("--threads={}", usual_parallelism()),
                      fmt::format("--most-bytes={}", tapestry_share(options.tapestries.max_bytes))};
-    if (!analysis_settings(settings.analyzer).saliency_model.empty())
+    const AnalysisSettings analysis = analysis_settings(settings.analyzer);
+    if (!analysis.saliency_model.empty() && !analysis.is_student)
         options.refine = {"/proc/self/exe", config, "analyze", "--network"};
     options.pace = pace(settings.analyzer, is_once);
     options.rescan = settings.analyzer.rescan;

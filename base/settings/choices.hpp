@@ -10,10 +10,11 @@ enum class RegionMode {
     hull,      // the paper's: convex hull of the most salient pixels that together have enough of it
 };
 
-/// The way in which the important part of a photo is found (analyzer.saliency).
+/// The way in which the important part of a picture is found (analyzer.saliency).
 enum class SaliencyMethod {
-    network,  // by a neural network too, once a plain region is known
-    plain,    // by contrast, place and faces only
+    network,  // by a neural network too; of photos once a plain region is known
+    student,  // by a small network that has learnt from it, at once
+    plain,    // by contrast, motion, place and faces only
 };
 
 /// The energy that a layout minimises (layout.energy).

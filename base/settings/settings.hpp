@@ -56,6 +56,7 @@ struct Settings {
         double face_weight = 0;  // image saliency includes faces already
         SaliencyMethod saliency = SaliencyMethod::network;
         std::string saliency_model = "/usr/share/vitrine/u2netp.onnx";      // empty: no network
+        std::string student_model = "/usr/share/vitrine/student.onnx";      // empty: no student
         std::string text_model = "/usr/share/vitrine/text_detection.onnx";  // empty: lines are not found
         std::string face_model = "/usr/share/vitrine/face_detection_yunet.onnx";  // empty: the cascade
         std::string face_cascade = "/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml";

@@ -1,6 +1,7 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
-//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx]
-//   [--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--verbose]
+//   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--student MODEL.onnx]
+//   [--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--films-by-student]
+//   [--verbose]
 
 #include "bench/analysis/tables.hpp"
 
@@ -25,8 +26,10 @@ constexpr Table tables[] = {{"shots", shots_table}, {"shown", shown_table}, {"su
                             {"drift", drift_table}, {"bars", bars_table}};
 
 int usage() {
-    fmt::print("analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--masks FOLDER] "
-               "[--only shots|shown|subjects|masks|words|motion|drift|bars] [--verbose]\n");
+    fmt::print(
+        "analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--student MODEL.onnx] "
+        "[--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--films-by-student] "
+        "[--verbose]\n");
     return 2;
 }
 
@@ -38,13 +41,14 @@ int main(int argc, char** argv) {
     TableInput input{.media = VITRINE_MEDIA,
                      .face_model = VITRINE_MODELS "/face_detection_yunet.onnx",
                      .saliency_model = VITRINE_MODELS "/u2netp.onnx",
+                     .student_model = VITRINE_MODELS "/student.onnx",
                      .text_model = VITRINE_MODELS "/text_detection.onnx"};
     std::string only;
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string word = words[i];
-        if (word == "--verbose") {
-            input.is_verbose = true;
+        if (word == "--verbose" || word == "--films-by-student") {
+            (word == "--verbose" ? input.is_verbose : input.is_student) = true;
             continue;
         }
         if (++i == words.size()) return usage();
@@ -54,6 +58,8 @@ int main(int argc, char** argv) {
             input.face_model = words[i];
         else if (word == "--network")
             input.saliency_model = words[i];
+        else if (word == "--student")
+            input.student_model = words[i];
         else if (word == "--masks")
             input.masks = words[i];
         else if (word == "--only")

@@ -33,8 +33,9 @@ struct MaskedPhoto {
     std::string name;
     cv::Mat picture;
     cv::Mat mask;         // CV_8UC1, 255 where the subjects are
-    Sample plain;         // without the network
+    Sample plain;         // without a network
     SaliencyMap subject;  // by the network
+    SaliencyMap student;  // by its student
     bool is_held_back = false;
 };
 
@@ -48,17 +49,27 @@ int touched_edges(const cv::Mat& mask) {
         strips, [&](const cv::Rect& strip) { return cv::countNonZero(mask(strip)) > 0; }));
 }
 
-Polygon region_of(const MaskedPhoto& photo, bool with_network) {
+Polygon region_of(const MaskedPhoto& photo, const SaliencyMap& subject) {
     Sample sample = photo.plain;
-    if (with_network) sample.subject = photo.subject;
+    sample.subject = subject;
     const cv::Size size = photo.picture.size();
     return shot_region({sample}, {}, map_size(size), size, {}).shot.region.polygon;
 }
 
-/// The rows of a table, each by three ways.
+/// The networks that look at photographs.
+struct Networks {
+    SubjectNetwork network;
+    SubjectNetwork student;
+};
+
+/// The regions of a photograph: plain, with the network, with its student, and a box of the second one's
+/// area.
+using WayRegions = std::array<Polygon, 4>;
+
+/// The rows of a table, each by four ways.
 class MaskRows {
   public:
-    void add(const std::string& row, const MaskedPhoto& photo, const std::array<Polygon, 3>& regions) {
+    void add(const std::string& row, const MaskedPhoto& photo, const WayRegions& regions) {
         if (!scores_.contains(row)) order_.push_back(row);
         const cv::Size size = photo.picture.size();
         const double subject = cv::countNonZero(photo.mask) / static_cast<double>(size.area());
@@ -68,7 +79,8 @@ class MaskRows {
     }
 
     void print() {
-        constexpr std::array<const char*, 3> names{"plain", "with the network", "box, same area"};
+        constexpr std::array<const char*, 4> names{"plain", "with the network", "with the student",
+                                                   "box, network's area"};
         for (const std::string& row : order_) {
             fmt::print("{}: {} photographs\n", row, scores_[row][0].coverage.size());
             for (std::size_t way = 0; way < names.size(); ++way)
@@ -78,7 +90,7 @@ class MaskRows {
 
   private:
     std::vector<std::string> order_;
-    std::map<std::string, std::array<SubjectScores, 3>> scores_;
+    std::map<std::string, std::array<SubjectScores, 4>> scores_;
 };
 
 std::vector<fs::path> photos_in(const fs::path& folder) {
@@ -89,7 +101,7 @@ std::vector<fs::path> photos_in(const fs::path& folder) {
     return result;
 }
 
-MaskedPhoto read_photo(const fs::path& file, FaceDetector& detector, SubjectNetwork& network) {
+MaskedPhoto read_photo(const fs::path& file, FaceDetector& detector, Networks& networks) {
     MaskedPhoto photo{.name = file.filename().string(), .picture = picture(file, photo_side)};
     cv::cvtColor(picture(fs::path(file).replace_extension(".png"), photo_side), photo.mask,
                  cv::COLOR_BGR2GRAY);
@@ -98,19 +110,19 @@ MaskedPhoto read_photo(const fs::path& file, FaceDetector& detector, SubjectNetw
     const std::vector<Face> faces = find_faces(detector, photo.picture, settings.only_prominent_faces);
     photo.plain = sample_of({photo.picture, {}, 1}, settings, faces);
     photo.plain.faces = faces;
-    photo.subject = network.find({photo.picture, {}, 1});
+    photo.subject = networks.network.find({photo.picture, {}, 1});
+    photo.student = networks.student.find({photo.picture, {}, 1});
     return photo;
 }
 
 void add_photo(const std::string& group, const MaskedPhoto& photo, MaskRows& rows, bool is_verbose) {
-    const Polygon plain = region_of(photo, false);
-    const Polygon ours = region_of(photo, true);
+    const Polygon ours = region_of(photo, photo.subject);
     const cv::Size size = photo.picture.size();
-    const Polygon box = to_polygon(centre_crop(size, area(ours) / static_cast<double>(size.area())));
+    const WayRegions regions{region_of(photo, {}), ours, region_of(photo, photo.student),
+                             to_polygon(centre_crop(size, area(ours) / static_cast<double>(size.area())))};
     const char* half = photo.is_held_back ? "held back" : "tuned on";
-    rows.add(fmt::format("{}, {}", group, half), photo, {plain, ours, box});
-    if (touched_edges(photo.mask) >= 2)
-        rows.add(fmt::format("touching two edges, {}", half), photo, {plain, ours, box});
+    rows.add(fmt::format("{}, {}", group, half), photo, regions);
+    if (touched_edges(photo.mask) >= 2) rows.add(fmt::format("touching two edges, {}", half), photo, regions);
     if (!is_verbose) return;
     const RegionScore s = region_score(ours, size, photo.mask, cv::Mat::zeros(size, CV_8UC1), {});
     fmt::print("  {:50} iou {:.2f} coverage {:.2f} area {:.2f}\n", photo.name, s.iou, s.coverage, s.area);
@@ -124,12 +136,14 @@ void masks_table(const TableInput& input) {
         return;
     }
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
-    SubjectNetwork network(input.saliency_model);
+    Networks networks{
+        .network = SubjectNetwork(input.saliency_model),
+        .student = SubjectNetwork(std::make_unique<SaliencyNetwork>(input.student_model, coarse_side))};
     MaskRows rows;
     for (const char* group : {"pet", "cat", "cats"}) {
         const std::vector<fs::path> files = photos_in(input.masks / group);
         for (std::size_t i = 0; i < files.size(); ++i) {
-            MaskedPhoto photo = read_photo(files[i], *faces, network);
+            MaskedPhoto photo = read_photo(files[i], *faces, networks);
             photo.is_held_back = i % 2 == 1;
             add_photo(group, photo, rows, input.is_verbose);
         }

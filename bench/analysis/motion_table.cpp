@@ -101,7 +101,8 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
     AnalysisSettings settings;
     settings.face_model = input.face_model;
     TakeScore score{.plain = held_by(settings), .letter = held_by(paper_mode())};
-    settings.saliency_model = input.saliency_model;
+    settings.saliency_model = input.is_student ? input.student_model : input.saliency_model;
+    settings.is_student = input.is_student;
     score.ours = held_by(settings);
     const auto boxed = [&](Vec2 centre) {
         const Polygon box = still_box(size, score.ours.area, centre);
@@ -229,8 +230,11 @@ void motion_table(const TableInput& input) {
         "drawn subjects", made_take_count(), [&](std::size_t i) { return made_take(i, drawn_with); }, input);
     films(input, paper_mode(), "paper's letter");
     films(input, {.face_model = input.face_model}, "plain");
-    films(input, {.saliency_model = input.saliency_model, .face_model = input.face_model},
-          "with the network");
+    films(input,
+          {.saliency_model = input.is_student ? input.student_model : input.saliency_model,
+           .is_student = input.is_student,
+           .face_model = input.face_model},
+          input.is_student ? "with the student" : "with the network");
 }
 
 }  // namespace vitrine::analyzer

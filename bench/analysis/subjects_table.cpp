@@ -58,6 +58,7 @@ struct Photo {
     double share = 0;  // share of the picture's area in our region
     FaceDetector& detector;
     SubjectNetwork* network = nullptr;  // null: there is none
+    SubjectNetwork* student = nullptr;  // null: there is none
 };
 
 struct Way {
@@ -68,6 +69,7 @@ struct Way {
 const std::vector<Way>& ways() {
     static const std::vector<Way> all{
         {"ours", [](const Photo& p) { return region_of(p.picture, p.detector, {}, p.network); }},
+        {"ours, student", [](const Photo& p) { return region_of(p.picture, p.detector, {}, p.student); }},
         {"ours, plain", [](const Photo& p) { return region_of(p.picture, p.detector, {}); }},
         {"ours, by barriers",
          [](const Photo& p) { return region_of(p.picture, p.detector, by(ImageSaliency::barrier)); }},
@@ -86,7 +88,9 @@ std::vector<Box> joined(std::vector<Box> a, const std::vector<Box>& b) {
     return a;
 }
 
-void photographs(const fs::path& folder, FaceDetector& detector, SubjectNetwork* network, bool is_verbose) {
+void photographs(const TableInput& input, FaceDetector& detector, SubjectNetwork* network,
+                 SubjectNetwork* student) {
+    const fs::path folder = input.media / "photos";
     std::ifstream file(folder / "boxes.json");
     if (!file) {
         fmt::print("photographs: not here\n");
@@ -95,7 +99,10 @@ void photographs(const fs::path& folder, FaceDetector& detector, SubjectNetwork*
     const nlohmann::json labels = nlohmann::json::parse(file);
     std::vector<SubjectScores> scores(ways().size());
     for (const auto& [name, entry] : labels["images"].items()) {
-        Photo photo{.picture = picture(folder / name, photo_side), .detector = detector, .network = network};
+        Photo photo{.picture = picture(folder / name, photo_side),
+                    .detector = detector,
+                    .network = network,
+                    .student = student};
         if (photo.picture.empty()) continue;
         const cv::Size size = photo.picture.size();
         const std::vector<Box> subjects = boxes(entry, "subject");
@@ -107,7 +114,7 @@ void photographs(const fs::path& folder, FaceDetector& detector, SubjectNetwork*
             if (i == 0) photo.share = area(region) / static_cast<double>(size.area());
             const RegionScore s = region_score(region, size, subject, ignored, faces);
             scores[i].add(s, cv::countNonZero(subject) / static_cast<double>(size.area()));
-            if (!is_verbose || i > 0) continue;
+            if (!input.is_verbose || i > 0) continue;
             fmt::print("  {:40} iou {:.2f} coverage {:.2f} area {:.2f} faces {}/{}\n", name, s.iou,
                        s.coverage, s.area, s.whole_faces, s.faces);
         }
@@ -174,7 +181,8 @@ void subjects_table(const TableInput& input) {
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
     std::unique_ptr<SubjectNetwork> network;
     if (!input.saliency_model.empty()) network = std::make_unique<SubjectNetwork>(input.saliency_model);
-    photographs(input.media / "photos", *faces, network.get(), input.is_verbose);
+    const auto student = photo_network({.saliency_model = input.student_model, .is_student = true});
+    photographs(input, *faces, network.get(), student.get());
     costs(input.media / "saliency" / "davis_car-shadow", *faces);
 }
 

@@ -11,6 +11,8 @@ struct TableInput {
     std::filesystem::path masks{};  // a folder that masked_photos.py has made; "": none
     std::string face_model;         // YuNet's ONNX file; "": Viola-Jones
     std::string saliency_model;     // of the network that finds subjects of photos; "": none
+    std::string student_model;      // of the small network that has learnt from it; "": none
+    bool is_student = false;        // films are measured with the student
     std::string text_model;         // of the network that finds lines of text
     bool is_verbose = false;        // a line for each picture
 };

@@ -23,7 +23,7 @@ HELD = {
                          "usr/share/doc/vitrine/operator.md", "usr/share/doc/vitrine/technician.md",
                          "usr/share/doc/vitrine/appliance.md", "usr/share/doc/vitrine/wall.md", "usr/share/doc/vitrine/catalogue.md",
                          "usr/share/doc/vitrine/images/status.jpg", "usr/share/vitrine/face_detection_yunet.onnx",
-                         "usr/share/vitrine/text_detection.onnx",
+                         "usr/share/vitrine/student.onnx", "usr/share/vitrine/text_detection.onnx",
                          "usr/share/vitrine/u2netp.onnx"],
     "vitrine-player": ["usr/bin/vitrine-player", "lib/systemd/system/vitrine-player.service",
                        "lib/systemd/system/vitrine.target", "usr/share/man/man1/vitrine-player.1.gz"],

@@ -71,6 +71,12 @@ bool holds(const Polygon& region, const cv::Rect& part) {
     return true;
 }
 
+cv::Mat red_disc() {
+    cv::Mat picture = with_disc({190, 200, 190}, {230, 110});
+    cv::circle(picture, {230, 110}, 40, cv::Scalar(30, 40, 200), cv::FILLED, cv::LINE_AA);
+    return picture;
+}
+
 }  // namespace
 
 TEST_CASE("the words in a film lie whole in its region, and in a photo that the network looks at") {
@@ -89,11 +95,7 @@ TEST_CASE("the words in a film lie whole in its region, and in a photo that the 
 
 TEST_CASE(
     "the network looks at a film now and then; where it cannot be read the film keeps its plain regions") {
-    const auto draw = [](int) {
-        cv::Mat picture = with_disc({190, 200, 190}, {230, 110});
-        cv::circle(picture, {230, 110}, 40, cv::Scalar(30, 40, 200), cv::FILLED, cv::LINE_AA);
-        return picture;
-    };
+    const auto draw = [](int) { return red_disc(); };
     AnalysisSettings settings = without_faces();
     DrawnFilm plain_film(MediaKind::film, 75, draw);
     const MediaRecord before = analyze(plain_film, settings);
@@ -110,6 +112,29 @@ TEST_CASE(
     settings.saliency_model = "/nowhere.onnx";
     DrawnFilm unseen(MediaKind::film, 75, draw);
     CHECK(analyze(unseen, settings).shots == before.shots);
+}
+
+TEST_CASE("the student looks at films and photos at once; a photo that it cannot look at is plain") {
+    const auto draw = [](int) { return red_disc(); };
+    AnalysisSettings settings = without_faces();
+    DrawnFilm plain_photo(MediaKind::photo, 1, draw);
+    const MediaRecord plain = analyze(plain_photo, settings);
+    settings.is_student = true;
+    settings.looks_at_photos = false;
+    settings.saliency_model = VITRINE_MODELS "/student.onnx";
+    for (const MediaKind kind : {MediaKind::film, MediaKind::photo}) {
+        DrawnFilm media(kind, kind == MediaKind::film ? 75 : 1, draw);
+        const Shot shot = analyze(media, settings).shots.at(0);
+        REQUIRE(shot.certainty);
+        CHECK(*shot.certainty > 0.5);
+        CHECK(holds(shot.region.polygon, {204, 84, 52, 52}));
+        CHECK(area(shot.region.polygon) < 0.8 * area(plain.shots.at(0).region.polygon));
+    }
+    for (const char* model : {"/nowhere.onnx", VITRINE_MODELS "/face_detection_yunet.onnx"}) {
+        settings.saliency_model = model;
+        DrawnFilm photo(MediaKind::photo, 1, draw);
+        CHECK(analyze(photo, settings).shots == plain.shots);
+    }
 }
 
 TEST_CASE("a photo has one shot without time, around its subject") {

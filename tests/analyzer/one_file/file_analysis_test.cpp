@@ -2,6 +2,7 @@
 
 #include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/frame_reader.hpp"
+#include "analyzer/one_file/analysed_file.hpp"
 #include "analyzer/one_file/analyze.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
 #include "analyzer/tapestry/weave/kept_frames.hpp"
@@ -152,4 +153,17 @@ TEST_CASE("the one decoding of a film leaves its frames for its tapestry, where 
                           .levels = {}});
     (void)analyse_file(film, settings, {.frames = true});
     CHECK_FALSE(kept_frames(kept));
+}
+
+TEST_CASE("the word of the setting chooses the network that looks") {
+    Settings::Analyzer settings;
+    settings.saliency_model = "/large.onnx";
+    settings.student_model = "/small.onnx";
+    CHECK(analysis_settings(settings).saliency_model == "/large.onnx");
+    CHECK_FALSE(analysis_settings(settings).is_student);
+    settings.saliency = SaliencyMethod::student;
+    CHECK(analysis_settings(settings).saliency_model == "/small.onnx");
+    CHECK(analysis_settings(settings).is_student);
+    settings.saliency = SaliencyMethod::plain;
+    CHECK(analysis_settings(settings).saliency_model.empty());
 }
