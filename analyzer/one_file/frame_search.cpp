@@ -18,8 +18,8 @@ FrameSearch::FrameSearch(const AnalysisSettings& settings, MediaKind kind)
         lines_ = std::make_unique<LineDetector>(settings.text_model);
 }
 
-/// A photo that the large network is to look at has its plain region already. One that the student looks at has
-/// none yet, and must not be without one for the model's sake.
+/// A photo that the large network is to look at has its plain region already. One that the student looks at
+/// has none yet, and must not be without one for the model's sake.
 void FrameSearch::open_network() {
     try {
         network_ = photo_network(settings_);

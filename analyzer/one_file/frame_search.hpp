@@ -19,8 +19,8 @@ namespace vitrine::analyzer {
 class FrameSearch {
   public:
     /// A photo is shown to the network where the settings want it; its lines are searched then, too. Of a
-    /// film what the network needs is kept in the samples. Logs a student that cannot be used, and does without
-    /// it.
+    /// film what the network needs is kept in the samples. Logs a student that cannot be used, and does
+    /// without it.
     /// @throws std::runtime_error if another model cannot be read
     FrameSearch(const AnalysisSettings& settings, MediaKind kind);
 

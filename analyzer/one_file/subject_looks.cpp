@@ -11,8 +11,8 @@ namespace vitrine::analyzer {
 namespace {
 
 // A look of the large network at 160 px takes about .13 s of processor time, as long as decoding 16 pictures
-// of 1080p or 70 of 720p. So its looks add an eighth to what decoding of 1080p costs, and a quarter to that of
-// 720p. The student takes a fifth of that time; more looks than these made regions larger and no better.
+// of 1080p or 70 of 720p. So its looks add an eighth to what decoding of 1080p costs, and a quarter to that
+// of 720p. The student takes a fifth of that time; more looks than these made regions larger and no better.
 constexpr LookPace network_pace{.pixels = 9e6, .seconds = 3, .at_once = 2, .max = 6};
 constexpr LookPace student_pace{.pixels = 4.5e6, .seconds = 2, .at_once = 4, .max = 8};
 constexpr double min_rate = 0.1;
@@ -27,8 +27,7 @@ SubjectLooks::SubjectLooks(const AnalysisSettings& settings, const MediaRecord& 
     : settings_(settings),
       pace_(settings.is_student ? student_pace : network_pace),
       rate_(std::max(min_rate, static_cast<double>(film.width) * film.height / pace_.pixels)),
-      is_off_(film.kind == MediaKind::photo ||
-              settings.saliency_model.empty()) {}
+      is_off_(film.kind == MediaKind::photo || settings.saliency_model.empty()) {}
 
 void SubjectLooks::look(const Shot& shot, std::vector<Sample>& samples) {
     if (is_off_ || samples.empty()) return;
