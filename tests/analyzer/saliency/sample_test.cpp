@@ -10,7 +10,7 @@ namespace {
 /// @param half_length  px; half of it is the car's half width
 cv::Mat car_from_above(cv::Size size, int half_length) {
     cv::Mat picture(size, CV_8UC3, cv::Scalar(90, 80, 80));
-    const cv::Point centre(size.width / 4, size.height / 2);
+    const cv::Point centre(size.width * 5 / 16, size.height / 2);
     const int half_width = half_length / 2;
     cv::ellipse(picture, centre, {half_width, half_length}, 0, 0, 360, cv::Scalar(220, 210, 230), cv::FILLED,
                 cv::LINE_AA);
@@ -37,17 +37,20 @@ TEST_CASE("frames of any shape have maps, however narrow they are") {
 
 TEST_CASE("a thing that looks like one large letter is no line of words; words beside it are one") {
     LineDetector detector(VITRINE_MODELS "/text_detection.onnx");
-    for (const int half_length : {30, 36, 42, 48, 54}) {
+    for (const int half_length : {36, 48, 52}) {
+        CAPTURE(half_length);
+        CHECK(find_lines(detector, {car_from_above({320, 180}, half_length), {}}).empty());
+    }
+    for (const int half_length : {32, 40}) {
         CAPTURE(half_length);
         cv::Mat picture = car_from_above({320, 180}, half_length);
-        CHECK(find_lines(detector, {picture, {}}).empty());
-        cv::putText(picture, "Parking", {170, 100}, cv::FONT_HERSHEY_SIMPLEX, 0.8, cv::Scalar::all(250), 2,
+        cv::putText(picture, "Parking", {200, 40}, cv::FONT_HERSHEY_SIMPLEX, 0.8, cv::Scalar::all(250), 2,
                     cv::LINE_AA);
         const std::vector<Box> lines = find_lines(detector, {picture, {}});
         REQUIRE(lines.size() == 1);
-        CHECK(lines.front().min.x < 86);  // px of the map, which is half as large
-        CHECK(lines.front().min.x > 70);
-        CHECK(lines.front().max.x > 130);
+        CHECK(lines.front().min.x < 101);  // px of the map, which is half as large
+        CHECK(lines.front().min.x > 90);
+        CHECK(lines.front().max.x > 145);
     }
 }
 
