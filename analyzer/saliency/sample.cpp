@@ -120,6 +120,12 @@ SaliencyMap placed_map(const SaliencyMap& map, const cv::Rect& part, cv::Size si
     return result;
 }
 
+double largest_value(const cv::Mat& map) {
+    double largest = 0;
+    cv::minMaxLoc(map, nullptr, &largest);
+    return largest;
+}
+
 /// Says if a small look sees a line's core within a line.
 /// @param line     px of the picture
 /// @param map      what the look sees of all of the picture
@@ -130,9 +136,7 @@ bool is_seen(const Box& line, const cv::Mat& map, cv::Size picture) {
     const cv::Point end{static_cast<int>(std::ceil(line.max.x * x)),
                         static_cast<int>(std::ceil(line.max.y * y))};
     const cv::Rect part = cv::Rect(corner, end) & cv::Rect({}, map.size());
-    double most = 0;
-    if (!part.empty()) cv::minMaxLoc(map(part), nullptr, &most);
-    return most >= line_core;
+    return !part.empty() && largest_value(map(part)) >= line_core;
 }
 
 /// Says if a box is no longer than one letter.
@@ -140,20 +144,23 @@ bool is_one_letter(const Box& line) {
     return std::max(line.width(), line.height()) < 1.5 * std::min(line.width(), line.height());
 }
 
-/// The lines in a picture, px of it, as far as a reader would miss them. A small look comes first. A picture
-/// that is no larger has no lines where that look sees no trace of one. A tall line has several letters, and
-/// both looks see it: enlarged, a car or a dog's head may be taken for a letter.
+/// The lines in a picture, px of it, as far as a reader would miss them. A small look comes first where the
+/// picture is no larger: there are no lines where it sees no trace of one. A tall line has several letters,
+/// and both looks see it: enlarged, a car or a dog's head may be taken for a letter.
 std::vector<Box> lines_in(LineDetector& detector, const cv::Mat& picture) {
-    const cv::Mat small = detector.map(picture, small_line_side);
-    double most = 0;
-    cv::minMaxLoc(small, nullptr, &most);
     const int longest = std::max(picture.cols, picture.rows);
-    if (longest <= small_line_side && most < line_trace) return {};
+    cv::Mat small;
+    if (longest <= small_line_side) {
+        small = detector.map(picture, small_line_side);
+        if (largest_value(small) < line_trace) return {};
+    }
     const Vec2 size{static_cast<double>(picture.cols), static_cast<double>(picture.rows)};
     std::vector<Box> lines = readable_lines(detector.find(picture, line_side), size);
     std::erase_if(lines, [&](const Box& line) {
-        return line.height() > tall_line * longest &&
-               (is_one_letter(line) || !is_seen(line, small, picture.size()));
+        if (line.height() <= tall_line * longest) return false;
+        if (is_one_letter(line)) return true;
+        if (small.empty()) small = detector.map(picture, small_line_side);
+        return !is_seen(line, small, picture.size());
     });
     return lines;
 }

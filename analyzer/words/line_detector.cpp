@@ -90,7 +90,8 @@ cv::dnn::Net& LineDetector::net_for(cv::Size size) {
     return nets_.back().net;
 }
 
-cv::Mat LineDetector::map_of(const cv::Mat& bgr, cv::Size size) {
+cv::Mat LineDetector::map(const cv::Mat& bgr, int side) {
+    const cv::Size size = input_size(bgr.size(), side);
     cv::Mat output;
     try {
         cv::dnn::Net& net = net_for(size);
@@ -104,12 +105,8 @@ cv::Mat LineDetector::map_of(const cv::Mat& bgr, cv::Size size) {
     return cv::Mat(output.size[2], output.size[3], CV_32FC1, output.ptr<float>()).clone();
 }
 
-cv::Mat LineDetector::map(const cv::Mat& bgr, int side) {
-    return map_of(bgr, input_size(bgr.size(), side));
-}
-
 std::vector<Box> LineDetector::find(const cv::Mat& bgr, int side) {
-    const cv::Mat map = map_of(bgr, input_size(bgr.size(), side));
+    const cv::Mat map = this->map(bgr, side);
     std::vector<std::vector<cv::Point>> outlines;
     cv::findContours(map >= line_core, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
     const double scale_x = static_cast<double>(bgr.cols) / map.cols;

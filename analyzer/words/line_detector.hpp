@@ -30,8 +30,8 @@ class LineDetector {
     /// @throws std::runtime_error if the network does not take such a picture or gives no map
     std::vector<Box> find(const cv::Mat& bgr, int side);
 
-    /// What the network sees, at the size at which it looks.
-    /// @return  CV_32FC1 in [0, 1]: how likely each pixel is a line's core
+    /// The network looks at a picture.
+    /// @return  in px of what it sees, CV_32FC1 in [0, 1]: how likely each pixel is a line's core
     /// @throws std::runtime_error like find()
     cv::Mat map(const cv::Mat& bgr, int side);
 
@@ -41,7 +41,6 @@ class LineDetector {
         cv::Size size;  // of its input so far; empty: it has had none
     };
 
-    cv::Mat map_of(const cv::Mat& bgr, cv::Size size);
     cv::dnn::Net& net_for(cv::Size size);
 
     std::string file_;
