@@ -57,9 +57,7 @@ int SubjectLooks::affordable(const Shot& shot) const {
 bool SubjectLooks::open() {
     if (network_) return true;
     try {
-        network_ = settings_.is_student
-                       ? std::make_unique<SaliencyNetwork>(settings_.saliency_model, coarse_side)
-                       : open_network(settings_.saliency_model, coarse_side);
+        network_ = quick_network(settings_);
         if (!network_) throw std::runtime_error("the model takes no smaller pictures");
     } catch (const std::runtime_error& error) {
         log::warning("films keep their plain regions: {}", error.what());

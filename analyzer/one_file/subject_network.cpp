@@ -19,6 +19,12 @@ std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side)
     return std::make_unique<SaliencyNetwork>(file, smaller, side);
 }
 
+std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings) {
+    const std::string& model = settings.saliency_model;
+    return settings.is_student ? std::make_unique<SaliencyNetwork>(model, coarse_side)
+                               : open_network(model, coarse_side);
+}
+
 SubjectNetwork::SubjectNetwork(const std::string& file)
     : SubjectNetwork(std::make_unique<SaliencyNetwork>(file)) {
     if (auto coarse = open_network(file, coarse_side)) looks_.push_back(std::move(coarse));
@@ -36,11 +42,9 @@ SaliencyMap SubjectNetwork::find(const FramePair& pair) {
 }
 
 std::unique_ptr<SubjectNetwork> photo_network(const AnalysisSettings& settings) {
-    const std::string& model = settings.saliency_model;
-    if (model.empty()) return nullptr;
-    if (settings.is_student)
-        return std::make_unique<SubjectNetwork>(std::make_unique<SaliencyNetwork>(model, coarse_side));
-    return settings.looks_at_photos ? std::make_unique<SubjectNetwork>(model) : nullptr;
+    if (settings.saliency_model.empty()) return nullptr;
+    if (settings.is_student) return std::make_unique<SubjectNetwork>(quick_network(settings));
+    return settings.looks_at_photos ? std::make_unique<SubjectNetwork>(settings.saliency_model) : nullptr;
 }
 
 }  // namespace vitrine::analyzer

@@ -17,6 +17,12 @@ constexpr int coarse_side = 160;  // px, of the input of a quick look, and of th
 /// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side);
 
+/// The network of the settings, which name one, for quick looks: the student, or the large one with a smaller
+/// input.
+/// @return null like open_network()
+/// @throws std::runtime_error if it cannot be read
+std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings);
+
 /// The networks as photos need them.
 class SubjectNetwork {
   public:

@@ -47,8 +47,12 @@ int main(int argc, char** argv) {
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string word = words[i];
-        if (word == "--verbose" || word == "--films-by-student") {
-            (word == "--verbose" ? input.is_verbose : input.is_student) = true;
+        if (word == "--verbose") {
+            input.is_verbose = true;
+            continue;
+        }
+        if (word == "--films-by-student") {
+            input.is_student = true;
             continue;
         }
         if (++i == words.size()) return usage();

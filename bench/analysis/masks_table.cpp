@@ -136,9 +136,9 @@ void masks_table(const TableInput& input) {
         return;
     }
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
-    Networks networks{
-        .network = SubjectNetwork(input.saliency_model),
-        .student = SubjectNetwork(std::make_unique<SaliencyNetwork>(input.student_model, coarse_side))};
+    Networks networks{.network = SubjectNetwork(input.saliency_model),
+                      .student = SubjectNetwork(
+                          quick_network({.saliency_model = input.student_model, .is_student = true}))};
     MaskRows rows;
     for (const char* group : {"pet", "cat", "cats"}) {
         const std::vector<fs::path> files = photos_in(input.masks / group);

@@ -89,6 +89,13 @@ struct TakeScore {
     Held middle_box;  // a box in the middle of the picture
 };
 
+/// The settings with the network that films are measured with.
+AnalysisSettings with_network(const TableInput& input) {
+    return {.saliency_model = input.is_student ? input.student_model : input.saliency_model,
+            .is_student = input.is_student,
+            .face_model = input.face_model};
+}
+
 TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput& input) {
     const cv::Size size = take.frames.front().size();
     const auto held_by = [&](const AnalysisSettings& settings) {
@@ -101,9 +108,7 @@ TakeScore take_score(const Take& take, const EncodedTake& file, const TableInput
     AnalysisSettings settings;
     settings.face_model = input.face_model;
     TakeScore score{.plain = held_by(settings), .letter = held_by(paper_mode())};
-    settings.saliency_model = input.is_student ? input.student_model : input.saliency_model;
-    settings.is_student = input.is_student;
-    score.ours = held_by(settings);
+    score.ours = held_by(with_network(input));
     const auto boxed = [&](Vec2 centre) {
         const Polygon box = still_box(size, score.ours.area, centre);
         return held(take, [&](std::size_t) { return box; });
@@ -230,11 +235,7 @@ void motion_table(const TableInput& input) {
         "drawn subjects", made_take_count(), [&](std::size_t i) { return made_take(i, drawn_with); }, input);
     films(input, paper_mode(), "paper's letter");
     films(input, {.face_model = input.face_model}, "plain");
-    films(input,
-          {.saliency_model = input.is_student ? input.student_model : input.saliency_model,
-           .is_student = input.is_student,
-           .face_model = input.face_model},
-          input.is_student ? "with the student" : "with the network");
+    films(input, with_network(input), input.is_student ? "with the student" : "with the network");
 }
 
 }  // namespace vitrine::analyzer

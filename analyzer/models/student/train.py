@@ -218,12 +218,11 @@ def main():
     print(f"{len(pictures)} pictures to train on, {0 if held is None else len(held)} held back", flush=True)
     teacher = Teacher(options.teacher, device)
     student = Training(pictures, teacher, options).run()
-    write = student.float()
     for name, part in (("trained on", pictures[:500]), ("held back", held)):
         if part is not None:
-            score = judge(write, teacher, part)
+            score = judge(student, teacher, part)
             print(f"{name}: error {score.error:.4f}, common {score.overlap:.3f}", flush=True)
-    write_onnx(write, options.output)
+    write_onnx(student, options.output)
 
 
 if __name__ == "__main__":

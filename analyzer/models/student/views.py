@@ -33,9 +33,9 @@ def part_of(pictures, side=FULL):
     return warp(pictures, torch.stack(rows, 1), side)
 
 
-def warp(pictures, places, side):
+def warp(pictures, places, side, beyond="reflection"):
     grid = functional.affine_grid(places, [len(pictures), pictures.shape[1], side, side], align_corners=False)
-    return functional.grid_sample(pictures, grid, padding_mode="reflection", align_corners=False)
+    return functional.grid_sample(pictures, grid, padding_mode=beyond, align_corners=False)
 
 
 def with_other_subjects(pictures, other, maps, share=0.35):
@@ -53,8 +53,7 @@ def with_other_subjects(pictures, other, maps, share=0.35):
     ]
     maps = functional.interpolate(maps, size=other.shape[-2:], mode="bilinear", align_corners=False)
     both = torch.cat([other, maps], 1)
-    grid = functional.affine_grid(torch.stack(rows, 1), [count, 4, side, side], align_corners=False)
-    laid = functional.grid_sample(both, grid, padding_mode="zeros", align_corners=False)
+    laid = warp(both, torch.stack(rows, 1), side, beyond="zeros")
     cover = ((laid[:, 3:] - 0.4) * 5).clamp(0, 1) * chance(count, share, device)
     return cover * laid[:, :3] + (1 - cover) * pictures
 
