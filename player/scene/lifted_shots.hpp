@@ -1,10 +1,12 @@
 #pragma once
 
 #include "player/scene/lifted_shot.hpp"
+#include "player/scene/touched_film.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,9 +58,10 @@ struct LiftedMoment {
 
     std::vector<Shot> shots;
     double filler_light = usual_filler_light;
+    std::optional<FilmMoment> film = {};  // of a photo that was tapped
 
     /// True if the wall looks as if nobody had touched it.
-    bool is_nothing() const { return shots.empty() && filler_light == usual_filler_light; }
+    bool is_nothing() const { return shots.empty() && filler_light == usual_filler_light && !film; }
 
     bool operator==(const LiftedMoment&) const = default;
 };

@@ -29,25 +29,35 @@ std::shared_ptr<const Cell> cell_of(const Box& box) {
 
 }  // namespace
 
+void draw_film(Frame& frame, const FilmMoment& film) {
+    if (film.began == never) return;
+    const double alpha = std::min(share_of(frame.time - film.began), share_of(film.ends - frame.time));
+    if (alpha <= 0) return;
+    const Polygon whole =
+        transformed(to_polygon(whole_picture(film.shot)), film.placement.scale, film.placement.offset);
+    frame.items.push_back({.source = film.shot.source,
+                           .cell = cell_of(bounding_box(whole)),
+                           .placement = film.placement,
+                           .picture = film.shot.picture,
+                           .active = film.shot.active,
+                           .local = frame.time - film.began,
+                           .alpha = alpha});
+}
+
 void TouchedFilm::begin(const PlacedShot& photo, SourceId source, std::chrono::nanoseconds now) {
     const Polygon room =
         transformed(to_polygon(whole_picture(photo.shot)), photo.placement.scale, photo.placement.offset);
-    PlacedShot film{.shot = *photo.shot.film};
-    film.shot.source = source;
+    film_ = FilmMoment{.shot = *photo.shot.film, .placement = {}};
+    film_->shot.source = source;
     const Box screen = bounding_box(room);
-    film.placement = fitting(film.shot, screen, 1, screen.centre());
-    film.cell = cell_of(bounding_box(
-        transformed(to_polygon(whole_picture(film.shot)), film.placement.scale, film.placement.offset)));
-    film.began = never;
-    film_ = std::move(film);
+    film_->placement = fitting(film_->shot, screen, 1, screen.centre());
     is_ready_ = false;
     earliest_ = now + growing_time;
-    ends_ = never;
 }
 
 void TouchedFilm::end(std::chrono::nanoseconds now) {
     if (film_ && film_->began == never) film_.reset();
-    ends_ = std::min(ends_, now + fading_time);
+    if (film_) film_->ends = std::min(film_->ends, now + fading_time);
 }
 
 void TouchedFilm::source_ready(SourceId source) {
@@ -62,26 +72,14 @@ void TouchedFilm::advance(std::chrono::nanoseconds now) {
     if (!film_) return;
     if (film_->began == never && is_ready_ && now >= earliest_) {
         film_->began = now;
-        ends_ = now + film_->shot.shot.duration();
+        film_->ends = now + film_->shot.shot.duration();
     }
-    if (now >= ends_) film_.reset();
+    if (now >= film_->ends) film_.reset();
 }
 
-std::span<const PlacedShot> TouchedFilm::shots() const {
-    return film_ ? std::span<const PlacedShot>(&*film_, 1) : std::span<const PlacedShot>();
-}
-
-void TouchedFilm::draw(Frame& frame) const {
-    if (!film_ || film_->began == never) return;
-    const double alpha = std::min(share_of(frame.time - film_->began), share_of(ends_ - frame.time));
-    if (alpha <= 0) return;
-    frame.items.push_back({.source = film_->shot.source,
-                           .cell = film_->cell,
-                           .placement = film_->placement,
-                           .picture = film_->shot.picture,
-                           .active = film_->shot.active,
-                           .local = frame.time - film_->began,
-                           .alpha = alpha});
+std::vector<PlacedShot> TouchedFilm::shots() const {
+    if (!film_) return {};
+    return {{.shot = film_->shot, .placement = film_->placement, .cell = {}, .began = film_->began}};
 }
 
 }  // namespace vitrine::player

@@ -5,9 +5,22 @@
 
 #include <chrono>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace vitrine::player {
+
+/// A film above its photo as it plays there: all that it is drawn from.
+struct FilmMoment {
+    WallShot shot;
+    Placement placement;
+    std::chrono::nanoseconds began = never;  // `never`: it does not play yet
+    std::chrono::nanoseconds ends = never;   // it is invisible from then on
+
+    bool operator==(const FilmMoment&) const = default;
+};
+
+/// Draws a film above all else in a frame, at the frame's time.
+void draw_film(Frame& frame, const FilmMoment& film);
 
 /// The film of a Live Photo or motion photo that a visitor has tapped: it plays once above its photo, while
 /// that is as large as the screen. Knows no clock.
@@ -28,16 +41,15 @@ class TouchedFilm {
     void advance(std::chrono::nanoseconds now);
 
     /// The film at its place, whose source is needed; empty: none.
-    std::span<const PlacedShot> shots() const;
+    std::vector<PlacedShot> shots() const;
 
-    /// Draws it above all else.
-    void draw(Frame& frame) const;
+    /// The film whose source is needed; none: no photo with a film is large.
+    const std::optional<FilmMoment>& moment() const { return film_; }
 
   private:
-    std::optional<PlacedShot> film_;  // `began` is `never` until it plays
+    std::optional<FilmMoment> film_;
     bool is_ready_ = false;
-    std::chrono::nanoseconds earliest_{0};   // its photo is large from then on
-    std::chrono::nanoseconds ends_ = never;  // it is invisible from then on
+    std::chrono::nanoseconds earliest_{0};  // its photo is large from then on
 };
 
 }  // namespace vitrine::player

@@ -274,7 +274,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.lifted().draw(step.frame);
-    touched_film_.draw(step.frame);
+    if (touched_film_.moment()) draw_film(step.frame, *touched_film_.moment());
     if (!Wall::is_touched())
         step.frame.captions = is_in_change(*this)
                                   ? kept_caption_rooms(shown_, change_->wall, shown_canvas_.bands)

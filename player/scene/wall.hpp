@@ -39,6 +39,8 @@ struct WallParts {
     const Canvas& canvas;                     // of `shown`
     const std::optional<WallChange>& change;  // none: the wall stands
     const LiftedShots& lifted;
+    const std::optional<FilmMoment>&
+        film;  // above a photo that was tapped; none: no film of a photo is needed
 };
 
 /// The wall on the screen over time. WallEntries decides which shots are shown. The wall requests a layout
@@ -99,7 +101,9 @@ class Wall final : public Show {
     /// True while a visitor touches the wall, and until all is back in its place.
     bool is_touched() const { return touch_.is_active() || (change_ && change_->is_by_touch); }
 
-    WallParts parts() const { return {shown_, shown_canvas_, change_, touch_.lifted()}; }
+    WallParts parts() const {
+        return {shown_, shown_canvas_, change_, touch_.lifted(), touched_film_.moment()};
+    }
 
     /// The shots on the wall, without those that fade in.
     std::span<const PlacedShot> shown() const { return shown_; }

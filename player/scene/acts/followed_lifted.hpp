@@ -22,6 +22,9 @@ class FollowedLifted {
 
     bool is_empty() const { return lifted_.all().empty(); }
 
+    /// The film of a photo that was tapped, with this box's number of its source. nullptr: none.
+    const FilmMoment* film() const { return seen_.film ? &*seen_.film : nullptr; }
+
     /// The shots whose whole picture is seen, or will be, in the size of that.
     std::map<SourceId, PlacedShot> whole_pictures() const;
 

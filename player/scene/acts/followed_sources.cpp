@@ -60,16 +60,31 @@ void FollowedSources::set_failed(SourceId source, nanoseconds now) {
 std::vector<ShotRequest> FollowedSources::ask_for(const WallAct& act, std::optional<nanoseconds> at,
                                                   nanoseconds now) {
     std::vector<ShotRequest> requests;
-    for (const auto& [source, placed] : shots_of(act)) {
-        const auto larger = larger_.find(source);
-        ShotRequest request = request_of(larger != larger_.end() ? larger->second : *placed);
-        const auto [place, is_new] = sources_.try_emplace(source, Source{.request = request, .since = now});
-        if (!is_new && place->second.request == request) continue;
-        place->second.request = request;
-        if (is_new && at && placed->began < *at) request.at = *at + opening_time - placed->began;
-        requests.push_back(std::move(request));
-    }
+    for (const auto& [source, placed] : shots_of(act))
+        if (auto request = request_new(*placed, at, now)) requests.push_back(std::move(*request));
     return requests;
+}
+
+std::optional<ShotRequest> FollowedSources::ask_for(const FilmMoment& film, nanoseconds at, nanoseconds now) {
+    return request_new({.shot = film.shot, .placement = film.placement, .cell = {}, .began = film.began}, at,
+                       now);
+}
+
+std::optional<ShotRequest> FollowedSources::request_new(const PlacedShot& placed,
+                                                        std::optional<nanoseconds> at, nanoseconds now) {
+    const SourceId source = placed.shot.source;
+    const auto larger = larger_.find(source);
+    ShotRequest request = request_of(larger != larger_.end() ? larger->second : placed);
+    const auto [place, is_new] = sources_.try_emplace(source, Source{.request = request, .since = now});
+    if (!is_new && place->second.request == request) return std::nullopt;
+    place->second.request = request;
+    if (is_new && at && placed.began < *at) request.at = *at + opening_time - placed.began;
+    return request;
+}
+
+bool FollowedSources::is_ready(SourceId source) const {
+    const auto found = sources_.find(source);
+    return found != sources_.end() && found->second.state == State::ready;
 }
 
 std::vector<SourceId> FollowedSources::give_up_failed(nanoseconds now) {
@@ -88,9 +103,7 @@ bool FollowedSources::are_there(const WallAct& act) const {
 std::set<std::string> FollowedSources::lacking(const WallAct& act) const {
     std::set<std::string> paths;
     for (const auto& [source, placed] : shots_of(act)) {
-        const auto found = sources_.find(source);
-        if (found == sources_.end() || found->second.state != State::ready)
-            paths.insert(placed->shot.key.path);
+        if (!is_ready(source)) paths.insert(placed->shot.key.path);
     }
     return paths;
 }

@@ -2,6 +2,7 @@
 
 #include "player/scene/acts/wall_act.hpp"
 #include "player/scene/shot_request.hpp"
+#include "player/scene/touched_film.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -24,7 +25,10 @@ class FollowedSources {
     /// The act with this box's numbers.
     WallAct translated(WallAct act);
 
-    /// This box's number of a leader's source. None: no act has named it.
+    /// This box's number of a leader's source.
+    SourceId own_number(std::int64_t run, SourceId source);
+
+    /// The same. None: nothing has named it.
     std::optional<SourceId> find_own(std::int64_t run, SourceId source) const;
 
     /// Asks for these shots in the size that they have here, whatever size they have in acts.
@@ -40,8 +44,14 @@ class FollowedSources {
     std::vector<ShotRequest> ask_for(const WallAct& act, std::optional<std::chrono::nanoseconds> at,
                                      std::chrono::nanoseconds now);
 
+    /// The same for the film of a photo that was tapped. @param at  the time of the act's leader
+    std::optional<ShotRequest> ask_for(const FilmMoment& film, std::chrono::nanoseconds at,
+                                       std::chrono::nanoseconds now);
+
     /// Sources that failed some seconds ago: they are retired, and asked for anew by the next ask_for().
     std::vector<SourceId> give_up_failed(std::chrono::nanoseconds now);
+
+    bool is_ready(SourceId source) const;
 
     /// True if all shots of a translated act have a picture.
     bool are_there(const WallAct& act) const;
@@ -61,7 +71,10 @@ class FollowedSources {
         std::chrono::nanoseconds since{0};  // of the state
     };
 
-    SourceId own_number(std::int64_t run, SourceId source);
+    /// A request, if the shot is not asked for yet, or was in another size.
+    std::optional<ShotRequest> request_new(const PlacedShot& placed,
+                                           std::optional<std::chrono::nanoseconds> at,
+                                           std::chrono::nanoseconds now);
 
     SourceId base_;
     SourceId given_ = 0;                                         // how many numbers

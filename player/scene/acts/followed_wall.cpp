@@ -58,6 +58,7 @@ void FollowedWall::prepare(const WallAct& coming) {
 void FollowedWall::take_lifted(std::int64_t run, LiftedMoment seen) {
     for (LiftedMoment::Shot& shot : seen.shots)
         shot.source = sources_.find_own(run, shot.source).value_or(0);
+    if (seen.film) seen.film->shot.source = sources_.own_number(run, seen.film->shot.source);
     lifted_.take(std::move(seen), now_);
 }
 
@@ -118,6 +119,8 @@ Frame FollowedWall::next_frame() {
     }
     const bool has_ended_now = has_ended(*shown_, frame.time);
     lifted_.draw(frame, has_ended_now ? last_wall(*shown_) : shown_->shown, now_);
+    const FilmMoment* const film = lifted_.film();
+    if (film != nullptr && sources_.is_ready(film->shot.source)) draw_film(frame, *film);
     frame.time = now_;
     return frame;
 }
@@ -129,6 +132,9 @@ WallStep FollowedWall::step(nanoseconds now) {
     if (prepared_) append(step.requests, sources_.ask_for(*prepared_, std::nullopt, now));
     for (const auto* act : {&shown_, &waiting_})
         if (*act) append(step.requests, sources_.ask_for(**act, leaders_time(**act, now_ + epoch_), now));
+    if (const FilmMoment* const film = lifted_.film(); film != nullptr && shown_)
+        if (auto request = sources_.ask_for(*film, leaders_time(*shown_, now_ + epoch_), now))
+            step.requests.push_back(std::move(*request));
     take_waiting();
     step.frame = next_frame();
     if (shown_ && lifted_.is_empty() && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
@@ -140,6 +146,7 @@ WallStep FollowedWall::step(nanoseconds now) {
                 kept.insert(source);
     for (const DrawItem& item : before_)
         kept.insert(item.source);
+    if (const FilmMoment* const film = lifted_.film()) kept.insert(film->shot.source);
     step.retired = sources_.retire_all_but(kept);
     for (const SourceId source : sources_.give_up_failed(now))
         step.retired.push_back(source);

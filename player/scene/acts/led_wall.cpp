@@ -1,6 +1,7 @@
 #include "player/scene/acts/led_wall.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -63,9 +64,11 @@ void LedWall::source_ready(SourceId source) {
 }
 
 LedNews LedWall::take_news() {
+    LiftedMoment lifted = wall_.parts().lifted.moment(now_);
+    lifted.film = wall_.parts().film;
     return {.act = std::exchange(act_, std::nullopt),
             .preparation = std::exchange(preparation_, std::nullopt),
-            .lifted = wall_.parts().lifted.moment(now_),
+            .lifted = std::move(lifted),
             .now = now_};
 }
 

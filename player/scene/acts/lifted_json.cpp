@@ -1,6 +1,7 @@
 #include "player/scene/acts/lifted_json.hpp"
 
 #include "player/scene/acts/act_fields.hpp"
+#include "player/scene/acts/shot_json.hpp"
 
 #include <fmt/format.h>
 
@@ -41,15 +42,33 @@ LiftedMoment::Shot shot_in(const ActJson& json) {
     return shot;
 }
 
+ActJson to_json(const FilmMoment& film) {
+    ActJson json{{"shot", shot_to_json(film.shot)}, {"at", to_act_json(film.placement)}};
+    if (film.began != never) json["began_ns"] = film.began.count();
+    if (film.ends != never) json["ends_ns"] = film.ends.count();
+    return json;
+}
+
+FilmMoment film_in(const ActJson& json) {
+    const auto time = [&](const char* key) { return json.contains(key) ? time_in(json, key) : never; };
+    FilmMoment film{.shot = shot_from_json(json.at("shot")),
+                    .placement = placement_in(json.at("at")),
+                    .began = time("began_ns"),
+                    .ends = time("ends_ns")};
+    if (film.shot.kind != MediaKind::film) throw ActFault("the leader tells of a photo's film that is none");
+    return film;
+}
+
 }  // namespace
 
 std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen) {
     ActJson shots = ActJson::array();
     for (const LiftedMoment::Shot& shot : seen.shots)
         shots.push_back(to_json(shot));
-    return ActJson{
-        {"version", version}, {"run", run}, {"shots", std::move(shots)}, {"filler_light", seen.filler_light}}
-        .dump();
+    ActJson json{
+        {"version", version}, {"run", run}, {"shots", std::move(shots)}, {"filler_light", seen.filler_light}};
+    if (seen.film) json["film"] = to_json(*seen.film);
+    return json.dump();
 }
 
 std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text) {
@@ -58,6 +77,7 @@ std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text) {
         LiftedMoment seen{.shots = {}, .filler_light = share_in(json, "filler_light")};
         for (const ActJson& shot : array_in(json, "shots", max_act_shots))
             seen.shots.push_back(shot_in(shot));
+        if (json.contains("film")) seen.film = film_in(json.at("film"));
         return {whole_in(json, "run", 0, largest), std::move(seen)};
     } catch (const nlohmann::json::exception& error) {
         throw ActFault(fmt::format("the leader tells of lifted shots in words that are not understood: {}",

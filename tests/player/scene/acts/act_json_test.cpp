@@ -177,14 +177,23 @@ TEST_CASE("what boxes tell of themselves is read as it was written, and bounded"
 }
 
 TEST_CASE("lifted shots travel as they were seen") {
-    const LiftedMoment seen{
-        .shots = {{.source = 3,
-                   .state = LiftedState::whole,
-                   .pose = {.at = {0.1, {-7.3, 1e-9}}, .open = 0.3, .alpha = 0.7, .dims = 0.2},
-                   .full_scale = 1.7,
-                   .seat = 0.9}},
-        .filler_light = 0.9};
+    LiftedMoment seen{.shots = {{.source = 3,
+                                 .state = LiftedState::whole,
+                                 .pose = {.at = {0.1, {-7.3, 1e-9}}, .open = 0.3, .alpha = 0.7, .dims = 0.2},
+                                 .full_scale = 1.7,
+                                 .seat = 0.9}},
+                      .filler_light = 0.9};
     CHECK(lifted_from_json(lifted_to_json(12, seen)) == std::pair(std::int64_t{12}, seen));
+    WallShot film = act(1).shown.front().shot;
+    film.kind = MediaKind::film;
+    film.shot.end = 3s;
+    seen.film = FilmMoment{.shot = film, .placement = {0.7, {1e-9, 3}}};
+    CHECK(lifted_from_json(lifted_to_json(12, seen)).second == seen);
+    seen.film->began = 4s;
+    seen.film->ends = 6s + 1ns;
+    CHECK(lifted_from_json(lifted_to_json(12, seen)).second == seen);
+    seen.film->shot.kind = MediaKind::photo;
+    CHECK_THROWS_AS(lifted_from_json(lifted_to_json(12, seen)), std::runtime_error);
     std::string unknown_state = lifted_to_json(12, seen);
     unknown_state.replace(unknown_state.find(R"("state":2)"), 9, R"("state":99)");
     for (const std::string& bad : std::vector<std::string>{

@@ -32,12 +32,22 @@ void bring_late_box(SharedHouse& house) {
     house.start_follower(2);
 }
 
+/// A photo with a short film inside its file.
+MediaRecord moving_photo(const std::string& path) {
+    MediaRecord record = photo(path);
+    Shot shot = film("x", 1, 3s).shots[0];
+    shot.stored = StoredShot{.file = store_id("x", 1, 2) + "/0.mkv", .width = 64, .height = 36};
+    record.film = InnerFilm{.shot = shot, .width = 1920, .height = 1080};
+    return record;
+}
+
 /// A leader and a follower whose wall stands.
-SharedHouse resting_house(int slots = 3) {
+SharedHouse resting_house(int slots = 3, std::vector<MediaRecord> records = {}) {
     SharedHouse::Options options{.seed = 4, .followers = 1};
     options.wall = {
         .slots = {.count = slots, .order = ShotOrder::name, .dwell = 1h}, .lead = 500ms, .touch_lead = 60ms};
     if (slots > 5) options.records = photos(slots);
+    if (!records.empty()) options.records = std::move(records);
     SharedHouse house(options);
     house.run(6s);
     return house;
@@ -283,6 +293,51 @@ TEST_CASE("a shot that is as large as the screen is asked for in that size on al
     CHECK(width_on(house.boxes[0]) > before);
     CHECK(width_on(house.boxes[1]) == width_on(house.boxes[0]));
     CHECK(house.boxes[0].frames.back().content == house.boxes[1].frames.back().content);
+}
+
+TEST_CASE("the film of a tapped photo plays on all boxes in step") {
+    SharedHouse house = resting_house(3, {moving_photo("a"), photo("b"), photo("c")});
+    TestBox& lead = house.boxes[0];
+    TestBox& follower = house.boxes[1];
+    const std::size_t shots = follower.last.items.size();
+    const PlacedShot& photo = house.led().parts().shown.front();
+    const Gesture tap{.kind = Gesture::Kind::tap, .touch = 1, .subject = photo.shot.source, .at = {200, 360}};
+    house.led().handle_gesture(tap);
+    house.run(1500ms);
+    const DrawItem& film = follower.last.items.back();
+    CHECK(follower.playing.at(film.source).kind == MediaKind::film);
+    CHECK(follower.ready.contains(film.source));
+    CHECK(film.alpha == 1);
+    CHECK(std::chrono::abs(film.local - lead.last.items.back().local) <= 34ms);  // a frame
+    CHECK(film.placement == lead.last.items.back().placement);
+    CHECK(share_in_step(lead, follower, house.truth - 500ms) >= 0.95);
+    SUBCASE("until it has played once, and its photo is put back") {
+        house.run(3s);
+        CHECK(follower.last.items.size() == shots + 1);
+        house.led().handle_gesture(tap);
+    }
+    SUBCASE("until its photo is put back") {
+        house.led().handle_gesture(tap);
+    }
+    SUBCASE("and goes from boxes that hear no more of it") {
+        house.cut(1);
+    }
+    house.run(1500ms);
+    CHECK(follower.last.items.size() == shots);
+    CHECK(follower.playing.size() == 3);
+    CHECK(follower.gaps == 0);
+}
+
+TEST_CASE("a box that has not got the film of a tapped photo shows the photo") {
+    SharedHouse house = resting_house(3, {moving_photo("a"), photo("b"), photo("c")});
+    house.boxes[1].missing = {"a"};  // the film is in the file of the photo, which is there already
+    const PlacedShot& photo = house.led().parts().shown.front();
+    house.led().handle_gesture(
+        {.kind = Gesture::Kind::tap, .touch = 1, .subject = photo.shot.source, .at = {200, 360}});
+    house.run(1500ms);
+    CHECK(house.boxes[0].last.items.size() == house.boxes[1].last.items.size() + 1);
+    CHECK(house.boxes[1].last.items.back().placement.scale > photo.placement.scale);
+    CHECK(house.boxes[1].gaps == 0);
 }
 
 TEST_CASE("a touch on a box that follows moves the wall of all") {
