@@ -24,7 +24,7 @@ namespace vitrine::player {
 
 class ChangePace;
 class FollowedWall;
-class LedWall;
+class LedShow;
 
 /// A request for a layout.
 struct WallPlan {
@@ -95,7 +95,7 @@ class Show {
     virtual ChangePace* pace() { return nullptr; }
 
     /// The show as one that leads a wall of several boxes, or follows. nullptr: it does not.
-    virtual LedWall* led() { return nullptr; }
+    virtual LedShow* led() { return nullptr; }
 
     virtual FollowedWall* followed() { return nullptr; }
 

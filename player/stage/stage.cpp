@@ -7,7 +7,7 @@
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
 #include "player/scene/acts/followed_wall.hpp"
-#include "player/scene/acts/led_wall.hpp"
+#include "player/scene/acts/led_show.hpp"
 #include "player/stage/audible_films.hpp"
 #include "player/stage/folder_words.hpp"
 #include "player/stage/gesture_dispatch.hpp"
@@ -83,7 +83,7 @@ void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds n
     if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
     const Canvas canvas = painter_->canvas();
     if (canvas != shows_->canvas() || canvas.finger != shows_->canvas().finger) set_canvas(canvas);
-    if (LedWall* const led = wall().led()) led->set_parts(painter_->parts());
+    if (LedShow* const led = wall().led()) led->set_parts(painter_->parts());
 }
 
 void Stage::set_canvas(const Canvas& canvas) {

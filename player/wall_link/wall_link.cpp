@@ -5,7 +5,7 @@
 #include "player/scene/acts/followed_wall.hpp"
 #include "player/scene/acts/follower_talk.hpp"
 #include "player/scene/acts/leader_talk.hpp"
-#include "player/scene/acts/led_wall.hpp"
+#include "player/scene/acts/led_show.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stage.hpp"
 #include "player/stage/stage_settings.hpp"
@@ -74,9 +74,9 @@ void WallLink::call(EventLoop& loop) {
 }
 
 void WallLink::follow_clocks(Show& show) {
-    const LedWall* const led = show.led();
+    const LedShow* const led = show.led();
     const FollowedWall* const followed = show.followed();
-    const bool is_changing = led != nullptr && led->parts().change && led->parts().change->is_fading();
+    const bool is_changing = led != nullptr && led->is_changing();
     clock_.follow(followed != nullptr ? followed->is_between_acts() : !is_changing);
 }
 

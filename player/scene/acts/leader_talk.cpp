@@ -138,7 +138,7 @@ std::string LeaderTalk::text_of_act(WallAct& act) {
 
 std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& moment, BoxNote& note) {
     note.leads = true;
-    LedWall* const led = show.led();
+    LedShow* const led = show.led();
     if (led == nullptr) return {};
     LedNews news = led->take_news();
     const std::chrono::nanoseconds epoch = moment.epoch + moment.now - news.now;

@@ -2,7 +2,7 @@
 
 #include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/box_talk.hpp"
-#include "player/scene/acts/led_wall.hpp"
+#include "player/scene/acts/led_show.hpp"
 
 #include <chrono>
 #include <cstddef>

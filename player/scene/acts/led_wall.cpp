@@ -9,8 +9,6 @@ namespace {
 
 using Phase = WallChange::Phase;
 
-constexpr std::chrono::nanoseconds patience_with_others = std::chrono::seconds(5);
-
 /// The change as it is seen: without what was needed to come to it.
 WallChange seen_change(const WallChange& change) {
     return {.phase = change.phase,
@@ -52,13 +50,9 @@ void LedWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     }
 }
 
-bool LedWall::waits_for_others() const {
-    return others_ready_ && *others_ready_ < preparations_ && now_ - prepared_ < patience_with_others;
-}
-
 void LedWall::source_ready(SourceId source) {
-    if (waits_for_others())
-        held_.insert(source);
+    if (awaited_.is_waiting(now_))
+        awaited_.hold(source);
     else
         wall_.source_ready(source);
 }
@@ -73,7 +67,7 @@ LedNews LedWall::take_news() {
 }
 
 void LedWall::heed(const LedOthers& others) {
-    others_ready_ = others.ready;
+    awaited_.set_ready(others.ready);
     if (others.needs_act) is_told_ = false;
 }
 
@@ -85,12 +79,11 @@ void LedWall::set_parts(std::map<std::string, ActPart> parts) {
 
 WallStep LedWall::step(std::chrono::nanoseconds now) {
     now_ = now;
-    if (!waits_for_others())
-        for (const SourceId source : std::exchange(held_, {}))
-            wall_.source_ready(source);
+    for (const SourceId source : awaited_.take_free(now))
+        wall_.source_ready(source);
     WallStep step = wall_.step(now);
     for (const SourceId source : step.retired)
-        held_.erase(source);
+        awaited_.forget(source);
     make_news();
     return step;
 }
@@ -101,8 +94,7 @@ void LedWall::make_news() {
     const std::optional<WallChange>& change = parts.change;
     if (change && change->phase == Phase::waiting && change->generation != prepared_change_) {
         prepared_change_ = change->generation;
-        prepared_ = now_;
-        preparation_ = WallAct{.name = {.generation = ++preparations_},
+        preparation_ = WallAct{.name = {.generation = awaited_.prepare(now_)},
                                .canvas = change->canvas,
                                .cells = settings_.transition.cells,
                                .shown = change->wall};

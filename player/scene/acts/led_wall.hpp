@@ -1,6 +1,7 @@
 #pragma once
 
-#include "player/scene/acts/wall_act.hpp"
+#include "player/scene/acts/awaited_sources.hpp"
+#include "player/scene/acts/led_show.hpp"
 #include "player/scene/wall.hpp"
 
 #include <chrono>
@@ -14,26 +15,9 @@
 
 namespace vitrine::player {
 
-/// The messages that the other boxes must get.
-struct LedNews {
-    std::optional<WallAct> act;          // the newest; its generation counts the acts
-    std::optional<WallAct> preparation;  // the wall that comes next; its generation counts the preparations
-    LiftedMoment lifted = {};            // what hands hold above the wall now
-    std::chrono::nanoseconds now{0};     // the wall's time
-};
-
-/// The facts that the other boxes tell: what they have, and what they lack.
-struct LedOthers {
-    std::optional<std::uint64_t> ready;  // they have all prepared walls up to this number: the next change
-                                         // comes when its wall is among them, or after five seconds. None:
-                                         // nobody is waited for
-    bool needs_act = false;              // the act under way is wanted once more, with a number of its own
-};
-
-/// The wall of the box that leads a wall of several boxes. It is a Wall, and makes acts of its changes: each
-/// when the change is decided, which is `lead` before it begins. Before that it tells which shots come, and
-/// waits a while until the other boxes have them, too.
-class LedWall final : public Show {
+/// A Wall that leads a wall of several boxes. It makes acts of its changes: each when the change is decided,
+/// which is `lead` before it begins.
+class LedWall final : public LedShow {
   public:
     /// The time from the decision of a change to its begin. A connection may be cut for a second meanwhile.
     static constexpr std::chrono::nanoseconds lead = std::chrono::milliseconds(1250);
@@ -73,30 +57,21 @@ class LedWall final : public Show {
 
     std::set<std::string> avoided_files() const override { return wall_.avoided_files(); }
 
-    LedWall* led() override { return this; }
+    void heed(const LedOthers& others) override;
+    LedNews take_news() override;
+    void set_parts(std::map<std::string, ActPart> parts) override;
 
-    /// Tells which prepared walls the other boxes have.
-    void heed(const LedOthers& others);
-
-    /// The news since the last call.
-    LedNews take_news();
-
-    /// Sets the parts of the canvas that outputs show, by BOX/OUTPUT.
-    void set_parts(std::map<std::string, ActPart> parts);
+    bool is_changing() const override { return is_in_change(wall_); }
 
   private:
-    bool waits_for_others() const;
     void make_news();
 
     WallSettings settings_;
     Wall wall_;
     std::map<std::string, ActPart> parts_;
     std::chrono::nanoseconds now_{0};
-    std::optional<std::uint64_t> others_ready_;
-    std::set<SourceId> held_;            // sources that are ready here and perhaps not elsewhere
+    AwaitedSources awaited_;
     std::uint64_t prepared_change_ = 0;  // generation of the wall's change
-    std::uint64_t preparations_ = 0;
-    std::chrono::nanoseconds prepared_{0};  // when the last one was made
     std::optional<WallAct> preparation_;
     std::uint64_t told_change_ = 0;  // generation of the wall's change; 0: none
     bool is_told_ = true;

@@ -118,7 +118,7 @@ class SharedHouse {
     std::vector<TestBox> boxes;  // the leader first
     std::size_t faults = 0;      // messages that were not understood
 
-    LedWall& led() { return *boxes[0].show->led(); }
+    LedWall& led() { return dynamic_cast<LedWall&>(*boxes[0].show); }
 
     FollowedWall& followed(std::size_t i) { return *boxes[i].show->followed(); }
 
@@ -261,8 +261,7 @@ class SharedHouse {
     }
 
     bool is_leader_changing() {
-        const std::optional<WallChange>& change = boxes[0].show->led()->parts().change;
-        return change && change->is_fading();
+        return boxes[0].show->led()->is_changing();
     }
 
     void follow(TestBox& box, std::size_t i) {
@@ -342,7 +341,7 @@ class SharedHouse {
 
     void note_begins(TestBox& box, std::size_t i, Ns now) {
         if (i == 0) {
-            const std::optional<WallChange>& change = boxes[0].show->led()->parts().change;
+            const std::optional<WallChange>& change = led().parts().change;
             if (is_leader_changing() && now >= change->began) box.began.try_emplace(change->began, truth);
             return;
         }
