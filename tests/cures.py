@@ -208,6 +208,8 @@ CURES = [
          "    if (now - seen_at_ >= patience) seen_ = {};\n", "    (void)now, (void)patience;\n", "acts_test.shared_wall_test"),
     Cure("a Live Photo whose film other boxes do not play", "player/scene/acts/led_wall.cpp",
          "    lifted.film = wall_.parts().film;\n", "", "acts_test.shared_wall_test"),
+    Cure("a panning wall that a finger moves on one box alone", "player/scene/acts/led_panning_wall.cpp",
+         "    if (parts.is_in_hand) lifted.view = parts.course.view;\n", "", "acts_test.shared_pan_test"),
     Cure("a black cell of two triangles and a flat one", "player/render/cell_mesh.cpp",
          "        if (is_flat(triangle)) continue;\n", "        (void)is_flat;\n", "render_test.renderer_test"),
     Cure("a triangle of a cell over a neighbour's region", "player/layout/cells/triangulation.cpp",

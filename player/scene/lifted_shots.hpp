@@ -59,9 +59,10 @@ struct LiftedMoment {
     std::vector<Shot> shots;
     double filler_light = usual_filler_light;
     std::optional<FilmMoment> film = {};  // of a photo that was tapped
+    std::optional<double> view = {};      // left edge of a panning wall's view that a finger moves, ribbon px
 
     /// True if the wall looks as if nobody had touched it.
-    bool is_nothing() const { return shots.empty() && filler_light == usual_filler_light && !film; }
+    bool is_nothing() const { return shots.empty() && filler_light == usual_filler_light && !film && !view; }
 
     bool operator==(const LiftedMoment&) const = default;
 };

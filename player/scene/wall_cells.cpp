@@ -65,6 +65,17 @@ std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 o
     return wall;
 }
 
+Box bounds_of(const Cell& cell) {
+    Box bounds;
+    bool any = false;
+    for (const std::vector<Polygon>* some : {&cell.parts, &cell.filler})
+        for (const Polygon& polygon : *some) {
+            bounds = any ? united(bounds, bounding_box(polygon)) : bounding_box(polygon);
+            any = true;
+        }
+    return bounds;
+}
+
 bool is_at(const PlacedShot& placed, Vec2 point) {
     const auto is_in_one = [&](const std::vector<Polygon>& outlines) {
         return std::ranges::any_of(outlines, [&](const Polygon& outline) { return is_in(outline, point); });

@@ -18,6 +18,9 @@ double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
 /// The same wall on another canvas: as large as it fits, in the middle.
 std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other);
 
+/// The bounds of all that is drawn in a cell, canvas px.
+Box bounds_of(const Cell& cell);
+
 /// True if the shot's cell contains this canvas point.
 bool is_at(const PlacedShot& placed, Vec2 point);
 

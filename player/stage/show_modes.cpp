@@ -2,6 +2,7 @@
 
 #include "player/playback/source_events.hpp"
 #include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/led_panning_wall.hpp"
 #include "player/scene/acts/led_wall.hpp"
 #include "player/scene/folders/folder_wall.hpp"
 #include "player/scene/pan/panning_wall.hpp"
@@ -36,22 +37,41 @@ std::unique_ptr<Show> make_wall(const Settings& settings, const Canvas& canvas, 
     return std::make_unique<Wall>(canvas, wall);
 }
 
+std::unique_ptr<Show> make_led_wall(const Settings& settings, const Canvas& canvas, SourceId last_source) {
+    WallSettings wall = wall_settings(settings, last_source);
+    wall.lead = LedWall::lead;
+    wall.touch_lead = LedWall::touch_lead;
+    return std::make_unique<LedWall>(canvas, wall);
+}
+
+PanSettings pan_settings(const Settings& settings, SourceId last_source) {
+    const SlotSettings slots = slot_settings(settings);
+    return {.ribbon = {.order = slots.order,
+                       .seed = slots.seed,
+                       .items_a_screen = slots.count,
+                       .cells = cell_style(settings),
+                       .last_source = last_source},
+            .speed = settings.show.pan_speed,
+            .idle = settings.input.idle};
+}
+
 std::unique_ptr<Show> make_panning_wall(const Settings& settings, const Canvas& canvas,
                                         SourceId last_source) {
-    const SlotSettings slots = slot_settings(settings);
-    return std::make_unique<PanningWall>(canvas, PanSettings{.ribbon = {.order = slots.order,
-                                                                        .seed = slots.seed,
-                                                                        .items_a_screen = slots.count,
-                                                                        .cells = cell_style(settings),
-                                                                        .last_source = last_source},
-                                                             .speed = settings.show.pan_speed,
-                                                             .idle = settings.input.idle});
+    return std::make_unique<PanningWall>(canvas, pan_settings(settings, last_source));
+}
+
+std::unique_ptr<Show> make_led_panning_wall(const Settings& settings, const Canvas& canvas,
+                                            SourceId last_source) {
+    return std::make_unique<LedPanningWall>(canvas, pan_settings(settings, last_source));
 }
 
 const std::array<ShowMode, 2>& show_modes() {
     static const std::array<ShowMode, 2> modes{
-        {{.mode = WallMode::fit, .has_turns = true, .make = make_wall},
-         {.mode = WallMode::pan, .has_turns = false, .make = make_panning_wall}}};
+        {{.mode = WallMode::fit, .has_turns = true, .make = make_wall, .make_led = make_led_wall},
+         {.mode = WallMode::pan,
+          .has_turns = false,
+          .make = make_panning_wall,
+          .make_led = make_led_panning_wall}}};
     return modes;
 }
 
@@ -61,16 +81,15 @@ std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, 
     const SourceId last_source = sources_of(owner);
     if (owner == 0 && settings.wall.role == WallRole::follow)
         return std::make_unique<FollowedWall>(canvas, last_source);
-    if (owner != 0 || settings.wall.role == WallRole::alone || !can_lead(settings))
-        return show_mode(settings).make(settings, canvas, last_source);
-    WallSettings wall = wall_settings(settings, last_source);
-    wall.lead = LedWall::lead;
-    wall.touch_lead = LedWall::touch_lead;
-    return std::make_unique<LedWall>(canvas, wall);
+    const bool leads = owner == 0 && settings.wall.role == WallRole::lead && can_lead(settings);
+    const ShowMode& mode = show_mode(settings);
+    return (leads ? mode.make_led : mode.make)(settings, canvas, last_source);
 }
 
 bool can_lead(const Settings& settings) {
-    return show_mode(settings).mode == WallMode::fit && settings.layout.folders != FolderMode::nested;
+    const ShowMode& mode = show_mode(settings);
+    const bool is_browser = mode.mode == WallMode::fit && settings.layout.folders == FolderMode::nested;
+    return mode.make_led != nullptr && !is_browser;
 }
 
 const ShowMode& show_mode(const Settings& settings) {

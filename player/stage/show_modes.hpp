@@ -14,8 +14,9 @@ struct ShowMode {
                                               SourceId last_source);
 
     WallMode mode = WallMode::fit;
-    bool has_turns = true;  // shots take turns in numbered slots, so they can be asked for and pinned
-    Factory make;           // the show's sources are numbered from `last_source` on
+    bool has_turns = true;       // shots take turns in numbered slots, so they can be asked for and pinned
+    Factory make;                // the show's sources are numbered from `last_source` on
+    Factory make_led = nullptr;  // the same, of a box that leads a wall of several boxes; null: it cannot
 };
 
 /// The wall of a stage as the settings want it. A box of a wall of several boxes leads or follows with its
@@ -23,7 +24,7 @@ struct ShowMode {
 /// @param owner  of the show's sources; 0: the first stage
 std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, std::uint64_t owner);
 
-/// True if a box with these settings can lead: its wall is packed, and not a browser of folders.
+/// True if a box with these settings can lead: its wall is no browser of folders.
 bool can_lead(const Settings& settings);
 
 /// The mode that the settings name.

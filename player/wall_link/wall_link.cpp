@@ -53,8 +53,7 @@ WallLink::WallLink(EventLoop& loop, const Settings& settings)
               settings.wall.role == WallRole::lead ? "leads" : "follows");
     if (settings.wall.role == WallRole::lead && !can_lead(settings))
         log::error(
-            "wall: only a wall with layout.mode = \"fit\", and without nested folders, can lead others: "
-            "they keep what they show");
+            "wall: a wall with nested folders cannot lead others (layout.folders): they keep what they show");
     call(loop);
 }
 

@@ -158,23 +158,36 @@ class Wall(unittest.TestCase):
         threading.Thread(target=note, daemon=True).start()
         return heard
 
-    def test_a_follower_shows_the_leaders_wall_and_its_visitors_move_it(self):
+    def film_two_boxes(self, names, seconds, *options):
+        """Films a leader and, so long, a follower whose visitor drags. @return  the pictures of both, and the messages"""
         script = self.folder / "script"
         script.write_text(f"{DRAG_AT} drag 80 45 240 135 2\n")
-        leader = self.start_leader("left", "--duration", f"{END + 2}s")
+        leader = self.start_leader(names[0], "--duration", f"{seconds + 2}s", *options)
         heard = self.listen()
-        follower = self.start_player(self.right, "right", "--media.root", self.folder / "none", "--rehearse", script, "--duration", f"{END}s")
+        follower = self.start_player(self.right, names[1], "--media.root", self.folder / "none", "--rehearse", script, "--duration", f"{seconds}s")
         self.wait_until_in_step()
         for player in (follower, leader):
             self.assertEqual(player.wait(PATIENCE), 0)
-        left, right = (small_pictures(self.folder / f"{name}.mp4") for name in ("left", "right"))
+        return (*(small_pictures(self.folder / f"{name}.mp4") for name in names), heard)
 
+    def check_in_step(self, left, right, *after_drag):
+        """@param after_drag  seconds from the drag's begin at which they are compared, too"""
         with self.subTest("the same picture at the same moment, before, while and after the wall is moved"):
-            windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, DRAG_AT + 1, DRAG_AT + 6, DRAG_AT + 10)}
+            windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, DRAG_AT + 1, *(DRAG_AT + later for later in after_drag))}
             print(f"pictures apart, and how far from equal: {windows}")
             for at, (apart, off) in windows.items():
                 self.assertLess(off, NEAR if at == DRAG_AT + 1 else SAME, f"at {at} s")
                 self.assertLessEqual(abs(apart - windows[12][0]), 1, f"at {at} s")
+
+    def test_a_follower_shows_a_panning_wall_and_its_visitors_move_it(self):
+        left, right, _ = self.film_two_boxes(("pan", "pans"), DRAG_AT + 7, "--layout.mode", "pan", "--show.pan_pixels_per_second", 20)
+        self.check_in_step(left, right, 5)
+        for k, picture in enumerate(right[12 * RATE:]):
+            self.assertGreater(max(picture), BRIGHT, f"picture {12 * RATE + k} of {len(right)} is dark")
+
+    def test_a_follower_shows_the_leaders_wall_and_its_visitors_move_it(self):
+        left, right, heard = self.film_two_boxes(("left", "right"), END)
+        self.check_in_step(left, right, 6, 10)
         with self.subTest("the drag moved both"):
             before, after = ([max(pixel) for pixel in zip(*right[at * RATE:(at + 7) * RATE:5])] for at in (12, DRAG_AT + 6))
             self.assertGreater(difference(before, after), SAME)

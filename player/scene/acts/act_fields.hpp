@@ -25,6 +25,7 @@ struct ActFault : std::runtime_error {
 using ActJson = nlohmann::json;
 
 constexpr double max_act_length = 1e6;         // px, of places on the canvas and in pictures
+constexpr double max_ribbon_length = 1e12;     // px, of the way of a panning wall
 constexpr std::size_t max_act_shots = 400;     // on one wall
 constexpr std::size_t max_act_corners = 4000;  // of one cell
 constexpr std::size_t max_act_keys = 64;       // moments on a way

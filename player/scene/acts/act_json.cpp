@@ -20,6 +20,7 @@ using namespace std::chrono_literals;
 constexpr int version = 1;
 constexpr double max_side = 16384;        // canvas px
 constexpr double max_cell_length = 1000;  // px, of a gutter, a radius or a feather
+constexpr double max_pan_speed = 1e5;     // px a second
 constexpr std::size_t max_parts = 64;
 constexpr auto max_change_time = 60s;
 
@@ -254,6 +255,22 @@ std::map<std::string, ActPart> parts_in(const ActJson& json) {
     return parts;
 }
 
+ActJson pan_to_json(const ActPan& pan) {
+    return {{"origin", pan.origin},
+            {"view", pan.course.view},
+            {"since_ns", pan.course.since.count()},
+            {"speed", pan.course.speed},
+            {"last", pan.course.last}};
+}
+
+ActPan pan_in(const ActJson& json) {
+    return {.origin = number_in(json.at("origin"), max_ribbon_length),
+            .course = {.view = number_in(json.at("view"), max_ribbon_length),
+                       .since = time_in(json, "since_ns"),
+                       .speed = number_in(json.at("speed"), max_pan_speed),
+                       .last = number_in(json.at("last"), max_ribbon_length)}};
+}
+
 ActJson act_to_json(const WallAct& act) {
     ShotNumbers shots;
     ActJson json{{"version", version},
@@ -266,6 +283,7 @@ ActJson act_to_json(const WallAct& act) {
                  {"fade_ns", act.fade.count()},
                  {"shown", shots.placed(act.shown)}};
     if (act.change) json["change"] = change_to_json(*act.change, shots);
+    if (act.pan) json["pan"] = pan_to_json(*act.pan);
     json["shots"] = std::move(shots.json);
     return json;
 }
@@ -293,6 +311,9 @@ WallAct act_in(const ActJson& json) {
     act.shown = wall_in(json, "shown", shots, act.canvas);
     check_cells(act.shown);
     if (json.contains("change")) take_change(act, json.at("change"), shots);
+    if (!json.contains("pan")) return act;
+    if (act.change) throw ActFault("an act has a panning wall that changes");
+    act.pan = pan_in(json.at("pan"));
     return act;
 }
 

@@ -1,9 +1,11 @@
 #include "player/scene/acts/followed_wall.hpp"
 
+#include "player/layout/cells/cut_cell.hpp"
 #include "player/scene/caption_place.hpp"
 #include "player/scene/crossfade.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace vitrine::player {
@@ -32,6 +34,16 @@ void append(std::vector<ShotRequest>& all, std::vector<ShotRequest> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// The same items elsewhere on the canvas.
+std::vector<DrawItem> moved_by(std::vector<DrawItem> items, Vec2 way) {
+    if (way == Vec2{}) return items;
+    for (DrawItem& item : items) {
+        item.placement.offset = item.placement.offset + way;
+        item.cell = std::make_shared<const Cell>(scaled_cell(*item.cell, 1, way));
+    }
+    return items;
+}
+
 /// Items of a frame some time later: their films play on, in step with the same films in another frame.
 std::vector<DrawItem> played_on(std::vector<DrawItem> items, const std::vector<DrawItem>& others,
                                 nanoseconds passed) {
@@ -58,6 +70,9 @@ void FollowedWall::prepare(const WallAct& coming) {
 void FollowedWall::take_lifted(std::int64_t run, LiftedMoment seen) {
     for (LiftedMoment::Shot& shot : seen.shots)
         shot.source = sources_.find_own(run, shot.source).value_or(0);
+    for (auto* const act : {&shown_, &waiting_})
+        if (seen.view && *act && (*act)->pan && (*act)->name.run == run)
+            (*act)->pan->course = {.view = *seen.view, .last = *seen.view};
     if (seen.film) seen.film->shot.source = sources_.own_number(run, seen.film->shot.source);
     lifted_.take(std::move(seen), now_);
 }
@@ -85,20 +100,27 @@ bool FollowedWall::is_next(const WallAct& act) const {
     return !act.change || leaders_time(act, now_ + epoch_) <= act.change->began + begins_late;
 }
 
+/// True if the act is of the panning wall that is shown now, on which all goes on where it is.
+bool FollowedWall::is_further(const WallAct& act) const {
+    return shown_ && shown_->pan && act.pan && act.name.run == shown_->name.run &&
+           act.canvas == shown_->canvas;
+}
+
 /// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
 void FollowedWall::take_waiting() {
     if (!waiting_) return;
     const nanoseconds waited = now_ - waiting_since_;
     const bool has_time = shown_ || is_clock_right_ || waited >= clock_patience;
     if (!(has_time && sources_.are_there(*waiting_)) && waited < patience) return;
-    if (!is_next(*waiting_) && shown_) {
+    if (shown_ && !is_next(*waiting_) && !is_further(*waiting_)) {
         std::optional<WallChange>& change = waiting_->change;
         if (change && leaders_time(*waiting_, now_ + epoch_) < change->began) return;
         if (change && change->phase == WallChange::Phase::arriving) {
             waiting_->shown = std::move(change->wall);  // it need not come out of nothing
             change.reset();
         }
-        before_ = std::exchange(last_, {});
+        const Vec2 view = act_frame(*waiting_, leaders_time(*waiting_, now_ + epoch_)).view;
+        before_ = moved_by(std::exchange(last_, {}), view - std::exchange(last_view_, view));
         fades_since_ = now_;
     }
     shown_ = std::exchange(waiting_, std::nullopt);
@@ -109,6 +131,7 @@ Frame FollowedWall::next_frame() {
     if (!shown_) return Frame{.canvas = canvas_, .idle = 1, .time = now_};
     Frame frame = act_frame(*shown_, leaders_time(*shown_, now_ + epoch_));
     last_ = frame.items;
+    last_view_ = frame.view;
     if (fades_since_) {
         const double progress =
             std::chrono::duration<double>(now_ - *fades_since_) / std::chrono::duration<double>(fade_time);
@@ -137,7 +160,8 @@ WallStep FollowedWall::step(nanoseconds now) {
             step.requests.push_back(std::move(*request));
     take_waiting();
     step.frame = next_frame();
-    if (shown_ && lifted_.is_empty() && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
+    if (shown_ && !shown_->pan && lifted_.is_empty() &&
+        has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
         step.frame.captions = caption_rooms(last_wall(*shown_));
     std::set<SourceId> kept;
     for (const auto* act : {&shown_, &waiting_, &prepared_})

@@ -84,6 +84,7 @@ class FollowedWall final : public Show {
 
   private:
     bool is_next(const WallAct& act) const;
+    bool is_further(const WallAct& act) const;
     void take_waiting();
     Frame next_frame();
 
@@ -97,6 +98,7 @@ class FollowedWall final : public Show {
     std::chrono::nanoseconds waiting_since_{0};
     std::optional<WallAct> prepared_;
     std::vector<DrawItem> last_;                           // items of the last frame
+    Vec2 last_view_;                                       // canvas point at its top left
     std::vector<DrawItem> before_;                         // items of what fades out
     std::optional<std::chrono::nanoseconds> fades_since_;  // none: no act fades in
     NotedTouches touches_;

@@ -68,6 +68,7 @@ std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen) {
     ActJson json{
         {"version", version}, {"run", run}, {"shots", std::move(shots)}, {"filler_light", seen.filler_light}};
     if (seen.film) json["film"] = to_json(*seen.film);
+    if (seen.view) json["view"] = *seen.view;
     return json.dump();
 }
 
@@ -78,6 +79,7 @@ std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text) {
         for (const ActJson& shot : array_in(json, "shots", max_act_shots))
             seen.shots.push_back(shot_in(shot));
         if (json.contains("film")) seen.film = film_in(json.at("film"));
+        if (json.contains("view")) seen.view = number_in(json.at("view"), max_ribbon_length);
         return {whole_in(json, "run", 0, largest), std::move(seen)};
     } catch (const nlohmann::json::exception& error) {
         throw ActFault(fmt::format("the leader tells of lifted shots in words that are not understood: {}",

@@ -2,6 +2,7 @@
 
 #include "base/geometry/box.hpp"
 #include "player/scene/lifted_shots.hpp"
+#include "player/scene/pan/pan_course.hpp"
 #include "player/scene/transition.hpp"
 #include "player/scene/wall_change.hpp"
 #include "player/scene/wall_shot.hpp"
@@ -31,6 +32,14 @@ struct ActName {
     bool operator==(const ActName&) const = default;
 };
 
+/// The part of an act of a panning wall: all shots stand still along the wall, and the view moves.
+struct ActPan {
+    double origin = 0;  // of the places of the shots, ribbon px
+    PanCourse course;
+
+    bool operator==(const ActPan&) const = default;
+};
+
 /// All that a box needs to draw the same wall as the leader: a value, complete in itself. The leader sends
 /// what its own wall draws from, so nothing is computed twice.
 ///
@@ -45,6 +54,7 @@ struct WallAct {
     std::chrono::nanoseconds fade{0};      // time in which a shot of the first wall fades in
     std::vector<PlacedShot> shown;         // the wall before the change; without a change, the wall
     std::optional<WallChange> change;      // none: the wall stands
+    std::optional<ActPan> pan = {};        // none: the wall does not pan; one that does has no change
 };
 
 /// The wall after the change.

@@ -27,6 +27,12 @@ class PanMotion {
     /// Ends what a finger began.
     void stop();
 
+    /// True while a finger moves the view, or has flung it.
+    bool is_in_hand() const { return touch_ != 0 || flung_ != 0; }
+
+    /// The speed by itself at present, px a second.
+    double own_speed() const { return is_paused_ || is_in_hand() ? 0 : speed_; }
+
     /// True until a while after the last drag: the view may go back soon.
     bool may_go_back(std::chrono::nanoseconds now) const;
 

@@ -64,10 +64,30 @@ std::optional<SeenShot> PanningWall::shot_at(Vec2 point) const {
 
 /// Moves the view, if all shots in it are ready, and up to shots that are not.
 void PanningWall::advance(std::chrono::nanoseconds now) {
+    now_ = now;
     const double way = motion_.next_way(now);
-    if (!shots_.show(view_, now) || touch_.is_active()) return;
     const ViewRange reach = shots_.reach(view_);
-    view_ = std::clamp(view_ + way, reach.first, reach.last);
+    const double next = touch_.is_active() ? view_ : std::clamp(view_ + way, reach.first, reach.last);
+    is_waiting_ = !shots_.show(next, motion_.own_speed(), now);
+    if (!is_waiting_) view_ = next;
+}
+
+PanCourse PanningWall::course() const {
+    const bool stands = is_waiting_ || touch_.is_active();
+    return {.view = view_,
+            .since = now_,
+            .speed = stands ? 0 : motion_.own_speed(),
+            .last = shots_.reach(view_).last};
+}
+
+PanParts PanningWall::parts() const {
+    return {.shots = shots_.ready(),
+            .coming = shots_.coming(),
+            .origin = shots_.origin(),
+            .course = course(),
+            .is_in_hand = motion_.is_in_hand(),
+            .has_files = shots_.has_files(),
+            .lifted = touch_.lifted().moment(now_)};
 }
 
 void PanningWall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {

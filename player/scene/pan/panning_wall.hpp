@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/change_pace.hpp"
+#include "player/scene/pan/pan_course.hpp"
 #include "player/scene/pan/pan_motion.hpp"
 #include "player/scene/pan/ribbon_shots.hpp"
 #include "player/scene/show.hpp"
@@ -16,6 +17,17 @@ struct PanSettings {
     RibbonSettings ribbon;
     double speed = 30;                                         // canvas px a second
     std::chrono::nanoseconds idle = std::chrono::seconds(30);  // then a shot that was enlarged returns
+};
+
+/// The parts from which a panning wall draws.
+struct PanParts {
+    std::vector<PlacedShot> shots;   // that are ready, in view or not, px from `origin`
+    std::vector<PlacedShot> coming;  // those, and others whose sources are awaited
+    double origin = 0;               // ribbon px
+    PanCourse course;
+    bool is_in_hand = false;  // a finger moves the view, or has flung it
+    bool has_files = false;
+    LiftedMoment lifted;
 };
 
 /// A wall that passes by slowly, for more shots than fit on the screen. Shots are laid out ahead of the view.
@@ -49,14 +61,20 @@ class PanningWall final : public Show {
     /// Left edge of the view, px from the wall's start.
     double view() const { return view_; }
 
+    /// As of the last step.
+    PanParts parts() const;
+
   private:
     TouchedWall touched(const std::vector<PlacedShot>& seen) const;
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     void advance(std::chrono::nanoseconds now);
+    PanCourse course() const;
 
     Canvas canvas_;
     RibbonShots shots_;
-    double view_ = 0;  // ribbon px
+    double view_ = 0;          // ribbon px
+    bool is_waiting_ = false;  // for the source of a shot in view
+    std::chrono::nanoseconds now_{0};
     PanMotion motion_;
     WallTouch touch_;  // in the px of shots_
     ChangePace pace_{flash_spacing};

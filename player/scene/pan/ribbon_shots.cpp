@@ -12,17 +12,7 @@ namespace {
 
 constexpr double ahead = 0.3;   // screens beside the view; the sources of shots up to there are asked for
 constexpr double behind = 1.0;  // screens left of the view to which it can go back
-
-Box bounds_of(const Cell& cell) {
-    Box bounds;
-    bool any = false;
-    for (const std::vector<Polygon>* some : {&cell.parts, &cell.filler})
-        for (const Polygon& polygon : *some) {
-            bounds = any ? united(bounds, bounding_box(polygon)) : bounding_box(polygon);
-            any = true;
-        }
-    return bounds;
-}
+constexpr double max_frame_seconds = 0.1;
 
 }  // namespace
 
@@ -39,6 +29,20 @@ void RibbonShots::set_screen(Vec2 screen) {
     extension_.reset();
     newcomers_.clear();
     begin_ = origin_ = 0;
+}
+
+void RibbonShots::set_files(const RecordList& records, const ShowHints& hints) {
+    coming_.set_files(records, hints);
+    for (Shown& shown : shots_) {
+        WallShot& shot = shown.placed.shot;
+        const RecordList::Record record = records.find(shot.key.path);
+        if (!record || static_cast<std::size_t>(shot.key.shot) >= record->shots.size()) continue;
+        const std::optional<StoredShot>& stored = shot_now(*record, shot).stored;
+        if (stored == shot.shot.stored) continue;
+        shot.shot.stored = stored;
+        if (shown.source == Source::asked || shown.source == Source::ready)
+            restored_.push_back(request_of(shown.placed));
+    }
 }
 
 /// Drops the shots to which the view does not go back any more, and those to come whose files are gone. It
@@ -125,11 +129,29 @@ std::vector<PlacedShot> RibbonShots::seen(double view) const {
     return seen;
 }
 
-bool RibbonShots::show(double view, std::chrono::nanoseconds now) {
+std::vector<PlacedShot> RibbonShots::ready() const {
+    std::vector<PlacedShot> ready;
+    for (const Shown& shown : shots_)
+        if (shown.source == Source::ready) ready.push_back(shown.placed);
+    return ready;
+}
+
+std::vector<PlacedShot> RibbonShots::coming() const {
+    std::vector<PlacedShot> coming;
+    for (const Shown& shown : shots_)
+        if (shown.source == Source::ready || shown.source == Source::asked) coming.push_back(shown.placed);
+    return coming;
+}
+
+bool RibbonShots::show(double view, double speed, std::chrono::nanoseconds now) {
     for (Shown& shown : shots_) {
         if (!is_in_view(shown, view)) continue;
         if (shown.source == Source::unasked || shown.source == Source::asked) return false;
-        if (shown.placed.began == never) shown.placed.began = now;
+        if (shown.placed.began != never) continue;
+        shown.placed.began = now;
+        const double passed = view + ribbon_.screen.x - shown.bounds.min.x;
+        if (speed <= 0 || passed > speed * max_frame_seconds) continue;
+        shown.placed.began = now - std::chrono::nanoseconds(std::llround(passed / speed * 1e9));
     }
     return true;
 }
@@ -150,6 +172,8 @@ ViewRange RibbonShots::reach(double view) const {
 void RibbonShots::ask_and_retire(double view, bool goes_back, WallStep& step) {
     const double width = ribbon_.screen.x;
     step.retired = std::exchange(left_, {});
+    for (ShotRequest& request : std::exchange(restored_, {}))
+        step.requests.push_back(std::move(request));
     const double left = view - (goes_back ? width * ahead : 0);
     const double right = view + width * (1 + ahead);
     for (Shown& shown : shots_) {

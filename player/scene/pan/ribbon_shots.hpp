@@ -36,7 +36,10 @@ class RibbonShots {
     /// Gives up all that is laid out.
     void set_screen(Vec2 screen);
 
-    void set_files(const RecordList& records, const ShowHints& hints) { coming_.set_files(records, hints); }
+    /// Updates the files, and the shots' places in the store.
+    void set_files(const RecordList& records, const ShowHints& hints);
+
+    bool has_files() const { return !coming_.is_empty(); }
 
     /// The plan of more shots, if the view comes near the end. None: there are enough, or no files.
     std::optional<WallPlan> extend(double view);
@@ -53,9 +56,16 @@ class RibbonShots {
     /// The shots in view whose sources are ready, px from origin().
     std::vector<PlacedShot> seen(double view) const;
 
-    /// Starts the time of the shots in view.
+    /// The shots whose sources are ready, in view or not, px from origin().
+    std::vector<PlacedShot> ready() const;
+
+    /// Those, and the shots whose sources are awaited.
+    std::vector<PlacedShot> coming() const;
+
+    /// Starts the time of the shots in view: that of one that comes in by itself at the moment when it does.
+    /// @param speed  at which the view has come here by itself, px a second
     /// @return false: one of them has no source yet
-    bool show(double view, std::chrono::nanoseconds now);
+    bool show(double view, double speed, std::chrono::nanoseconds now);
 
     /// The views around this one in which no shot awaits its source.
     ViewRange reach(double view) const;
@@ -82,8 +92,9 @@ class RibbonShots {
     RibbonSettings settings_;
     PanningShots coming_;
     Ribbon ribbon_;
-    std::vector<Shown> shots_;    // one for each item of the ribbon
-    std::vector<SourceId> left_;  // sources of shots that were given up, to be retired
+    std::vector<Shown> shots_;           // one for each item of the ribbon
+    std::vector<ShotRequest> restored_;  // for shots whose place in the store has changed
+    std::vector<SourceId> left_;         // sources of shots that were given up, to be retired
     std::optional<RibbonExtension> extension_;
     std::vector<WallShot> newcomers_;  // the shots of the extension, or of the next one
     double begin_ = 0;                 // ribbon px; the view goes back no farther

@@ -42,6 +42,15 @@ WallAct act(std::uint64_t seed, const CellStyle& style = {}) {
     return made;
 }
 
+/// An act of a wall that pans.
+WallAct panning_act(std::uint64_t seed) {
+    WallAct made = act(seed);
+    made.change.reset();
+    made.pan = ActPan{.origin = 1e9,
+                      .course = {.view = 1e9 + 0.1, .since = 33ns, .speed = 29.97, .last = 1e9 + 200}};
+    return made;
+}
+
 bool is_same(const Frame& one, const Frame& other) {
     return std::ranges::equal(one.items, other.items, [](const DrawItem& a, const DrawItem& b) {
         return a.source == b.source && a.placement == b.placement && a.alpha == b.alpha &&
@@ -73,6 +82,16 @@ TEST_CASE("an act is read as it was written, and gives the same frames bit by bi
             for (const auto more : {0ms, 130ms, 400ms})
                 CHECK(is_same(act_frame(before, now + more), act_frame(after, now + more)));
     }
+}
+
+TEST_CASE("the way of a panning wall is read as it was written") {
+    WallAct written = panning_act(2);
+    const WallAct read = act_from_json(to_json(written));
+    CHECK(read.pan == written.pan);
+    CHECK(act_frame(read, 2s).view.x == doctest::Approx(60.04));
+    CHECK(act_frame(read, 1h).view.x == doctest::Approx(200));
+    written.change = act(2).change;
+    CHECK_THROWS_AS(act_from_json(to_json(written)), std::runtime_error);
 }
 
 TEST_CASE("a way of a touched wall is read as it was written") {
@@ -132,7 +151,8 @@ TEST_CASE("an act of another version, and what is none, gives a sentence") {
 TEST_CASE("changed acts are refused, or can be drawn at any time") {
     std::mt19937_64 random(20);
     const auto below = [&](std::size_t most) { return static_cast<std::size_t>(random() % most); };
-    const std::vector<std::string> texts{to_json(act(7)), to_json(act(8, {.feather = 20}))};
+    const std::vector<std::string> texts{to_json(act(7)), to_json(act(8, {.feather = 20})),
+                                         to_json(panning_act(9))};
     const std::vector<std::string> words{"-1", "0",    "1e308", "1e-300", "null", "[]",
                                          "{}", "true", "\"\"",  "1e9",    "-1e6", "9223372036854775807"};
     int drawn = 0;
@@ -177,6 +197,9 @@ TEST_CASE("what boxes tell of themselves is read as it was written, and bounded"
 }
 
 TEST_CASE("lifted shots travel as they were seen") {
+    const auto again = [](const LiftedMoment& moment) {
+        return lifted_to_json(12, lifted_from_json(lifted_to_json(12, moment)).second);
+    };
     LiftedMoment seen{.shots = {{.source = 3,
                                  .state = LiftedState::whole,
                                  .pose = {.at = {0.1, {-7.3, 1e-9}}, .open = 0.3, .alpha = 0.7, .dims = 0.2},
@@ -188,10 +211,12 @@ TEST_CASE("lifted shots travel as they were seen") {
     film.kind = MediaKind::film;
     film.shot.end = 3s;
     seen.film = FilmMoment{.shot = film, .placement = {0.7, {1e-9, 3}}};
-    CHECK(lifted_from_json(lifted_to_json(12, seen)).second == seen);
+    CHECK(again(seen) == lifted_to_json(12, seen));
     seen.film->began = 4s;
     seen.film->ends = 6s + 1ns;
-    CHECK(lifted_from_json(lifted_to_json(12, seen)).second == seen);
+    CHECK(again(seen) == lifted_to_json(12, seen));
+    seen.view = 12345.678;
+    CHECK(again(seen) == lifted_to_json(12, seen));
     seen.film->shot.kind = MediaKind::photo;
     CHECK_THROWS_AS(lifted_from_json(lifted_to_json(12, seen)), std::runtime_error);
     std::string unknown_state = lifted_to_json(12, seen);

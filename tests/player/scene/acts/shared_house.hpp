@@ -3,6 +3,7 @@
 #include "player/scene/acts/followed_wall.hpp"
 #include "player/scene/acts/follower_talk.hpp"
 #include "player/scene/acts/leader_talk.hpp"
+#include "player/scene/acts/led_panning_wall.hpp"
 #include "player/scene/acts/led_wall.hpp"
 #include "player/scene/acts/wall_clock.hpp"
 #include "tests/player/scene/scene_media.hpp"
@@ -102,6 +103,7 @@ class SharedHouse {
             .photos_drift = true,
             .lead = LedWall::lead,
             .touch_lead = LedWall::touch_lead};
+        std::optional<PanSettings> pan = {};  // the leader's wall pans
     };
 
     explicit SharedHouse(Options options) : options_(std::move(options)), random_(options_.seed) {
@@ -125,11 +127,23 @@ class SharedHouse {
     void start_leader() {
         TestBox& lead = boxes[0];
         forget(lead);
-        lead.show = std::make_unique<LedWall>(Canvas{1280, 720}, options_.wall);
+        const Canvas canvas{1280, 720};
+        if (options_.pan)
+            lead.show = std::make_unique<LedPanningWall>(canvas, *options_.pan);
+        else
+            lead.show = std::make_unique<LedWall>(canvas, options_.wall);
         lead.show->set_catalogue(options_.records);
         lead.talk = std::make_unique<LeaderTalk>(lead.name, ++runs_, options_.max_act_bytes);
         lead.clock.correction = Ns(0);
         begin(lead);
+    }
+
+    /// Starts the leader anew with a wall that pans.
+    void pan(const PanSettings& settings, std::function<Layout(const WallPlan&)> lay_out) {
+        kill(0);
+        options_.pan = settings;
+        options_.lay_out = std::move(lay_out);
+        start_leader();
     }
 
     void start_follower(std::size_t i) {
@@ -260,9 +274,7 @@ class SharedHouse {
         box.clock.take_answer(truth, there, back, boxes[0].clock.read(truth - back).real);
     }
 
-    bool is_leader_changing() {
-        return boxes[0].show->led()->is_changing();
-    }
+    bool is_leader_changing() { return boxes[0].show->led()->is_changing(); }
 
     void follow(TestBox& box, std::size_t i) {
         const bool may_jump = i == 0 ? !is_leader_changing() : box.show->followed()->is_between_acts();
@@ -325,9 +337,13 @@ class SharedHouse {
                 static_cast<std::size_t>(request.shot.begin.count()));
             if (request.kind == MediaKind::film)
                 add(static_cast<std::size_t>(item.local.count() / 40'000'000));
-            for (const double number :
-                 {item.placement.scale, item.placement.offset.x, item.placement.offset.y})
-                add(std::hash<double>()(number));
+            add(std::hash<double>()(item.placement.scale));
+            add(std::hash<double>()(item.placement.offset.y));
+            const double x = item.placement.offset.x - frame.view.x;
+            if (options_.pan)  // the leader adds the way up, frame by frame
+                add(static_cast<std::size_t>(std::lround(x * 1e3)));
+            else
+                add(std::hash<double>()(x));
             add(static_cast<std::size_t>(std::lround(item.alpha * 1e6)));
             add(static_cast<std::size_t>(std::lround(item.filler_light * 1e6)));
             Ns& seen = box.seen[item.source];
@@ -340,6 +356,7 @@ class SharedHouse {
     }
 
     void note_begins(TestBox& box, std::size_t i, Ns now) {
+        if (options_.pan) return;
         if (i == 0) {
             const std::optional<WallChange>& change = led().parts().change;
             if (is_leader_changing() && now >= change->began) box.began.try_emplace(change->began, truth);

@@ -1,0 +1,119 @@
+#include "player/scene/acts/led_panning_wall.hpp"
+
+#include "player/scene/wall_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+constexpr double told_exactly = 0.1;  // px by which the view may be elsewhere than it was told
+constexpr auto same_time = std::chrono::milliseconds(1);
+
+/// True if a follower that knows the told shot shows the shot as it is now.
+bool is_same(const PlacedShot& told, const PlacedShot& shot) {
+    const bool began_then = told.began == shot.began || shot.began == never ||
+                            (told.began != never && std::chrono::abs(told.began - shot.began) < same_time);
+    return told.shot.source == shot.shot.source && told.cell == shot.cell &&
+           told.shot.shot.stored == shot.shot.shot.stored && began_then;
+}
+
+/// The shots, each that will come into the view with the time at which it does.
+std::vector<PlacedShot> with_begins(std::vector<PlacedShot> shots, const PanParts& parts, Vec2 canvas) {
+    if (parts.course.speed <= 0) return shots;
+    for (PlacedShot& placed : shots)
+        if (placed.began == never)
+            placed.began = parts.course.time_of(bounds_of(*placed.cell).min.x + parts.origin - canvas.x);
+    return shots;
+}
+
+}  // namespace
+
+void LedPanningWall::set_canvas(const Canvas& canvas) {
+    canvas_ = canvas;
+    wall_.set_canvas(canvas);
+}
+
+void LedPanningWall::source_ready(SourceId source) {
+    if (awaited_.is_waiting(now_))
+        awaited_.hold(source);
+    else
+        wall_.source_ready(source);
+}
+
+WallStep LedPanningWall::step(std::chrono::nanoseconds now) {
+    now_ = now;
+    for (const SourceId source : awaited_.take_free(now))
+        wall_.source_ready(source);
+    WallStep step = wall_.step(now);
+    for (const SourceId source : step.retired)
+        awaited_.forget(source);
+    const PanParts parts = wall_.parts();
+    prepare(parts);
+    if (is_told(parts)) return step;
+    must_tell_ = false;
+    told_ = act_ = act_of(parts);
+    return step;
+}
+
+/// Tells of the shots that come, once each.
+void LedPanningWall::prepare(const PanParts& parts) {
+    const bool is_new = std::ranges::any_of(
+        parts.coming, [&](const PlacedShot& placed) { return !prepared_.contains(placed.shot.source); });
+    if (!is_new) return;
+    prepared_.clear();
+    for (const PlacedShot& placed : parts.coming)
+        prepared_.insert(placed.shot.source);
+    preparation_ = WallAct{.name = {.generation = awaited_.prepare(now_)},
+                           .canvas = canvas_,
+                           .cells = cells_,
+                           .shown = parts.coming};
+}
+
+/// True if the others know all of the wall from the last act, or must not be told of it yet.
+bool LedPanningWall::is_told(const PanParts& parts) const {
+    if (parts.shots.empty() && (parts.has_files || !told_)) return true;
+    if (must_tell_ || !told_ || parts.shots.empty() != told_->shown.empty()) return false;
+    for (const PlacedShot& shot : parts.shots) {
+        const PlacedShot* const told = find_source(told_->shown, shot.shot.source);
+        if (told == nullptr || !is_same(*told, shot)) return false;
+    }
+    const PanCourse& course = told_->pan->course;
+    return parts.is_in_hand || (course.speed == parts.course.speed &&
+                                std::abs(course.at(now_) - parts.course.view) < told_exactly);
+}
+
+WallAct LedPanningWall::act_of(const PanParts& parts) const {
+    return {.name = {.generation = told_ ? told_->name.generation + 1 : 1},
+            .canvas = canvas_,
+            .parts = parts_,
+            .cells = cells_,
+            .shown = with_begins(parts.shots, parts, canvas_),
+            .pan = ActPan{.origin = parts.origin, .course = parts.course}};
+}
+
+LedNews LedPanningWall::take_news() {
+    const PanParts parts = wall_.parts();
+    LiftedMoment lifted = parts.lifted;
+    if (parts.is_in_hand) lifted.view = parts.course.view;
+    return {.act = std::exchange(act_, std::nullopt),
+            .preparation = std::exchange(preparation_, std::nullopt),
+            .lifted = std::move(lifted),
+            .now = now_};
+}
+
+void LedPanningWall::heed(const LedOthers& others) {
+    awaited_.set_ready(others.ready);
+    must_tell_ |= others.needs_act;
+}
+
+void LedPanningWall::set_parts(std::map<std::string, ActPart> parts) {
+    if (parts == parts_) return;
+    parts_ = std::move(parts);
+    must_tell_ = true;
+}
+
+}  // namespace vitrine::player
