@@ -209,18 +209,26 @@ class TwoBoxes(unittest.TestCase):
         self.assertEqual(self.right.stop(), 0)
         self.assertLess(time.monotonic() - began, 10)
 
-    def test_a_follower_fetches_catalogue_and_store_with_the_secret_alone(self):
+    def test_a_follower_fetches_catalogue_store_and_captions_with_the_secret_alone(self):
         share = start_share(self.left)
         self.addCleanup(share.wait)
         self.addCleanup(share.kill)
         (self.left.state / "store" / "a.mp4").write_bytes(b"clip" * 1000)
         (self.left.state / "catalogue" / "1.json").write_text("{}")
         (self.right.state / "catalogue" / "old.json").write_text("{}")
+        (self.left.state / "hints.json").write_text("{}")
+        for box, files in ((self.left, ("words/new.png", "status.json")), (self.right, ("words/old.png", "status.json", "wall/own"))):
+            for file in files:
+                (box.state / file).parent.mkdir(exist_ok=True)
+                (box.state / file).write_text(box.name)
         os.utime(self.left.state / "store" / "a.mp4", (1000000000, 1000000000))
         until("a share", lambda: self.right.fetch().returncode == 0)
         self.assertEqual((self.right.state / "store" / "a.mp4").read_bytes(), b"clip" * 1000)
         self.assertEqual((self.right.state / "store" / "a.mp4").stat().st_mtime, 1000000000)
         self.assertEqual([p.name for p in (self.right.state / "catalogue").glob("*.json")], ["1.json"])
+        own = {str(file.relative_to(self.right.state)): file.read_text() for file in self.right.state.rglob("*")
+               if file.is_file() and file.parent.name not in ("store", "catalogue")}
+        self.assertEqual(own, {"hints.json": "{}", "words/new.png": "left", "status.json": "right", "wall/own": "right"})
         self.assertNotEqual(self.stranger.fetch().returncode, 0)
         self.assertEqual(list((self.stranger.state / "store").iterdir()), [])
         # Nothing can be written there, with the secret either.

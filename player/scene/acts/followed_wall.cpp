@@ -148,6 +148,19 @@ Frame FollowedWall::next_frame() {
     return frame;
 }
 
+/// The rooms for captions in the frame, as the leader has them. None while a hand moves shots.
+std::vector<CaptionRoom> FollowedWall::caption_places() const {
+    if (!shown_ || shown_->pan || !lifted_.is_empty()) return {};
+    std::vector<Box> outputs;
+    for (const auto& [name, part] : shown_->parts)
+        outputs.push_back(part.box);
+    const std::vector<Box> bezels = canvas_of(shown_->canvas, std::move(outputs)).bands;
+    if (has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
+        return caption_rooms(last_wall(*shown_), bezels);
+    return shown_->change->way ? std::vector<CaptionRoom>()
+                               : kept_caption_rooms(shown_->shown, last_wall(*shown_), bezels);
+}
+
 WallStep FollowedWall::step(nanoseconds now) {
     now_ = now;
     WallStep step;
@@ -160,9 +173,7 @@ WallStep FollowedWall::step(nanoseconds now) {
             step.requests.push_back(std::move(*request));
     take_waiting();
     step.frame = next_frame();
-    if (shown_ && !shown_->pan && lifted_.is_empty() &&
-        has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
-        step.frame.captions = caption_rooms(last_wall(*shown_));
+    step.frame.captions = caption_places();
     std::set<SourceId> kept;
     for (const auto* act : {&shown_, &waiting_, &prepared_})
         if (*act)

@@ -87,6 +87,7 @@ class FollowedWall final : public Show {
     bool is_further(const WallAct& act) const;
     void take_waiting();
     Frame next_frame();
+    std::vector<CaptionRoom> caption_places() const;
 
     Canvas canvas_;
     FollowedSources sources_;

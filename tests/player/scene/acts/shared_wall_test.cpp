@@ -341,6 +341,38 @@ TEST_CASE("a box that has not got the film of a tapped photo shows the photo") {
     CHECK(house.boxes[1].gaps == 0);
 }
 
+TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some stay while the wall changes") {
+    SharedHouse house({.seed = 8, .followers = 1});
+    const Box left{{0, 0}, {630, 720}};
+    const Box right{{650, 0}, {1280, 720}};
+    house.led().set_canvas(canvas_of({1280, 720}, {left, right}));
+    house.led().set_parts({{"lead/a", {.box = left}}, {"f0/a", {.box = right}}});
+    house.run(6s);
+    int late = 0;  // frames after which the follower hears of a change
+    int standing = 0;
+    int changing = 0;
+    for (int k = 0; k < 300; ++k) {
+        house.run(33ms);
+        const Frame& lead = house.boxes[0].last;
+        const Frame& follower = house.boxes[1].last;
+        if (house.boxes[0].frames.back().content != house.boxes[1].frames.back().content) continue;
+        if (lead.captions.size() != follower.captions.size()) {
+            ++late;
+            continue;
+        }
+        for (std::size_t i = 0; i < lead.captions.size(); ++i) {
+            CHECK(lead.captions[i].path == follower.captions[i].path);
+            CHECK(lead.captions[i].region == follower.captions[i].region);
+            CHECK(lead.captions[i].avoided == follower.captions[i].avoided);
+            CHECK_FALSE(follower.captions[i].avoided.empty());
+            ++(lead.captions[i].next == nullptr ? standing : changing);
+        }
+    }
+    CHECK(late < 15);
+    CHECK(standing > 100);
+    CHECK(changing > 10);
+}
+
 TEST_CASE("a touch on a box that follows moves the wall of all") {
     SharedHouse house = resting_house();
     house.followed(1).touches().note(Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}});
