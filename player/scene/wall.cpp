@@ -368,7 +368,8 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         return;
     }
     TransitionStyle style = settings_.transition;
-    std::chrono::nanoseconds lead = settings_.lead;
+    const bool is_behind_others = shown_.empty() && settings_.comes_at_once;
+    std::chrono::nanoseconds lead = is_behind_others ? std::chrono::nanoseconds(0) : settings_.lead;
     if (brings_notice(*change_)) {
         style.duration = std::min(style.duration, max_notice_motion);
         lead = std::min(lead, max_notice_lead);

@@ -2,6 +2,7 @@
 
 #include "player/playback/source_events.hpp"
 #include "player/scene/acts/followed_wall.hpp"
+#include "player/scene/acts/led_folder_wall.hpp"
 #include "player/scene/acts/led_panning_wall.hpp"
 #include "player/scene/acts/led_wall.hpp"
 #include "player/scene/folders/folder_wall.hpp"
@@ -41,6 +42,7 @@ std::unique_ptr<Show> make_led_wall(const Settings& settings, const Canvas& canv
     WallSettings wall = wall_settings(settings, last_source);
     wall.lead = LedWall::lead;
     wall.touch_lead = LedWall::touch_lead;
+    if (wall.nests) return std::make_unique<LedFolderWall>(canvas, wall);
     return std::make_unique<LedWall>(canvas, wall);
 }
 
@@ -87,9 +89,7 @@ std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, 
 }
 
 bool can_lead(const Settings& settings) {
-    const ShowMode& mode = show_mode(settings);
-    const bool is_browser = mode.mode == WallMode::fit && settings.layout.folders == FolderMode::nested;
-    return mode.make_led != nullptr && !is_browser;
+    return show_mode(settings).make_led != nullptr;
 }
 
 const ShowMode& show_mode(const Settings& settings) {

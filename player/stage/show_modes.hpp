@@ -24,7 +24,7 @@ struct ShowMode {
 /// @param owner  of the show's sources; 0: the first stage
 std::unique_ptr<Show> make_show(const Settings& settings, const Canvas& canvas, std::uint64_t owner);
 
-/// True if a box with these settings can lead: its wall is no browser of folders.
+/// True if a wall of this mode can lead others.
 bool can_lead(const Settings& settings);
 
 /// The mode that the settings name.

@@ -52,8 +52,7 @@ WallLink::WallLink(EventLoop& loop, const Settings& settings)
     log::info("wall: this box is '{}' and {}", talk_->box(),
               settings.wall.role == WallRole::lead ? "leads" : "follows");
     if (settings.wall.role == WallRole::lead && !can_lead(settings))
-        log::error(
-            "wall: a wall with nested folders cannot lead others (layout.folders): they keep what they show");
+        log::error("wall: a wall of this layout.mode cannot lead others: they keep what they show");
     call(loop);
 }
 

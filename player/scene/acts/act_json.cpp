@@ -22,6 +22,7 @@ constexpr double max_side = 16384;        // canvas px
 constexpr double max_cell_length = 1000;  // px, of a gutter, a radius or a feather
 constexpr double max_pan_speed = 1e5;     // px a second
 constexpr std::size_t max_parts = 64;
+constexpr int max_folders = 2;  // open behind one another, of which something is seen
 constexpr auto max_change_time = 60s;
 
 /// The shots of an act with their numbers.
@@ -271,6 +272,38 @@ ActPan pan_in(const ActJson& json) {
                        .last = number_in(json.at("last"), max_ribbon_length)}};
 }
 
+ActJson act_to_json(const WallAct& act);
+WallAct act_in(const ActJson& json, int folders);
+
+ActJson folder_to_json(const ActFolder& folder) {
+    ActJson json{{"outer", act_to_json(*folder.outer)}, {"lag_ns", folder.lag.count()},
+                 {"mark", to_act_json(folder.mark)},    {"box", to_act_json(folder.box)},
+                 {"is_opening", folder.is_opening},     {"duration_ns", folder.duration.count()}};
+    if (folder.stands_from != never) json["stands_from_ns"] = folder.stands_from.count();
+    if (folder.began) json["began_ns"] = folder.began->count();
+    return json;
+}
+
+/// @param folders  how many more may lie behind one another
+ActFolder folder_in(const ActJson& json, int folders) {
+    if (folders == 0) throw ActFault("an act has more folders behind one another than are ever seen");
+    ActFolder folder{.outer = std::make_shared<const WallAct>(act_in(json.at("outer"), folders - 1)),
+                     .lag = time_in(json, "lag_ns"),
+                     .mark = box_in(json.at("mark")),
+                     .box = box_in(json.at("box")),
+                     .is_opening = json.at("is_opening").get<bool>(),
+                     .duration = time_in(json, "duration_ns")};
+    if (json.contains("stands_from_ns")) folder.stands_from = time_in(json, "stands_from_ns");
+    if (json.contains("began_ns")) folder.began = time_in(json, "began_ns");
+    const bool has_boxes = folder.mark.width() >= 1 && folder.mark.height() >= 1 && folder.box.width() >= 1 &&
+                           folder.box.height() >= 1;
+    if (!has_boxes) throw ActFault("an act has a folder without a place");
+    if (folder.duration < 0ns || folder.duration > max_change_time)
+        throw ActFault("an act has a way into a folder that takes too long");
+    if (folder.outer->pan) throw ActFault("an act has a folder on a wall that pans");
+    return folder;
+}
+
 ActJson act_to_json(const WallAct& act) {
     ShotNumbers shots;
     ActJson json{{"version", version},
@@ -283,12 +316,13 @@ ActJson act_to_json(const WallAct& act) {
                  {"fade_ns", act.fade.count()},
                  {"shown", shots.placed(act.shown)}};
     if (act.change) json["change"] = change_to_json(*act.change, shots);
+    if (act.folder) json["folder"] = folder_to_json(*act.folder);
     if (act.pan) json["pan"] = pan_to_json(*act.pan);
     json["shots"] = std::move(shots.json);
     return json;
 }
 
-WallAct act_in(const ActJson& json) {
+WallAct act_in(const ActJson& json, int folders) {
     if (whole_in(json, "version", 0, std::numeric_limits<std::int64_t>::max()) != version)
         throw ActFault("the leader of the wall sends acts of another version; both need the same Vitrine");
     WallAct act{.name = {.run = whole_in(json, "run", 0, std::numeric_limits<std::int64_t>::max()),
@@ -311,8 +345,9 @@ WallAct act_in(const ActJson& json) {
     act.shown = wall_in(json, "shown", shots, act.canvas);
     check_cells(act.shown);
     if (json.contains("change")) take_change(act, json.at("change"), shots);
+    if (json.contains("folder")) act.folder = folder_in(json.at("folder"), folders);
     if (!json.contains("pan")) return act;
-    if (act.change) throw ActFault("an act has a panning wall that changes");
+    if (act.change || act.folder) throw ActFault("an act has a panning wall that changes, or a folder on it");
     act.pan = pan_in(json.at("pan"));
     return act;
 }
@@ -327,7 +362,7 @@ std::string to_json(const WallAct& act) {
 WallAct act_from_json(std::string_view text) {
     if (text.size() > max_act_bytes) throw ActFault("an act is larger than 1 MiB");
     try {
-        return act_in(ActJson::parse(text));
+        return act_in(ActJson::parse(text), max_folders);
     } catch (const nlohmann::json::exception& error) {
         throw ActFault(fmt::format("a text is no act: {}", error.what()));
     }

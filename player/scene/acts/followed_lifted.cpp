@@ -15,10 +15,12 @@ void FollowedLifted::take(LiftedMoment seen, std::chrono::nanoseconds now) {
     seen_at_ = now;
 }
 
-void FollowedLifted::draw(Frame& frame, std::span<const PlacedShot> wall, std::chrono::nanoseconds now) {
+void FollowedLifted::draw(Frame& frame, std::span<const PlacedShot> wall, bool is_film_ready,
+                          std::chrono::nanoseconds now) {
     if (now - seen_at_ >= patience) seen_ = {};
     lifted_.show(seen_, wall, frame.time);
     if (!seen_.is_nothing()) lifted_.draw(frame);
+    if (seen_.film && is_film_ready) draw_film(frame, *seen_.film);
 }
 
 std::map<SourceId, PlacedShot> FollowedLifted::whole_pictures() const {

@@ -15,10 +15,12 @@ class FollowedLifted {
     /// Takes what the leader has drawn last. @param now  of this box
     void take(LiftedMoment seen, std::chrono::nanoseconds now);
 
-    /// Draws the shots above a wall. @param frame  of the wall, in the leader's time
-    /// @param wall  the shots are lifted off this
-    /// @param now   of this box
-    void draw(Frame& frame, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
+    /// Draws the shots above a wall, and the film of a photo. @param frame  of the wall, in the leader's time
+    /// @param wall            the shots are lifted off this
+    /// @param is_film_ready   false: the film is not drawn
+    /// @param now             of this box
+    void draw(Frame& frame, std::span<const PlacedShot> wall, bool is_film_ready,
+              std::chrono::nanoseconds now);
 
     bool is_empty() const { return lifted_.all().empty(); }
 

@@ -1,6 +1,8 @@
 #include "player/scene/acts/followed_sources.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -12,12 +14,17 @@ constexpr SourceId kept_digits = 1'000'000;  // photo_drift tells photos apart b
 constexpr auto retry_pause = std::chrono::seconds(3);
 constexpr auto opening_time = std::chrono::milliseconds(500);  // a film plays by then
 
-template <typename Change> void change_shots(WallAct& act, Change change) {
+template <typename Change> void change_shots(WallAct& act, const Change& change) {
     const auto change_all = [&](std::vector<PlacedShot>& wall) {
         for (PlacedShot& placed : wall)
             change(placed.shot);
     };
     change_all(act.shown);
+    if (act.folder) {
+        WallAct outer = *act.folder->outer;
+        change_shots(outer, change);
+        act.folder->outer = std::make_shared<const WallAct>(std::move(outer));
+    }
     if (!act.change) return;
     change_all(act.change->wall);
     if (!act.change->transition) return;
@@ -62,6 +69,10 @@ std::vector<ShotRequest> FollowedSources::ask_for(const WallAct& act, std::optio
     std::vector<ShotRequest> requests;
     for (const auto& [source, placed] : shots_of(act))
         if (auto request = request_new(*placed, at, now)) requests.push_back(std::move(*request));
+    if (!act.folder) return requests;
+    const auto behind = at ? std::optional(act.folder->time_behind(*at)) : std::nullopt;
+    for (ShotRequest& request : ask_for(*act.folder->outer, behind, now))
+        requests.push_back(std::move(request));
     return requests;
 }
 
@@ -102,9 +113,9 @@ bool FollowedSources::are_there(const WallAct& act) const {
 
 std::set<std::string> FollowedSources::lacking(const WallAct& act) const {
     std::set<std::string> paths;
-    for (const auto& [source, placed] : shots_of(act)) {
-        if (!is_ready(source)) paths.insert(placed->shot.key.path);
-    }
+    for (const WallAct* const wall : walls_of(act))
+        for (const auto& [source, placed] : shots_of(*wall))
+            if (!is_ready(source)) paths.insert(placed->shot.key.path);
     return paths;
 }
 

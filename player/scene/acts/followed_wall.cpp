@@ -1,11 +1,6 @@
 #include "player/scene/acts/followed_wall.hpp"
 
-#include "player/layout/cells/cut_cell.hpp"
-#include "player/scene/caption_place.hpp"
-#include "player/scene/crossfade.hpp"
-
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 namespace vitrine::player {
@@ -14,10 +9,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr auto patience = std::chrono::seconds(10);       // with shots that are not there
-constexpr auto clock_patience = std::chrono::seconds(5);  // of the first act, with a clock that is wrong
-constexpr auto fade_time =
-    std::chrono::milliseconds(800);  // from what was shown to an act that goes on elsewhere
+constexpr auto patience = std::chrono::seconds(10);           // with shots that are not there
+constexpr auto clock_patience = std::chrono::seconds(5);      // of the first act, with a clock that is wrong
 constexpr auto begins_late = std::chrono::milliseconds(100);  // so late a change is still seen as it is meant
 
 /// True for a later act, and for one of another run of the leader, whose clock may have been wrong.
@@ -34,24 +27,17 @@ void append(std::vector<ShotRequest>& all, std::vector<ShotRequest> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The same items elsewhere on the canvas.
-std::vector<DrawItem> moved_by(std::vector<DrawItem> items, Vec2 way) {
-    if (way == Vec2{}) return items;
-    for (DrawItem& item : items) {
-        item.placement.offset = item.placement.offset + way;
-        item.cell = std::make_shared<const Cell>(scaled_cell(*item.cell, 1, way));
-    }
-    return items;
+/// True if an act begins with the wall that another one shows now.
+bool is_next(const WallAct& act, const WallAct& shown, nanoseconds shared) {
+    if (act.name.run != shown.name.run || act.name.generation != shown.name.generation + 1) return false;
+    const nanoseconds latest = leaders_time(act, shared) - begins_late;
+    const bool has_way = act.folder && act.folder->began;
+    return (!act.change || latest <= act.change->began) && (!has_way || latest <= *act.folder->began);
 }
 
-/// Items of a frame some time later: their films play on, in step with the same films in another frame.
-std::vector<DrawItem> played_on(std::vector<DrawItem> items, const std::vector<DrawItem>& others,
-                                nanoseconds passed) {
-    for (DrawItem& item : items) {
-        const auto same = std::ranges::find(others, item.source, &DrawItem::source);
-        item.local = same != others.end() ? same->local : item.local + passed;
-    }
-    return items;
+/// True if an act is of the same panning wall as another one: all goes on where it is.
+bool is_further(const WallAct& act, const WallAct& shown) {
+    return shown.pan && act.pan && act.name.run == shown.name.run && act.canvas == shown.canvas;
 }
 
 }  // namespace
@@ -93,72 +79,51 @@ FollowedState FollowedWall::state() const {
     return state;
 }
 
-/// True if the act begins with the wall that is shown now.
-bool FollowedWall::is_next(const WallAct& act) const {
-    if (!shown_ || act.name.run != shown_->name.run || act.name.generation != shown_->name.generation + 1)
-        return false;
-    return !act.change || leaders_time(act, now_ + epoch_) <= act.change->began + begins_late;
-}
-
-/// True if the act is of the panning wall that is shown now, on which all goes on where it is.
-bool FollowedWall::is_further(const WallAct& act) const {
-    return shown_ && shown_->pan && act.pan && act.name.run == shown_->name.run &&
-           act.canvas == shown_->canvas;
-}
-
 /// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
 void FollowedWall::take_waiting() {
     if (!waiting_) return;
     const nanoseconds waited = now_ - waiting_since_;
     const bool has_time = shown_ || is_clock_right_ || waited >= clock_patience;
     if (!(has_time && sources_.are_there(*waiting_)) && waited < patience) return;
-    if (shown_ && !is_next(*waiting_) && !is_further(*waiting_)) {
+    const nanoseconds shared = now_ + epoch_;
+    if (shown_ && !is_next(*waiting_, *shown_, shared) && !is_further(*waiting_, *shown_)) {
         std::optional<WallChange>& change = waiting_->change;
-        if (change && leaders_time(*waiting_, now_ + epoch_) < change->began) return;
+        if (change && leaders_time(*waiting_, shared) < change->began) return;
         if (change && change->phase == WallChange::Phase::arriving) {
             waiting_->shown = std::move(change->wall);  // it need not come out of nothing
             change.reset();
         }
-        const Vec2 view = act_frame(*waiting_, leaders_time(*waiting_, now_ + epoch_)).view;
-        before_ = moved_by(std::exchange(last_, {}), view - std::exchange(last_view_, view));
-        fades_since_ = now_;
+        if (waiting_->folder) waiting_->folder->began.reset();
+        const Vec2 view = act_frame(*waiting_, leaders_time(*waiting_, shared)).view;
+        fade_.begin(view, now_);
     }
+    names_.place_anew();
     shown_ = std::exchange(waiting_, std::nullopt);
+}
+
+/// True if nothing moves but films and what passes.
+bool FollowedWall::is_standing() const {
+    return lifted_.is_empty() && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_));
 }
 
 /// The frame of the shown act, which may fade in over what was shown before.
 Frame FollowedWall::next_frame() {
     if (!shown_) return Frame{.canvas = canvas_, .idle = 1, .time = now_};
-    Frame frame = act_frame(*shown_, leaders_time(*shown_, now_ + epoch_));
-    last_ = frame.items;
-    last_view_ = frame.view;
-    if (fades_since_) {
-        const double progress =
-            std::chrono::duration<double>(now_ - *fades_since_) / std::chrono::duration<double>(fade_time);
-        if (progress < 1)
-            fade_in(frame, played_on(before_, frame.items, now_ - *fades_since_), progress);
-        else
-            fades_since_.reset(), before_.clear();
-    }
-    const bool has_ended_now = has_ended(*shown_, frame.time);
-    lifted_.draw(frame, has_ended_now ? last_wall(*shown_) : shown_->shown, now_);
+    const nanoseconds leaders = leaders_time(*shown_, now_ + epoch_);
+    Frame wall = wall_frame(*shown_, leaders);
     const FilmMoment* const film = lifted_.film();
-    if (film != nullptr && sources_.is_ready(film->shot.source)) draw_film(frame, *film);
+    lifted_.draw(wall, has_ended(*shown_, leaders) ? last_wall(*shown_) : shown_->shown,
+                 film != nullptr && sources_.is_ready(film->shot.source), now_);
+    Frame frame = act_frame(*shown_, wall, leaders);
+    fade_.draw(frame, now_);
+    if (is_standing()) {
+        names_.stand(last_wall(*shown_), shown_->canvas, shown_->folder ? shown_->folder->mark : Box{}, now_);
+        frame.names = names_.at(now_);
+    } else {
+        names_.hide();
+    }
     frame.time = now_;
     return frame;
-}
-
-/// The rooms for captions in the frame, as the leader has them. None while a hand moves shots.
-std::vector<CaptionRoom> FollowedWall::caption_places() const {
-    if (!shown_ || shown_->pan || !lifted_.is_empty()) return {};
-    std::vector<Box> outputs;
-    for (const auto& [name, part] : shown_->parts)
-        outputs.push_back(part.box);
-    const std::vector<Box> bezels = canvas_of(shown_->canvas, std::move(outputs)).bands;
-    if (has_ended(*shown_, leaders_time(*shown_, now_ + epoch_)))
-        return caption_rooms(last_wall(*shown_), bezels);
-    return shown_->change->way ? std::vector<CaptionRoom>()
-                               : kept_caption_rooms(shown_->shown, last_wall(*shown_), bezels);
 }
 
 WallStep FollowedWall::step(nanoseconds now) {
@@ -173,13 +138,16 @@ WallStep FollowedWall::step(nanoseconds now) {
             step.requests.push_back(std::move(*request));
     take_waiting();
     step.frame = next_frame();
-    step.frame.captions = caption_places();
+    if (shown_ && lifted_.is_empty())
+        step.frame.captions = captions_of(*shown_, leaders_time(*shown_, now_ + epoch_));
     std::set<SourceId> kept;
-    for (const auto* act : {&shown_, &waiting_, &prepared_})
-        if (*act)
-            for (const auto& [source, placed] : shots_of(**act))
+    for (const auto* act : {&shown_, &waiting_, &prepared_}) {
+        const std::vector<const WallAct*> walls = *act ? walls_of(**act) : std::vector<const WallAct*>();
+        for (const WallAct* const wall : walls)
+            for (const auto& [source, placed] : shots_of(*wall))
                 kept.insert(source);
-    for (const DrawItem& item : before_)
+    }
+    for (const DrawItem& item : fade_.items())
         kept.insert(item.source);
     if (const FilmMoment* const film = lifted_.film()) kept.insert(film->shot.source);
     step.retired = sources_.retire_all_but(kept);

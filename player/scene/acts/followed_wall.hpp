@@ -1,9 +1,11 @@
 #pragma once
 
+#include "player/scene/acts/act_fade.hpp"
 #include "player/scene/acts/followed_lifted.hpp"
 #include "player/scene/acts/followed_sources.hpp"
 #include "player/scene/acts/noted_touches.hpp"
 #include "player/scene/acts/wall_act.hpp"
+#include "player/scene/folders/standing_names.hpp"
 #include "player/scene/show.hpp"
 
 #include <chrono>
@@ -83,11 +85,9 @@ class FollowedWall final : public Show {
     const WallAct* shown() const { return shown_ ? &*shown_ : nullptr; }
 
   private:
-    bool is_next(const WallAct& act) const;
-    bool is_further(const WallAct& act) const;
     void take_waiting();
     Frame next_frame();
-    std::vector<CaptionRoom> caption_places() const;
+    bool is_standing() const;
 
     Canvas canvas_;
     FollowedSources sources_;
@@ -98,10 +98,8 @@ class FollowedWall final : public Show {
     std::optional<WallAct> waiting_;  // will be shown once its shots are there
     std::chrono::nanoseconds waiting_since_{0};
     std::optional<WallAct> prepared_;
-    std::vector<DrawItem> last_;                           // items of the last frame
-    Vec2 last_view_;                                       // canvas point at its top left
-    std::vector<DrawItem> before_;                         // items of what fades out
-    std::optional<std::chrono::nanoseconds> fades_since_;  // none: no act fades in
+    ActFade fade_;
+    StandingNames names_;
     NotedTouches touches_;
     FollowedLifted lifted_;
 };

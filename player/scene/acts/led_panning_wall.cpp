@@ -37,83 +37,46 @@ void LedPanningWall::set_canvas(const Canvas& canvas) {
     wall_.set_canvas(canvas);
 }
 
-void LedPanningWall::source_ready(SourceId source) {
-    if (awaited_.is_waiting(now_))
-        awaited_.hold(source);
-    else
-        wall_.source_ready(source);
-}
-
-WallStep LedPanningWall::step(std::chrono::nanoseconds now) {
-    now_ = now;
-    for (const SourceId source : awaited_.take_free(now))
-        wall_.source_ready(source);
-    WallStep step = wall_.step(now);
-    for (const SourceId source : step.retired)
-        awaited_.forget(source);
-    const PanParts parts = wall_.parts();
-    prepare(parts);
-    if (is_told(parts)) return step;
-    must_tell_ = false;
-    told_ = act_ = act_of(parts);
-    return step;
-}
-
 /// Tells of the shots that come, once each.
-void LedPanningWall::prepare(const PanParts& parts) {
+void LedPanningWall::prepare_coming(const PanParts& parts) {
     const bool is_new = std::ranges::any_of(
         parts.coming, [&](const PlacedShot& placed) { return !prepared_.contains(placed.shot.source); });
     if (!is_new) return;
     prepared_.clear();
     for (const PlacedShot& placed : parts.coming)
         prepared_.insert(placed.shot.source);
-    preparation_ = WallAct{.name = {.generation = awaited_.prepare(now_)},
-                           .canvas = canvas_,
-                           .cells = cells_,
-                           .shown = parts.coming};
+    prepare(parts.coming, canvas_, cells_);
 }
 
 /// True if the others know all of the wall from the last act, or must not be told of it yet.
 bool LedPanningWall::is_told(const PanParts& parts) const {
     if (parts.shots.empty() && (parts.has_files || !told_)) return true;
-    if (must_tell_ || !told_ || parts.shots.empty() != told_->shown.empty()) return false;
+    if (wants_act() || !told_ || parts.shots.empty() != told_->shown.empty()) return false;
     for (const PlacedShot& shot : parts.shots) {
         const PlacedShot* const told = find_source(told_->shown, shot.shot.source);
         if (told == nullptr || !is_same(*told, shot)) return false;
     }
     const PanCourse& course = told_->pan->course;
     return parts.is_in_hand || (course.speed == parts.course.speed &&
-                                std::abs(course.at(now_) - parts.course.view) < told_exactly);
+                                std::abs(course.at(now()) - parts.course.view) < told_exactly);
 }
 
-WallAct LedPanningWall::act_of(const PanParts& parts) const {
-    return {.name = {.generation = told_ ? told_->name.generation + 1 : 1},
-            .canvas = canvas_,
-            .parts = parts_,
-            .cells = cells_,
-            .shown = with_begins(parts.shots, parts, canvas_),
-            .pan = ActPan{.origin = parts.origin, .course = parts.course}};
+void LedPanningWall::make_news() {
+    const PanParts parts = wall_.parts();
+    prepare_coming(parts);
+    if (is_told(parts)) return;
+    told_ = WallAct{.canvas = canvas_,
+                    .cells = cells_,
+                    .shown = with_begins(parts.shots, parts, canvas_),
+                    .pan = ActPan{.origin = parts.origin, .course = parts.course}};
+    tell(*told_);
 }
 
-LedNews LedPanningWall::take_news() {
+LiftedMoment LedPanningWall::lifted() const {
     const PanParts parts = wall_.parts();
     LiftedMoment lifted = parts.lifted;
     if (parts.is_in_hand) lifted.view = parts.course.view;
-    return {.act = std::exchange(act_, std::nullopt),
-            .preparation = std::exchange(preparation_, std::nullopt),
-            .lifted = std::move(lifted),
-            .now = now_};
-}
-
-void LedPanningWall::heed(const LedOthers& others) {
-    awaited_.set_ready(others.ready);
-    must_tell_ |= others.needs_act;
-}
-
-void LedPanningWall::set_parts(std::map<std::string, ActPart> parts) {
-    if (parts == parts_) return;
-    parts_ = std::move(parts);
-    must_tell_ = true;
+    return lifted;
 }
 
 }  // namespace vitrine::player

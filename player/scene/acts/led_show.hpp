@@ -1,14 +1,16 @@
 #pragma once
 
+#include "player/scene/acts/awaited_sources.hpp"
+#include "player/scene/acts/forwarding_show.hpp"
 #include "player/scene/acts/wall_act.hpp"
 #include "player/scene/lifted_shots.hpp"
-#include "player/scene/show.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -29,21 +31,62 @@ struct LedOthers {
 
 /// The show of the box that leads a wall of several boxes. It makes acts of what it shows, from which the
 /// others draw the same. Before that it tells which shots come, and waits a while until they have them, too.
-class LedShow : public Show {
+class LedShow : public ForwardingShow {
   public:
     LedShow* led() override { return this; }
 
+    void source_ready(SourceId source) override;
+    WallStep step(std::chrono::nanoseconds now) override;
+
     /// Tells which preparations the other boxes have.
-    virtual void heed(const LedOthers& others) = 0;
+    void heed(const LedOthers& others);
 
     /// The news since the last call.
-    virtual LedNews take_news() = 0;
+    LedNews take_news();
 
     /// Sets the parts of the canvas that outputs show, by BOX/OUTPUT.
-    virtual void set_parts(std::map<std::string, ActPart> parts) = 0;
+    void set_parts(std::map<std::string, ActPart> parts);
 
     /// True while a change is seen: the wall's clock must not jump.
     virtual bool is_changing() const = 0;
+
+  protected:
+    std::chrono::nanoseconds now() const { return now_; }
+
+    /// Tells of the shots that come, so that the other boxes have them in time.
+    void prepare(const std::vector<PlacedShot>& shots, const Canvas& canvas, const CellStyle& cells);
+
+    /// Lets the next make_news() make an act.
+    void want_act() { wants_act_ = true; }
+
+    bool wants_act() const { return wants_act_; }
+
+    /// Ends that wish without an act.
+    void need_no_act() { wants_act_ = false; }
+
+    /// Tells an act, to which it gives its number and the parts of outputs.
+    void tell(WallAct act);
+
+    /// True if an act was told already.
+    bool has_told() const { return acts_ > 0; }
+
+  private:
+    /// Prepares shots and tells acts, once a step.
+    virtual void make_news() = 0;
+
+    /// What hands do above the wall now.
+    virtual LiftedMoment lifted() const = 0;
+
+    /// The time of the wall that is seen.
+    virtual std::chrono::nanoseconds local_time() const { return now_; }
+
+    std::map<std::string, ActPart> parts_;
+    std::chrono::nanoseconds now_{0};
+    AwaitedSources awaited_;
+    std::optional<WallAct> preparation_;
+    bool wants_act_ = false;
+    std::uint64_t acts_ = 0;
+    std::optional<WallAct> act_;
 };
 
 }  // namespace vitrine::player

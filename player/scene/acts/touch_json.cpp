@@ -22,6 +22,10 @@ InputEvent event_in(const ActJson& json, std::chrono::nanoseconds now) {
     if (json.contains("notches"))
         return Wheel{
             .notches = number_in(json.at("notches"), max_notches), .at = vec2_in(json.at("at")), .time = now};
+    if (json.contains("key"))
+        return KeyPress{.key =
+                            static_cast<Key>(whole_in(json, "key", 0, static_cast<std::int64_t>(Key::undo))),
+                        .time = now};
     return Contact{.kind = static_cast<Contact::Kind>(whole_in(json, "kind", 0, 3)),
                    .finger = static_cast<int>(whole_in(json, "finger", -1, max_finger)),
                    .at = vec2_in(json.at("at")),
@@ -37,6 +41,8 @@ std::string touches_to_json(std::span<const InputEvent> events) {
         if (const auto* contact = std::get_if<Contact>(&event)) all.push_back(to_json(*contact));
         if (const auto* wheel = std::get_if<Wheel>(&event))
             all.push_back({{"notches", wheel->notches}, {"at", to_act_json(wheel->at)}});
+        if (const auto* key = std::get_if<KeyPress>(&event))
+            all.push_back({{"key", static_cast<int>(key->key)}});
     }
     return ActJson{{"events", std::move(all)}}.dump();
 }

@@ -1,13 +1,28 @@
 #include "player/scene/acts/wall_act.hpp"
 
+#include "player/scene/caption_place.hpp"
 #include "player/scene/crossfade.hpp"
+#include "player/scene/folders/opened_frame.hpp"
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine::player {
 
 namespace {
+
+constexpr std::chrono::duration<double> shortest{1e-9};  // way
+
+bool change_has_ended(const WallAct& act, std::chrono::nanoseconds now) {
+    if (!act.change) return true;
+    const WallChange& change = *act.change;
+    if (change.way) return now - change.began >= change.duration;
+    if (change.transition) return now - change.began >= change.transition->duration;
+    return std::ranges::all_of(change.wall, [&](const PlacedShot& placed) {
+        return placed.began == never || now - placed.began >= act.fade;
+    });
+}
 
 /// The frame of a panning wall.
 Frame pan_frame(const WallAct& act, std::chrono::nanoseconds now) {
@@ -28,20 +43,56 @@ const std::vector<PlacedShot>& last_wall(const WallAct& act) {
     return act.change ? act.change->wall : act.shown;
 }
 
-bool has_ended(const WallAct& act, std::chrono::nanoseconds now) {
-    if (!act.change) return true;
-    const WallChange& change = *act.change;
-    if (change.way) return now - change.began >= change.duration;
-    if (change.transition) return now - change.began >= change.transition->duration;
-    return std::ranges::all_of(change.wall, [&](const PlacedShot& placed) {
-        return placed.began == never || now - placed.began >= act.fade;
-    });
+double ActFolder::share(std::chrono::nanoseconds now) const {
+    if (!began) return 1;
+    const double passed = std::chrono::duration<double>(now - *began) /
+                          std::max(std::chrono::duration<double>(duration), shortest);
+    return is_opening ? passed : 1 - passed;
 }
 
-Frame act_frame(const WallAct& act, std::chrono::nanoseconds now) {
+bool has_ended(const WallAct& act, std::chrono::nanoseconds now) {
+    const bool is_on_way = act.folder && act.folder->began && now < *act.folder->began + act.folder->duration;
+    return !is_on_way && change_has_ended(act, now);
+}
+
+Frame wall_frame(const WallAct& act, std::chrono::nanoseconds now) {
     if (act.pan) return pan_frame(act, now);
-    if (has_ended(act, now)) return standing_frame(act.canvas, last_wall(act), now);
+    if (change_has_ended(act, now)) return standing_frame(act.canvas, last_wall(act), now);
     return change_frame(*act.change, act.shown, {.duration = act.fade, .cells = act.cells}, now);
+}
+
+Frame act_frame(const WallAct& act, const Frame& wall, std::chrono::nanoseconds now) {
+    if (!act.folder) return wall;
+    const ActFolder& folder = *act.folder;
+    const std::chrono::nanoseconds then = folder.time_behind(now);
+    const Frame outer = wall_frame(*folder.outer, then);
+    const std::optional<ActFolder>& further = folder.outer->folder;
+    const Frame outermost = further ? wall_frame(*further->outer, further->time_behind(then)) : Frame{};
+    return opened_frame({.top = wall,
+                         .outer = outer,
+                         .outermost = further ? &outermost : nullptr,
+                         .mark = folder.mark,
+                         .outer_mark = further ? further->mark : Box{},
+                         .box = folder.box,
+                         .share = folder.share(now)});
+}
+
+std::vector<CaptionRoom> captions_of(const WallAct& act, std::chrono::nanoseconds now) {
+    if (act.pan) return {};
+    std::vector<Box> outputs;
+    for (const auto& [name, part] : act.parts)
+        outputs.push_back(part.box);
+    const std::vector<Box> bezels = canvas_of(act.canvas, std::move(outputs)).bands;
+    if (has_ended(act, now)) return caption_rooms(last_wall(act), bezels);
+    if (!act.change || act.change->way) return {};
+    return kept_caption_rooms(act.shown, last_wall(act), bezels);
+}
+
+std::vector<const WallAct*> walls_of(const WallAct& act) {
+    std::vector<const WallAct*> walls{&act};
+    while (walls.back()->folder)
+        walls.push_back(walls.back()->folder->outer.get());
+    return walls;
 }
 
 std::map<SourceId, const PlacedShot*> shots_of(const WallAct& act) {

@@ -7,9 +7,11 @@
 #include "player/scene/wall_change.hpp"
 #include "player/scene/wall_shot.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,28 @@ struct ActPan {
     bool operator==(const ActPan&) const = default;
 };
 
+struct WallAct;
+
+/// The part of an act of the wall of an opened folder: the wall behind it, and the way between both.
+struct ActFolder {
+    std::shared_ptr<const WallAct> outer;          // the wall behind, without a name
+    std::chrono::nanoseconds lag{0};               // from a time of this wall to that of the wall behind
+    std::chrono::nanoseconds stands_from = never;  // the clock of the wall behind stands still from then on
+    Box mark;                                      // of the way back, px of this wall's canvas
+    Box box;                                       // of the folder on the wall behind, canvas px
+    bool is_opening = true;
+    std::optional<std::chrono::nanoseconds> began;  // of the way; none: this wall is open
+    std::chrono::nanoseconds duration{0};           // of the way
+
+    /// The share of the way from the wall behind to this one. @param now  of this wall
+    double share(std::chrono::nanoseconds now) const;
+
+    /// The time of the wall behind. @param now  of this wall
+    std::chrono::nanoseconds time_behind(std::chrono::nanoseconds now) const {
+        return std::min(now + lag, stands_from);
+    }
+};
+
 /// All that a box needs to draw the same wall as the leader: a value, complete in itself. The leader sends
 /// what its own wall draws from, so nothing is computed twice.
 ///
@@ -54,19 +78,38 @@ struct WallAct {
     std::chrono::nanoseconds fade{0};      // time in which a shot of the first wall fades in
     std::vector<PlacedShot> shown;         // the wall before the change; without a change, the wall
     std::optional<WallChange> change;      // none: the wall stands
+    std::optional<ActFolder> folder = {};  // none: no folder is open
     std::optional<ActPan> pan = {};        // none: the wall does not pan; one that does has no change
 };
 
 /// The wall after the change.
 const std::vector<PlacedShot>& last_wall(const WallAct& act);
 
-/// True once nothing of the change is left to be seen. @param now  of the leader's wall
+/// True once nothing of the change and of a way into a folder is left to be seen. @param now  of the leader's
+/// wall
 bool has_ended(const WallAct& act, std::chrono::nanoseconds now);
 
-/// The frame of an act at any time: before its change, in it, and after it. @param now  of the leader's wall
-Frame act_frame(const WallAct& act, std::chrono::nanoseconds now);
+/// The frame of an act's wall at any time: before its change, in it, and after it. If it is the wall of an
+/// opened folder, nothing is seen of the walls behind.
+/// @param now  of the leader's wall
+Frame wall_frame(const WallAct& act, std::chrono::nanoseconds now);
 
-/// The shots of an act by their source, each once. The pointers are valid while the act is unchanged.
+/// The frame of an act, of which the wall's frame is a part.
+Frame act_frame(const WallAct& act, const Frame& wall, std::chrono::nanoseconds now);
+
+/// The same, of the wall's own frame.
+inline Frame act_frame(const WallAct& act, std::chrono::nanoseconds now) {
+    return act_frame(act, wall_frame(act, now), now);
+}
+
+/// The rooms for captions in the frame of an act, as the leader has them: none while a hand or a way into a
+/// folder moves shots, and none on a panning wall.
+std::vector<CaptionRoom> captions_of(const WallAct& act, std::chrono::nanoseconds now);
+
+/// The act and those of the walls behind.
+std::vector<const WallAct*> walls_of(const WallAct& act);
+
+/// The shots of an act's wall by their source, each once. The pointers are valid while the act is unchanged.
 std::map<SourceId, const PlacedShot*> shots_of(const WallAct& act);
 
 }  // namespace vitrine::player

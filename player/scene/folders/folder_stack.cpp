@@ -2,8 +2,8 @@
 
 #include "player/scene/change_pace.hpp"
 #include "player/scene/crossfade.hpp"
-#include "player/scene/folders/back_mark.hpp"
 #include "player/scene/folders/folder_zoom.hpp"
+#include "player/scene/folders/opened_frame.hpp"
 
 #include <memory>
 #include <utility>
@@ -16,8 +16,6 @@ using namespace std::chrono_literals;
 
 constexpr auto opening_patience = 12s;  // for the wall of a folder; then it is not opened
 constexpr auto source_patience = 3s;    // for one of its sources, and for those of the wall behind
-constexpr double mark_from = 0.3;  // share of the way from which on the way back appears on the inner wall
-constexpr double mark_time = 0.3;  // share of the way in which it appears
 
 template <typename Item> void append(std::vector<Item>& to, const std::vector<Item>& more) {
     to.insert(to.end(), more.begin(), more.end());
@@ -98,6 +96,12 @@ void FolderStack::step_top(WallStep& step) {
     step.plan = std::move(own.plan);
 }
 
+/// True if the wall can be seen that will be the one behind. Other boxes show no way for whose walls they
+/// have to wait; a box alone shows the way at once, at whose end that wall is seen.
+bool FolderStack::has_outermost_sources() const {
+    return levels_.size() < 3 || levels_[levels_.size() - 3].has_sources();
+}
+
 /// Begins the way once both walls can be seen, and ends it.
 void FolderStack::advance_zoom(WallStep& step) {
     if (zoom_->began) {
@@ -105,8 +109,8 @@ void FolderStack::advance_zoom(WallStep& step) {
         return;
     }
     const bool is_late = now_ - zoom_->asked >= (zoom_->is_opening ? opening_patience : source_patience);
-    const bool is_ready =
-        zoom_->is_opening ? !top().wall().shown().empty() : outer().has_sources() || is_late;
+    const bool has_behind = outer().has_sources() && (settings_.lead.count() == 0 || has_outermost_sources());
+    const bool is_ready = zoom_->is_opening ? !top().wall().shown().empty() : has_behind || is_late;
     if (!is_ready && is_late) {  // the folder has nothing that can be shown
         zoom_->is_opening = false;
         return end_zoom(step);
@@ -117,8 +121,10 @@ void FolderStack::advance_zoom(WallStep& step) {
     if (!is_ready || is_changing || !pace.is_free(outer().local(now_))) return;
     pace.note_change(outer().local(now_));
     top().wall().pace()->note_change(top().local(now_));
-    zoom_->began = now_;
-    zoom_->box = box_of_folder(outer().wall().shown(), top().folder(), outer().frame().canvas);
+    zoom_->began = now_ + settings_.touch_lead;
+    const Vec2 canvas = outer().frame().canvas;
+    zoom_->box = settings_.is_calm ? Box{{0, 0}, canvas}
+                                   : box_of_folder(outer().wall().shown(), top().folder(), canvas);
 }
 
 /// The wall that is not seen any more goes, or rests.
@@ -145,19 +151,16 @@ double FolderStack::opened_share() const {
 }
 
 Frame FolderStack::composed_frame() const {
-    if (levels_.size() < 2) return top().frame();
-    const Frame& behind = levels_[levels_.size() - 2].frame();
-    const double progress = eased(opened_share());
-    const Box box = zoom_ && !settings_.is_calm ? zoom_->box : Box{{0, 0}, behind.canvas};
-    Frame frame = zoom_frame(behind, top().frame(), box, progress);
-    if (levels_.size() > 2)
-        draw_back_mark(frame, levels_[levels_.size() - 2].way_back(), levels_[levels_.size() - 3].frame(),
-                       eased(1 - progress / mark_from));
-    const Placement at = inner_placement(behind.canvas, box, progress);
-    const Box mark = top().way_back();
-    draw_back_mark(frame, {mark.min * at.scale + at.offset, mark.max * at.scale + at.offset}, behind,
-                   eased((progress - mark_from) / mark_time));
-    return frame;
+    const std::size_t depth = levels_.size();
+    if (depth < 2) return top().frame();
+    const OpenFolder& behind = levels_[depth - 2];
+    return opened_frame({.top = top().frame(),
+                         .outer = behind.frame(),
+                         .outermost = depth > 2 ? &levels_[depth - 3].frame() : nullptr,
+                         .mark = top().way_back(),
+                         .outer_mark = behind.way_back(),
+                         .box = zoom_ && zoom_->began ? zoom_->box : Box{{0, 0}, behind.frame().canvas},
+                         .share = opened_share()});
 }
 
 }  // namespace vitrine::player

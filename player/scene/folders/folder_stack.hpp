@@ -18,12 +18,27 @@ class FolderStack {
   public:
     FolderStack(const Canvas& canvas, const WallSettings& settings);
 
+    /// The way between the last two walls.
+    struct Zoom {
+        bool is_opening = true;
+        std::chrono::nanoseconds asked{0};              // when it was asked for
+        std::optional<std::chrono::nanoseconds> began;  // none: it waits for sources
+        Box box;                                        // of the folder on the outer wall, canvas px
+
+        bool operator==(const Zoom&) const = default;
+    };
+
     OpenFolder& top() { return levels_.back(); }
 
     const OpenFolder& top() const { return levels_.back(); }
 
     /// All walls; the first is that of all files, each further one of a folder of the one before.
     std::vector<OpenFolder>& levels() { return levels_; }
+
+    const std::vector<OpenFolder>& levels() const { return levels_; }
+
+    /// The way under way; none: the wall on top stands.
+    const std::optional<Zoom>& zoom() const { return zoom_; }
 
     /// The number of walls.
     std::size_t depth() const { return levels_.size(); }
@@ -48,18 +63,11 @@ class FolderStack {
   private:
     using Time = std::chrono::nanoseconds;
 
-    /// The way between the last two walls.
-    struct Zoom {
-        bool is_opening = true;
-        Time asked{0};              // when it was asked for
-        std::optional<Time> began;  // none: it waits for sources
-        Box box;                    // of the folder on the outer wall, canvas px
-    };
-
     OpenFolder& outer() { return levels_[levels_.size() - 2]; }
 
     void step_top(WallStep& step);
     void advance_zoom(WallStep& step);
+    bool has_outermost_sources() const;
     void end_zoom(WallStep& step);
     double opened_share() const;
     Frame composed_frame() const;

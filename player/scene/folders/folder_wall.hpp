@@ -49,6 +49,8 @@ class FolderWall final : public Show {
 
     std::set<std::string> avoided_files() const override { return wall().avoided_files(); }
 
+    const FolderStack& folders() const { return folders_; }
+
     /// The place of the way back, canvas px. Empty: no folder is open.
     Box way_back() const { return folders_.depth() > 1 ? folders_.top().way_back() : Box{}; }
 

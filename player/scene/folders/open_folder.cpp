@@ -1,17 +1,8 @@
 #include "player/scene/folders/open_folder.hpp"
 
-#include "player/scene/crossfade.hpp"
-#include "player/scene/folders/folder_names.hpp"
-
 #include <utility>
 
 namespace vitrine::player {
-
-namespace {
-
-constexpr std::chrono::duration<double> fade_time{0.3};  // of names
-
-}  // namespace
 
 OpenFolder::OpenFolder(std::string folder, const Canvas& canvas, const WallSettings& settings)
     : folder_(std::move(folder)), canvas_(canvas), wall_(std::make_unique<Wall>(canvas, settings)) {}
@@ -38,9 +29,12 @@ void OpenFolder::uncover(std::chrono::nanoseconds now) {
 WallStep OpenFolder::step(std::chrono::nanoseconds now) {
     if (covered_) return {.frame = frame_};
     WallStep step = wall_->step(local(now));
+    if (wall_->is_touched() || is_in_change(*wall_) || wall_->shown().empty())
+        names_.hide();
+    else
+        names_.stand(wall_->shown(), step.frame.canvas, folder_.empty() ? Box{} : way_back(), local(now));
+    step.frame.names = names_.at(local(now));
     frame_ = step.frame;
-    name_folders(local(now));
-    step.frame.names = frame_.names;
     for (const ShotRequest& request : step.requests)
         sources_.insert(request.source);
     for (const SourceId source : step.retired) {
@@ -65,17 +59,6 @@ void OpenFolder::keep_way_back_free(WallPlan& plan) const {
 void OpenFolder::set_layout(const Layout& layout) {
     if (!layout.way && !folder_.empty() && layout.is_final) way_back_ = layout.placements.back();
     wall_->set_layout(layout);
-}
-
-/// Adds the names to the frame while nothing moves on the wall.
-void OpenFolder::name_folders(std::chrono::nanoseconds local) {
-    if (wall_->is_touched() || is_in_change(*wall_) || wall_->shown().empty()) return names_.reset();
-    if (!names_)
-        names_ = {folder_names(wall_->shown(), frame_.canvas, folder_.empty() ? Box{} : way_back()), local};
-    const double alpha = eased(std::chrono::duration<double>(local - names_->since) / fade_time);
-    frame_.names = names_->all;
-    for (FrameName& name : frame_.names)
-        name.alpha = alpha;
 }
 
 std::vector<SourceId> OpenFolder::release_sources() {

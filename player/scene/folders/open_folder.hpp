@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/folders/back_mark.hpp"
+#include "player/scene/folders/standing_names.hpp"
 #include "player/scene/wall.hpp"
 
 #include <chrono>
@@ -52,6 +53,11 @@ class OpenFolder {
         return covered_.value_or(now) - away_;
     }
 
+    /// The time on the clock of this wall at which it stands; none: it goes.
+    std::optional<std::chrono::nanoseconds> stands_at() const {
+        return covered_ ? std::optional(*covered_ - away_) : std::nullopt;
+    }
+
     /// Does without all sources. @return those that it had
     std::vector<SourceId> release_sources();
 
@@ -74,14 +80,6 @@ class OpenFolder {
     bool has_sources() const { return missing_.empty(); }
 
   private:
-    /// The names of the sub-folders while the wall stands.
-    struct Names {
-        std::vector<FrameName> all;
-        std::chrono::nanoseconds since{0};  // on the clock of this wall
-    };
-
-    void name_folders(std::chrono::nanoseconds local);
-
     std::string folder_;
     Canvas canvas_;
     Placement way_back_;  // moves it from its first place
@@ -89,7 +87,7 @@ class OpenFolder {
     ShowControls controls_;
     bool is_held_ = false;
     Frame frame_;
-    std::optional<Names> names_;
+    StandingNames names_;                              // of the sub-folders
     std::chrono::nanoseconds away_{0};                 // for which the clock has stood still
     std::optional<std::chrono::nanoseconds> covered_;  // since then the clock stands still
     std::set<SourceId> sources_;                       // that were asked for

@@ -51,6 +51,24 @@ WallAct panning_act(std::uint64_t seed) {
     return made;
 }
 
+/// An act on the way out of a folder that is opened in another.
+WallAct folder_act(std::uint64_t seed) {
+    const auto inside = [](WallAct made, WallAct outer) {
+        made.folder = ActFolder{.outer = std::make_shared<const WallAct>(std::move(outer)),
+                                .lag = -3s,
+                                .mark = {{20, 600}, {160, 700}},
+                                .box = {{300, 200}, {620, 380}},
+                                .is_opening = false,
+                                .began = 5s,
+                                .duration = 800ms};
+        return made;
+    };
+    WallAct middle = inside(act(seed + 1), act(seed + 2));
+    middle.change.reset();
+    middle.folder->stands_from = 4s;
+    return inside(act(seed), std::move(middle));
+}
+
 bool is_same(const Frame& one, const Frame& other) {
     return std::ranges::equal(one.items, other.items, [](const DrawItem& a, const DrawItem& b) {
         return a.source == b.source && a.placement == b.placement && a.alpha == b.alpha &&
@@ -82,6 +100,25 @@ TEST_CASE("an act is read as it was written, and gives the same frames bit by bi
             for (const auto more : {0ms, 130ms, 400ms})
                 CHECK(is_same(act_frame(before, now + more), act_frame(after, now + more)));
     }
+}
+
+TEST_CASE("an act of a folder is read as it was written, with the walls behind it") {
+    const WallAct before = folder_act(3);
+    const WallAct after = act_from_json(to_json(before));
+    CHECK(to_json(after) == to_json(before));
+    for (const auto now : {4s, 5s, 6s}) {
+        const Frame frame = act_frame(after, now + 300ms);
+        CHECK(is_same(frame, act_frame(before, now + 300ms)));
+        CHECK(frame.plates.size() == 1);  // one way back goes before the other comes
+    }
+    WallAct too_deep = before;
+    for (int k = 0; k < 2; ++k) {
+        WallAct further = act(3);
+        further.folder = before.folder;
+        further.folder->outer = std::make_shared<const WallAct>(too_deep);
+        too_deep = further;
+    }
+    CHECK_THROWS_AS(act_from_json(to_json(too_deep)), std::runtime_error);
 }
 
 TEST_CASE("the way of a panning wall is read as it was written") {
@@ -152,7 +189,7 @@ TEST_CASE("changed acts are refused, or can be drawn at any time") {
     std::mt19937_64 random(20);
     const auto below = [&](std::size_t most) { return static_cast<std::size_t>(random() % most); };
     const std::vector<std::string> texts{to_json(act(7)), to_json(act(8, {.feather = 20})),
-                                         to_json(panning_act(9))};
+                                         to_json(panning_act(9)), to_json(folder_act(10))};
     const std::vector<std::string> words{"-1", "0",    "1e308", "1e-300", "null", "[]",
                                          "{}", "true", "\"\"",  "1e9",    "-1e6", "9223372036854775807"};
     int drawn = 0;
@@ -230,9 +267,10 @@ TEST_CASE("lifted shots travel as they were seen") {
 TEST_CASE("touches travel as they were made") {
     const std::vector<InputEvent> events{
         Contact{.kind = Contact::Kind::move, .finger = 2, .at = {0.1, 700}, .time = 3s},
-        Wheel{.notches = -1.5, .at = {3, 4}, .time = 3s}};
+        Wheel{.notches = -1.5, .at = {3, 4}, .time = 3s}, KeyPress{.key = Key::back, .time = 3s}};
     CHECK(touches_from_json(touches_to_json(events), 3s) == events);
     CHECK_THROWS_AS(touches_from_json(R"({"events":[{"kind":9,"finger":0,"at":[0,0]}]})", 3s),
                     std::runtime_error);
     CHECK_THROWS_AS(touches_from_json("7", 3s), std::runtime_error);
+    CHECK_THROWS_AS(touches_from_json(R"({"events":[{"key":99}]})", 3s), std::runtime_error);
 }

@@ -3,6 +3,7 @@
 #include "player/scene/acts/followed_wall.hpp"
 #include "player/scene/acts/follower_talk.hpp"
 #include "player/scene/acts/leader_talk.hpp"
+#include "player/scene/acts/led_folder_wall.hpp"
 #include "player/scene/acts/led_panning_wall.hpp"
 #include "player/scene/acts/led_wall.hpp"
 #include "player/scene/acts/wall_clock.hpp"
@@ -130,6 +131,8 @@ class SharedHouse {
         const Canvas canvas{1280, 720};
         if (options_.pan)
             lead.show = std::make_unique<LedPanningWall>(canvas, *options_.pan);
+        else if (options_.wall.nests)
+            lead.show = std::make_unique<LedFolderWall>(canvas, options_.wall);
         else
             lead.show = std::make_unique<LedWall>(canvas, options_.wall);
         lead.show->set_catalogue(options_.records);
@@ -356,7 +359,7 @@ class SharedHouse {
     }
 
     void note_begins(TestBox& box, std::size_t i, Ns now) {
-        if (options_.pan) return;
+        if (options_.pan || options_.wall.nests) return;
         if (i == 0) {
             const std::optional<WallChange>& change = led().parts().change;
             if (is_leader_changing() && now >= change->began) box.began.try_emplace(change->began, truth);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "player/scene/frame.hpp"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace vitrine::player {
+
+/// The way from what a box has shown to an act that goes on elsewhere: what was shown fades out, and its
+/// films play on meanwhile. Knows no clock.
+class ActFade {
+  public:
+    /// Lets the last frame fade out.
+    /// @param view  of the frames to come: canvas point at the top left, px
+    void begin(Vec2 view, std::chrono::nanoseconds now);
+
+    /// Draws what fades out into the next frame, and keeps this.
+    void draw(Frame& frame, std::chrono::nanoseconds now);
+
+    /// What fades out.
+    const std::vector<DrawItem>& items() const { return before_; }
+
+  private:
+    std::vector<DrawItem> last_;                     // items of the last frame
+    Vec2 last_view_;                                 // canvas point at its top left
+    std::vector<DrawItem> before_;                   // items of what fades out
+    std::optional<std::chrono::nanoseconds> since_;  // none: nothing fades out
+};
+
+}  // namespace vitrine::player
