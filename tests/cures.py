@@ -213,7 +213,7 @@ CURES = [
     Cure("captions across a bezel between two boxes", "player/scene/acts/wall_act.cpp",
          "return caption_rooms(last_wall(act), bezels);", "return caption_rooms(last_wall(act));", "acts_test.shared_wall_test"),
     Cure("captions that boxes which follow do not have", "link/wall/fetch",
-         "--include=/hints.json --include=/words/ ", "", "pipeline.link"),
+         "--include=/hints.json --include=/words/ ", "", "pipeline.link", targets=("vitrine-link",)),
     Cure("a folder that opens on other boxes while they read its files", "player/scene/acts/led_show.cpp",
          "    if (awaited_.is_waiting(now_))\n        awaited_.hold(source);\n    else\n        ForwardingShow", "    ForwardingShow", "acts_test.shared_folders_test"),
     Cure("keys of a box that follows", "player/scene/acts/touch_json.cpp",

@@ -100,6 +100,7 @@ TEST_CASE("folders are opened into one another and closed on all boxes in step")
 TEST_CASE("a folder grows out of its place on all boxes, and the frames of the way are the same") {
     SharedHouse house(folders(3));
     house.run(8s);
+    house.boxes[1].slower = 1s;
     tap(house, "a");
     std::size_t on_way = 0;
     std::size_t same = 0;

@@ -76,6 +76,7 @@ struct TestBox {
     std::map<SourceId, Ns> ready_at = {};
     std::set<SourceId> ready = {};
     std::set<std::string> missing = {};  // files that do not come
+    Ns slower{0};                        // by which it reads files more slowly
     std::map<SourceId, Ns> seen = {};    // how far each film was seen
     std::vector<ShownFrame> frames = {};
     std::map<Ns, Ns> began = {};  // by its own time, when each change was first seen, in true time
@@ -306,7 +307,8 @@ class SharedHouse {
         for (const ShotRequest& request : step.requests) {
             if (box.playing.emplace(request.source, request).second || !box.ready.contains(request.source))
                 box.ready_at[request.source] =
-                    truth + std::chrono::milliseconds(std::uniform_int_distribution(20, 300)(random_));
+                    truth + box.slower +
+                    std::chrono::milliseconds(std::uniform_int_distribution(20, 300)(random_));
             box.playing[request.source] = request;
         }
         if (step.plan && !step.plan->way) box.show->set_layout(options_.lay_out(*step.plan));
