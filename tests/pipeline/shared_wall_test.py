@@ -176,8 +176,9 @@ class Wall(unittest.TestCase):
             windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, DRAG_AT + 1, *(DRAG_AT + later for later in after_drag))}
             print(f"pictures apart, and how far from equal: {windows}")
             for at, (apart, off) in windows.items():
-                self.assertLess(off, NEAR if at == DRAG_AT + 1 else SAME, f"at {at} s")
-                self.assertLessEqual(abs(apart - windows[12][0]), 1, f"at {at} s")
+                is_dragged = at == DRAG_AT + 1  # a wall that pans is seen as a whole where the finger was some pictures ago
+                self.assertLess(off, NEAR if is_dragged else SAME, f"at {at} s")
+                self.assertLessEqual(abs(apart - windows[12][0]), 3 if is_dragged else 1, f"at {at} s")
 
     def test_a_follower_shows_a_panning_wall_and_its_visitors_move_it(self):
         left, right, _ = self.film_two_boxes(("pan", "pans"), DRAG_AT + 7, "--layout.mode", "pan", "--show.pan_pixels_per_second", 20)
