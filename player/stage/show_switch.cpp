@@ -114,7 +114,7 @@ bool ShowSwitch::may_switch() const {
 
 bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
-    if (!may_switch()) return false;
+    if (wall_->led() != nullptr || !may_switch()) return false;
     const bool has_index = has_tapestry(directory, *film);
     if (!has_index && (settings_.tapestry.max_bytes == 0 || !may_be_woven(*film))) return false;
     try {

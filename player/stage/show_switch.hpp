@@ -59,7 +59,8 @@ class ShowSwitch {
     /// Shows a film's tapestry in place of the wall. If there is none of the present content of the film, the
     /// film plays above an empty strip until the analyzer has woven a first view.
     /// @param shot  the shot of the film at which the view starts
-    /// @return false: there is none and none will be woven, or the last switch was too short a time ago
+    /// @return false: there is none and none will be woven, or the last switch was too short a time ago, or
+    /// the wall leads other boxes, which would go on with it
     bool open_tapestry(const RecordList::Record& film, std::size_t shot);
 
     /// Shows a tapestry in place of the wall.

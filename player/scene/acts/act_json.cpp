@@ -24,6 +24,7 @@ constexpr double max_pan_speed = 1e5;     // px a second
 constexpr std::size_t max_parts = 64;
 constexpr int max_folders = 2;  // open behind one another, of which something is seen
 constexpr auto max_change_time = 60s;
+constexpr std::chrono::nanoseconds max_lag = 24h * 3650;  // sums of times stay in range
 
 /// The shots of an act with their numbers.
 class ShotNumbers {
@@ -300,6 +301,8 @@ ActFolder folder_in(const ActJson& json, int folders) {
     if (!has_boxes) throw ActFault("an act has a folder without a place");
     if (folder.duration < 0ns || folder.duration > max_change_time)
         throw ActFault("an act has a way into a folder that takes too long");
+    if (std::chrono::abs(folder.lag) > max_lag)
+        throw ActFault("an act has a wall behind a folder whose clock is years away");
     if (folder.outer->pan) throw ActFault("an act has a folder on a wall that pans");
     return folder;
 }

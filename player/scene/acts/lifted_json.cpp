@@ -55,6 +55,8 @@ FilmMoment film_in(const ActJson& json) {
                     .placement = placement_in(json.at("at")),
                     .began = time("began_ns"),
                     .ends = time("ends_ns")};
+    if (film.began != never && film.ends == never)
+        throw ActFault("the leader tells of a photo's film that plays and does not end");
     if (film.shot.kind != MediaKind::film) throw ActFault("the leader tells of a photo's film that is none");
     return film;
 }

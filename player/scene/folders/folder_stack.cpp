@@ -96,8 +96,9 @@ void FolderStack::step_top(WallStep& step) {
     step.plan = std::move(own.plan);
 }
 
-/// True if the wall can be seen that will be the one behind. Other boxes show no way for whose walls they
-/// have to wait; a box alone shows the way at once, at whose end that wall is seen.
+/// True if the wall that will be the one behind has its sources. A wall of several boxes waits for them: a
+/// box that lacks one would not show the way. A box alone begins at once, as that wall is seen only at the
+/// end.
 bool FolderStack::has_outermost_sources() const {
     return levels_.size() < 3 || levels_[levels_.size() - 3].has_sources();
 }

@@ -2,6 +2,7 @@
 
 #include "base/system/atomic_file.hpp"
 #include "base/system/unique_fd.hpp"
+#include "tests/player/scene/scene_media.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -34,4 +35,18 @@ TEST_CASE("a file that is not there is told once in ten minutes, however often i
     const std::string text = read_file(file);
     CHECK(std::ranges::count(text, '\n') == 4);
     CHECK(text.find("a.jpg") != std::string::npos);
+}
+
+TEST_CASE("no tapestry is opened on a wall that leads other boxes") {
+    const TemporaryDirectory directory;
+    Settings settings;
+    settings.state.directory = directory.path.string();
+    const RecordList films({film("f", 1)});
+    for (const WallRole role : {WallRole::alone, WallRole::lead}) {
+        settings.wall.role = role;
+        ShowSwitch shows(settings, 0, false);
+        shows.set_time(10s);
+        CHECK(shows.open_tapestry(films.find("f"), 0) == (role == WallRole::alone));
+        CHECK((shows.tapestry() != nullptr) == (role == WallRole::alone));
+    }
 }

@@ -111,6 +111,9 @@ TEST_CASE("an act of a folder is read as it was written, with the walls behind i
         CHECK(is_same(frame, act_frame(before, now + 300ms)));
         CHECK(frame.plates.size() == 1);  // one way back goes before the other comes
     }
+    WallAct far_away = before;
+    far_away.folder->lag = 24h * 36500;
+    CHECK_THROWS_AS(act_from_json(to_json(far_away)), std::runtime_error);
     WallAct too_deep = before;
     for (int k = 0; k < 2; ++k) {
         WallAct further = act(3);
@@ -250,6 +253,7 @@ TEST_CASE("lifted shots travel as they were seen") {
     seen.film = FilmMoment{.shot = film, .placement = {0.7, {1e-9, 3}}};
     CHECK(again(seen) == lifted_to_json(12, seen));
     seen.film->began = 4s;
+    CHECK_THROWS_AS(lifted_from_json(lifted_to_json(12, seen)), std::runtime_error);
     seen.film->ends = 6s + 1ns;
     CHECK(again(seen) == lifted_to_json(12, seen));
     seen.view = 12345.678;
