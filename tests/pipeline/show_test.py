@@ -17,7 +17,9 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+import seen_pictures  # noqa: E402
 from drawn_media import png  # noqa: E402
+from seen_pictures import share_near  # noqa: E402
 
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
@@ -49,22 +51,8 @@ def counting_film(path, channel, pictures):
                     "-i", "-", "-c:v", "ffv1", "-pix_fmt", "bgr0", str(path)], input=bytes(frames), check=True)
 
 
-def pictures_of(path):
-    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                         capture_output=True, check=True).stdout
-    size = WIDTH * HEIGHT * 3
-    return [raw[i:i + size] for i in range(0, len(raw), size)]
-
-
 def middle_of(picture, colour, tolerance=70):
-    """The mean place of the pixels about this colour and how many there are, every second one looked at."""
-    xs = ys = count = 0
-    for y in range(0, HEIGHT, 2):
-        for x in range(0, WIDTH, 2):
-            at = (y * WIDTH + x) * 3
-            if all(abs(picture[at + c] - colour[c]) < tolerance for c in range(3)):
-                xs, ys, count = xs + x, ys + y, count + 1
-    return (xs / count, ys / count, count) if count else (0, 0, 0)
+    return seen_pictures.middle_of(picture, WIDTH, colour, tolerance)
 
 
 class Show(unittest.TestCase):
@@ -86,7 +74,7 @@ class Show(unittest.TestCase):
         done = subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{WIDTH}x{HEIGHT}", "--output.frame_rate", str(RATE),
                                "--film", film, *options], timeout=PATIENCE, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        return pictures_of(film)
+        return seen_pictures.pictures_of(film, WIDTH, HEIGHT)
 
     def plan(self, *options):
         out = Path(self.folder.name) / "plan.json"
@@ -248,8 +236,7 @@ class Show(unittest.TestCase):
             self.assertIn(told, status)
 
         def discs_are_bright(raw, _):
-            some = [raw[at:at + 3] for at in range(0, len(raw), 3 * 7)]
-            return all(sum(all(abs(pixel[c] - colour[c]) < 24 for c in range(3)) for pixel in some) > len(some) // 100 for colour in COLOURS[:3])
+            return all(share_near(raw, colour, 24) > 0.01 for colour in COLOURS[:3])
 
         bare, none = self.snapshot("bare", is_complete=discs_are_bright)
         shown, codes = self.snapshot("wall", *wish)
@@ -283,7 +270,7 @@ class Show(unittest.TestCase):
         film = Path(self.folder.name) / "packing.mp4"
         subprocess.run([PLAYER, "plan", "--catalogue", self.state / "catalogue", "--size", f"{WIDTH}x{HEIGHT}", "--slots", "8",
                         "--film", film], check=True, timeout=PATIENCE)
-        pictures = pictures_of(film)
+        pictures = seen_pictures.pictures_of(film, WIDTH, HEIGHT)
         self.assertGreater(len(pictures), 25, "some steps and the end held for a while")
         differing = [k for k, (a, b) in enumerate(zip(pictures, pictures[1:]))
                      if sum(abs(x - y) for x, y in zip(a[::97], b[::97])) > 2 * len(a[::97])]

@@ -16,7 +16,9 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+import seen_pictures  # noqa: E402
 from drawn_media import png  # noqa: E402
+from seen_pictures import share_near  # noqa: E402
 
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER = BUILD / "analyzer" / "vitrine-analyzer"
@@ -52,19 +54,7 @@ def disc_film(path, seconds=2):
 
 
 def pictures_of(path, width=WIDTH, height=HEIGHT):
-    """The frames of a film or picture as lists of rgb24 bytes, width x height."""
-    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                         capture_output=True, check=True).stdout
-    size = width * height * 3
-    assert len(raw) % size == 0, f"{path} is not {width}x{height}"
-    return [raw[i:i + size] for i in range(0, len(raw), size)]
-
-
-def share_near(picture, colour, tolerance=60):
-    """Share of the picture's pixels that are about this colour."""
-    near = sum(1 for i in range(0, len(picture), 3)
-               if all(abs(picture[i + c] - colour[c]) < tolerance for c in range(3)))
-    return near * 3 / len(picture)
+    return seen_pictures.pictures_of(path, width, height)
 
 
 def cross(a, b, p):
