@@ -173,8 +173,7 @@ class Show(unittest.TestCase):
             subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{2 * WIDTH}x{2 * HEIGHT}", "--pace", "realtime", "--duration", "8s",
                             "--show.captions", captions, "--show.photo_drift", "false", "--snapshot", file],
                            check=True, timeout=PATIENCE, capture_output=True)
-            shown[captions] = subprocess.run(["ffmpeg", "-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                                             capture_output=True, check=True).stdout
+            shown[captions] = seen_pictures.pictures_of(file, 2 * WIDTH, 2 * HEIGHT)[0]
         differ = [i // 3 for i in range(0, len(shown["none"]), 3) if shown["none"][i:i + 3] != shown["written"][i:i + 3]]
         self.assertGreater(len(differ), 100)
         self.assertGreater(max(shown["written"][3 * i] for i in differ), 200, "letters are white")
@@ -192,8 +191,7 @@ class Show(unittest.TestCase):
             subprocess.run([PLAYER, *self.settings(), "--screen", f"offscreen:{side * WIDTH}x{side * HEIGHT}", "--pace", "realtime",
                             "--duration", f"{seconds}s", "--show.photo_drift", "false", "--snapshot", file, *arguments],
                            check=True, timeout=PATIENCE, capture_output=True)
-            raw = subprocess.run(["ffmpeg", "-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                                 capture_output=True, check=True).stdout
+            raw = seen_pictures.pictures_of(file, side * WIDTH, side * HEIGHT)[0]
             codes = subprocess.run([BUILD / "tests" / "pipeline" / "read_codes", str(side * WIDTH), str(side * HEIGHT)], input=raw,
                                    capture_output=True, check=True).stdout.decode().splitlines()
             if is_complete(raw, codes):
