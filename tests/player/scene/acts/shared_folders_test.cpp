@@ -126,10 +126,8 @@ TEST_CASE("a box that joins while a folder is open shows it with its first pictu
     house.start_follower(2);
     house.boxes[2].frames.clear();
     house.run(6s);
-    const auto& frames = house.boxes[2].frames;
-    const auto first =
-        std::ranges::find_if(frames, [](const ShownFrame& frame) { return frame.content != 0; });
-    REQUIRE(first != frames.end());
+    const ShownFrame* const first = first_picture(house.boxes[2]);
+    REQUIRE(first != nullptr);
     CHECK(first->is_whole);
     CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.99);
     CHECK(house.boxes[2].last.plates == house.boxes[0].last.plates);

@@ -382,6 +382,21 @@ class SharedHouse {
     std::map<std::ptrdiff_t, bool> was_whole_;
 };
 
+/// Starts the second follower anew after the others have gone on for some seconds.
+inline void bring_late_box(SharedHouse& house) {
+    house.run(std::chrono::seconds(7));
+    house.kill(2);
+    house.run(std::chrono::seconds(9));
+    house.start_follower(2);
+}
+
+/// The first frame with a picture that a box has shown. nullptr: none.
+inline const ShownFrame* first_picture(const TestBox& box) {
+    const auto first =
+        std::ranges::find_if(box.frames, [](const ShownFrame& frame) { return frame.content != 0; });
+    return first == box.frames.end() ? nullptr : &*first;
+}
+
 /// The share of the leader's frames that a box has shown at the same time, from some time on.
 inline double share_in_step(const TestBox& lead, const TestBox& box, Ns from) {
     std::size_t same = 0;

@@ -87,16 +87,11 @@ TEST_CASE("cuts of the network stop no panning wall, and it is in step again aft
 
 TEST_CASE("a box that joins a panning wall is in step with its first picture") {
     SharedHouse house(panning(4));
-    house.run(7s);
-    house.kill(2);
-    house.run(9s);
-    house.start_follower(2);
+    bring_late_box(house);
     house.boxes[2].frames.clear();
     house.run(6s);
-    const auto& frames = house.boxes[2].frames;
-    const auto first =
-        std::ranges::find_if(frames, [](const ShownFrame& frame) { return frame.content != 0; });
-    REQUIRE(first != frames.end());
+    const ShownFrame* const first = first_picture(house.boxes[2]);
+    REQUIRE(first != nullptr);
     CHECK(first->is_whole);
     CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.999);
 }

@@ -24,14 +24,6 @@ Ns percentile(const std::vector<Ns>& sorted, double share) {
                           : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-/// Starts the second follower anew after the others have gone on for some seconds.
-void bring_late_box(SharedHouse& house) {
-    house.run(7s);
-    house.kill(2);
-    house.run(9s);
-    house.start_follower(2);
-}
-
 /// A photo with a short film inside its file.
 MediaRecord moving_photo(const std::string& path) {
     MediaRecord record = photo(path);
@@ -134,10 +126,8 @@ TEST_CASE("a box that comes late is in step with its first picture") {
     const Ns started = house.truth;
     house.boxes[2].frames.clear();
     house.run(6s);
-    const auto& frames = house.boxes[2].frames;
-    const auto first =
-        std::ranges::find_if(frames, [](const ShownFrame& frame) { return frame.content != 0; });
-    REQUIRE(first != frames.end());
+    const ShownFrame* const first = first_picture(house.boxes[2]);
+    REQUIRE(first != nullptr);
     CHECK(first->is_whole);
     CHECK(first->truth - started < 2s);
     CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.999);
