@@ -36,11 +36,7 @@ std::vector<int> square_sizes(const std::vector<char>& is_inside) {
 }
 
 bool is_seen(const DrawItem& item, Vec2 canvas) {
-    std::vector<Vec2> corners;
-    for (const auto* polygons : {&item.cell->parts, &item.cell->filler})
-        for (const Polygon& polygon : *polygons)
-            corners.insert(corners.end(), polygon.begin(), polygon.end());
-    return !corners.empty() && !intersection(bounding_box(corners), {{0, 0}, canvas}).is_empty();
+    return !intersection(bounds_of(*item.cell), {{0, 0}, canvas}).is_empty();
 }
 
 /// The place of the outer wall's canvas: it becomes larger about one point, until the box is the canvas.
