@@ -19,7 +19,7 @@ class ActFade {
     /// Draws what fades out into the next frame, and keeps this.
     void draw(Frame& frame, std::chrono::nanoseconds now);
 
-    /// What fades out.
+    /// The items that fade out.
     const std::vector<DrawItem>& items() const { return before_; }
 
   private:

@@ -8,10 +8,10 @@
 namespace vitrine::player {
 
 void LedFolderWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
-    const std::size_t seen = view().seen;
-    const auto before = stored_files(level(seen).wall().parts());
+    const Wall& seen = level(told_.seen).wall();
+    const auto before = stored_files(seen.parts());
     wall_.set_catalogue(records, hints);
-    if (stored_files(level(seen).wall().parts()) != before) want_act();
+    if (stored_files(seen.parts()) != before) want_act();
 }
 
 /// While the wall of a folder is not ready, the one behind it is seen.
@@ -27,8 +27,7 @@ LedFolderWall::View LedFolderWall::view() const {
 }
 
 bool LedFolderWall::is_changing() const {
-    const View seen = view();
-    return seen.zoom || is_in_change(level(seen.seen).wall());
+    return told_.zoom || is_in_change(level(told_.seen).wall());
 }
 
 /// Tells of the shots that come onto the wall on top, once for each change, and of those of a wall that will
@@ -82,15 +81,13 @@ void LedFolderWall::make_news() {
     if (!wants_act() && !is_new && seen == told_) return;
     if (is_in_change(wall)) told_change_ = parts.change->generation;
     told_ = std::move(seen);
-    if (!has_told() && parts.shown.empty() && !is_in_change(wall))
-        return need_no_act();  // others may still show the last run's wall
     WallAct act = act_of(parts, style_);
     if (told_.seen > 0) act.folder = folder_behind(told_.seen);
     tell(std::move(act));
 }
 
 LiftedMoment LedFolderWall::lifted() const {
-    return lifted_moment(level(view().seen).wall().parts(), local_time());
+    return lifted_moment(level(told_.seen).wall().parts(), local_time());
 }
 
 }  // namespace vitrine::player

@@ -47,7 +47,7 @@ class LedFolderWall final : public LedShow {
     void make_news() override;
     LiftedMoment lifted() const override;
 
-    std::chrono::nanoseconds local_time() const override { return level(view().seen).local(now()); }
+    std::chrono::nanoseconds local_time() const override { return level(told_.seen).local(now()); }
 
     View view() const;
 
@@ -61,7 +61,7 @@ class LedFolderWall final : public LedShow {
     std::size_t depth_ = 1;                                   // number of walls at the last step
     std::uint64_t prepared_change_ = 0;                       // generation of the change of the wall on top
     std::optional<std::chrono::nanoseconds> prepared_close_;  // when that was asked for
-    View told_;
+    View told_;                                               // as of the last step
     std::uint64_t told_change_ = 0;  // generation of the change of the wall that is seen; 0: none
 };
 

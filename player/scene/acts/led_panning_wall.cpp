@@ -21,8 +21,16 @@ bool is_same(const PlacedShot& told, const PlacedShot& shot) {
            told.shot.shot.stored == shot.shot.shot.stored && began_then;
 }
 
+std::vector<PlacedShot> copied(const std::vector<const PlacedShot*>& lent) {
+    std::vector<PlacedShot> shots;
+    for (const PlacedShot* const placed : lent)
+        shots.push_back(*placed);
+    return shots;
+}
+
 /// The shots, each that will come into the view with the time at which it does.
-std::vector<PlacedShot> with_begins(std::vector<PlacedShot> shots, const PanParts& parts, Vec2 canvas) {
+std::vector<PlacedShot> with_begins(const PanParts& parts, Vec2 canvas) {
+    std::vector<PlacedShot> shots = copied(parts.shots);
     if (parts.course.speed <= 0) return shots;
     for (PlacedShot& placed : shots)
         if (placed.began == never)
@@ -40,21 +48,21 @@ void LedPanningWall::set_canvas(const Canvas& canvas) {
 /// Tells of the shots that come, once each.
 void LedPanningWall::prepare_coming(const PanParts& parts) {
     const bool is_new = std::ranges::any_of(
-        parts.coming, [&](const PlacedShot& placed) { return !prepared_.contains(placed.shot.source); });
+        parts.coming, [&](const PlacedShot* placed) { return !prepared_.contains(placed->shot.source); });
     if (!is_new) return;
     prepared_.clear();
-    for (const PlacedShot& placed : parts.coming)
-        prepared_.insert(placed.shot.source);
-    prepare(parts.coming, canvas_, cells_);
+    for (const PlacedShot* const placed : parts.coming)
+        prepared_.insert(placed->shot.source);
+    prepare(copied(parts.coming), canvas_, cells_);
 }
 
 /// True if the others know all of the wall from the last act, or must not be told of it yet.
 bool LedPanningWall::is_told(const PanParts& parts) const {
     if (parts.shots.empty() && (parts.has_files || !told_)) return true;
     if (wants_act() || !told_ || parts.shots.empty() != told_->shown.empty()) return false;
-    for (const PlacedShot& shot : parts.shots) {
-        const PlacedShot* const told = find_source(told_->shown, shot.shot.source);
-        if (told == nullptr || !is_same(*told, shot)) return false;
+    for (const PlacedShot* const shot : parts.shots) {
+        const PlacedShot* const told = find_source(told_->shown, shot->shot.source);
+        if (told == nullptr || !is_same(*told, *shot)) return false;
     }
     const PanCourse& course = told_->pan->course;
     return parts.is_in_hand || (course.speed == parts.course.speed &&
@@ -67,14 +75,14 @@ void LedPanningWall::make_news() {
     if (is_told(parts)) return;
     told_ = WallAct{.canvas = canvas_,
                     .cells = cells_,
-                    .shown = with_begins(parts.shots, parts, canvas_),
+                    .shown = with_begins(parts, canvas_),
                     .pan = ActPan{.origin = parts.origin, .course = parts.course}};
     tell(*told_);
 }
 
 LiftedMoment LedPanningWall::lifted() const {
     const PanParts parts = wall_.parts();
-    LiftedMoment lifted = parts.lifted;
+    LiftedMoment lifted = parts.lifted.moment(now());
     if (parts.is_in_hand) lifted.view = parts.course.view;
     return lifted;
 }

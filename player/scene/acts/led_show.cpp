@@ -46,10 +46,11 @@ void LedShow::prepare(const std::vector<PlacedShot>& shots, const Canvas& canvas
 }
 
 void LedShow::tell(WallAct act) {
+    wants_act_ = false;
+    if (acts_ == 0 && last_wall(act).empty()) return;
     act.name.generation = ++acts_;
     act.parts = parts_;
     act_ = std::move(act);
-    wants_act_ = false;
 }
 
 }  // namespace vitrine::player

@@ -61,20 +61,15 @@ class LedShow : public ForwardingShow {
 
     bool wants_act() const { return wants_act_; }
 
-    /// Ends that wish without an act.
-    void need_no_act() { wants_act_ = false; }
-
-    /// Tells an act, to which it gives its number and the parts of outputs.
+    /// Tells an act, to which it gives its number and the parts of outputs. The first act has shots: without
+    /// one, the other boxes go on with the wall of the leader's last run.
     void tell(WallAct act);
-
-    /// True if an act was told already.
-    bool has_told() const { return acts_ > 0; }
 
   private:
     /// Prepares shots and tells acts, once a step.
     virtual void make_news() = 0;
 
-    /// What hands do above the wall now.
+    /// Tells what hands do above the wall now.
     virtual LiftedMoment lifted() const = 0;
 
     /// The time of the wall that is seen.

@@ -20,8 +20,6 @@ void LedWall::make_news() {
     const bool is_new = is_seen && change->generation != told_change_;
     if (!wants_act() && !is_new) return;
     if (is_seen) told_change_ = change->generation;
-    if (!has_told() && parts.shown.empty() && !is_seen)
-        return need_no_act();  // others may still show the last run's wall
     tell(act_of(parts, style_));
 }
 

@@ -87,7 +87,7 @@ PanParts PanningWall::parts() const {
             .course = course(),
             .is_in_hand = motion_.is_in_hand(),
             .has_files = shots_.has_files(),
-            .lifted = touch_.lifted().moment(now_)};
+            .lifted = touch_.lifted()};
 }
 
 void PanningWall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {

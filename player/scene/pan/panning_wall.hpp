@@ -19,15 +19,15 @@ struct PanSettings {
     std::chrono::nanoseconds idle = std::chrono::seconds(30);  // then a shot that was enlarged returns
 };
 
-/// The parts from which a panning wall draws.
+/// The parts from which a panning wall draws. Lent until the wall's next call.
 struct PanParts {
-    std::vector<PlacedShot> shots;   // that are ready, in view or not, px from `origin`
-    std::vector<PlacedShot> coming;  // those, and others whose sources are awaited
-    double origin = 0;               // ribbon px
+    std::vector<const PlacedShot*> shots;   // that are ready, in view or not, px from `origin`
+    std::vector<const PlacedShot*> coming;  // those, and others whose sources are awaited
+    double origin = 0;                      // ribbon px
     PanCourse course;
     bool is_in_hand = false;  // a finger moves the view, or has flung it
     bool has_files = false;
-    LiftedMoment lifted;
+    const LiftedShots& lifted;
 };
 
 /// A wall that passes by slowly, for more shots than fit on the screen. Shots are laid out ahead of the view.
@@ -61,7 +61,7 @@ class PanningWall final : public Show {
     /// Left edge of the view, px from the wall's start.
     double view() const { return view_; }
 
-    /// As of the last step.
+    /// The parts as the last step has left them.
     PanParts parts() const;
 
   private:

@@ -129,17 +129,17 @@ std::vector<PlacedShot> RibbonShots::seen(double view) const {
     return seen;
 }
 
-std::vector<PlacedShot> RibbonShots::ready() const {
-    std::vector<PlacedShot> ready;
+std::vector<const PlacedShot*> RibbonShots::ready() const {
+    std::vector<const PlacedShot*> ready;
     for (const Shown& shown : shots_)
-        if (shown.source == Source::ready) ready.push_back(shown.placed);
+        if (shown.source == Source::ready) ready.push_back(&shown.placed);
     return ready;
 }
 
-std::vector<PlacedShot> RibbonShots::coming() const {
-    std::vector<PlacedShot> coming;
+std::vector<const PlacedShot*> RibbonShots::coming() const {
+    std::vector<const PlacedShot*> coming;
     for (const Shown& shown : shots_)
-        if (shown.source == Source::ready || shown.source == Source::asked) coming.push_back(shown.placed);
+        if (shown.source == Source::ready || shown.source == Source::asked) coming.push_back(&shown.placed);
     return coming;
 }
 

@@ -57,10 +57,10 @@ class RibbonShots {
     std::vector<PlacedShot> seen(double view) const;
 
     /// The shots whose sources are ready, in view or not, px from origin().
-    std::vector<PlacedShot> ready() const;
+    std::vector<const PlacedShot*> ready() const;
 
     /// Those, and the shots whose sources are awaited.
-    std::vector<PlacedShot> coming() const;
+    std::vector<const PlacedShot*> coming() const;
 
     /// Starts the time of the shots in view: that of one that comes in by itself at the moment when it does.
     /// @param speed  at which the view has come here by itself, px a second
