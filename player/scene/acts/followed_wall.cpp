@@ -99,6 +99,7 @@ void FollowedWall::take_waiting() {
     }
     names_.place_anew();
     shown_ = std::exchange(waiting_, std::nullopt);
+    bezels_ = bezels_of(*shown_);
 }
 
 /// True if nothing moves but films and what passes.
@@ -139,7 +140,7 @@ WallStep FollowedWall::step(nanoseconds now) {
     take_waiting();
     step.frame = next_frame();
     if (shown_ && lifted_.is_empty())
-        step.frame.captions = captions_of(*shown_, leaders_time(*shown_, now_ + epoch_));
+        step.frame.captions = captions_of(*shown_, bezels_, leaders_time(*shown_, now_ + epoch_));
     std::set<SourceId> kept;
     for (const auto* act : {&shown_, &waiting_, &prepared_}) {
         const std::vector<const WallAct*> walls = *act ? walls_of(**act) : std::vector<const WallAct*>();

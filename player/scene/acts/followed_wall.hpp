@@ -95,6 +95,7 @@ class FollowedWall final : public Show {
     bool is_clock_right_ = false;
     std::chrono::nanoseconds now_{0};
     std::optional<WallAct> shown_;
+    std::vector<Box> bezels_;         // of the act that is shown, canvas px
     std::optional<WallAct> waiting_;  // will be shown once its shots are there
     std::chrono::nanoseconds waiting_since_{0};
     std::optional<WallAct> prepared_;

@@ -77,12 +77,16 @@ Frame act_frame(const WallAct& act, const Frame& wall, std::chrono::nanoseconds 
                          .share = folder.share(now)});
 }
 
-std::vector<CaptionRoom> captions_of(const WallAct& act, std::chrono::nanoseconds now) {
-    if (act.pan) return {};
+std::vector<Box> bezels_of(const WallAct& act) {
     std::vector<Box> outputs;
     for (const auto& [name, part] : act.parts)
         outputs.push_back(part.box);
-    const std::vector<Box> bezels = canvas_of(act.canvas, std::move(outputs)).bands;
+    return canvas_of(act.canvas, std::move(outputs)).bands;
+}
+
+std::vector<CaptionRoom> captions_of(const WallAct& act, std::span<const Box> bezels,
+                                     std::chrono::nanoseconds now) {
+    if (act.pan) return {};
     if (has_ended(act, now)) return caption_rooms(last_wall(act), bezels);
     if (!act.change || act.change->way) return {};
     return kept_caption_rooms(act.shown, last_wall(act), bezels);

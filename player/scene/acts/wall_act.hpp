@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -104,7 +105,12 @@ inline Frame act_frame(const WallAct& act, std::chrono::nanoseconds now) {
 
 /// The rooms for captions in the frame of an act, as the leader has them: none while a hand or a way into a
 /// folder moves shots, and none on a panning wall.
-std::vector<CaptionRoom> captions_of(const WallAct& act, std::chrono::nanoseconds now);
+/// @param bezels  of the act
+std::vector<CaptionRoom> captions_of(const WallAct& act, std::span<const Box> bezels,
+                                     std::chrono::nanoseconds now);
+
+/// The bezels between the outputs of an act, canvas px.
+std::vector<Box> bezels_of(const WallAct& act);
 
 /// The act and those of the walls behind.
 std::vector<const WallAct*> walls_of(const WallAct& act);
