@@ -23,6 +23,7 @@ bool is_same(const PlacedShot& told, const PlacedShot& shot) {
 
 std::vector<PlacedShot> copied(const std::vector<const PlacedShot*>& lent) {
     std::vector<PlacedShot> shots;
+    shots.reserve(lent.size());
     for (const PlacedShot* const placed : lent)
         shots.push_back(*placed);
     return shots;
