@@ -45,7 +45,7 @@ TEST_CASE("an item that stood where a bezel now is moves to an output") {
 
 // `long` makes 10,000 (many_bands_test).
 TEST_CASE("no region rests under a bezel after any of many random plans and edits") {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         BandedEdits edits(seed);
         for (int k = 0; k < 12; ++k) {
             const auto fault = edits.step();
