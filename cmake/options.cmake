@@ -23,8 +23,7 @@ if(VITRINE_SANITIZE)
     -fsanitize=${VITRINE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(vitrine_options INTERFACE -fsanitize=${VITRINE_SANITIZE})
   # Three checks stand at each access through a pointer or `this`, and make code that computes up to three times slower.
-  # What they find ASan ends on, too, but for accesses that are only misaligned. Fuzzing, which reads foreign bytes, keeps
-  # them.
+  # ASan ends on most of what they find, but not on misaligned accesses. Fuzzing, which reads foreign bytes, keeps them.
   if(VITRINE_SANITIZE MATCHES undefined AND NOT VITRINE_FUZZ)
     target_compile_options(vitrine_options INTERFACE -fno-sanitize=null,alignment,object-size)
   endif()

@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -19,11 +18,10 @@ namespace {
 constexpr Colour light{200, 200, 200};
 constexpr Vec2 canvas{640, 360};
 
-/// True if a point is farther than `edge` from the box around a triangle.
-bool is_beside(const std::array<Vec2, 3>& t, Vec2 p, double edge) {
-    const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
-    const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
-    return p.x < left - edge || p.x > right + edge || p.y < top - edge || p.y > bottom + edge;
+/// True if a point is farther than `edge` from a box.
+bool is_beside(const Box& box, Vec2 p, double edge) {
+    return p.x < box.min.x - edge || p.x > box.max.x + edge || p.y < box.min.y - edge ||
+           p.y > box.max.y + edge;
 }
 
 /// True if a point lies in filler or at its edge.
@@ -31,7 +29,7 @@ bool is_near_filler(const Frame& frame, Vec2 p) {
     constexpr double edge = 1.5;  // px
     for (const DrawItem& item : frame.items)
         for (const auto& t : item.cell->filler_triangles) {
-            if (is_beside(t, p, edge)) continue;
+            if (is_beside(bounding_box(t), p, edge)) continue;
             bool is_left = true;
             bool is_right = true;
             for (std::size_t k = 0; k < 3; ++k) {
