@@ -33,6 +33,11 @@ class Picture:
         """Those of each 4th pixel both ways that are about of a colour."""
         return [(step * x, step * y) for y, row in enumerate(self.rows_of(colour, tolerance, step)) for x, found in enumerate(row) if found]
 
+    def middle_of(self, colour):
+        """The middle of what is about of a colour. None: nothing is."""
+        places = self.places_of(colour)
+        return tuple(sum(axis) / len(places) for axis in zip(*places)) if places else None
+
     def share_of(self, colour, tolerance=50, step=4):
         """The share of the picture that is about of a colour."""
         found = [row.count(1) for row in self.rows_of(colour, tolerance, step)]

@@ -38,12 +38,8 @@ def second_panel(box):
     assert box.pid() == pid, "it is the same process"
 
 
-def middle(places):
-    return sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places)
-
-
 def check_up(box, picture, degrees):
-    (ux, uy), (lx, ly) = (middle(picture.places_of(colour)) for colour in (box.UPPER, box.LOWER))
+    (ux, uy), (lx, ly) = (picture.middle_of(colour) for colour in (box.UPPER, box.LOWER))
     right, down = ux - lx, uy - ly
     print(f"{degrees} degrees: the upper half is {right:.0f} px to the right of the lower one and {down:.0f} px down")
     x, y = UP[degrees]

@@ -9,13 +9,9 @@ FIFO = "/run/rig-touches"
 NEAR = 0.25 * (WIDTH ** 2 + HEIGHT ** 2) ** 0.5  # px: a shot goes so near to its finger, as it stays on the screen
 
 
-def middle(places):
-    return sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places)
-
-
 def places_in(picture):
-    """Where each photo is that a picture shows."""
-    return {name: middle(places) for name, colour in STILLS.items() if (places := picture.places_of(colour))}
+    """The middle of each photo that a picture shows."""
+    return {name: middle for name, colour in STILLS.items() if (middle := picture.middle_of(colour))}
 
 
 def distance(a, b):
@@ -48,20 +44,26 @@ def way(slot, begin, end, steps=8):
     return [at(slot, [b + (e - b) * k / steps for b, e in zip(begin, end)]) for k in range(steps + 1)]
 
 
+def wait_for_picture(box, what, is_right):
+    """Until the panel's picture is right."""
+    wait_for(what, lambda: is_right(box.machine.picture()))
+    return box.look(what)
+
+
 def wait_for_share(box, what, name, share):
     """Until a file's colour covers so much of the panel."""
-    wait_for(what, lambda: box.machine.picture().share_of(STILLS[name]) >= share)
-    box.look(what)
+    wait_for_picture(box, what, lambda picture: picture.share_of(STILLS[name]) >= share)
+
+
+def are_near(picture, places, reach):
+    """True if photos are in their places, or no farther from them, px."""
+    now = places_in(picture)
+    return all(name in now and distance(now[name], place) < reach for name, place in places.items())
 
 
 def wait_for_places(box, what, places):
     """Until each photo is where it was. A photo that returns lies above others, and would take their touches."""
-    def are_back():
-        now = places_in(box.machine.picture())
-        return all(name in now and distance(now[name], place) < 4 for name, place in places.items())
-
-    wait_for(what, are_back)
-    box.look(what)
+    wait_for_picture(box, what, lambda picture: are_near(picture, places, 4))
 
 
 def tap(box, panel):
@@ -87,21 +89,15 @@ def drag_two(box, panel):
     steps = [way(slot, before[name], goals[name]) for slot, name in enumerate(goals)]
     panel.touch(*[line for both in zip(*steps) for line in (*both, "rest 0.05")])
 
-    def is_near(picture):
-        now = places_in(picture)
-        return all(name in now and distance(now[name], goal) < NEAR for name, goal in goals.items())
-
-    wait_for("each photo under its finger", lambda: is_near(box.machine.picture()))
-    held = box.look("two fingers with a photo each")
+    held = wait_for_picture(box, "two fingers with a photo each", lambda picture: are_near(picture, goals, NEAR))
     panel.touch("rest 0.3", "0 up", "1 up")
 
     def are_put_down(picture):
         """A photo in a hand is smaller than on the wall."""
         larger = all(picture.share_of(STILLS[name]) > 1.2 * held.share_of(STILLS[name]) for name in goals)
-        return larger and is_near(picture)
+        return larger and are_near(picture, goals, NEAR)
 
-    wait_for("both photos to stand where they were let go", lambda: are_put_down(box.machine.picture()))
-    box.look("the wall after two fingers")
+    wait_for_picture(box, "the wall after two fingers", are_put_down)
 
 
 def run(box):
