@@ -175,8 +175,12 @@ else()
   set(VITRINE_HAS_MEDIA FALSE)
 endif()
 
+# `intercept_tls_get_addr=0`: otherwise the search for leaks crashes now and then at the end of a test that passed.
+# The sanitizer of clang 14 takes a library's thread-local block that happens to lie 16 bytes into a page for one of
+# a glibc before 2.25, and reads its address and size from words that hold something else. With it, the sanitizer
+# does not know these blocks and finds no pointers in them.
 set(VITRINE_TEST_ENVIRONMENT
-  "ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0"
+  "ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0:intercept_tls_get_addr=0"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0"
   "UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1"
   "TSAN_OPTIONS=halt_on_error=1:suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp")
