@@ -14,7 +14,7 @@ constexpr int min_input = 64;  // px: where the coarsest level has one row OpenC
 constexpr float min_score = 0.6F;
 constexpr float max_overlap = 0.3F;  // intersection over union of two boxes of one face
 
-struct Candidates {
+struct FoundBoxes {
     std::vector<cv::Rect2d> boxes;
     std::vector<float> scores;
 };
@@ -28,7 +28,7 @@ struct Level {
 };
 
 /// Adds the boxes of one level.
-void decode(const Level& level, Candidates& into) {
+void decode(const Level& level, FoundBoxes& into) {
     const auto* cls = level.classes.ptr<float>();
     const auto* obj = level.objects.ptr<float>();
     const auto* box = level.boxes.ptr<float>();
@@ -75,22 +75,22 @@ std::vector<Face> YuNet::detect(const cv::Mat& bgr) {
     }
     std::vector<cv::Mat> outputs;
     net_.forward(outputs, names);
-    Candidates candidates;
+    FoundBoxes found;
     for (std::size_t level = 0; level < strides.size(); ++level) {
         decode({outputs[level], outputs[level + 3], outputs[level + 6], strides[level],
                 padded.cols / strides[level]},
-               candidates);
+               found);
     }
     std::vector<int> kept;
-    cv::dnn::NMSBoxes(candidates.boxes, candidates.scores, min_score, max_overlap, kept);
+    cv::dnn::NMSBoxes(found.boxes, found.scores, min_score, max_overlap, kept);
     std::vector<Face> faces;
     const Box picture{{0, 0}, {static_cast<double>(bgr.cols), static_cast<double>(bgr.rows)}};
     for (const int i : kept) {
-        const cv::Rect2d& r = candidates.boxes[static_cast<std::size_t>(i)];
+        const cv::Rect2d& r = found.boxes[static_cast<std::size_t>(i)];
         const Box box = intersection({{r.x, r.y}, {r.x + r.width, r.y + r.height}}, picture);
         if (box.is_empty()) continue;
         faces.push_back(
-            {.box = box, .score = static_cast<double>(candidates.scores[static_cast<std::size_t>(i)])});
+            {.box = box, .score = static_cast<double>(found.scores[static_cast<std::size_t>(i)])});
     }
     return faces;
 }

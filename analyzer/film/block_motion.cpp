@@ -98,7 +98,7 @@ Matches coarse_matches(const Detail& before, const Detail& after) {
     return matches;
 }
 
-int difference(const std::uint8_t* a, const std::uint8_t* b) {
+int block_difference(const std::uint8_t* a, const std::uint8_t* b) {
     int sum = 0;
     for (int row = 0; row < block_height; ++row, a += width, b += width)
         for (int x = 0; x < block_width; ++x)
@@ -114,8 +114,9 @@ int smallest_difference(const Detail& before, const Detail& after, int left, int
     int smallest = std::numeric_limits<int>::max();
     for (int y = std::max(0, middle_y - 1); y <= std::min(height - block_height, middle_y + 1); ++y)
         for (int x = std::max(0, middle_x - 1); x <= std::min(width - block_width, middle_x + 1); ++x)
-            smallest = std::min(
-                smallest, difference(before.data() + static_cast<std::ptrdiff_t>(y) * width + x, block));
+            smallest =
+                std::min(smallest,
+                         block_difference(before.data() + static_cast<std::ptrdiff_t>(y) * width + x, block));
     return smallest;
 }
 
@@ -177,7 +178,7 @@ Unexplained unexplained(const FrameFeatures& before, const FrameFeatures& after)
             const int difference = smallest_difference(before.detail, after.detail, x, y, *match);
             left += difference;
             const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(y) * width + x;
-            still += vitrine::analyzer::difference(before.detail.data() + place, after.detail.data() + place);
+            still += block_difference(before.detail.data() + place, after.detail.data() + place);
             if (!is_inner(x, y, part)) continue;
             ++inner;
             if (difference > noise * block_width * block_height) ++changed;

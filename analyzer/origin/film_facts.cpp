@@ -19,31 +19,32 @@ constexpr std::uint64_t max_value = 4'096;  // bytes of a text
 constexpr std::uint64_t max_keys = 1'000;
 
 /// The content of a box.
-struct Box {
+struct FileBox {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
 };
 
 /// Finds boxes in a file.
-class Boxes {
+class FileBoxes {
   public:
-    explicit Boxes(const std::string& path) : file_(path) {}
+    explicit FileBoxes(const std::string& path) : file_(path) {}
 
-    Box whole() const { return {.begin = 0, .end = file_.size()}; }
+    FileBox whole() const { return {.begin = 0, .end = file_.size()}; }
 
     std::uint64_t number(std::uint64_t at, std::size_t count) const {
         const std::string bytes = text({.begin = at, .end = at + count});
         return big_endian(bytes, 0, bytes.size());
     }
 
-    std::string text(const Box& box) const {
+    std::string text(const FileBox& box) const {
         std::string bytes(std::min(max_value, box.end - std::min(box.begin, box.end)), '\0');
         bytes.resize(file_.read(box.begin, std::as_writable_bytes(std::span(bytes))));
         return bytes;
     }
 
     /// Calls use(name, content) for each box in another one, until it returns true.
-    void for_each(const Box& in, const std::function<bool(std::string_view name, const Box& box)>& use) {
+    void for_each(const FileBox& in,
+                  const std::function<bool(std::string_view name, const FileBox& box)>& use) {
         for (std::uint64_t at = in.begin; at + 8 <= in.end && ++seen_ < max_boxes;) {
             std::uint64_t head = 8;
             std::uint64_t size = number(at, 4);
@@ -59,9 +60,9 @@ class Boxes {
     }
 
     /// An empty box: there is none of that name.
-    Box find(const Box& in, std::string_view wanted) {
-        Box found;
-        for_each(in, [&](std::string_view name, const Box& box) {
+    FileBox find(const FileBox& in, std::string_view wanted) {
+        FileBox found;
+        for_each(in, [&](std::string_view name, const FileBox& box) {
             if (name == wanted) found = box;
             return name == wanted;
         });
@@ -74,7 +75,7 @@ class Boxes {
 };
 
 /// The time of the film's header: seconds since 1904, UTC.
-std::optional<TimeTaken> header_time(const Boxes& boxes, const Box& header) {
+std::optional<TimeTaken> header_time(const FileBoxes& boxes, const FileBox& header) {
     using std::chrono::seconds;
     constexpr std::chrono::sys_days epoch = std::chrono::year(1904) / 1 / 1;
     constexpr std::uint64_t max_seconds = std::uint64_t{1} << 34U;
@@ -87,7 +88,7 @@ std::optional<TimeTaken> header_time(const Boxes& boxes, const Box& header) {
 }
 
 /// The names of QuickTime's entries, in the order of their numbers, which begin with 1.
-std::vector<std::string> entry_names(const Boxes& boxes, const Box& keys) {
+std::vector<std::string> entry_names(const FileBoxes& boxes, const FileBox& keys) {
     std::vector<std::string> names;
     if (keys.end < keys.begin + 8) return names;
     const std::uint64_t count = std::min(max_keys, boxes.number(keys.begin + 4, 4));
@@ -112,12 +113,12 @@ void take_entry(const std::string& name, const std::string& value, MediaOrigin& 
 }
 
 /// QuickTime's own entries: names in one box, values in another.
-void take_entries(Boxes& boxes, Box meta, MediaOrigin& origin) {
+void take_entries(FileBoxes& boxes, FileBox meta, MediaOrigin& origin) {
     if (boxes.find(meta, "keys").end == 0) meta.begin += 4;  // MP4 has a version there
     const std::vector<std::string> names = entry_names(boxes, boxes.find(meta, "keys"));
-    boxes.for_each(boxes.find(meta, "ilst"), [&](std::string_view key, const Box& entry) {
+    boxes.for_each(boxes.find(meta, "ilst"), [&](std::string_view key, const FileBox& entry) {
         const std::uint64_t number = big_endian(key, 0, key.size());
-        const Box data = boxes.find(entry, "data");
+        const FileBox data = boxes.find(entry, "data");
         if (number >= 1 && number <= names.size() && data.end > data.begin + 8)
             take_entry(names[number - 1], boxes.text({.begin = data.begin + 8, .end = data.end}), origin);
         return false;
@@ -127,12 +128,12 @@ void take_entries(Boxes& boxes, Box meta, MediaOrigin& origin) {
 }  // namespace
 
 MediaOrigin film_facts(const std::string& path) {
-    Boxes boxes(path);
+    FileBoxes boxes(path);
     MediaOrigin origin;
-    const Box movie = boxes.find(boxes.whole(), "moov");
+    const FileBox movie = boxes.find(boxes.whole(), "moov");
     if (movie.end == 0) return origin;
     origin.taken = header_time(boxes, boxes.find(movie, "mvhd"));
-    if (const Box meta = boxes.find(movie, "meta"); meta.end > 0) take_entries(boxes, meta, origin);
+    if (const FileBox meta = boxes.find(movie, "meta"); meta.end > 0) take_entries(boxes, meta, origin);
     return origin;
 }
 

@@ -40,7 +40,7 @@ BoxOutput output_in(const ActJson& json) {
     return output;
 }
 
-BoxNote note_in(const ActJson& json) {
+BoxNote box_note_in(const ActJson& json) {
     BoxNote note{.leads = json.value("leads", false), .is_gone = json.value("gone", false)};
     if (json.contains("outputs"))
         for (const ActJson& output : array_in(json, "outputs", max_outputs))
@@ -84,7 +84,7 @@ std::string to_json(const BoxNote& note) {
 }
 
 BoxNote box_note_from_json(std::string_view text) {
-    return read_json(text, note_in);
+    return read_json(text, box_note_in);
 }
 
 std::string ready_to_json(const ActName& preparation) {
