@@ -29,6 +29,7 @@ TOPS = ("base", "analyzer", "player", "link")
 CLASSES = (CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE)
 FUNCTIONS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR,
              CursorKind.CONVERSION_FUNCTION, CursorKind.FUNCTION_TEMPLATE)
+ONCE = cindex.TranslationUnit.PARSE_INCOMPLETE  # templates are read as they are written, not for each use
 SPECIAL = (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR)
 
 
@@ -219,8 +220,7 @@ def parse_headers(root, names, flags, precompiled):
     """Reads all headers of the tree as one unit and keeps it for the source files."""
     load_library()
     path, text = unit_of(root, names)
-    unit = cindex.Index.create().parse(path, ["-x", "c++-header", *flags, "-w"], [(path, text)],
-                                       cindex.TranslationUnit.PARSE_INCOMPLETE)
+    unit = cindex.Index.create().parse(path, ["-x", "c++-header", *flags, "-w"], [(path, text)], ONCE)
     unit.save(precompiled)
     return read_unit(root, unit)
 
@@ -236,7 +236,8 @@ def parse_sources(task):
     path, text = unit_of(root, names)
     arguments = [*flags, "-w", "-ferror-limit=0", "-include-pch", precompiled]
     try:
-        found = read_unit(root, cindex.Index.create(excludeDecls=True).parse(path, arguments, [(path, text)]))
+        unit = cindex.Index.create(excludeDecls=True).parse(path, arguments, [(path, text)], ONCE)
+        found = read_unit(root, unit)
     except cindex.TranslationUnitLoadError:  # clang 14 ends on some files that read precompiled headers
         return read_alone(root, names, flags)
     if len(names) == 1:  # its names clash with those of a header that it does not include
@@ -254,7 +255,7 @@ def read_alone(root, names, flags):
     """Reads each file without precompiled headers: slower, and nothing clashes."""
     found = {"classes": {}, "functions": {}, "errors": {}}
     for name in names:
-        unit = cindex.Index.create().parse(str(root / name), [*flags, "-w"])
+        unit = cindex.Index.create().parse(str(root / name), [*flags, "-w"], options=ONCE)
         alone = read_unit(root, unit)
         for kind in ("classes", "functions"):
             alone[kind] = {usr: f for usr, f in alone[kind].items() if f["file"] == name}
