@@ -81,6 +81,27 @@ Written slide(cv::RNG& random) {
     return written;
 }
 
+/// A line, dark on a plate, or white without one.
+struct Sign {
+    std::string_view line;
+    Vec2 at;          // px
+    double size = 0;  // of its letters, px
+    bool has_plate = true;
+};
+
+/// Draws a sign, unless it would cover another one.
+void draw(const Sign& sign, Canvas& canvas, Written& written, cv::RNG& random) {
+    const auto& [line, at, size, has_plate] = sign;
+    const double width = canvas.text_width(line, size);
+    const Box plate{at - Vec2{size / 2, size}, at + Vec2{width + size / 2, size}};
+    const bool is_free = std::ranges::none_of(
+        written.lines, [&](const Box& other) { return !intersection(plate, other).is_empty(); });
+    if (!is_free) return;
+    if (has_plate) canvas.fill(plate, random.uniform(0, 2) == 1 ? 0xF8F8F0 : 0xE0C020);
+    const Ink colour = has_plate ? 0x101010 : 0xFFFFFF;
+    written.lines.push_back(drawn(canvas, line, at, {.size = size, .colour = colour}));
+}
+
 /// One or two plates with a line each, somewhere on a photograph.
 Written signs(const cv::Mat& photo, cv::RNG& random) {
     Canvas canvas(photo.cols, photo.rows, 0);
@@ -93,12 +114,41 @@ Written signs(const cv::Mat& photo, cv::RNG& random) {
         if (width + 3 * size > photo.cols) continue;
         const Vec2 at{random.uniform(size, photo.cols - width - size),
                       random.uniform(2 * size, photo.rows - 2 * size)};
-        const Box plate{at - Vec2{size / 2, size}, at + Vec2{width + size / 2, size}};
-        const bool is_free = std::ranges::none_of(
-            written.lines, [&](const Box& other) { return !intersection(plate, other).is_empty(); });
-        if (!is_free) continue;
-        canvas.fill(plate, random.uniform(0, 2) == 1 ? 0xF8F8F0 : 0xE0C020);
-        written.lines.push_back(drawn(canvas, line, at, {.size = size, .colour = 0x101010}));
+        draw({line, at, size}, canvas, written, random);
+    }
+    written.picture = canvas.picture().clone();
+    return written;
+}
+
+/// Two lines, with plates or without, that end less than half a letter's height from an edge of the
+/// photograph.
+Written lines_at_edges(const cv::Mat& photo, cv::RNG& random) {
+    Canvas canvas(photo.cols, photo.rows, 0);
+    canvas.place(photo, {});
+    Written written;
+    for (int i = 0; i < 2; ++i) {
+        const double size = random.uniform(0.03, 0.1) * std::min(photo.cols, photo.rows);
+        const std::string_view line = any_words(random);
+        const double width = canvas.text_width(line, size);
+        const Vec2 room{photo.cols - width, photo.rows - size};
+        if (room.x < 3 * size) continue;
+        const double gap = random.uniform(0.0, 0.5) * size;
+        Vec2 at{random.uniform(size, room.x - size), random.uniform(2 * size, room.y - size)};
+        switch (random.uniform(0, 4)) {
+        case 0:
+            at.x = gap;
+            break;
+        case 1:
+            at.x = room.x - gap;
+            break;
+        case 2:
+            at.y = size / 2 + gap;
+            break;
+        default:
+            at.y = room.y + size / 2 - gap;
+        }
+        const bool has_plate = random.uniform(0, 2) == 1;
+        draw({line, at, size, has_plate}, canvas, written, random);
     }
     written.picture = canvas.picture().clone();
     return written;
@@ -207,15 +257,20 @@ void words_table(const TableInput& input) {
     drawn_slides.print("slides");
     std::array<Row, 2> with_signs;
     std::array<Row, 2> plain;
+    std::array<Row, 2> at_edges;
+    cv::RNG random_edges(18);
     const std::vector<fs::path> photos = photos_in(input.media);
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const cv::Mat photo = open_media(photos[i].string())->next()->picture;
         with_signs[i % 2].add(signs(photo, random), finders);
+        at_edges[i % 2].add(lines_at_edges(photo, random_edges), finders);
         plain[i % 2].add({.picture = photo, .lines = {}}, finders);
         if (input.is_verbose) plain[i % 2].print(photos[i].filename().string());
     }
     with_signs[0].print("signs, even photos");
     with_signs[1].print("signs, odd photos");
+    at_edges[0].print("lines at edges, even photos");
+    at_edges[1].print("lines at edges, odd photos");
     plain[0].print("even photos as they are");
     plain[1].print("odd photos as they are");
 }
