@@ -11,13 +11,12 @@ namespace vitrine::player {
 namespace {
 
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
-    const auto local = std::max(std::chrono::nanoseconds(0), now - placed.began);
     return {.source = placed.shot.source,
             .cell = placed.cell,
             .placement = {placed.placement.scale, placed.placement.offset + drift_at(placed, now)},
             .picture = placed.shot.picture,
             .active = placed.shot.active,
-            .local = local,
+            .local = seen_for(placed, now),
             .alpha = placed.is_above ? std::min(alpha, max_blended) : alpha};
 }
 

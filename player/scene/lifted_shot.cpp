@@ -131,7 +131,7 @@ DrawItem LiftedShot::drawn(std::chrono::nanoseconds now) const {
                   .placement = at.at,
                   .picture = placed_.shot.picture,
                   .active = placed_.shot.active,
-                  .local = std::max(std::chrono::nanoseconds(0), now - placed_.began),
+                  .local = seen_for(placed_, now),
                   .alpha = at.alpha};
     const double growth = at.at.scale / placed_.placement.scale;
     Cell carried = scaled_cell(*placed_.cell, growth, at.at.offset - placed_.placement.offset * growth);

@@ -53,6 +53,10 @@ const Shot& shot_now(const MediaRecord& record, const WallShot& shot) {
     return is_inner ? record.film->shot : record.shots.at(static_cast<std::size_t>(shot.key.shot));
 }
 
+std::chrono::nanoseconds seen_for(const PlacedShot& placed, std::chrono::nanoseconds now) {
+    return now > placed.began ? now - placed.began : std::chrono::nanoseconds(0);
+}
+
 ShotRequest request_of(const PlacedShot& placed) {
     const WallShot& shot = placed.shot;
     const double scale = std::min(1.0, placed.placement.scale);

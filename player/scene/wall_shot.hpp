@@ -71,6 +71,9 @@ struct PlacedShot {
 
 constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();
 
+/// How long a shot has been seen; 0 before it is.
+std::chrono::nanoseconds seen_for(const PlacedShot& placed, std::chrono::nanoseconds now);
+
 /// The request for a shot's source at its present size, without more pixels than are shown.
 ShotRequest request_of(const PlacedShot& placed);
 

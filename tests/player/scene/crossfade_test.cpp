@@ -44,6 +44,12 @@ TEST_CASE("a wall that stands is drawn once and opaque, without the idle picture
     CHECK(frame.items[0].cell == wall[0].cell);
 }
 
+TEST_CASE("a shot that has not begun shows its first picture, also before the wall's time begins") {
+    for (const auto now : {-2s, 0s, 3s})
+        CHECK(standing_frame({1280, 720}, std::vector{placed(1, never)}, now).items[0].local == 0s);
+    CHECK(standing_frame({1280, 720}, std::vector{placed(1, 1s)}, 3s).items[0].local == 2s);
+}
+
 TEST_CASE("nothing on the wall is the idle picture") {
     CHECK(crossfade({1280, 720}, {}, {}, 0, 0s).idle == 1);
     CHECK(crossfade({1280, 720}, {}, {}, 0.5, 0s).idle == 1);
