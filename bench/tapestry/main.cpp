@@ -37,7 +37,8 @@ void time_keyframes(const std::vector<FrameSignature>& frames, int seconds) {
 }
 
 void measure_tiles(const LoadedLevel& level, TileQuality quality, const cv::Mat& strip, double seconds) {
-    const std::vector<TileSpan> spans = tile_spans(level.brickwork.width());
+    const Brickwork& brickwork = level.brickwork;
+    const std::vector<TileSpan> spans = tile_spans(brickwork.width(), brickwork.brick.height);
     const cv::Mat plain = squeezed(level);
     double own = 0;
     double of_plain = 0;
@@ -49,8 +50,8 @@ void measure_tiles(const LoadedLevel& level, TileQuality quality, const cv::Mat&
     fmt::print(
         "  {}: {:.3f} s of CPU a tile of {:.0f} px; distance {:.1f} against {:.1f} squeezed: {:.0f} %\n",
         quality == TileQuality::high ? "high" : "on demand", seconds / tiles,
-        (level.brickwork.width() + (tiles - 1) * tile_overlap) / tiles, own / tiles, of_plain / tiles,
-        100 * own / of_plain);
+        (brickwork.width() + (tiles - 1) * tile_overlap(brickwork.brick.height)) / tiles, own / tiles,
+        of_plain / tiles, 100 * own / of_plain);
 }
 
 void print_borders(const LoadedLevel& level, const cv::Mat& strip, std::string_view what) {

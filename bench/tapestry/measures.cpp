@@ -188,9 +188,10 @@ Gradients gradients(const LoadedLevel& level, const cv::Mat& strip) {
     std::vector<double> rows;
     for (int x = 1; x < strip.cols; ++x)
         inside.push_back(column_step(strip, x, whole));
-    const std::vector<TileSpan> spans = tile_spans(strip.cols);
+    const std::vector<TileSpan> spans = tile_spans(strip.cols, level.brickwork.brick.height);
+    const int overlap = tile_overlap(level.brickwork.brick.height);
     for (std::size_t i = 1; i < spans.size(); ++i)
-        for (const int x : {0, tile_overlap / 2, tile_overlap})
+        for (const int x : {0, overlap / 2, overlap})
             tiles.push_back(column_step(strip, spans[i].from + x, whole));
     for (int k = 2; k < level.brickwork.bricks(); ++k) {
         const int top = k % 2 * strip.rows / 2;

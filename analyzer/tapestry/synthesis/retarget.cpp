@@ -20,6 +20,8 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr int tile_width = 500;       // px; source: Video Tapestries 4.2, "about 500"
+constexpr int small_overlap = 64;     // px, of such tiles
+constexpr int tall_brick = 200;       // px: with taller ones tiles and overlaps grow
 constexpr int min_brick_side = 40;    // px at the smallest size; below it too much is merged
 constexpr int main_brick_side = 130;  // px: at larger sizes the matches are carried on and hardly change
 constexpr int sharp_rounds = 2;       // at such sizes
@@ -37,6 +39,11 @@ Plan plan_of(TileQuality quality) {
     if (quality == TileQuality::high)
         return {.first_rounds = 40, .last_rounds = 30, .first_radius = 32, .last_radius = 8};
     return {.first_rounds = 6, .last_rounds = 1, .first_radius = 16, .last_radius = 4};
+}
+
+/// A length for bricks of up to `tall_brick` px, in px for those of another height.
+int grown(int px, int brick_height) {
+    return px * std::max(tall_brick, brick_height) / tall_brick;
 }
 
 /// The scales of a tile, from the smallest to 1.
@@ -122,8 +129,9 @@ void stitch(cv::Mat& tile, const BrickSection& section, const TileSpan& span,
             const TileNeighbours& neighbours) {
     const Brickwork& brickwork = section.brickwork;
     const int reach = std::clamp(brickwork.brick.height / stitch_share, border_reach + 2, max_stitch);
-    const int left = neighbours.left.empty() ? 0 : tile_overlap / 2;
-    const int right = tile.cols - (neighbours.right.empty() ? 0 : tile_overlap / 2);
+    const int known = tile_overlap(brickwork.brick.height) / 2;
+    const int left = neighbours.left.empty() ? 0 : known;
+    const int right = tile.cols - (neighbours.right.empty() ? 0 : known);
     for (int k = 2; k < brickwork.bricks(); ++k) {
         const int x = brickwork.place(k).x - span.from;
         const int beside = std::min({2 * reach, x - left, right - x});
@@ -220,16 +228,21 @@ class Tile {
 
 }  // namespace
 
-std::vector<TileSpan> tile_spans(int strip_width) {
-    const int step = tile_width - tile_overlap;
+int tile_overlap(int brick_height) {
+    return grown(small_overlap, brick_height);
+}
+
+std::vector<TileSpan> tile_spans(int strip_width, int brick_height) {
+    const int overlap = tile_overlap(brick_height);
+    const int step = grown(tile_width, brick_height) - overlap;
     const int tiles =
-        std::max(1, static_cast<int>(std::lround(static_cast<double>(strip_width - tile_overlap) / step)));
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(strip_width - overlap) / step)));
     std::vector<TileSpan> spans;
     for (std::int64_t i = 0; i < tiles; ++i) {
         const auto border = [&](std::int64_t number) {
-            return static_cast<int>(number * (strip_width - tile_overlap) / tiles);
+            return static_cast<int>(number * (strip_width - overlap) / tiles);
         };
-        spans.push_back({.from = border(i), .to = border(i + 1) + tile_overlap});
+        spans.push_back({.from = border(i), .to = border(i + 1) + overlap});
     }
     return spans;
 }

@@ -14,7 +14,9 @@ enum class TileQuality {
 };
 
 constexpr double kept_height = 0.75;  // share of the brickwork's height; source: Video Tapestries 4.2
-constexpr int tile_overlap = 64;      // px by which a tile reaches into the one before
+
+/// The px by which a tile reaches into the one before: 64, and more where bricks are taller than 200 px.
+int tile_overlap(int brick_height);
 
 /// The neighbour's share in a column of an overlap; column 0 is the outermost. It is 1 in the outer half,
 /// then falls to 0.
@@ -23,9 +25,10 @@ inline float neighbour_share(int column, int columns) {
     return std::clamp(2 - 2 * place, 0.F, 1.F);
 }
 
-/// The tiles of a strip, left to right. Each is about 500 px wide and begins tile_overlap px before the end
-/// of the one before. A strip of up to 1.5 tiles is one tile.
-std::vector<TileSpan> tile_spans(int strip_width);
+/// The tiles of a strip, left to right. Each is about 500 px wide, or 2.5 times as wide as a brick is tall,
+/// and begins tile_overlap() px before the end of the one before. A strip of up to 1.5 tiles is one tile.
+/// Narrower tiles cut pictures at their borders.
+std::vector<TileSpan> tile_spans(int strip_width, int brick_height);
 
 /// The finished neighbours of a tile: pictures as tall as the tapestry, or empty.
 struct TileNeighbours {

@@ -23,7 +23,7 @@ void show_whole(const LevelBricks& level, const ColumnSink& sink) {
     cv::Mat strip;
     cv::resize(level.keyframe(0).picture, strip, {level.brickwork.width(), tapestry_height(level.brickwork)},
                0, 0, cv::INTER_CUBIC);
-    sink(strip, {.tiles = tile_spans(strip.cols).size(), .border = {}});
+    sink(strip, {.tiles = tile_spans(strip.cols, level.brickwork.brick.height).size(), .border = {}});
 }
 
 }  // namespace
@@ -31,12 +31,13 @@ void show_whole(const LevelBricks& level, const ColumnSink& sink) {
 void weave_level(const LevelBricks& bricks, const ColumnSink& sink, const RetargetSettings& settings,
                  const RunTasks& run, WovenSoFar done) {
     if (bricks.brickwork.keyframes == 1) return show_whole(bricks, sink);
-    const std::vector<TileSpan> spans = tile_spans(bricks.brickwork.width());
+    const Brickwork& brickwork = bricks.brickwork;
+    const std::vector<TileSpan> spans = tile_spans(brickwork.width(), brickwork.brick.height);
     TileNeighbours neighbours{.left = std::move(done.border), .right = {}};
     for (std::size_t i = done.tiles; i < spans.size(); ++i) {
         const cv::Mat tile = retarget_tile(section_of(bricks, spans[i]), spans[i], neighbours, settings, run);
         const bool is_last = i + 1 == spans.size();
-        const int finished = is_last ? tile.cols : tile.cols - tile_overlap;
+        const int finished = is_last ? tile.cols : tile.cols - tile_overlap(brickwork.brick.height);
         neighbours.left = tile.colRange(finished, tile.cols).clone();
         sink(tile.colRange(0, finished), {.tiles = i + 1, .border = neighbours.left});
     }

@@ -35,7 +35,10 @@ std::optional<std::size_t> tiles_of_note(const std::string& name) {
 
 LevelFiles::LevelFiles(const fs::path& directory, const Tapestry& tapestry, std::size_t level,
                        const Brickwork& brickwork)
-    : directory_(directory), tapestry_(tapestry), level_(level), spans_(tile_spans(brickwork.width())) {
+    : directory_(directory),
+      tapestry_(tapestry),
+      level_(level),
+      spans_(tile_spans(brickwork.width(), brickwork.brick.height)) {
     fs::create_directories(folder());
     for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
         const auto tiles = tiles_of_note(entry.path().filename().string());
@@ -51,7 +54,8 @@ LevelFiles::LevelFiles(const fs::path& directory, const Tapestry& tapestry, std:
 
 void LevelFiles::go_on_from(std::size_t tiles, const cv::Mat& rest) {
     const int columns = spans_[tiles].from % tapestry_.tile_width;
-    if (rest.size() != cv::Size(columns + tile_overlap, tapestry_.height))
+    const int overlap = spans_[tiles - 1].to - spans_[tiles].from;
+    if (rest.size() != cv::Size(columns + overlap, tapestry_.height))
         throw std::runtime_error("a note of another size");
     done_ = {.tiles = tiles, .border = rest.colRange(columns, rest.cols).clone()};
     pending_ = columns > 0 ? rest.colRange(0, columns).clone() : cv::Mat();

@@ -152,14 +152,24 @@ TEST_CASE("a single keyframe stands alone, as tall as the tapestry") {
 TEST_CASE("tiles cover a strip, each begins in the one before") {
     for (const int width : {89, 500, 700, 2225, 10'000, 1'000'000}) {
         CAPTURE(width);
-        const std::vector<TileSpan> spans = tile_spans(width);
+        const std::vector<TileSpan> spans = tile_spans(width, 100);
         CHECK(spans.front().from == 0);
         CHECK(spans.back().to == width);
         for (std::size_t i = 1; i < spans.size(); ++i) {
-            CHECK(spans[i].from == spans[i - 1].to - tile_overlap);
+            CHECK(spans[i].from == spans[i - 1].to - tile_overlap(100));
             CHECK(spans[i].to - spans[i].from <= 700);
             CHECK(spans[i].to - spans[i].from >= 300);
         }
+    }
+}
+
+TEST_CASE("tiles of tall bricks are as wide, measured by bricks, and reach as far into one another") {
+    const std::vector<TileSpan> small = tile_spans(10'000, 200);
+    for (const int growth : {2, 4, 10}) {
+        CAPTURE(growth);
+        const std::vector<TileSpan> spans = tile_spans(10'000 * growth, 200 * growth);
+        CHECK(spans.size() == small.size());
+        CHECK(spans[0].to - spans[1].from == growth * (small[0].to - small[1].from));
     }
 }
 

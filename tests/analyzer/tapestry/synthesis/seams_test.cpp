@@ -57,10 +57,11 @@ double step_at_bricks(const cv::Mat& strip) {
 double step_at_tiles(const cv::Mat& strip) {
     double sum = 0;
     int count = 0;
-    const std::vector<TileSpan> spans = tile_spans(strip.cols);
+    const std::vector<TileSpan> spans = tile_spans(strip.cols, wall.brick.height);
+    const int overlap = tile_overlap(wall.brick.height);
     REQUIRE(spans.size() > 1);
     for (std::size_t i = 1; i < spans.size(); ++i) {
-        for (const int x : {0, tile_overlap / 2, tile_overlap}) {
+        for (const int x : {0, overlap / 2, overlap}) {
             sum += step_at(strip, spans[i].from + x, {0, strip.rows});
             ++count;
         }

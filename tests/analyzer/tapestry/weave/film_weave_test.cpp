@@ -257,7 +257,8 @@ TEST_CASE("a tapestry that may take few bytes has its coarse levels only") {
 
 TEST_CASE("a level has the same files wherever its weaving is cut off") {
     const Brickwork brickwork{.keyframes = 60, .brick = {100, 8}};
-    const std::vector<TileSpan> spans = tile_spans(brickwork.width());
+    const std::vector<TileSpan> spans = tile_spans(brickwork.width(), brickwork.brick.height);
+    const int overlap = tile_overlap(brickwork.brick.height);
     REQUIRE(spans.size() > 6);
     cv::Mat strip(12, brickwork.width(), CV_8UC3);
     cv::randu(strip, 0, 255);
@@ -268,12 +269,12 @@ TEST_CASE("a level has the same files wherever its weaving is cut off") {
         LevelFiles files(folder, tapestry, 0, brickwork);
         const std::size_t from = files.done().tiles;
         if (from > 0) {
-            const cv::Mat border = strip.colRange(spans[from].from, spans[from].from + tile_overlap);
+            const cv::Mat border = strip.colRange(spans[from].from, spans[from].from + overlap);
             CHECK(cv::norm(files.done().border, border, cv::NORM_INF) == 0);
         }
         for (std::size_t i = from; i < until; ++i) {
             const bool is_last = i + 1 == spans.size();
-            const int to = is_last ? spans[i].to : spans[i].to - tile_overlap;
+            const int to = is_last ? spans[i].to : spans[i].to - overlap;
             files.add(strip.colRange(spans[i].from, to),
                       {.tiles = i + 1, .border = strip.colRange(to, spans[i].to).clone()});
         }
