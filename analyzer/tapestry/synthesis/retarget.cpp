@@ -41,7 +41,7 @@ Plan plan_of(TileQuality quality) {
     return {.first_rounds = 6, .last_rounds = 1, .first_radius = 16, .last_radius = 4};
 }
 
-/// A length for bricks of up to `tall_brick` px, in px for those of another height.
+/// Grows a length that suits bricks of up to `tall_brick` px by as much as a brick is taller.
 int grown(int px, int brick_height) {
     return px * std::max(tall_brick, brick_height) / tall_brick;
 }
