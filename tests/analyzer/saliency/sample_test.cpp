@@ -54,4 +54,17 @@ TEST_CASE("a thing that looks like one large letter is no line of words; words b
     }
 }
 
+TEST_CASE("no line is searched where a small look sees no trace of one: enlarged, strokes look like words") {
+    LineDetector detector(VITRINE_MODELS "/text_detection.onnx");
+    cv::Mat arc(180, 320, CV_8UC3, cv::Scalar::all(173));
+    cv::ellipse(arc, {88, 63}, {5, 5}, 104, 0, 129, cv::Scalar::all(130), 1);
+    cv::Mat two_arcs(180, 320, CV_8UC3, cv::Scalar::all(146));
+    cv::ellipse(two_arcs, {102, 55}, {8, 2}, 20, 0, 228, cv::Scalar::all(194), 2);
+    cv::ellipse(two_arcs, {119, 55}, {5, 5}, 119, 0, 261, cv::Scalar::all(210), 1);
+    for (const cv::Mat& strokes : {arc, two_arcs}) {
+        CHECK_FALSE(LineDetector(VITRINE_MODELS "/text_detection.onnx").find(strokes, 640).empty());
+        CHECK(find_lines(detector, {strokes, {}}).empty());
+    }
+}
+
 }  // namespace vitrine::analyzer
