@@ -4,8 +4,8 @@
 
 namespace vitrine {
 
-/// How often a test tries something: a sample, or all of it where VITRINE_ALL is set, as tests with the label
-/// `long` set it.
+/// Returns how many of its cases a test tries. Unit tests try a sample. Tests with the label `long` set
+/// VITRINE_ALL and try all of them.
 inline int tries(int sample, int all) {
     return std::getenv("VITRINE_ALL") != nullptr ? all : sample;
 }

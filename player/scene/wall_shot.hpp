@@ -71,7 +71,7 @@ struct PlacedShot {
 
 constexpr std::chrono::nanoseconds never = std::chrono::nanoseconds::max();
 
-/// How long a shot has been seen; 0 before it is.
+/// Returns the time since a shot first appeared. Before that, the time is 0.
 std::chrono::nanoseconds seen_for(const PlacedShot& placed, std::chrono::nanoseconds now);
 
 /// The request for a shot's source at its present size, without more pixels than are shown.

@@ -19,7 +19,8 @@ from mounted_share import MountedShare, can_mount
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 PATIENCE = 120  # seconds until something that must come is given up
-STOP_PATIENCE = 10  # seconds in which a player must end, whatever its files do; TimeoutStopSec= of the unit
+STOP_PATIENCE = 2  # seconds in which a player must end, whatever its share does
+UNIT_PATIENCE = 10  # seconds in which a player must end beside readers that are busy; TimeoutStopSec= of the unit
 MAX_MEMORY = 250 << 20  # bytes of the player and all readers
 
 
@@ -111,13 +112,13 @@ class Playing(unittest.TestCase):
     def until_all_appear(self, count=3):
         self.until(f"{count} sources appear", lambda: self.log.read_text().count(" appears") >= count)
 
-    def stop(self, player):
+    def stop(self, player, patience=STOP_PATIENCE):
         begin = time.monotonic()
         player.terminate()
         player.wait(PATIENCE)
         took = time.monotonic() - begin
         print(f"ended after {took:.1f} s", file=sys.stderr)
-        self.assertLess(took, STOP_PATIENCE)
+        self.assertLess(took, patience)
         self.assertEqual(player.returncode, 0, self.log.read_text()[-3000:])
 
 
@@ -163,7 +164,7 @@ class Readers(Playing):
             self.assertLess(time.monotonic(), end, self.log.read_text()[-3000:])
             max_memory = max(max_memory, sum(memory_of(one) for one in family_of(player.pid)))
             time.sleep(0.02)
-        self.stop(player)
+        self.stop(player, UNIT_PATIENCE)
         print(f"player and readers within {max_memory >> 20} MiB", file=sys.stderr)
         self.assertLess(max_memory, MAX_MEMORY)
 
