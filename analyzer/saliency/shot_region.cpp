@@ -17,6 +17,8 @@ constexpr double centre_saliency = 0.005;
 constexpr double strong_motion = 0.5;   // S_M of what moves by itself
 constexpr double min_motion = 0.002;    // share of the picture that moves on average, to count
 constexpr double enough_motion = 1.25;  // certainty for each share of it that is held
+constexpr double followed_motion = 0.9;  // share of what moves that a drift must keep in the common part
+constexpr double carried_by = 0.25;        // share of a drift by which the background's motion may differ
 constexpr double min_face = 0.05;       // share of the map's longer side: smaller faces do not count
 
 double seconds(std::chrono::nanoseconds time) {
@@ -211,7 +213,9 @@ double held_motion(const std::vector<Sample>& samples, const std::vector<Salient
     }
     if (moving.empty()) return 1;
     const SaliencyMap volume = accumulated(moving, drift);
-    const double all = cv::sum(volume)[0];
+    double all = 0;
+    for (const SalientFrame& frame : moving)
+        all += cv::sum(frame.map)[0];
     if (all < min_motion * static_cast<double>(volume.total() * moving.size())) return 1;
     std::vector<cv::Point> corners;
     for (const Vec2 corner : polygon)
@@ -238,6 +242,17 @@ SubjectOutline seen_outline(const std::vector<Sample>& samples, const std::vecto
     outline.certainty = std::min(sum / looks, enough_motion * moving);
     outline.certainty = std::clamp(outline.certainty, 0.0, 1.0);
     return outline;
+}
+
+/// The drift, or none where it leaves behind what moves: something that crosses the picture faster than a region
+/// can follow. Where the camera moves, nothing stands still, and the drift stays.
+Vec2 following_drift(const std::vector<Sample>& samples, const std::vector<SalientFrame>& frames, Vec2 drift,
+                     const Box& core) {
+    Vec2 background;
+    for (const SalientFrame& frame : frames)
+        background = background + frame.global_motion * (1 / static_cast<double>(frames.size()));
+    if (length(background - drift) <= carried_by * length(drift)) return drift;
+    return held_motion(samples, frames, drift, to_polygon(core)) < followed_motion ? Vec2{} : drift;
 }
 
 void show_middle(ShotEvidence& evidence, const std::vector<Sample>& samples,
@@ -267,6 +282,7 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
     const std::vector<LineSearch> searches = line_searches(samples, shot.begin);
     if (has_caption(searches, drift)) drift = {};  // which stands still
+    drift = following_drift(samples, frames, drift, common_part(part.size(), drift, duration));
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);

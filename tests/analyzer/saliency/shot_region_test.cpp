@@ -115,6 +115,30 @@ TEST_CASE("a subject that runs through the picture is held wherever it is") {
         CHECK(is_inside_convex(region, runner(i), 1));
 }
 
+TEST_CASE("what crosses the picture faster than a region can follow is held wherever it is") {
+    // Given an empty road on which a car passes from below to above, in 3 of 6 seconds.
+    std::vector<Sample> samples;
+    const auto place = [](int i) { return 45 - 5.0 * (i - 24); };
+    const auto is_seen = [&](int i) { return place(i) > -18 && place(i) < 108; };
+    for (int i = 0; i < 48; ++i) {
+        samples.push_back(sample_with_disc(milliseconds(125 * i), {80, 45}));
+        Sample& sample = samples.back();
+        sample.image *= 0.3;
+        sample.motion = SaliencyMap::zeros(90, 160, CV_32FC1);
+        if (!is_seen(i)) continue;
+        for (SaliencyMap* map : {&sample.image, &sample.motion})
+            cv::circle(*map, cv::Point2d(70, place(i)), 18, 1, cv::FILLED);
+        sample.subject_motion = {0, -40};
+    }
+    const IRegion region =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(6)}, {160, 90}, {160, 90}, {}).shot.region;
+    CHECK(region.drift == Vec2{});
+    for (int i = 0; i < 48; ++i) {
+        CAPTURE(i);
+        if (is_seen(i)) CHECK(is_inside_convex(region.polygon, {70, std::clamp(place(i), 4.0, 86.0)}, 1));
+    }
+}
+
 TEST_CASE("one flash of motion holds nothing; of many things that move the region holds all") {
     std::vector<Sample> samples;
     for (int i = 0; i < 8; ++i) {
