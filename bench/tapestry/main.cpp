@@ -1,5 +1,6 @@
 // Measures the cost of a film's tapestry and its quality, in processor time; ratios are within one run.
 //   tapestry_bench FILM... [--face-model M] [--pictures DIR] [--long SECONDS] [--brick-height PX]
+//   [--marks boxes.json]
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/saliency/faces.hpp"
@@ -69,7 +70,24 @@ struct Measuring {
     int long_film = 0;  // seconds
     int brick_height = usual_brick_height;
     int region_weight = WindowSettings{}.region_weight;
+    std::filesystem::path marks;  // of the subjects in some frames; empty: not asked for
 };
+
+/// Weaves the frames that somebody has marked, and tells which of the marked subjects are whole in it.
+void measure_marked(const Film& film, const std::string& path, const Measuring& how) {
+    const std::vector<MarkedFrame> marked = marked_frames(how.marks, path);
+    if (marked.size() < 2) return;  // the tapestry of one keyframe is the keyframe
+    const auto again = open_media(path, 320 * how.brick_height / usual_brick_height);
+    const LoadedLevel level = loaded(film, keyframes_at(film, marked, *again));
+    const cv::Mat strip = woven(level, TileQuality::high, how.region_weight);
+    const FaceCount subjects = count_marked(film, level, marked, strip);
+    fmt::print("  marked subjects in {} keyframes {}, whole in the tapestry {}, squeezed {}\n", marked.size(),
+               subjects.whole, subjects.found, count_marked(film, level, marked, squeezed(level)).found);
+    if (how.pictures.empty()) return;
+    cv::Mat sheet;
+    cv::vconcat(bricks_picture(level), strip, sheet);
+    write_png(how.pictures / (std::filesystem::path(path).stem().string() + "-marked.png"), sheet);
+}
 
 void measure(const std::string& path, FaceDetector* detector, const Measuring& how) {
     const auto source = open_media(path, 320 * how.brick_height / usual_brick_height);
@@ -100,6 +118,7 @@ void measure(const std::string& path, FaceDetector* detector, const Measuring& h
         cv::vconcat(sheet, strip, sheet);
     }
     print_borders(level, squeezed(level), "squeezed bricks");
+    if (!how.marks.empty()) measure_marked(film, path, how);
     if (how.pictures.empty()) return;
     write_png(how.pictures / (std::filesystem::path(path).stem().string() + "-compared.png"), sheet);
 }
@@ -115,6 +134,7 @@ int run(int argc, char** argv) {
     app.add_option("--long", how.long_film, "Compare and cluster the frames repeated to so many seconds");
     app.add_option("--brick-height", how.brick_height, "Pixels of the analysed frames; 100 without it");
     app.add_option("--region-weight", how.region_weight, "1: regions weigh as all else");
+    app.add_option("--marks", how.marks, "boxes.json: count the marked subjects that stay whole");
     CLI11_PARSE(app, argc, argv);
     const auto detector = face_detector(model, "");
     for (const std::string& film : films)

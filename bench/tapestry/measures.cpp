@@ -5,10 +5,14 @@
 #include "analyzer/tapestry/synthesis/synthesis.hpp"
 #include "analyzer/tapestry/weave/candidate_writer.hpp"
 
+#include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <fstream>
+#include <optional>
 
 namespace vitrine::analyzer {
 
@@ -208,8 +212,12 @@ Gradients gradients(const LoadedLevel& level, const cv::Mat& strip) {
 
 namespace {
 
+constexpr double whole_share = 0.95;  // of the patches, for something that is whole
+
 /// The share of a region's patches that the strip shows again near its place.
-double shown_share(const LoadedLevel& level, int k, const cv::Mat& strip) {
+/// @param region  px of keyframe k
+double shown_share(const LoadedLevel& level, int k, const std::vector<cv::Point>& region,
+                   const cv::Mat& strip) {
     constexpr int stride = 4;            // px
     constexpr double near_enough = 300;  // squared grey levels a channel value
     const Keyframe& keyframe = level.keyframes[static_cast<std::size_t>(k)];
@@ -217,14 +225,14 @@ double shown_share(const LoadedLevel& level, int k, const cv::Mat& strip) {
     const cv::Rect place =
         cv::Rect(level.brickwork.place(k).x - brick.width / 4, 0, brick.width * 3 / 2, strip.rows) &
         cv::Rect({}, strip.size());
-    const cv::Rect box = cv::boundingRect(keyframe.region) & cv::Rect({}, brick);
+    const cv::Rect box = cv::boundingRect(region) & cv::Rect({}, brick);
     int all = 0;
     int shown = 0;
     for (int y = box.y; y + patch_side <= box.br().y; y += stride) {
         for (int x = box.x; x + patch_side <= box.br().x; x += stride) {
             const cv::Point2f middle(static_cast<float>(x + patch_side / 2),
                                      static_cast<float>(y + patch_side / 2));
-            if (cv::pointPolygonTest(keyframe.region, middle, false) < 0) continue;
+            if (cv::pointPolygonTest(region, middle, false) < 0) continue;
             cv::Mat distances;
             cv::matchTemplate(strip(place), keyframe.picture(cv::Rect(x, y, patch_side, patch_side)),
                               distances, cv::TM_SQDIFF);
@@ -240,13 +248,65 @@ double shown_share(const LoadedLevel& level, int k, const cv::Mat& strip) {
 }  // namespace
 
 FaceCount count_subjects(const LoadedLevel& level, const cv::Mat& strip) {
-    constexpr double whole = 0.95;
     FaceCount count;
     for (int k = 0; k < level.brickwork.keyframes; ++k) {
-        if (level.keyframes[static_cast<std::size_t>(k)].region.size() < 3) continue;
+        const std::vector<cv::Point>& region = level.keyframes[static_cast<std::size_t>(k)].region;
+        if (region.size() < 3) continue;
         ++count.whole;
-        count.found += shown_share(level, k, strip) >= whole ? 1 : 0;
+        count.found += shown_share(level, k, region, strip) >= whole_share ? 1 : 0;
     }
+    return count;
+}
+
+std::vector<MarkedFrame> marked_frames(const std::filesystem::path& marks, const std::string& film) {
+    std::vector<MarkedFrame> marked;
+    std::ifstream file(marks);
+    const nlohmann::json all = nlohmann::json::parse(file);
+    for (const auto& [name, frames] : all.at("video_frames").items()) {
+        if (!film.ends_with("/" + name)) continue;
+        for (const auto& [number, boxes] : frames.items()) {
+            MarkedFrame& frame = marked.emplace_back(MarkedFrame{.number = std::stoi(number), .boxes = {}});
+            for (const auto& box : boxes)
+                frame.boxes.push_back({{box.at(0), box.at(1)}, {box.at(2), box.at(3)}});
+            if (frame.boxes.empty()) marked.pop_back();
+        }
+    }
+    std::ranges::sort(marked, {}, &MarkedFrame::number);
+    return marked;
+}
+
+Keyframes keyframes_at(const Film& film, const std::vector<MarkedFrame>& marked, FrameSource& source) {
+    std::vector<std::chrono::nanoseconds> times;
+    while (const std::optional<FilmFrame> frame = source.next())
+        times.push_back(frame->time);
+    Keyframes keyframes;
+    const auto& signatures = film.candidates->signatures();
+    for (const MarkedFrame& frame : marked) {
+        const auto time = times.at(static_cast<std::size_t>(frame.number));
+        const auto nearest = std::ranges::min_element(
+            signatures, {}, [&](const FrameSignature& other) { return std::chrono::abs(other.time - time); });
+        keyframes.push_back(static_cast<int>(nearest - signatures.begin()));
+    }
+    return keyframes;
+}
+
+FaceCount count_marked(const Film& film, const LoadedLevel& level, const std::vector<MarkedFrame>& marked,
+                       const cv::Mat& strip) {
+    const cv::Size frame = film.candidates->frame();
+    const cv::Rect active = film.candidates->active();
+    const auto place = [&](double x, double y) {
+        return cv::Point(
+            cvRound((x * frame.width - active.x) / active.width * level.brickwork.brick.width),
+            cvRound((y * frame.height - active.y) / active.height * level.brickwork.brick.height));
+    };
+    FaceCount count;
+    for (std::size_t k = 0; k < marked.size(); ++k)
+        for (const Box& box : marked[k].boxes) {
+            const std::vector<cv::Point> region{place(box.min.x, box.min.y), place(box.max.x, box.min.y),
+                                                place(box.max.x, box.max.y), place(box.min.x, box.max.y)};
+            ++count.whole;
+            count.found += shown_share(level, static_cast<int>(k), region, strip) >= whole_share ? 1 : 0;
+        }
     return count;
 }
 

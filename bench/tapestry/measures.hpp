@@ -2,8 +2,11 @@
 
 #include "analyzer/faces/face_detector.hpp"
 #include "analyzer/tapestry/weave/film_weave.hpp"
+#include "base/geometry/box.hpp"
 
 #include <ctime>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace vitrine::analyzer {
@@ -76,6 +79,24 @@ struct FaceCount {
 /// The same for the regions of shots that leave room beside them. Here found means: of the region's patches
 /// at least .95 are seen again near its place.
 FaceCount count_subjects(const LoadedLevel& level, const cv::Mat& strip);
+
+/// The subjects that somebody has marked in one frame of a film.
+struct MarkedFrame {
+    int number = 0;          // of the film's frames
+    std::vector<Box> boxes;  // shares of the upright picture
+};
+
+/// The marked frames of a film. @param marks  boxes.json of the media with ground truth
+std::vector<MarkedFrame> marked_frames(const std::filesystem::path& marks, const std::string& film);
+
+/// The frames that may become keyframes and are nearest to the marked ones: their tapestry shows what is
+/// marked. @param source  the film, from its begin
+Keyframes keyframes_at(const Film& film, const std::vector<MarkedFrame>& marked, FrameSource& source);
+
+/// The same for the boxes that are marked in a level's keyframes.
+/// @param marked  one for each keyframe
+FaceCount count_marked(const Film& film, const LoadedLevel& level, const std::vector<MarkedFrame>& marked,
+                       const cv::Mat& strip);
 
 FaceCount count_faces(const LoadedLevel& level, const cv::Mat& strip, FaceDetector& detector);
 
