@@ -1,7 +1,10 @@
 #include "analyzer/one_file/subject_looks.hpp"
 
 #include "analyzer/one_file/subject_network.hpp"
+#include "analyzer/saliency/subject_outline.hpp"
 #include "base/system/log.hpp"
+
+#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -16,9 +19,43 @@ namespace {
 constexpr LookPace network_pace{.pixels = 9e6, .seconds = 3, .at_once = 2, .max = 6};
 constexpr LookPace student_pace{.pixels = 4.5e6, .seconds = 2, .at_once = 4, .max = 8};
 constexpr double min_rate = 0.1;
+// A subject that moves or grows differs most at both ends of a shot, so the first and the last look are near
+// them.
+constexpr double margin = 0.1;         // from an end to the look nearest to it, in distances of two looks
+constexpr double strong_motion = 0.5;  // S_M of what moves by itself
+constexpr double busy_share = 0.25;  // of the largest moving share of the samples: from there on one is busy
+constexpr double min_mass = 0.003;   // of the picture: a smaller subject is none
 
 double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
+}
+
+/// The share of a sample's picture that moves by itself; motion across the shot's begin does not count.
+double moving_share(const Sample& sample, const Shot& shot) {
+    if (sample.motion.empty() || sample.pair_time < shot.begin) return 0;
+    return cv::countNonZero(sample.motion >= strong_motion) / static_cast<double>(sample.motion.total());
+}
+
+/// The sample nearest to another one in which much moves and at which the network has not looked. Null: none.
+Sample* busy_sample_near(const Sample& near, const Shot& shot, std::vector<Sample>& samples) {
+    double largest = 0;
+    for (const Sample& sample : samples)
+        largest = std::max(largest, moving_share(sample, shot));
+    Sample* best = nullptr;
+    for (Sample& sample : samples) {
+        const double share = moving_share(sample, shot);
+        if (!sample.subject.empty() || share <= 0 || share < busy_share * largest) continue;
+        if (best == nullptr ||
+            std::chrono::abs(sample.time - near.time) < std::chrono::abs(best->time - near.time))
+            best = &sample;
+    }
+    return best;
+}
+
+/// True if the network has seen nothing in a sample.
+bool is_blind(const Sample& sample) {
+    return cv::mean(sample.subject)[0] < min_mass ||
+           subject_outline(sample.subject).certainty < blind_certainty;
 }
 
 }  // namespace
@@ -33,12 +70,11 @@ void SubjectLooks::look(const Shot& shot, std::vector<Sample>& samples) {
     if (is_off_ || samples.empty()) return;
     const int count = std::min(affordable(shot), static_cast<int>(samples.size()));
     if (count <= 0 || !open()) return;
-    taken_ += count;
     try {
         for (int i = 0; i < count; ++i) {
-            const double place = (i + 0.5) / count * static_cast<double>(samples.size());
-            Sample& sample = samples[static_cast<std::size_t>(place)];
-            sample.subject = subject_in(*network_, sample);
+            const double place =
+                (i + margin) / (count - 1 + 2 * margin) * static_cast<double>(samples.size());
+            look_at(samples[static_cast<std::size_t>(place)], shot, samples);
         }
     } catch (const std::runtime_error& error) {
         log::warning("films keep their plain regions: {}", error.what());
@@ -46,6 +82,16 @@ void SubjectLooks::look(const Shot& shot, std::vector<Sample>& samples) {
         for (Sample& sample : samples)
             sample.subject.release();
     }
+}
+
+void SubjectLooks::look_at(Sample& sample, const Shot& shot, std::vector<Sample>& samples) {
+    if (!sample.subject.empty()) return;  // it was near one that shows nothing
+    sample.subject = subject_in(*network_, sample);
+    ++taken_;
+    Sample* other = is_blind(sample) ? busy_sample_near(sample, shot, samples) : nullptr;
+    if (other == nullptr) return;
+    other->subject = subject_in(*network_, *other);
+    (is_blind(*other) ? other : &sample)->subject.release();
 }
 
 int SubjectLooks::affordable(const Shot& shot) const {

@@ -31,6 +31,8 @@ class SubjectLooks {
     void look(const Shot& shot, std::vector<Sample>& samples);
 
   private:
+    /// Looks at one sample. Where nothing is seen there, the nearest at which much moves counts in its place.
+    void look_at(Sample& sample, const Shot& shot, std::vector<Sample>& samples);
     int affordable(const Shot& shot) const;
     bool open();
 

@@ -60,7 +60,7 @@ struct Shot {
     /// caption in a photo. 5: the film in a photo, faces and lines; the network's fine map, of films too. 6:
     /// small faces in films, narrow bars. 7: a subject's closer outline. 8: a thing that looks like a
     /// letter is no line of words. A record says nothing of earlier ones.
-    static constexpr int current_analysis = 8;
+    static constexpr int current_analysis = 9;
     static constexpr std::size_t max_marks = 100;
 
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)
