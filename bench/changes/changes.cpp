@@ -4,7 +4,8 @@
 // On items like those of real media, or on the shots of a catalogue. Each wall changes by turns, insertions,
 // deletions and a drag in a row. Areas are exact, in px^2 of a canvas of 1920x1080: of I-Regions that stay
 // and are covered, of canvas where nothing is opaque, and of filler that neither the old nor the new wall
-// has; the largest of any frame. The last table is of drawn frames: the CPU time of all threads.
+// has; the largest of any frame. A shot that moves is seen twice where its I-Region is seen at its old or its
+// new place, too. The last table is of drawn frames: the CPU time of all threads.
 
 #include "player/display/offscreen_screen.hpp"
 #include "player/render/renderer.hpp"
@@ -35,7 +36,8 @@ namespace {
 
 constexpr Vec2 canvas{1920, 1080};
 constexpr int changes_a_wall = 10;
-constexpr double max_scale = 1.5;  // of plans
+constexpr double max_scale = 1.5;     // of plans
+constexpr double seen_twice = 0.001;  // share of the canvas: from there on one sees the second of a shot
 
 double cpu_ms() {
     return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -55,6 +57,7 @@ struct ChangeRow {
     double frame_ms = 0;
     int frames = 0;
     FrameFaults worst;
+    int with_twins = 0;  // changes in which a shot that moves is seen twice
     double shortest_fade = 1;
 };
 
@@ -159,6 +162,7 @@ void look_at(ChangeRow& row, const Transition& made, int frames) {
     ++row.kinds.at(static_cast<std::size_t>(made.motion.kind));
     if (wayless_count(made) > 0) ++row.with_wayless;
     row.shortest_fade = std::min(row.shortest_fade, made.fade_end - made.fade_begin);
+    double twice = 0;
     for (int k = 0; k <= frames; ++k) {
         const double share = k / static_cast<double>(frames);
         const double before = cpu_ms();
@@ -170,7 +174,9 @@ void look_at(ChangeRow& row, const Transition& made, int frames) {
         row.worst.covered = std::max(row.worst.covered, faults.covered);
         row.worst.bare = std::max(row.worst.bare, faults.bare);
         row.worst.dark = std::max(row.worst.dark, faults.dark);
+        twice = std::max(twice, faults.twice);
     }
+    if (twice > seen_twice * canvas.x * canvas.y) ++row.with_twins;
 }
 
 /// The changes of walls of one size.
@@ -194,11 +200,12 @@ class ChangedWalls {
 
     void print() const {
         for (const auto& [name, row] : rows_)
-            fmt::print(
-                "| {} | {} | {} | {:.1f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} |\n",
-                count_, name, row.count, 100.0 * row.with_wayless / row.count, fmt::join(row.kinds, " "),
-                row.shortest_fade, row.search_ms / row.count, row.frame_ms / row.frames, row.worst.covered,
-                row.worst.bare, row.worst.dark);
+            fmt::print("| {} | {} | {} | {:.1f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | "
+                       "{:.1f} |\n",
+                       count_, name, row.count, 100.0 * row.with_wayless / row.count,
+                       fmt::join(row.kinds, " "), row.shortest_fade, row.search_ms / row.count,
+                       row.frame_ms / row.frames, row.worst.covered, row.worst.bare, row.worst.dark,
+                       100.0 * row.with_twins / row.count);
         const auto print_shares = [](const char* name, const std::vector<double>& values) {
             fmt::print("{}: least {:.2f}, 5th percentile {:.2f}, median {:.2f}\n", name, quantile(values, 0),
                        quantile(values, 0.05), quantile(values, 0.5));
@@ -295,9 +302,9 @@ int main(int argc, char** argv) {
     const DrawItems draw = [&](Random& random) {
         return real.empty() ? random_item(random) : real[uniform_index(random, real.size())];
     };
-    fmt::print(
-        "| n | change | count | no free way % | still straight staged shrunk detour | shortest fade | "
-        "search ms | frame ms | covered px^2 | bare | new filler |\n|--|--|--|--|--|--|--|--|--|--|--|\n");
+    fmt::print("| n | change | count | no free way % | still straight staged shrunk detour | shortest fade | "
+               "search ms | frame ms | covered px^2 | bare | new filler | seen twice % "
+               "|\n|--|--|--|--|--|--|--|--|--|--|--|--|\n");
     std::vector<std::size_t> counts{6, 12, 24};  // shots a wall
     if (argc > 4) counts.clear();
     for (int i = 4; i < argc; ++i)

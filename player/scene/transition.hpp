@@ -37,7 +37,7 @@ struct Transition {
     std::vector<ChangingShot> new_wall;
     Motion motion;          // of the shots that stay
     double fade_begin = 0;  // share of the duration: from here on the new wall fades in
-    double fade_end = 1;    // share of the duration: from here on nothing of the old wall is seen
+    double fade_end = 1;    // share of the duration: from here on the new wall is opaque
     std::chrono::nanoseconds duration{0};
 };
 

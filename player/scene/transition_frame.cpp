@@ -34,20 +34,23 @@ std::shared_ptr<const Cell> shared(Cell cell) {
     return std::make_shared<const Cell>(std::move(cell));
 }
 
-/// Shows what is on a wall in the gaps of a layer.
-void fill_gaps(Layer& layer, const std::vector<ChangingShot>& wall) {
+/// Takes the filler out of a layer. @return the gaps that it leaves, where no shot has pixels
+std::vector<Polygon> taken_filler(Layer& layer) {
     std::vector<Polygon> gaps;
     for (PlacedShot& placed : layer) {
         if (placed.cell->filler.empty()) continue;
         gaps.insert(gaps.end(), placed.cell->filler.begin(), placed.cell->filler.end());
         placed.cell = shared(without_filler(*placed.cell));
     }
-    if (gaps.empty()) return;
-    for (const ChangingShot& shot : wall) {
-        PlacedShot piece = shot.placed;
-        piece.cell = shared(inside_part(*shot.placed.cell, gaps));
-        if (!piece.cell->parts.empty() || !piece.cell->filler.empty()) layer.push_back(std::move(piece));
-    }
+    return gaps;
+}
+
+/// The part of a shot on its own wall that lies in gaps of a layer. None: nothing.
+std::optional<PlacedShot> piece_in(const ChangingShot& shot, const std::vector<Polygon>& gaps) {
+    PlacedShot piece = shot.placed;
+    piece.cell = shared(inside_part(*shot.placed.cell, gaps));
+    if (piece.cell->parts.empty() && piece.cell->filler.empty()) return std::nullopt;
+    return piece;
 }
 
 /// The shots of a wall that move, and those that leave or come where they have a place. @param share  of the
@@ -66,7 +69,51 @@ Layer layer_at(const Transition& transition, const std::vector<ChangingShot>& wa
         if (free >= min_free_share) layer.push_back(shrunk(shot, free));
     }
     give_cells(layer, transition.canvas, style);
-    fill_gaps(layer, wall);
+    return layer;
+}
+
+/// The layer of the old wall. Its gaps show what leaves. In the places that shots have left on their way they
+/// show what comes, as far as that has pixels there, and else the shot that has left, which is then seen
+/// twice.
+Layer lower_layer(const Transition& transition, double share, const CellStyle& style) {
+    Layer layer = layer_at(transition, transition.old_wall, share, style);
+    const std::vector<Polygon> gaps = taken_filler(layer);
+    std::vector<Polygon> left_places;
+    for (const ChangingShot& shot : transition.old_wall) {
+        auto piece = piece_in(shot, gaps);
+        if (!piece) continue;
+        const std::vector<Polygon>& parts = piece->cell->parts;
+        if (shot.moving) left_places.insert(left_places.end(), parts.begin(), parts.end());
+        layer.push_back(std::move(*piece));
+    }
+    for (const ChangingShot& shot : transition.new_wall) {
+        auto piece = shot.moving ? std::nullopt : piece_in(shot, left_places);
+        if (!piece) continue;
+        piece->cell = shared(without_filler(*piece->cell));
+        piece->is_above = true;
+        layer.push_back(std::move(*piece));
+    }
+    return layer;
+}
+
+struct UpperLayer {
+    Layer shots;
+    bool has_gaps = false;
+};
+
+/// The layer of the new wall. Its gaps show the shots that come. Where a shot that is still on its way will
+/// be, they stay open: it would be seen twice.
+UpperLayer upper_layer(const Transition& transition, double share, const CellStyle& style) {
+    UpperLayer layer{.shots = layer_at(transition, transition.new_wall, share, style)};
+    const std::vector<Polygon> gaps = taken_filler(layer.shots);
+    for (const ChangingShot& shot : transition.new_wall) {
+        auto piece = piece_in(shot, gaps);
+        if (!piece) continue;
+        if (shot.moving)
+            layer.has_gaps = true;
+        else
+            layer.shots.push_back(std::move(*piece));
+    }
     return layer;
 }
 
@@ -168,19 +215,19 @@ Frame transition_frame(const Transition& transition, std::chrono::nanoseconds pa
     }
     const double fade = (share - transition.fade_begin) / (transition.fade_end - transition.fade_begin);
     const double alpha = eased(fade);
-    const auto [lower, above] =
-        drifting_layers(transition,
-                        {alpha < 1 ? layer_at(transition, transition.old_wall, share, style) : Layer{},
-                         alpha > 0 ? layer_at(transition, transition.new_wall, share, style) : Layer{}},
-                        share, now);
-    if (alpha >= 1) return standing_frame(canvas, above, now);
+    UpperLayer upper = alpha > 0 ? upper_layer(transition, share, style) : UpperLayer{};
+    const bool is_lower_seen = alpha < 1 || upper.has_gaps;
+    const auto [lower, above] = drifting_layers(
+        transition, {is_lower_seen ? lower_layer(transition, share, style) : Layer{}, std::move(upper.shots)},
+        share, now);
+    if (!is_lower_seen) return standing_frame(canvas, above, now);
     Frame frame = standing_frame(canvas, lower, now);
     if (alpha <= 0) return frame;
-    Layer upper;
+    Layer unseen_above;
     for (const PlacedShot& placed : above)
-        if (auto rest = unseen(placed, lower)) upper.push_back(std::move(*rest));
-    for (DrawItem item : standing_frame(canvas, upper, now).items) {
-        item.alpha = alpha;
+        if (auto rest = unseen(placed, lower)) unseen_above.push_back(std::move(*rest));
+    for (DrawItem item : standing_frame(canvas, unseen_above, now).items) {
+        item.alpha = std::min(alpha, max_blended);
         frame.items.push_back(std::move(item));
     }
     return frame;
