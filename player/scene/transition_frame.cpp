@@ -88,9 +88,9 @@ Layer lower_layer(const Transition& transition, double share, const CellStyle& s
     }
     for (const ChangingShot& shot : transition.new_wall) {
         auto piece = shot.moving ? std::nullopt : piece_in(shot, left_places);
-        if (!piece) continue;
+        if (!piece || piece->cell->parts.empty()) continue;
         piece->cell = shared(without_filler(*piece->cell));
-        piece->is_above = true;
+        piece->is_above = true;  // of the shot that has left
         layer.push_back(std::move(*piece));
     }
     return layer;
