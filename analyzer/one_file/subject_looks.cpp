@@ -1,6 +1,7 @@
 #include "analyzer/one_file/subject_looks.hpp"
 
 #include "analyzer/one_file/subject_network.hpp"
+#include "analyzer/saliency/motion_contrast.hpp"
 #include "analyzer/saliency/subject_outline.hpp"
 #include "base/system/log.hpp"
 
@@ -21,8 +22,7 @@ constexpr LookPace student_pace{.pixels = 4.5e6, .seconds = 2, .at_once = 4, .ma
 constexpr double min_rate = 0.1;
 // A subject that moves or grows differs most at both ends of a shot, so the first and the last look are near
 // them.
-constexpr double margin = 0.1;         // from an end to the look nearest to it, in distances of two looks
-constexpr double strong_motion = 0.5;  // S_M of what moves by itself
+constexpr double margin = 0.1;       // from an end to the look nearest to it, in distances of two looks
 constexpr double busy_share = 0.25;  // of the largest moving share of the samples: from there on one is busy
 constexpr double min_mass = 0.003;   // of the picture: a smaller subject is none
 
@@ -38,13 +38,14 @@ double moving_share(const Sample& sample, const Shot& shot) {
 
 /// The sample nearest to another one in which much moves and at which the network has not looked. Null: none.
 Sample* busy_sample_near(const Sample& near, const Shot& shot, std::vector<Sample>& samples) {
-    double largest = 0;
+    std::vector<double> shares;
     for (const Sample& sample : samples)
-        largest = std::max(largest, moving_share(sample, shot));
+        shares.push_back(moving_share(sample, shot));
+    const double least = busy_share * *std::ranges::max_element(shares);
     Sample* best = nullptr;
-    for (Sample& sample : samples) {
-        const double share = moving_share(sample, shot);
-        if (!sample.subject.empty() || share <= 0 || share < busy_share * largest) continue;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        Sample& sample = samples[i];
+        if (!sample.subject.empty() || shares[i] <= 0 || shares[i] < least) continue;
         if (best == nullptr ||
             std::chrono::abs(sample.time - near.time) < std::chrono::abs(best->time - near.time))
             best = &sample;

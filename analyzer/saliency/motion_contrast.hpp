@@ -6,6 +6,8 @@
 
 namespace vitrine::analyzer {
 
+constexpr double strong_motion = 0.5;  // S_M of what moves by itself
+
 /// The way in which motion contrast is measured.
 enum class MotionMethod {
     voted_pan,   // the paper's: |v - g| over its largest value, g one motion for the whole picture

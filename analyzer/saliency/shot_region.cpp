@@ -1,5 +1,6 @@
 #include "analyzer/saliency/shot_region.hpp"
 
+#include "analyzer/saliency/motion_contrast.hpp"
 #include "analyzer/saliency/movers.hpp"
 #include "analyzer/words/steady_lines.hpp"
 #include "analyzer/words/text_page.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 // Added at the centre, per sample: decides where nothing stands out.
 constexpr double centre_saliency = 0.005;
-constexpr double strong_motion = 0.5;    // S_M of what moves by itself
 constexpr double min_motion = 0.002;     // share of the picture that moves on average, to count
 constexpr double enough_motion = 1.25;   // certainty for each share of it that is held
 constexpr double followed_motion = 0.9;  // share of what moves that a drift must keep in the common part
@@ -282,7 +282,8 @@ ShotEvidence shot_region(std::vector<Sample> samples, Shot shot, cv::Size map, c
     Vec2 drift = shot.is_title ? Vec2{} : found_drift(frames, duration, settings.drift);
     const std::vector<LineSearch> searches = line_searches(samples, shot.begin);
     if (has_caption(searches, drift)) drift = {};  // which stands still
-    drift = following_drift(samples, frames, drift, common_part(part.size(), drift, duration));
+    if (settings.drift == DriftMode::smallest_area)
+        drift = following_drift(samples, frames, drift, common_part(part.size(), drift, duration));
     ShotEvidence evidence{.samples = samples.size()};
     evidence.volume =
         frames.empty() ? SaliencyMap(SaliencyMap::zeros(part.size(), CV_32FC1)) : accumulated(frames, drift);

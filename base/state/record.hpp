@@ -59,7 +59,8 @@ struct Shot {
     /// 2: bars are searched, and lines of text. 3: a photo's print, and when a medium was taken. 4: the
     /// caption in a photo. 5: the film in a photo, faces and lines; the network's fine map, of films too. 6:
     /// small faces in films, narrow bars. 7: a subject's closer outline. 8: a thing that looks like a
-    /// letter is no line of words. A record says nothing of earlier ones.
+    /// letter is no line of words. 9: what crosses a film quickly, or grows in it. A record says nothing of
+    /// earlier ones.
     static constexpr int current_analysis = 9;
     static constexpr std::size_t max_marks = 100;
 

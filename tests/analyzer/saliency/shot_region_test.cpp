@@ -137,6 +137,10 @@ TEST_CASE("what crosses the picture faster than a region can follow is held wher
         CAPTURE(i);
         if (is_seen(i)) CHECK(is_inside_convex(region.polygon, {70, std::clamp(place(i), 4.0, 86.0)}, 1));
     }
+    const Shot letter =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(6)}, {160, 90}, {160, 90}, paper_mode())
+            .shot;
+    CHECK(letter.region.drift != Vec2{});  // the paper follows the boxes, wherever that leads
 }
 
 TEST_CASE("one flash of motion holds nothing; of many things that move the region holds all") {
