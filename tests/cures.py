@@ -55,7 +55,7 @@ CURES = [
     Cure("looks at an empty street", "analyzer/one_file/subject_looks.cpp",
          "is_blind(sample) ?", "is_blind(sample) && false ?", "analyze_test.subject_looks_test"),
     Cure("a shot that is seen at its new place while it is on its way", "player/scene/transition_frame.cpp",
-         "        if (shot.moving)\n            layer.has_gaps", "        if (shot.moving && false)\n            layer.has_gaps",
+         "if (shot.moving) {\n            layer.has_gaps", "if (shot.moving && false) {\n            layer.has_gaps",
          "scene_test.transition_test"),
     Cure("a shot that is seen at the place that it has left", "player/scene/transition_frame.cpp",
          "shot.moving ? std::nullopt : piece_in", "true ? std::nullopt : piece_in", "scene_test.transition_test"),

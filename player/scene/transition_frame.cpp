@@ -47,9 +47,11 @@ std::vector<Polygon> taken_filler(Layer& layer) {
 
 /// The part of a shot on its own wall that lies in gaps of a layer. None: nothing.
 std::optional<PlacedShot> piece_in(const ChangingShot& shot, const std::vector<Polygon>& gaps) {
+    if (gaps.empty()) return std::nullopt;
+    Cell part = inside_part(*shot.placed.cell, gaps);
+    if (part.parts.empty() && part.filler.empty()) return std::nullopt;
     PlacedShot piece = shot.placed;
-    piece.cell = shared(inside_part(*shot.placed.cell, gaps));
-    if (piece.cell->parts.empty() && piece.cell->filler.empty()) return std::nullopt;
+    piece.cell = shared(std::move(part));
     return piece;
 }
 
@@ -107,12 +109,11 @@ UpperLayer upper_layer(const Transition& transition, double share, const CellSty
     UpperLayer layer{.shots = layer_at(transition, transition.new_wall, share, style)};
     const std::vector<Polygon> gaps = taken_filler(layer.shots);
     for (const ChangingShot& shot : transition.new_wall) {
-        auto piece = piece_in(shot, gaps);
-        if (!piece) continue;
-        if (shot.moving)
-            layer.has_gaps = true;
-        else
-            layer.shots.push_back(std::move(*piece));
+        if (shot.moving) {
+            layer.has_gaps = layer.has_gaps || piece_in(shot, gaps);
+            continue;
+        }
+        if (auto piece = piece_in(shot, gaps)) layer.shots.push_back(std::move(*piece));
     }
     return layer;
 }
