@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <memory>
 
 namespace vitrine::analyzer {
 namespace {
@@ -73,11 +74,15 @@ struct Measuring {
     std::filesystem::path marks;  // of the subjects in some frames; empty: not asked for
 };
 
+std::unique_ptr<FrameSource> opened(const std::string& path, const Measuring& how) {
+    return open_media(path, 320 * how.brick_height / usual_brick_height);
+}
+
 /// Weaves the frames that somebody has marked, and tells which of the marked subjects are whole in it.
 void measure_marked(const Film& film, const std::string& path, const Measuring& how) {
     const std::vector<MarkedFrame> marked = marked_frames(how.marks, path);
     if (marked.size() < 2) return;  // the tapestry of one keyframe is the keyframe
-    const auto again = open_media(path, 320 * how.brick_height / usual_brick_height);
+    const auto again = opened(path, how);
     const LoadedLevel level = loaded(film, keyframes_at(film, marked, *again));
     const cv::Mat strip = woven(level, TileQuality::high, how.region_weight);
     const FaceCount subjects = count_marked(film, level, marked, strip);
@@ -90,7 +95,7 @@ void measure_marked(const Film& film, const std::string& path, const Measuring& 
 }
 
 void measure(const std::string& path, FaceDetector* detector, const Measuring& how) {
-    const auto source = open_media(path, 320 * how.brick_height / usual_brick_height);
+    const auto source = opened(path, how);
     const Film film = analysed(*source, detector, how.brick_height);
     const auto& signatures = film.candidates->signatures();
     fmt::print("{}: {} candidates\n", path, signatures.size());

@@ -265,10 +265,10 @@ std::vector<MarkedFrame> marked_frames(const std::filesystem::path& marks, const
     for (const auto& [name, frames] : all.at("video_frames").items()) {
         if (!film.ends_with("/" + name)) continue;
         for (const auto& [number, boxes] : frames.items()) {
+            if (boxes.empty()) continue;
             MarkedFrame& frame = marked.emplace_back(MarkedFrame{.number = std::stoi(number), .boxes = {}});
             for (const auto& box : boxes)
                 frame.boxes.push_back({{box.at(0), box.at(1)}, {box.at(2), box.at(3)}});
-            if (frame.boxes.empty()) marked.pop_back();
         }
     }
     std::ranges::sort(marked, {}, &MarkedFrame::number);

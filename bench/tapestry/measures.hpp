@@ -93,7 +93,8 @@ std::vector<MarkedFrame> marked_frames(const std::filesystem::path& marks, const
 /// marked. @param source  the film, from its begin
 Keyframes keyframes_at(const Film& film, const std::vector<MarkedFrame>& marked, FrameSource& source);
 
-/// The same for the boxes that are marked in a level's keyframes.
+/// Counts the subjects that are marked in a level's keyframes, and those that the strip shows like the
+/// regions of count_subjects().
 /// @param marked  one for each keyframe
 FaceCount count_marked(const Film& film, const LoadedLevel& level, const std::vector<MarkedFrame>& marked,
                        const cv::Mat& strip);
