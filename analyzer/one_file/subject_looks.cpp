@@ -39,6 +39,7 @@ double moving_share(const Sample& sample, const Shot& shot) {
 /// The sample nearest to another one in which much moves and at which the network has not looked. Null: none.
 Sample* busy_sample_near(const Sample& near, const Shot& shot, std::vector<Sample>& samples) {
     std::vector<double> shares;
+    shares.reserve(samples.size());
     for (const Sample& sample : samples)
         shares.push_back(moving_share(sample, shot));
     const double least = busy_share * *std::ranges::max_element(shares);
