@@ -124,8 +124,9 @@ struct Bench {
         scene += cpu_milliseconds() - before;
         for (const TileId& id : step.missing) {
             renderer.upload(strip.sources().tile(id), tile.sample);
-            strip.tile_ready(id, {.to_coarser = zoom(strip.tapestry(), id, false),
-                                  .to_finer = zoom(strip.tapestry(), id, true)});
+            strip.strips().add(strip.sources().generation, id,
+                               {.to_coarser = zoom(strip.tapestry(), id, false),
+                                .to_finer = zoom(strip.tapestry(), id, true)});
         }
         now += frame_time;
         draw(step.frame);

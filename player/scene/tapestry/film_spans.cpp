@@ -12,10 +12,11 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr auto span_in_strip = 4s;  // longest part in place; then it repeats
-constexpr auto min_loop = 1s;       // shortest part in place: a shorter loop flickers
-constexpr auto min_rest = 400ms;    // shortest part before the film's end
-constexpr auto min_stored = 1s;     // a shorter part of a stored shot is not worth a source of its own
+constexpr auto span_in_strip = 4s;      // longest part in place; then it repeats
+constexpr auto min_loop = 1s;           // shortest part in place: a shorter loop flickers
+constexpr auto min_rest = 400ms;        // shortest part before the film's end
+constexpr std::size_t max_failed = 16;  // failed spans that are remembered
+constexpr auto min_stored = 1s;         // a shorter part of a stored shot is not worth a source of its own
 
 /// The shot that contains a time; nullptr: it lies between two shots, or the shots are not known.
 const Shot* shot_with(const std::vector<Shot>& shots, nanoseconds time) {
@@ -52,6 +53,16 @@ FilmSpans::FilmSpans(PreviewedFilm film, SourceId last_source)
 
 nanoseconds FilmSpans::possible_begin(nanoseconds from) const {
     return std::clamp(from, nanoseconds(0), std::max(nanoseconds(0), film_.duration - min_rest));
+}
+
+void FilmSpans::note_failed(const FilmSpan& span) {
+    failed_.push_back(span);
+    if (failed_.size() > max_failed) failed_.pop_front();
+}
+
+bool FilmSpans::can_play(nanoseconds from) const {
+    if (std::ranges::any_of(failed_, [&](const FilmSpan& span) { return span.contains(from); })) return false;
+    return !has_store_alone_ || part_of(film_.shots, {from, film_.duration}).stored.has_value();
 }
 
 FilmSpan FilmSpans::span_in_place(nanoseconds from) const {

@@ -3,6 +3,7 @@
 #include "player/scene/shot_request.hpp"
 
 #include <chrono>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ struct FilmSpan {
     std::chrono::nanoseconds end{0};
 
     std::chrono::nanoseconds length() const { return end - begin; }
+
+    bool contains(std::chrono::nanoseconds time) const { return time >= begin && time < end; }
+
+    bool operator==(const FilmSpan&) const = default;
 };
 
 /// A part of the film that plays in a loop.
@@ -59,6 +64,15 @@ class FilmSpans {
     /// The moment nearest to a time from which the film can be played.
     std::chrono::nanoseconds possible_begin(std::chrono::nanoseconds from) const;
 
+    /// Plays from the store alone from now on, because the film itself is on another box.
+    void use_store_alone() { has_store_alone_ = true; }
+
+    /// Call when the source of a span has failed.
+    void note_failed(const FilmSpan& span);
+
+    /// True if the part from this time on is there, as far as is known.
+    bool can_play(std::chrono::nanoseconds from) const;
+
     /// The span that plays in place from this time on: to the end of its shot, because the next shot has
     /// another place on the tapestry, but no shorter than a second and no longer than four.
     FilmSpan span_in_place(std::chrono::nanoseconds from) const;
@@ -82,6 +96,8 @@ class FilmSpans {
     PreviewedFilm film_;
     SourceId last_source_;
     Changes changes_;
+    std::deque<FilmSpan> failed_;  // the last ones whose sources have failed
+    bool has_store_alone_ = false;
 };
 
 }  // namespace vitrine::player

@@ -38,9 +38,14 @@ void ScrubbedPicture::source_ready(SourceId source) {
     sharp_ = std::exchange(coming_, std::nullopt);
 }
 
-void ScrubbedPicture::source_failed(SourceId source) {
+std::optional<FilmSpan> ScrubbedPicture::source_failed(SourceId source) {
+    std::optional<FilmSpan> failed;
     for (std::optional<PlayingSpan>* span : {&sharp_, &coming_})
-        if (*span && (*span)->source == source) spans_.retire(*span);
+        if (*span && (*span)->source == source) {
+            failed = (*span)->span;
+            spans_.retire(*span);
+        }
+    return failed;
 }
 
 }  // namespace vitrine::player

@@ -19,6 +19,9 @@ class ScrubbedPicture {
     /// @param width  px of the picture within its bars
     void look_at(std::chrono::nanoseconds moment, double width);
 
+    /// The same without a source: the kept frame is drawn.
+    void look_at_kept(std::chrono::nanoseconds moment) { moment_ = spans_.possible_begin(moment); }
+
     /// The moment under the finger; none: nobody looks for one.
     const std::optional<std::chrono::nanoseconds>& moment() const { return moment_; }
 
@@ -32,7 +35,9 @@ class ScrubbedPicture {
     void stop();
 
     void source_ready(SourceId source);
-    void source_failed(SourceId source);
+
+    /// @return the span of the source; none: it is not of this picture
+    std::optional<FilmSpan> source_failed(SourceId source);
 
   private:
     FilmSpans& spans_;  // outlives this

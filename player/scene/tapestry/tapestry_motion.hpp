@@ -29,6 +29,9 @@ class TapestryMotion {
     /// view_like().
     void move_to(const TapestryPlace& to, const TapestryPlace& from);
 
+    /// Shows a view that was moved elsewhere.
+    void show(const TapestryView& view) { view_ = view; }
+
     /// Notes a touch: the view does not move by itself for `patience`.
     void touch() { touched_.reset(); }
 

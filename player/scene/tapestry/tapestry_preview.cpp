@@ -19,6 +19,11 @@ bool has_begun(const std::optional<PlayingSpan>& playing) {
     return playing && playing->began && playing->began->count() >= 0;
 }
 
+/// True: the film is over with this span.
+bool is_last(const PlayingSpan& playing, const PreviewedFilm& film) {
+    return playing.span.end >= film.duration - film_rest;
+}
+
 }  // namespace
 
 /// Where a finger has looked for this moment, its picture is there already and goes on from there.
@@ -41,7 +46,8 @@ void TapestryPreview::play_in_place(const FilmSpan& span, double width) {
 void TapestryPreview::play_on(nanoseconds now, double width) {
     if (!has_begun(above_) || scrubbed_.moment()) return;
     const nanoseconds left = *above_->began + above_->span.length() - now;
-    if (left <= preparing && !next_above_ && !is_last(*above_)) {
+    if (left <= preparing && !next_above_ && !is_last(*above_, spans_.film()) &&
+        spans_.can_play(above_->span.end)) {
         next_above_ = spans_.request({above_->span.end, above_->span.end + span_above}, width);
         next_above_->continues = true;
     }
@@ -54,11 +60,6 @@ void TapestryPreview::play_on(nanoseconds now, double width) {
 void TapestryPreview::look_at(nanoseconds moment, double width) {
     spans_.retire(next_above_);
     scrubbed_.look_at(moment, width);
-}
-
-/// True: the film is over with this span.
-bool TapestryPreview::is_last(const PlayingSpan& playing) const {
-    return playing.span.end >= spans_.film().duration - film_rest;
 }
 
 void TapestryPreview::stop_preview() {
@@ -96,9 +97,40 @@ void TapestryPreview::source_ready(SourceId source) {
 }
 
 void TapestryPreview::source_failed(SourceId source) {
-    scrubbed_.source_failed(source);
+    if (const std::optional<FilmSpan> failed = scrubbed_.source_failed(source)) spans_.note_failed(*failed);
     for (std::optional<PlayingSpan>* playing : {&above_, &next_above_, &in_place_})
-        if (*playing && (*playing)->source == source) spans_.retire(*playing);
+        if (*playing && (*playing)->source == source) {
+            spans_.note_failed((*playing)->span);
+            spans_.retire(*playing);
+        }
+}
+
+/// A part that begins in the middle of what plays elsewhere is asked for from its present moment on.
+void TapestryPreview::follow(const TapestryMoment& seen, nanoseconds now, double width, double brick_width) {
+    if (!seen.in_place || !spans_.can_play(seen.in_place->span.begin))
+        stop_in_place();
+    else if (!in_place_ || in_place_->span.begin != seen.in_place->span.begin)
+        play_in_place(seen.in_place->span, brick_width);
+    else if (has_begun(in_place_))
+        in_place_->began = seen.in_place->began;
+    if (seen.looked_for && spans_.can_play(*seen.looked_for)) return look_at(*seen.looked_for, width);
+    if (seen.looked_for) return scrubbed_.look_at_kept(*seen.looked_for);
+    if (!seen.above) return stop_preview();
+    const FilmSpan& span = seen.above->span;
+    const nanoseconds moment = span.begin + std::max(now - seen.above->began, nanoseconds(0));
+    const nanoseconds bounded = std::min(moment, span.end - 1ns);
+    const bool looks = scrubbed_.moment().has_value();
+    const bool plays = !looks && above_ && (above_->span.contains(moment) || above_->span.contains(bounded));
+    if (plays && has_begun(above_)) {
+        const bool goes_on = next_above_ && next_above_->continues;
+        const nanoseconds local = moment - above_->span.begin;
+        above_->began = now - (goes_on ? local : std::min(local, above_->span.length() - 1ns));
+    }
+    if (plays) return;
+    const bool can_play = spans_.can_play(bounded);
+    if (looks || !can_play) scrubbed_.look_at_kept(bounded);
+    const bool comes = next_above_ && next_above_->span.contains(bounded);
+    if (can_play && !comes) play(bounded, width);
 }
 
 void TapestryPreview::start_ready(nanoseconds now) {
@@ -108,7 +140,7 @@ void TapestryPreview::start_ready(nanoseconds now) {
 
 nanoseconds TapestryPreview::time_above(nanoseconds now) const {
     const nanoseconds local = now - *above_->began;
-    const bool stands = (next_above_ && next_above_->continues) || is_last(*above_);
+    const bool stands = (next_above_ && next_above_->continues) || is_last(*above_, spans_.film());
     return stands ? std::min(local, above_->span.length() - 1ns) : local;
 }
 
@@ -126,7 +158,8 @@ std::optional<nanoseconds> TapestryPreview::playhead(nanoseconds now) const {
 }
 
 std::optional<nanoseconds> TapestryPreview::ended(nanoseconds now) const {
-    if (!has_begun(above_) || !is_last(*above_) || next_above_ || scrubbed_.moment()) return std::nullopt;
+    if (!has_begun(above_) || !is_last(*above_, spans_.film()) || next_above_ || scrubbed_.moment())
+        return std::nullopt;
     const nanoseconds end = *above_->began + above_->span.length();
     return now >= end ? std::optional(end) : std::nullopt;
 }

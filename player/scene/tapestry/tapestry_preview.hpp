@@ -2,6 +2,7 @@
 
 #include "player/scene/tapestry/film_spans.hpp"
 #include "player/scene/tapestry/scrubbed_picture.hpp"
+#include "player/scene/tapestry/tapestry_moment.hpp"
 
 #include <chrono>
 #include <optional>
@@ -28,6 +29,13 @@ class TapestryPreview {
     /// Shows the film's picture at this moment above the strip, as soon as there is one. Call with each frame
     /// while a finger looks for it; play() or stop_preview() ends that.
     void look_at(std::chrono::nanoseconds moment, double width);
+
+    /// Plays what plays on another box, at the same time. Above the strip kept frames are drawn for what
+    /// cannot be played.
+    /// @param seen         in this show's time
+    /// @param width        px of the picture within its bars, above the strip
+    /// @param brick_width  the same in place
+    void follow(const TapestryMoment& seen, std::chrono::nanoseconds now, double width, double brick_width);
 
     /// Closes the preview. A span that was requested to play in place still starts.
     void stop_preview();
@@ -67,8 +75,6 @@ class TapestryPreview {
     const ScrubbedPicture& scrubbed() const { return scrubbed_; }
 
   private:
-    bool is_last(const PlayingSpan& playing) const;
-
     FilmSpans& spans_;  // outlives this
     std::optional<PlayingSpan> above_;
     std::optional<PlayingSpan> next_above_;  // replaces above_ once it is ready

@@ -20,6 +20,25 @@ KeyframeEdit* edit_on(std::optional<KeyframeEdit>& edit, const Tapestry& tapestr
     return edit && !is_unwoven(tapestry) ? &*edit : nullptr;
 }
 
+std::optional<SeenSpan> seen_span(const std::optional<PlayingSpan>& playing) {
+    if (!playing || !playing->began || playing->began->count() < 0) return std::nullopt;
+    return SeenSpan{playing->span, *playing->began};
+}
+
+/// The moment of a frame that is drawn, but for the time at which the show was opened.
+/// @param width  canvas px of the whole film
+TapestryMoment seen_moment(const DrawnTapestry& drawn, double width) {
+    return {.path = drawn.film.path,
+            .folder = drawn.tapestry.folder,
+            .canvas = drawn.boxes.canvas,
+            .view = drawn.view,
+            .width = width,
+            .above = seen_span(drawn.preview.above()),
+            .in_place = seen_span(drawn.preview.in_place()),
+            .touched = drawn.touched,
+            .looked_for = drawn.preview.scrubbed().moment()};
+}
+
 }  // namespace
 
 TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
@@ -64,10 +83,13 @@ std::vector<SourceId> TapestryShow::close() {
     return retired;
 }
 
-/// Leaves when nobody has touched the tapestry for long, and a moment after the film's end. Where nobody
-/// leaves, or keyframes are edited, the film begins anew. While the strip moves by itself, plays what is in
-/// the middle of the view from time to time, unless a visitor has chosen what plays.
-void TapestryShow::leave_or_play(nanoseconds now) {
+/// Moves as visitors want. Leaves when nobody has touched the tapestry for long, and a moment after the
+/// film's end. Where nobody leaves, or keyframes are edited, the film begins anew. While the strip moves by
+/// itself, plays what is in the middle of the view from time to time, unless a visitor has chosen what plays.
+void TapestryShow::go_on(nanoseconds now) {
+    motion_.follow(preview_.playhead(now));
+    motion_.advance(now, place());
+    finger_.advance(now, {place(), boxes_, spans_, motion_, preview_, edit_on(edit_, tapestry())});
     if (!touched_) touched_ = now;
     if (patience_ && now - *touched_ >= *patience_) is_over_ = true;
     const std::optional<nanoseconds> end = preview_.ended(now);
@@ -87,16 +109,23 @@ void TapestryShow::leave_or_play(nanoseconds now) {
     }
 }
 
-TapestryStep TapestryShow::step(nanoseconds now) {
+/// Shows the same as another box.
+void TapestryShow::follow(const TapestryMoment& seen, nanoseconds now) {
+    spans_.use_store_alone();
+    motion_.show(view_of_width(place(), seen.view, seen.width));
+    const Box brick = place().brick(view(), seen.touched, film().picture);
+    preview_.follow(seen, now, boxes_.preview.width(), brick.width());
+}
+
+TapestryStep TapestryShow::step(nanoseconds now, const TapestryMoment* seen) {
     strips_.advance(now, boxes_.strip, motion_);
-    const TapestryPlace here = place();
-    motion_.follow(preview_.playhead(now));
-    motion_.advance(now, here);
-    finger_.advance(now, {here, boxes_, spans_, motion_, preview_, edit_on(edit_, tapestry())});
+    if (seen != nullptr)
+        follow(*seen, now);
+    else
+        go_on(now);
     TapestryStrip& strip = strips_.shown();
     const std::optional<ComingStrip>& coming = strips_.coming();
-    strip.want_all(here, view(), motion_.direction(), preview_.scrubbed().moment());
-    leave_or_play(now);
+    strip.want_all(place(), view(), motion_.direction(), preview_.scrubbed().moment());
     preview_.play_on(now, boxes_.preview.width());
     preview_.start_ready(now);
     const DrawnTapestry drawn{.tapestry = strip.tapestry(),
@@ -104,7 +133,7 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                               .kept = strip.kept(),
                               .film = film(),
                               .preview = preview_,
-                              .touched = finger_.touched(),
+                              .touched = seen != nullptr ? seen->touched : finger_.touched(),
                               .view = view(),
                               .boxes = boxes_,
                               .sources = strip.sources(),
@@ -115,7 +144,8 @@ TapestryStep TapestryShow::step(nanoseconds now) {
                       .missing = strip.missing(preview_.scrubbed().moment().has_value()),
                       .coming = coming ? coming->strip().missing(false) : std::vector<TileId>{},
                       .requests = std::move(changes.requests),
-                      .retired = std::move(changes.retired)};
+                      .retired = std::move(changes.retired),
+                      .seen = seen_moment(drawn, place().width(view().level))};
     for (const SourceId tile : strips_.take_retired())
         step.retired.push_back(tile);
     return step;

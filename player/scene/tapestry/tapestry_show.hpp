@@ -3,6 +3,7 @@
 #include "player/scene/frame.hpp"
 #include "player/scene/shot_request.hpp"
 #include "player/scene/tapestry/strip_finger.hpp"
+#include "player/scene/tapestry/tapestry_moment.hpp"
 #include "player/scene/tapestry/tapestry_motion.hpp"
 #include "player/scene/tapestry/tapestry_picture.hpp"
 #include "player/scene/tapestry/tapestry_preview.hpp"
@@ -32,6 +33,7 @@ struct TapestryStep {
     std::vector<TileId> coming;   // the same of the newer tapestry that is to be shown; before `missing`
     std::vector<ShotRequest> requests;  // parts of the film to play
     std::vector<SourceId> retired;      // tiles and parts, no longer needed; requested again if needed later
+    TapestryMoment seen;                // the frame as other boxes need it
 };
 
 /// A film's tapestry. Its strip in the lower part of the canvas is dragged, flung and zoomed. A tap plays the
@@ -56,11 +58,6 @@ class TapestryShow {
 
     void handle_gesture(const Gesture& gesture);
 
-    /// Call when a tile can be drawn.
-    void tile_ready(const TileId& tile, TileZooms zooms = {}) {
-        strips_.add(sources().generation, tile, std::move(zooms));
-    }
-
     /// The tapestry that is shown, and a newer one that comes.
     WovenStrips& strips() { return strips_; }
 
@@ -79,8 +76,10 @@ class TapestryShow {
 
     void source_failed(SourceId source) { preview_.source_failed(source); }
 
-    /// @param now  never goes back
-    TapestryStep step(std::chrono::nanoseconds now);
+    /// @param now   never goes back
+    /// @param seen  the moment of another box that is shown here, in this show's time; nullptr: the show goes
+    ///              by itself and by touches
+    TapestryStep step(std::chrono::nanoseconds now, const TapestryMoment* seen = nullptr);
 
     /// True once a visitor has closed the tapestry, nobody has touched it for `patience`, the film is over,
     /// or end() was called. Without `patience` the film begins anew at its end.
@@ -96,7 +95,8 @@ class TapestryShow {
     TapestryPlace place() const { return {tapestry(), boxes_.strip}; }
 
   private:
-    void leave_or_play(std::chrono::nanoseconds now);
+    void go_on(std::chrono::nanoseconds now);
+    void follow(const TapestryMoment& seen, std::chrono::nanoseconds now);
 
     WovenStrips strips_;
     std::optional<std::chrono::nanoseconds> patience_;  // see TapestrySettings

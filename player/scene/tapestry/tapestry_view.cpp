@@ -208,4 +208,11 @@ TapestryView view_like(const TapestryPlace& to, const TapestryPlace& from, const
     return to.bounded({.centre = view.centre, .level = is_whole ? std::round(level) : level});
 }
 
+TapestryView view_of_width(const TapestryPlace& place, const TapestryView& view, double width) {
+    constexpr double same_width = 1e-3;  // px; another processor rounds otherwise
+    const bool is_same =
+        view.level <= place.max_level() && std::abs(place.width(view.level) - width) < same_width;
+    return is_same ? view : place.bounded({.centre = view.centre, .level = level_of_width(place, width)});
+}
+
 }  // namespace vitrine::player

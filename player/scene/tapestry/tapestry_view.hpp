@@ -42,6 +42,8 @@ struct TilePiece {
 struct StripPicture {
     std::chrono::nanoseconds time{0};  // of the keyframe
     bool is_lower = false;             // it stands in the lower row
+
+    bool operator==(const StripPicture&) const = default;
 };
 
 /// A tapestry's place in a box of the canvas: its strip is as high as the box. Borrows the tapestry, which
@@ -111,5 +113,10 @@ class TapestryPlace {
 /// middle, at about the same scale. A view of one level stays one.
 /// @param to, from  in the same box
 TapestryView view_like(const TapestryPlace& to, const TapestryPlace& from, const TapestryView& view);
+
+/// The same view of a tapestry at whose level the whole film is so wide elsewhere. If the tapestry is the
+/// same there, it is the same view exactly.
+/// @param width  canvas px
+TapestryView view_of_width(const TapestryPlace& place, const TapestryView& view, double width);
 
 }  // namespace vitrine::player

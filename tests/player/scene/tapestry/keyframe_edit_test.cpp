@@ -33,7 +33,7 @@ struct Editor {
         for (const auto end = now + duration; now < end; now += frame_time) {
             TapestryStep step = strip.step(now);
             for (const TileId& tile : step.missing)
-                strip.tile_ready(tile);
+                strip.strips().add(strip.sources().generation, tile, {});
             for (const ShotRequest& request : step.requests)
                 strip.source_ready(request.source);
             last = std::move(step.frame);

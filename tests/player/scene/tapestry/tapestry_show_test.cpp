@@ -32,11 +32,11 @@ struct House {
     std::vector<ShotRequest> playing{};
     bool readies = true;
 
-    TapestryStep step() {
-        TapestryStep step = strip.step(now);
+    TapestryStep step(const TapestryMoment* seen = nullptr) {
+        TapestryStep step = strip.step(now, seen);
         for (const TileId& tile : step.missing) {
             tiles.insert(strip.sources().tile(tile));
-            strip.tile_ready(tile);
+            strip.strips().add(strip.sources().generation, tile, {});
         }
         for (const SourceId source : step.retired) {
             tiles.erase(source);
@@ -274,7 +274,7 @@ TEST_CASE("a steady pan never comes to a tile that is not there, though each tak
         for (const TileId& tile : done.missing)
             if (coming.empty()) coming.emplace_back(tile, now + 80ms);  // one after the other
         if (!coming.empty() && coming.front().second <= now) {
-            strip.tile_ready(coming.front().first);
+            strip.strips().add(strip.sources().generation, coming.front().first, {});
             coming.pop_front();
         }
         const TapestryPlace place = strip.place();
@@ -558,7 +558,7 @@ TEST_CASE("a frame that was kept stands for the moment under the finger at once,
     const auto step = [&] {
         TapestryStep done = strip.step(now);
         for (const TileId& tile : done.missing)
-            strip.tile_ready(tile);
+            strip.strips().add(strip.sources().generation, tile, {});
         now += frame_time;
         return done;
     };
@@ -668,4 +668,127 @@ TEST_CASE("every moment of the film can be reached with a finger, from any level
             go_to(x);
         CHECK(seen.size() >= 119);  // of 120; the last pictures are too short a part to play
     }
+}
+
+namespace {
+
+/// A strip that leads, and one of another box that follows. The film is in the store from a time on.
+struct TwoBoxes {
+    House leads{}, follows{};
+    std::chrono::nanoseconds ahead = 5s;  // of the clock of the one that follows
+    TapestryStep led{}, followed{};
+
+    explicit TwoBoxes(std::chrono::nanoseconds stored_from = 0s) {
+        follows.now += ahead;
+        for (House* const house : {&leads, &follows})
+            house->set_shots({stored_shot(stored_from, 40s), stored_shot(40s, 60s)});
+    }
+
+    static Shot stored_shot(std::chrono::nanoseconds begin, std::chrono::nanoseconds end) {
+        return {.begin = begin, .end = end, .stored = StoredShot{.file = "clip", .begin = begin}};
+    }
+
+    /// Runs both. The one that follows gets each frame's moment at once.
+    void run(std::chrono::nanoseconds duration) {
+        for (const auto end = leads.now + duration; leads.now < end;) {
+            led = leads.step();
+            const TapestryMoment seen = moved(led.seen, ahead);
+            followed = follows.step(&seen);
+        }
+    }
+
+    /// True if both show the strip, the line and the film's pictures alike.
+    bool look_alike() const {
+        if (led.frame.items.size() != followed.frame.items.size()) return false;
+        for (std::size_t i = 0; i < led.frame.items.size(); ++i) {
+            const DrawItem& one = led.frame.items[i];
+            const DrawItem& other = followed.frame.items[i];
+            const auto film_time = [](const House& house, const DrawItem& item) {
+                const auto found = std::ranges::find(house.playing, item.source, &ShotRequest::source);
+                return found == house.playing.end() ? std::chrono::nanoseconds(-1)
+                                                    : found->shot.begin + item.local;
+            };
+            if (film_time(leads, one) != film_time(follows, other)) return false;
+            if (one.placement != other.placement || one.picture != other.picture) return false;
+            if (std::abs(one.alpha - other.alpha) > 1e-9) return false;
+        }
+        return true;
+    }
+
+    void touch(Kind kind, Vec2 at, Vec2 moved = {}) {
+        leads.strip.handle_gesture({.kind = kind, .at = at, .from = on_strip, .moved = moved});
+    }
+};
+
+}  // namespace
+
+TEST_CASE("another box shows the same of a tapestry, whatever a hand does") {
+    TwoBoxes boxes;
+    boxes.run(1s);
+    CHECK(boxes.look_alike());
+    boxes.touch(Kind::tap, {500, upper_row});  // plays above and in place
+    boxes.run(2s);
+    CHECK(boxes.led.seen.above);
+    CHECK(boxes.led.seen.in_place);
+    CHECK(boxes.look_alike());
+    for (const Key key : {Key::nearer, Key::nearer, Key::farther}) {
+        boxes.leads.strip.handle_gesture({.kind = Kind::key, .key = key});
+        for (int k = 0; k < 12; ++k) {
+            boxes.run(frame_time);
+            CHECK(boxes.look_alike());
+        }
+        boxes.run(1s);
+    }
+    for (int k = 0; k < 20; ++k) {
+        boxes.touch(Kind::drag, on_strip + Vec2{-9.0 * k, 0}, {-9, 0});
+        boxes.run(frame_time);
+        CHECK(boxes.look_alike());
+    }
+    CHECK(boxes.led.seen.looked_for);
+    boxes.touch(Kind::drop, on_strip + Vec2{-180, 0});
+    boxes.run(200ms);
+    CHECK_FALSE(boxes.led.seen.looked_for);
+    CHECK(boxes.look_alike());
+    boxes.run(30s);  // by itself, over the border of two shots
+    CHECK(boxes.look_alike());
+}
+
+TEST_CASE("a box that comes later plays the film from where it is") {
+    TwoBoxes boxes;
+    boxes.leads.tap({500, upper_row});
+    boxes.leads.run(4s);
+    boxes.follows.now = boxes.leads.now + boxes.ahead;
+    boxes.run(500ms);
+    CHECK(boxes.look_alike());
+    const auto begins = [](const House& house) {  // of the part above the strip, which ends with the shot
+        const auto found =
+            std::ranges::find_if(house.playing, [](const auto& request) { return request.shot.end == 40s; });
+        return found == house.playing.end() ? 0ns : found->shot.begin;
+    };
+    CHECK(begins(boxes.leads) > 10s);
+    CHECK(begins(boxes.follows) > begins(boxes.leads) + 3s);
+}
+
+TEST_CASE("a box without the film itself asks for nothing that the store has not got") {
+    TwoBoxes boxes(10s);
+    boxes.leads.tap({20, upper_row});  // in the first ten seconds
+    boxes.run(2s);
+    REQUIRE(boxes.led.seen.above);
+    REQUIRE(boxes.led.seen.above->span.begin < 8s);
+    CHECK(boxes.follows.playing.empty());
+    const std::optional<double> line = boxes.follows.line(boxes.followed.frame);
+    REQUIRE(line);
+    CHECK(*line == doctest::Approx(*boxes.leads.line(boxes.led.frame)));
+    boxes.run(11s);
+    REQUIRE_FALSE(boxes.follows.playing.empty());
+    CHECK(boxes.follows.playing.front().shot.stored);
+    boxes.follows.readies = false;
+    boxes.leads.tap({600, upper_row});
+    boxes.run(100ms);
+    for (int k = 0; k < 10; ++k) {  // it fails, and is not asked for again
+        for (const ShotRequest& request : std::vector(boxes.follows.playing))
+            boxes.follows.strip.source_failed(request.source);
+        boxes.run(500ms);
+    }
+    CHECK(boxes.follows.playing.empty());
 }

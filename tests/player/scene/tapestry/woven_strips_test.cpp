@@ -38,7 +38,7 @@ struct Loom {
     TapestryStep step() {
         TapestryStep step = strip.step(now);
         for (const TileId& tile : step.missing)
-            strip.tile_ready(tile);
+            strip.strips().add(strip.sources().generation, tile, {});
         if (lets_come && strip.strips().coming()) {
             const unsigned generation = strip.strips().coming()->strip().sources().generation;
             for (const TileId& tile : step.coming)
