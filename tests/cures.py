@@ -514,7 +514,7 @@ CURES = [
     Cure("a preview that stays empty on a screen of another size", "player/scene/tapestry/tapestry_show.cpp",
          "    if (awaited) preview_.play", "    if (awaited && awaited->count() < 0) preview_.play", "scene_test.tapestry_show_test"),
     Cure("a preview that stays empty until a tap", "player/stage/tapestry_playback.cpp",
-         "                              .plays_at_once = true,\n", "", "stage_test.tapestry_playback_test"),
+         "                              .plays_at_once = !options.follows,\n", "", "stage_test.tapestry_playback_test"),
     Cure("a motion photo without its film", "player/scene/wall_shot.cpp",
          "    if (record->film && record->film->is_there()) {", "    if (false) {", "scene_test.file_groups_test"),
     Cure("a caption over a face or a bezel", "player/scene/caption_place.cpp",

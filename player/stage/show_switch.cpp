@@ -2,12 +2,16 @@
 
 #include "base/state/tapestry.hpp"
 #include "base/system/log.hpp"
+#include "player/scene/acts/led_show.hpp"
 #include "player/scene/change_pace.hpp"
 #include "player/scene/crossfade.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stage_settings.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -18,6 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto complaint_period = 10min;
+constexpr auto fades_alike = 100ms;  // a fade that begins later than the leader's begins by itself
 constexpr SourceId tapestry_bit = SourceId{1} << (owner_shift - 1);  // set in a tapestry's sources
 
 /// Tells if there is a tapestry that was woven from the present content of the film. Logs why there is none.
@@ -38,6 +43,22 @@ bool has_tapestry(const std::filesystem::path& directory, const MediaRecord& fil
 bool may_be_woven(const MediaRecord& record) {
     return record.kind == MediaKind::film && record.is_complete && !record.shots.empty() &&
            record.duration > 0ns;
+}
+
+/// Calls what shows a film's tapestry. False: it cannot be read; logs why.
+bool can_show(const MediaRecord& film, const std::function<void()>& show_tapestry) {
+    try {
+        show_tapestry();
+    } catch (const std::exception& failure) {
+        log::warning("no tapestry of '{}': {}", film.path, failure.what());
+        return false;
+    }
+    return true;
+}
+
+/// True for a wall of several boxes.
+bool is_shared(Show& wall) {
+    return wall.led() != nullptr || wall.followed() != nullptr;
 }
 
 }  // namespace
@@ -82,7 +103,34 @@ void ShowSwitch::complain(const SourceEvent& event) {
 }
 
 WallStep ShowSwitch::step(Renderer& renderer) {
-    return tapestry_ ? tapestry_->step(time_, renderer) : wall_->step(time_);
+    std::optional<WallStep> step;
+    if (tapestry_) step = tapestry_->step(time_, renderer);
+    if (LedShow* const led = wall_->led())
+        led->tell_tapestry(tapestry_ ? std::optional(tapestry_->seen()) : std::nullopt);
+    if (step && !is_shared(*wall_)) return std::move(*step);
+    WallStep wall = wall_->step(time_);
+    if (!step) return wall;
+    wall.frame = std::move(step->frame);
+    std::ranges::move(step->requests, std::back_inserter(wall.requests));
+    std::ranges::copy(step->retired, std::back_inserter(wall.retired));
+    return wall;
+}
+
+void ShowSwitch::follow_tapestry(const TapestryMoment* seen, const RecordList::Record& film) {
+    const bool is_same = tapestry_ && seen != nullptr && seen->path == tapestry_->show().film().path;
+    if (tapestry_ && !is_same) tapestry_->end();
+    if (seen == nullptr || !film) return;
+    if (!tapestry_ && may_switch()) {
+        const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
+        const bool has_index = has_tapestry(directory, *film);
+        const TapestryPlaybackOptions options{
+            .patience = {}, .film = film, .awaits_index = !has_index, .follows = true};
+        if (!can_show(*film, [&] { show_tapestry(directory, options); })) return;
+        if (time_ - seen->opened < fades_alike) switched_ = std::min(time_, seen->opened);
+    } else if (!is_same) {
+        return;
+    }
+    tapestry_->follow(*seen);
 }
 
 bool ShowSwitch::is_fading() const {
@@ -108,27 +156,24 @@ void ShowSwitch::note_switch() {
 bool ShowSwitch::may_switch() const {
     if (leaving_) return false;
     const ChangePace* const pace = wall_->pace();
-    if (!tapestry_ && pace != nullptr && !pace->is_free(time_)) return false;
+    const bool may_change = !tapestry_ || is_shared(*wall_);  // the wall
+    if (may_change && pace != nullptr && !pace->is_free(time_)) return false;
     return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
 }
 
 bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
-    if (wall_->led() != nullptr || !may_switch()) return false;
+    if (!may_switch()) return false;
     const bool has_index = has_tapestry(directory, *film);
     if (!has_index && (settings_.tapestry.max_bytes == 0 || !may_be_woven(*film))) return false;
-    try {
-        show_tapestry(directory, {.patience = settings_.input.idle,
-                                  .film = film,
-                                  .first_seen = shot < film->shots.size() ? film->shots[shot].begin : 0ns,
-                                  .awaits_index = !has_index,
-                                  .wishes_in = settings_.state.directory,
-                                  .edits_keyframes = settings_.input.edit_keyframes});
-    } catch (const std::exception& failure) {
-        log::warning("no tapestry of '{}': {}", film->path, failure.what());
-        return false;
-    }
-    return true;
+    const TapestryPlaybackOptions options{.patience = settings_.input.idle,
+                                          .film = film,
+                                          .first_seen =
+                                              shot < film->shots.size() ? film->shots[shot].begin : 0ns,
+                                          .awaits_index = !has_index,
+                                          .wishes_in = settings_.state.directory,
+                                          .edits_keyframes = settings_.input.edit_keyframes};
+    return can_show(*film, [&] { show_tapestry(directory, options); });
 }
 
 void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryPlaybackOptions options) {
@@ -148,8 +193,10 @@ std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
     }
     if (!tapestry_ || !tapestry_->is_over() || !may_switch()) return {};
     leaving_ = std::move(tapestry_);
-    away_ += time_ - switched_;
-    time_ = switched_;
+    if (!is_shared(*wall_)) {
+        away_ += time_ - switched_;
+        time_ = switched_;
+    }
     note_switch();
     if (ChangePace* const pace = wall_->pace()) pace->note_change(time_);
     return {};

@@ -20,7 +20,7 @@
 namespace vitrine::player {
 
 /// The wall of a stage, and a film's tapestry that replaces it for a while. Fades from one to the other. The
-/// wall's time stands still while the tapestry is shown.
+/// wall's time stands still while the tapestry is shown; a wall of several boxes goes on behind it.
 class ShowSwitch {
   public:
     /// @param settings      outlive this
@@ -59,9 +59,14 @@ class ShowSwitch {
     /// Shows a film's tapestry in place of the wall. If there is none of the present content of the film, the
     /// film plays above an empty strip until the analyzer has woven a first view.
     /// @param shot  the shot of the film at which the view starts
-    /// @return false: there is none and none will be woven, or the last switch was too short a time ago, or
-    /// the wall leads other boxes, which would go on with it
+    /// @return false: there is none and none will be woven, or the last switch was too short a time ago
     bool open_tapestry(const RecordList::Record& film, std::size_t shot);
+
+    /// Shows the tapestry that the leader of a wall of several boxes shows, or the wall if it shows none.
+    /// Call before each step().
+    /// @param seen  nullptr: none
+    /// @param film  nullptr: this box has no record of it
+    void follow_tapestry(const TapestryMoment* seen, const RecordList::Record& film);
 
     /// Shows a tapestry in place of the wall.
     /// @param options  the stage sets the numbers of the sources and the waiting

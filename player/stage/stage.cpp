@@ -98,6 +98,10 @@ Vec2 Stage::canvas_point(const Screen& screen, Vec2 share) const {
 void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
     shows_->set_time(now - hidden_);
     gestures_->dispatch(now);
+    if (const FollowedWall* const followed = wall().followed()) {
+        const TapestryMoment* const seen = followed->tapestry();
+        shows_->follow_tapestry(seen, seen != nullptr ? files_.all().find(seen->path) : nullptr);
+    }
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
     if (const FollowedWall* const followed = wall().followed();

@@ -94,7 +94,7 @@ TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
     Tapestry tapestry = first_tapestry(directory, options);
     TapestrySettings settings{.first_source = options.first_source,
                               .patience = options.patience,
-                              .plays_at_once = true,
+                              .plays_at_once = !options.follows,
                               .first_seen = options.first_seen};
     if (options.edits_keyframes) settings.edited = noted_choice(options.wishes_in, options.film->path);
     if (options.rests) settings.pace.patience = std::chrono::nanoseconds::max();
@@ -151,9 +151,14 @@ void TapestryPlayback::take_newer_index(std::chrono::nanoseconds now) {
     show_.strips().take_over(std::move(*newer));
 }
 
+void TapestryPlayback::follow(const TapestryMoment& seen) {
+    followed_ = seen;
+    show_.set_canvas(seen.canvas);
+}
+
 void TapestryPlayback::end_waiting(std::chrono::nanoseconds now) {
     const bool waits = is_unwoven(show_.tapestry()) && !show_.strips().coming() && !show_.is_over();
-    if (!waits || now - *opened_ < max_wait) return;
+    if (!waits || followed_ || now - *opened_ < max_wait) return;
     log::info("no tapestry of '{}' within {} s: the analyzer does not run, or needs longer",
               show_.film().path, max_wait.count());
     show_.end();
@@ -182,13 +187,16 @@ WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer
     if (!std::exchange(has_mark_, true))
         renderer.upload(show_.sources().mark(),
                         {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
-    TapestryStep step = show_.step(now);
+    const TapestryMoment* const followed = followed_ ? &*followed_ : nullptr;
+    TapestryStep step = show_.step(now, followed);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
     if (give_tiles(step, renderer) && awaits_tiles_) {
-        step = show_.step(now);
+        step = show_.step(now, followed);
         done.retired.insert(done.retired.end(), step.retired.begin(), step.retired.end());
     }
     done.frame = std::move(step.frame);
+    seen_ = std::move(step.seen);
+    seen_.opened = *opened_;
     return done;
 }
 

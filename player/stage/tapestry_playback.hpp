@@ -28,6 +28,7 @@ struct TapestryPlaybackOptions {
     std::filesystem::path wishes_in{};  // state directory, where the analyzer hears that a visitor waits for
                                         // what is not woven yet; empty: nobody waits
     bool edits_keyframes = false;       // touches change the film's keyframes; needs `film` and `wishes_in`
+    bool follows = false;               // it shows what another box shows: see follow()
 };
 
 /// True: the tapestry was woven from the present content of the film.
@@ -57,13 +58,22 @@ class TapestryPlayback {
 
     bool is_over() const { return show_.is_over(); }
 
+    /// Ends the tapestry.
+    void end() { show_.end(); }
+
+    /// Shows the same as another box from now on. @param seen  of this film, in this show's time
+    void follow(const TapestryMoment& seen);
+
+    /// The last frame as other boxes need it.
+    const TapestryMoment& seen() const { return seen_; }
+
     /// The next frame. Gives the tiles that it needs to the renderer.
     WallStep step(std::chrono::nanoseconds now, Renderer& renderer);
 
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
-    /// Ends the tapestry. @return the sources that it used
+    /// Drops everything. @return the sources that it used
     std::vector<SourceId> close() { return show_.close(); }
 
     const TapestryShow& show() const { return show_; }
@@ -91,6 +101,8 @@ class TapestryPlayback {
     TapestryShow show_;
     std::optional<TapestryWish> wish_;                // a visitor waits
     std::optional<std::chrono::nanoseconds> opened_;  // time of the first step
+    std::optional<TapestryMoment> followed_;          // the moment of another box that is shown here
+    TapestryMoment seen_;                             // of the last frame
     std::set<std::uint64_t> unreadable_;              // numbers of tiles that are not asked for again
     std::vector<std::uint64_t> asked_;                // of the last tiles that the loader was asked for
     bool has_mark_ = false;                           // the renderer has the white picture for drawing lines

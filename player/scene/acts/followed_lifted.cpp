@@ -6,12 +6,15 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr auto patience = std::chrono::seconds(1);  // with a leader that says no more
+constexpr auto patience = std::chrono::seconds(1);            // with a leader that says no more
+constexpr auto tapestry_patience = std::chrono::seconds(10);  // the same
 
 }  // namespace
 
-void FollowedLifted::take(LiftedMoment seen, std::chrono::nanoseconds now) {
+void FollowedLifted::take(LiftedMoment seen, std::optional<TapestryMoment> tapestry,
+                          std::chrono::nanoseconds now) {
     seen_ = std::move(seen);
+    tapestry_ = std::move(tapestry);
     seen_at_ = now;
 }
 
@@ -21,6 +24,10 @@ void FollowedLifted::draw(Frame& frame, std::span<const PlacedShot> wall, bool i
     lifted_.show(seen_, wall, frame.time);
     if (!seen_.is_nothing()) lifted_.draw(frame);
     if (seen_.film && is_film_ready) draw_film(frame, *seen_.film);
+}
+
+const TapestryMoment* FollowedLifted::tapestry(std::chrono::nanoseconds now) const {
+    return tapestry_ && now - seen_at_ < tapestry_patience ? &*tapestry_ : nullptr;
 }
 
 std::map<SourceId, PlacedShot> FollowedLifted::whole_pictures() const {

@@ -1,19 +1,24 @@
 #pragma once
 
 #include "player/scene/lifted_shots.hpp"
+#include "player/scene/tapestry/tapestry_moment.hpp"
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <span>
 
 namespace vitrine::player {
 
-/// The shots that hands hold above a wall of several boxes, on a box that follows. Without news they go back
-/// after a second.
+/// What hands do above a wall of several boxes, on a box that follows: they hold shots, play the film of a
+/// photo, or have opened a tapestry. Without news shots go back after a second, and the wall comes back after
+/// ten.
 class FollowedLifted {
   public:
-    /// Takes what the leader has drawn last. @param now  of this box
-    void take(LiftedMoment seen, std::chrono::nanoseconds now);
+    /// Takes what the leader has drawn last.
+    /// @param tapestry  in this box's time
+    /// @param now       of this box
+    void take(LiftedMoment seen, std::optional<TapestryMoment> tapestry, std::chrono::nanoseconds now);
 
     /// Draws the shots above a wall, and the film of a photo. @param frame  of the wall, in the leader's time
     /// @param wall            the shots are lifted off this
@@ -27,12 +32,16 @@ class FollowedLifted {
     /// The film of a photo that was tapped, with this box's number of its source. nullptr: none.
     const FilmMoment* film() const { return seen_.film ? &*seen_.film : nullptr; }
 
+    /// The tapestry in place of the wall, in this box's time. nullptr: none. @param now  of this box
+    const TapestryMoment* tapestry(std::chrono::nanoseconds now) const;
+
     /// The shots whose whole picture is seen, or will be, in the size of that.
     std::map<SourceId, PlacedShot> whole_pictures() const;
 
   private:
     LiftedMoment seen_;
-    std::chrono::nanoseconds seen_at_{0};
+    std::optional<TapestryMoment> tapestry_;
+    std::chrono::nanoseconds seen_at_{0};  // when the last news came
     LiftedShots lifted_;
 };
 

@@ -45,6 +45,7 @@ bool is_further(const WallAct& act, const WallAct& shown) {
 void FollowedWall::take(const WallAct& act) {
     const std::optional<WallAct>& last = waiting_ ? waiting_ : shown_;
     if (last && !is_newer(act.name, last->name)) return;
+    if (last && last->name.run != act.name.run) lifted_.take({}, {}, now_);
     if (!waiting_) waiting_since_ = now_;
     waiting_ = sources_.translated(act);
 }
@@ -53,14 +54,17 @@ void FollowedWall::prepare(const WallAct& coming) {
     if (!prepared_ || is_newer(coming.name, prepared_->name)) prepared_ = sources_.translated(coming);
 }
 
-void FollowedWall::take_lifted(std::int64_t run, LiftedMoment seen) {
+void FollowedWall::take_lifted(ToldHands told) {
+    const std::int64_t run = told.run;
+    LiftedMoment& seen = told.lifted;
     for (LiftedMoment::Shot& shot : seen.shots)
         shot.source = sources_.find_own(run, shot.source).value_or(0);
     for (auto* const act : {&shown_, &waiting_})
         if (seen.view && *act && (*act)->pan && (*act)->name.run == run)
             (*act)->pan->course = {.view = *seen.view, .last = *seen.view};
     if (seen.film) seen.film->shot.source = sources_.own_number(run, seen.film->shot.source);
-    lifted_.take(std::move(seen), now_);
+    if (told.tapestry) told.tapestry = moved(*told.tapestry, -epoch_);
+    lifted_.take(std::move(seen), std::move(told.tapestry), now_);
 }
 
 bool FollowedWall::is_between_acts() const {
@@ -102,11 +106,6 @@ void FollowedWall::take_waiting() {
     bezels_ = bezels_of(*shown_);
 }
 
-/// True if nothing moves but films and what passes.
-bool FollowedWall::is_standing() const {
-    return lifted_.is_empty() && has_ended(*shown_, leaders_time(*shown_, now_ + epoch_));
-}
-
 /// The frame of the shown act, which may fade in over what was shown before.
 Frame FollowedWall::next_frame() {
     if (!shown_) return Frame{.canvas = canvas_, .idle = 1, .time = now_};
@@ -117,7 +116,8 @@ Frame FollowedWall::next_frame() {
                  film != nullptr && sources_.is_ready(film->shot.source), now_);
     Frame frame = act_frame(*shown_, wall, leaders);
     fade_.draw(frame, now_);
-    if (is_standing()) {
+    const bool stands = lifted_.is_empty() && has_ended(*shown_, leaders);  // but for films and what passes
+    if (stands) {
         names_.stand(last_wall(*shown_), shown_->canvas, shown_->folder ? shown_->folder->mark : Box{}, now_);
         frame.names = names_.at(now_);
     } else {

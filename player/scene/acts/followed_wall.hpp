@@ -3,6 +3,7 @@
 #include "player/scene/acts/act_fade.hpp"
 #include "player/scene/acts/followed_lifted.hpp"
 #include "player/scene/acts/followed_sources.hpp"
+#include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/noted_touches.hpp"
 #include "player/scene/acts/wall_act.hpp"
 #include "player/scene/folders/standing_names.hpp"
@@ -70,8 +71,11 @@ class FollowedWall final : public Show {
     /// Opens the shots of an act that is about to come.
     void prepare(const WallAct& coming);
 
-    /// Draws what hands hold above the wall, as the leader has drawn it. @param run  of the leader
-    void take_lifted(std::int64_t run, LiftedMoment seen);
+    /// Draws what hands hold above the wall, as the leader has drawn it.
+    void take_lifted(ToldHands told);
+
+    /// The tapestry in place of the wall, in this wall's time. nullptr: none.
+    const TapestryMoment* tapestry() const { return shown_ ? lifted_.tapestry(now_) : nullptr; }
 
     /// True: nothing moves now and no act waits, so the clock may jump.
     bool is_between_acts() const;
@@ -87,7 +91,6 @@ class FollowedWall final : public Show {
   private:
     void take_waiting();
     Frame next_frame();
-    bool is_standing() const;
 
     Canvas canvas_;
     FollowedSources sources_;

@@ -2,7 +2,6 @@
 
 #include "player/scene/acts/act_json.hpp"
 #include "player/scene/acts/followed_wall.hpp"
-#include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/touch_json.hpp"
 
 #include <utility>
@@ -23,8 +22,8 @@ void FollowerTalk::direct(Show& show, const BoxMoment& moment) {
     followed->set_clock(moment.epoch, moment.own.has_right_clock);
     if (preparation_) followed->prepare(*preparation_);
     if (act_) followed->take(*act_);
-    if (const auto lifted = std::exchange(lifted_, std::nullopt))
-        followed->take_lifted(lifted->first, lifted->second);
+    if (const std::optional<ToldHands> lifted = std::exchange(lifted_, std::nullopt))
+        followed->take_lifted(*lifted);
 }
 
 std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /*moment*/, BoxNote& note) {

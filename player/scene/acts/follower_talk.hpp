@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/acts/box_talk.hpp"
+#include "player/scene/acts/lifted_json.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -26,8 +27,8 @@ class FollowerTalk final : public BoxTalk {
 
     std::optional<WallAct> act_;
     std::optional<WallAct> preparation_;
-    std::optional<std::pair<std::int64_t, LiftedMoment>> lifted_;  // run of the leader; none: no news
-    std::optional<ActName> ready_;                                 // the preparation that it said it has
+    std::optional<ToldHands> lifted_;  // none: no news
+    std::optional<ActName> ready_;     // the preparation that it said it has
 };
 
 }  // namespace vitrine::player

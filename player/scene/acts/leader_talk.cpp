@@ -109,14 +109,17 @@ std::optional<std::uint64_t> LeaderTalk::others_ready() const {
     return least;
 }
 
-/// Says what hands hold whenever that has changed, and four times a second while they hold something: a box
-/// that hears nothing puts the shots back.
-void LeaderTalk::say_lifted(const LedNews& news, std::vector<WallMessage>& said) {
-    if (news.lifted.is_nothing() && lifted_.empty()) return;
-    std::string text = lifted_to_json(run_, news.lifted);
+/// Says what hands do whenever that has changed, and four times a second while they do something: a box that
+/// hears nothing puts the shots back. @param epoch  shared time at the player's start
+void LeaderTalk::say_lifted(const LedNews& news, std::chrono::nanoseconds epoch,
+                            std::vector<WallMessage>& said) {
+    ToldHands told{.run = run_, .lifted = news.lifted};
+    if (news.tapestry) told.tapestry = moved(*news.tapestry, epoch);
+    if (told.is_nothing() && lifted_.empty()) return;
+    std::string text = lifted_to_json(told);
     if (text == lifted_ && news.now - lifted_at_ < lifted_pause) return;
     said.push_back({.topic = {.kind = Kind::lifted, .box = {}}, .is_retained = false, .payload = text});
-    lifted_ = news.lifted.is_nothing() ? std::string() : std::move(text);
+    lifted_ = told.is_nothing() ? std::string() : std::move(text);
     lifted_at_ = news.now;
 }
 
@@ -164,7 +167,7 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
         kept_.push_back(message);
     }
     if (std::exchange(says_again_, false)) said = kept_;
-    say_lifted(news, said);
+    say_lifted(news, moment.epoch, said);
     return said;
 }
 

@@ -45,7 +45,7 @@ class LeaderTalk final : public BoxTalk {
     std::vector<WallMessage> speak_more(Show& show, const BoxMoment& moment, BoxNote& note) override;
     std::optional<std::uint64_t> others_ready() const;
     std::string text_of_act(WallAct& act);
-    void say_lifted(const LedNews& news, std::vector<WallMessage>& said);
+    void say_lifted(const LedNews& news, std::chrono::nanoseconds epoch, std::vector<WallMessage>& said);
 
     std::int64_t run_;
     std::size_t max_bytes_;
@@ -55,7 +55,7 @@ class LeaderTalk final : public BoxTalk {
     std::optional<std::chrono::nanoseconds> epoch_;             // of the last act
     std::vector<std::pair<std::string, std::string>> touches_;  // box, payload
     std::vector<WallMessage> kept_;                             // the last act and the last preparation
-    std::string lifted_;                     // the last message about lifted shots; empty: hands hold nothing
+    std::string lifted_;                     // the last message on what hands do; empty: nothing
     std::chrono::nanoseconds lifted_at_{0};  // when that was said
     bool says_again_ = false;
     Told told_ = Told::whole;

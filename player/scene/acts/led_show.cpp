@@ -31,6 +31,7 @@ LedNews LedShow::take_news() {
     return {.act = std::exchange(act_, std::nullopt),
             .preparation = std::exchange(preparation_, std::nullopt),
             .lifted = lifted(),
+            .tapestry = tapestry_,
             .now = local_time()};
 }
 

@@ -4,12 +4,14 @@
 #include "player/scene/acts/forwarding_show.hpp"
 #include "player/scene/acts/wall_act.hpp"
 #include "player/scene/lifted_shots.hpp"
+#include "player/scene/tapestry/tapestry_moment.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::player {
@@ -18,8 +20,9 @@ namespace vitrine::player {
 struct LedNews {
     std::optional<WallAct> act;          // the newest; its generation counts the acts
     std::optional<WallAct> preparation;  // the shots that come next; its generation counts the preparations
-    LiftedMoment lifted = {};            // what hands do above the wall now
-    std::chrono::nanoseconds now{0};     // the show's time
+    LiftedMoment lifted = {};            // what hands hold above the wall now
+    std::optional<TapestryMoment> tapestry = {};  // in place of the wall, in the time of step()
+    std::chrono::nanoseconds now{0};              // the show's time
 };
 
 /// The facts that the other boxes tell: what they have, and what they lack.
@@ -46,6 +49,9 @@ class LedShow : public ForwardingShow {
 
     /// Sets the parts of the canvas that outputs show, by BOX/OUTPUT.
     void set_parts(std::map<std::string, ActPart> parts);
+
+    /// Tells of the tapestry that is shown in place of the wall. @param seen  none: the wall is shown
+    void tell_tapestry(std::optional<TapestryMoment> seen) { tapestry_ = std::move(seen); }
 
     /// True while a change is seen: the wall's clock must not jump.
     virtual bool is_changing() const = 0;
@@ -82,6 +88,7 @@ class LedShow : public ForwardingShow {
     bool wants_act_ = false;
     std::uint64_t acts_ = 0;
     std::optional<WallAct> act_;
+    std::optional<TapestryMoment> tapestry_;
 };
 
 }  // namespace vitrine::player

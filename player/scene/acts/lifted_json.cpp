@@ -2,6 +2,7 @@
 
 #include "player/scene/acts/act_fields.hpp"
 #include "player/scene/acts/shot_json.hpp"
+#include "player/scene/acts/tapestry_json.hpp"
 
 #include <fmt/format.h>
 
@@ -63,26 +64,33 @@ FilmMoment film_in(const ActJson& json) {
 
 }  // namespace
 
-std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen) {
+std::string lifted_to_json(const ToldHands& told) {
+    const LiftedMoment& seen = told.lifted;
     ActJson shots = ActJson::array();
     for (const LiftedMoment::Shot& shot : seen.shots)
         shots.push_back(to_json(shot));
-    ActJson json{
-        {"version", version}, {"run", run}, {"shots", std::move(shots)}, {"filler_light", seen.filler_light}};
+    ActJson json{{"version", version},
+                 {"run", told.run},
+                 {"shots", std::move(shots)},
+                 {"filler_light", seen.filler_light}};
     if (seen.film) json["film"] = to_json(*seen.film);
     if (seen.view) json["view"] = *seen.view;
+    if (told.tapestry) json["tapestry"] = tapestry_to_json(*told.tapestry);
     return json.dump();
 }
 
-std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text) {
+ToldHands lifted_from_json(std::string_view text) {
     try {
         const ActJson json = ActJson::parse(text);
-        LiftedMoment seen{.shots = {}, .filler_light = share_in(json, "filler_light")};
+        ToldHands told{.run = whole_in(json, "run", 0, largest)};
+        LiftedMoment& seen = told.lifted;
+        seen.filler_light = share_in(json, "filler_light");
         for (const ActJson& shot : array_in(json, "shots", max_act_shots))
             seen.shots.push_back(shot_in(shot));
         if (json.contains("film")) seen.film = film_in(json.at("film"));
         if (json.contains("view")) seen.view = number_in(json.at("view"), max_ribbon_length);
-        return {whole_in(json, "run", 0, largest), std::move(seen)};
+        if (json.contains("tapestry")) told.tapestry = tapestry_from_json(json.at("tapestry"));
+        return told;
     } catch (const nlohmann::json::exception& error) {
         throw ActFault(fmt::format("the leader tells of lifted shots in words that are not understood: {}",
                                    error.what()));

@@ -1,20 +1,30 @@
 #pragma once
 
 #include "player/scene/lifted_shots.hpp"
+#include "player/scene/tapestry/tapestry_moment.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace vitrine::player {
 
-/// Writes down what hands hold above the wall, for the boxes that follow.
-/// @param run  of the leader; its sources have numbers of their own in each run
-std::string lifted_to_json(std::int64_t run, const LiftedMoment& seen);
+/// What hands do above the wall, as the leader tells it.
+struct ToldHands {
+    std::int64_t run = 0;  // of the leader; its sources have numbers of their own in each run
+    LiftedMoment lifted = {};
+    std::optional<TapestryMoment> tapestry = {};  // in place of the wall, in shared time
 
-/// Reads what the leader has written. @return the leader's run, and what hands hold there
-/// @throws std::runtime_error with one sentence
-std::pair<std::int64_t, LiftedMoment> lifted_from_json(std::string_view text);
+    bool is_nothing() const { return lifted.is_nothing() && !tapestry; }
+
+    bool operator==(const ToldHands&) const = default;
+};
+
+/// Writes down what hands do, for the boxes that follow.
+std::string lifted_to_json(const ToldHands& told);
+
+/// Reads what the leader has written. @throws std::runtime_error with one sentence
+ToldHands lifted_from_json(std::string_view text);
 
 }  // namespace vitrine::player

@@ -37,7 +37,7 @@ TEST_CASE("a file that is not there is told once in ten minutes, however often i
     CHECK(text.find("a.jpg") != std::string::npos);
 }
 
-TEST_CASE("no tapestry is opened on a wall that leads other boxes") {
+TEST_CASE("a tapestry is opened on a wall that leads other boxes, too") {
     const TemporaryDirectory directory;
     Settings settings;
     settings.state.directory = directory.path.string();
@@ -46,7 +46,35 @@ TEST_CASE("no tapestry is opened on a wall that leads other boxes") {
         settings.wall.role = role;
         ShowSwitch shows(settings, 0, false);
         shows.set_time(10s);
-        CHECK(shows.open_tapestry(films.find("f"), 0) == (role == WallRole::alone));
-        CHECK((shows.tapestry() != nullptr) == (role == WallRole::alone));
+        CHECK(shows.open_tapestry(films.find("f"), 0));
+        CHECK(shows.tapestry() != nullptr);
     }
+}
+
+TEST_CASE("a box that follows shows the leader's tapestry as long as the leader does") {
+    const TemporaryDirectory directory;
+    Settings settings;
+    settings.state.directory = directory.path.string();
+    settings.wall.role = WallRole::follow;
+    const RecordList films({film("f", 1), film("g", 1)});
+    ShowSwitch shows(settings, 0, false);
+    const auto follow = [&](std::chrono::nanoseconds now, const TapestryMoment* seen) {
+        shows.set_time(now);
+        shows.follow_tapestry(seen, seen != nullptr ? films.find(seen->path) : nullptr);
+        shows.leave_finished_tapestry();
+        return shows.tapestry() != nullptr ? shows.tapestry()->show().film().path : std::string();
+    };
+    const TapestryMoment one{.path = "f", .canvas = {640, 360}, .opened = 10s};
+    const TapestryMoment other{.path = "g", .canvas = {640, 360}, .opened = 30s};
+    const TapestryMoment unknown{.path = "h", .canvas = {640, 360}, .opened = 50s};
+    CHECK(follow(5s, nullptr).empty());
+    CHECK(follow(10s, &one) == "f");
+    CHECK(shows.tapestry()->show().place().box().max.x == 640);
+    CHECK(follow(20s, &one) == "f");
+    CHECK(follow(30s, &other).empty());  // the wall first: one fade after the other
+    for (std::chrono::nanoseconds now = 30s; now < 35s; now += 40ms)
+        follow(now, &other);
+    CHECK(follow(35s, &other) == "g");
+    CHECK(follow(40s, nullptr).empty());
+    CHECK(follow(50s, &unknown).empty());
 }

@@ -238,7 +238,7 @@ TEST_CASE("what boxes tell of themselves is read as it was written, and bounded"
 
 TEST_CASE("lifted shots travel as they were seen") {
     const auto again = [](const LiftedMoment& moment) {
-        return lifted_to_json(12, lifted_from_json(lifted_to_json(12, moment)).second);
+        return lifted_to_json(lifted_from_json(lifted_to_json({12, moment})));
     };
     LiftedMoment seen{.shots = {{.source = 3,
                                  .state = LiftedState::whole,
@@ -246,26 +246,63 @@ TEST_CASE("lifted shots travel as they were seen") {
                                  .full_scale = 1.7,
                                  .seat = 0.9}},
                       .filler_light = 0.9};
-    CHECK(lifted_from_json(lifted_to_json(12, seen)) == std::pair(std::int64_t{12}, seen));
+    CHECK(lifted_from_json(lifted_to_json({12, seen})) == ToldHands{12, seen});
     WallShot film = act(1).shown.front().shot;
     film.kind = MediaKind::film;
     film.shot.end = 3s;
     seen.film = FilmMoment{.shot = film, .placement = {0.7, {1e-9, 3}}};
-    CHECK(again(seen) == lifted_to_json(12, seen));
+    CHECK(again(seen) == lifted_to_json({12, seen}));
     seen.film->began = 4s;
-    CHECK_THROWS_AS(lifted_from_json(lifted_to_json(12, seen)), std::runtime_error);
+    CHECK_THROWS_AS(lifted_from_json(lifted_to_json({12, seen})), std::runtime_error);
     seen.film->ends = 6s + 1ns;
-    CHECK(again(seen) == lifted_to_json(12, seen));
+    CHECK(again(seen) == lifted_to_json({12, seen}));
     seen.view = 12345.678;
-    CHECK(again(seen) == lifted_to_json(12, seen));
+    CHECK(again(seen) == lifted_to_json({12, seen}));
     seen.film->shot.kind = MediaKind::photo;
-    CHECK_THROWS_AS(lifted_from_json(lifted_to_json(12, seen)), std::runtime_error);
-    std::string unknown_state = lifted_to_json(12, seen);
+    CHECK_THROWS_AS(lifted_from_json(lifted_to_json({12, seen})), std::runtime_error);
+    std::string unknown_state = lifted_to_json({12, seen});
     unknown_state.replace(unknown_state.find(R"("state":2)"), 9, R"("state":99)");
     for (const std::string& bad : std::vector<std::string>{
              "", "7", "{}", unknown_state, R"({"version":1,"run":1,"filler_light":2,"shots":[]})",
              R"({"version":1,"run":1,"filler_light":1,"shots":[{}]})"})
         CHECK_THROWS_AS(lifted_from_json(bad), std::runtime_error);
+}
+
+TEST_CASE("a tapestry travels as it was seen") {
+    ToldHands told{.run = 12,
+                   .tapestry = TapestryMoment{.path = "a/Zürich.mp4",
+                                              .folder = "f3",
+                                              .canvas = {2000, 562.5},
+                                              .opened = 1795591329152378001ns,
+                                              .view = {.centre = 1234567891ns, .level = 1.3},
+                                              .width = 4321.1,
+                                              .touched = {.time = 3s, .is_lower = true}}};
+    CHECK(lifted_from_json(lifted_to_json(told)) == told);
+    told.tapestry->above = SeenSpan{{1s + 1ns, 2s}, 1795591329152378002ns};
+    told.tapestry->in_place = SeenSpan{{3s, 4s}, 1795591329152378003ns};
+    told.tapestry->looked_for = 7s;
+    CHECK(lifted_from_json(lifted_to_json(told)) == told);
+    CHECK(lifted_from_json(lifted_to_json({.run = 12})) == ToldHands{.run = 12});
+    const std::string text = lifted_to_json(told);
+    for (const auto& [right, wrong] : std::vector<std::pair<std::string, std::string>>{
+             {R"("canvas":[2000.0,562.5])", R"("canvas":[0,562.5])"},
+             {R"("canvas":[2000.0,562.5])", R"("canvas":[2000,1e5])"},
+             {R"("canvas":[2000.0,562.5])", R"("canvas":[])"},
+             {R"("level":1.3)", R"("level":-1)"},
+             {R"("level":1.3)", R"("level":65)"},
+             {R"("width":4321.1)", R"("width":-1)"},
+             {R"("centre_ns":1234567891)", R"("centre_ns":-1)"},
+             {R"("centre_ns":1234567891)", R"("centre_ns":1e9)"},
+             {R"("looked_for_ns":7000000000)", R"("looked_for_ns":20000000000000000)"},
+             {R"("end_ns":2000000000)", R"("end_ns":1000000001)"},
+             {R"("is_lower":true)", R"("is_lower":1)"},
+             {R"("path":"a/Zürich.mp4")", R"("path":7)"},
+             {R"("path":)", R"("way":)"}}) {
+        std::string bad = text;
+        REQUIRE(bad.find(right) != std::string::npos);
+        bad.replace(bad.find(right), right.size(), wrong);
+        CHECK_THROWS_AS(lifted_from_json(bad), std::runtime_error);
+    }
 }
 
 TEST_CASE("touches travel as they were made") {

@@ -331,6 +331,47 @@ TEST_CASE("a box that has not got the film of a tapped photo shows the photo") {
     CHECK(house.boxes[1].gaps == 0);
 }
 
+TEST_CASE("a tapestry in place of the wall is told to all boxes, and the wall comes back") {
+    SharedHouse house = resting_house();
+    TestBox& lead = house.boxes[0];
+    TestBox& follower = house.boxes[1];
+    CHECK(house.followed(1).tapestry() == nullptr);
+    const Ns began = lead.time->now();
+    house.led().tell_tapestry(TapestryMoment{.path = "a",
+                                             .folder = "f",
+                                             .canvas = {1280, 720},
+                                             .opened = began,
+                                             .view = {.centre = 7s, .level = 0.3},
+                                             .above = SeenSpan{{3s, 9s}, began + 100ms}});
+    house.run(200ms);
+    REQUIRE(house.followed(1).tapestry() != nullptr);
+    const TapestryMoment seen = *house.followed(1).tapestry();
+    CHECK(seen.view == TapestryView{.centre = 7s, .level = 0.3});
+    const Ns off = seen.opened + follower.time->epoch() - (began + lead.time->epoch());
+    CHECK(std::chrono::abs(off) <= 1us);
+    CHECK(seen.above->began == seen.opened + 100ms);
+    house.run(30s);
+    CHECK(house.followed(1).tapestry() != nullptr);
+    SUBCASE("once the leader shows it again") {
+        house.led().tell_tapestry({});
+    }
+    SUBCASE("on a box that hears no more of it, after a while") {
+        house.cut(1);
+        house.run(9s);
+        CHECK(house.followed(1).tapestry() != nullptr);
+        house.run(1s);
+    }
+    SUBCASE("with the first wall of a leader that was started anew") {
+        house.kill(0);
+        house.run(2s);
+        CHECK(house.followed(1).tapestry() != nullptr);
+        house.start_leader();
+        house.run(4s);
+    }
+    house.run(200ms);
+    CHECK(house.followed(1).tapestry() == nullptr);
+}
+
 TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some stay while the wall changes") {
     SharedHouse house({.seed = 8, .followers = 1});
     const Box left{{0, 0}, {630, 720}};

@@ -1,0 +1,70 @@
+#include "player/scene/acts/tapestry_json.hpp"
+
+#include <cstdint>
+
+namespace vitrine::player {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr std::int64_t longest_film = 10'000'000'000'000'000;  // ns: 115 days
+constexpr double max_canvas = 16384;                           // px
+constexpr double max_level = 64;
+
+nanoseconds film_time_in(const ActJson& json, const char* key) {
+    return nanoseconds(whole_in(json, key, 0, longest_film));
+}
+
+ActJson to_json(const SeenSpan& seen) {
+    return {{"begin_ns", seen.span.begin.count()},
+            {"end_ns", seen.span.end.count()},
+            {"began_ns", seen.began.count()}};
+}
+
+SeenSpan span_in(const ActJson& json) {
+    const SeenSpan seen{{film_time_in(json, "begin_ns"), film_time_in(json, "end_ns")},
+                        time_in(json, "began_ns")};
+    if (seen.span.end <= seen.span.begin)
+        throw ActFault("the leader tells of a part of a film that ends before it begins");
+    return seen;
+}
+
+}  // namespace
+
+ActJson tapestry_to_json(const TapestryMoment& seen) {
+    ActJson json{{"path", seen.path},
+                 {"folder", seen.folder},
+                 {"canvas", to_act_json(seen.canvas)},
+                 {"opened_ns", seen.opened.count()},
+                 {"centre_ns", seen.view.centre.count()},
+                 {"level", seen.view.level},
+                 {"width", seen.width},
+                 {"touched_ns", seen.touched.time.count()},
+                 {"is_lower", seen.touched.is_lower}};
+    if (seen.above) json["above"] = to_json(*seen.above);
+    if (seen.in_place) json["in_place"] = to_json(*seen.in_place);
+    if (seen.looked_for) json["looked_for_ns"] = seen.looked_for->count();
+    return json;
+}
+
+TapestryMoment tapestry_from_json(const ActJson& json) {
+    TapestryMoment seen{
+        .path = json.at("path").get<std::string>(),
+        .folder = json.at("folder").get<std::string>(),
+        .canvas = vec2_in(json.at("canvas")),
+        .opened = time_in(json, "opened_ns"),
+        .view = {.centre = film_time_in(json, "centre_ns"), .level = number_in(json.at("level"), max_level)},
+        .width = number_in(json.at("width"), max_ribbon_length),
+        .touched = {.time = film_time_in(json, "touched_ns"), .is_lower = json.at("is_lower").get<bool>()}};
+    if (json.contains("above")) seen.above = span_in(json.at("above"));
+    if (json.contains("in_place")) seen.in_place = span_in(json.at("in_place"));
+    if (json.contains("looked_for_ns")) seen.looked_for = film_time_in(json, "looked_for_ns");
+    if (seen.canvas.x < 1 || seen.canvas.y < 1 || seen.canvas.x > max_canvas || seen.canvas.y > max_canvas)
+        throw ActFault("the leader tells of a tapestry on a canvas that cannot be drawn");
+    if (seen.view.level < 0 || seen.width < 0)
+        throw ActFault("the leader tells of a view of a tapestry that is none");
+    return seen;
+}
+
+}  // namespace vitrine::player
