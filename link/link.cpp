@@ -85,7 +85,10 @@ void Link::hear(const WallMessage& message) {
             heard_.insert_or_assign(topic, read);
         }
         players_.send_all(line_of(read));
-        if (read.topic.kind == WallTopic::Kind::prepare) want_files();
+        const bool is_lifted = read.topic.kind == WallTopic::Kind::lifted;
+        const std::string tapestry = is_lifted ? told_tapestry(read.payload) : tapestry_;
+        const bool is_other = std::exchange(tapestry_, tapestry) != tapestry && !tapestry.empty();
+        if (read.topic.kind == WallTopic::Kind::prepare || is_other) want_files();
     } catch (const BrokenLine& broken) {
         refuse(broken.what());
     }
@@ -104,7 +107,7 @@ void Link::sum_up() {
     refused_ = 0;
 }
 
-/// Wakes vitrine-wall-fetch.path, which fetches the files that the next act needs.
+/// Wakes vitrine-wall-fetch.path, which fetches the files that are needed next.
 void Link::want_files() const {
     try {
         replace_file_unsynced(wanted_, "\n");

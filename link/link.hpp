@@ -17,7 +17,8 @@ class Link {
     static constexpr std::size_t max_boxes = 64;  // of a wall; others are refused
 
     /// @param loop    outlives this
-    /// @param socket  where the player connects; a new `prepare` changes the file `wanted` beside it
+    /// @param socket  where the player connects; a `prepare` and another tapestry change the file `wanted`
+    ///                beside it
     /// @throws std::system_error, std::invalid_argument
     Link(EventLoop& loop, const BrokerAccount& account, const std::filesystem::path& socket);
 
@@ -38,6 +39,7 @@ class Link {
     std::map<std::string, WallMessage> heard_;  // the same, of the other boxes
     bool is_connected_ = false;
     std::string says_ = "not connected yet";
+    std::string tapestry_;     // that the last message `lifted` told of; empty: none
     std::size_t refused_ = 0;  // since the last line of the log about it
     EventLoop::Source summary_;
     LineListener players_;

@@ -70,6 +70,16 @@ std::optional<int> payload_version(std::string_view payload) {
     return version->get<int>();
 }
 
+std::string told_tapestry(std::string_view payload) {
+    const Json json = checked_object(payload);
+    const auto tapestry = json.find("tapestry");
+    if (tapestry == json.end() || !tapestry->is_object()) return {};
+    Json told = Json::array();
+    for (const char* const key : {"path", "folder", "levels"})
+        told.push_back(tapestry->value(key, Json()));
+    return told.dump();
+}
+
 std::string link_payload(bool is_connected, std::string_view says) {
     const Json json{{"connected", is_connected}, {"says", says}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -32,6 +32,10 @@ std::string checked_payload(std::string_view text);
 /// The "version" of a payload. None: it has none, or none that is a small whole number. @throws BrokenLine
 std::optional<int> payload_version(std::string_view payload);
 
+/// The tapestry that a payload of the kind `lifted` tells of: another text for each film, and each time that
+/// more of it is woven. Empty: none. @throws BrokenLine
+std::string told_tapestry(std::string_view payload);
+
 /// The payload of a message of the kind `link`: the state of the connection.
 std::string link_payload(bool is_connected, std::string_view says);
 

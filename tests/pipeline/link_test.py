@@ -209,7 +209,18 @@ class TwoBoxes(unittest.TestCase):
         self.assertEqual(self.right.stop(), 0)
         self.assertLess(time.monotonic() - began, 10)
 
-    def test_a_follower_fetches_catalogue_store_and_captions_with_the_secret_alone(self):
+    def test_a_tapestry_wakes_it_once_each_time_that_more_is_woven(self):
+        left, right = self.start_both()
+        wanted = self.right.root / "wanted"
+        for step, (levels, is_other) in enumerate(((0, True), (0, False), (2, True), (2, False), (None, False), (2, True))):
+            wanted.unlink(missing_ok=True)
+            told = {} if levels is None else {"tapestry": {"path": "a.mp4", "folder": "f", "levels": levels}}
+            for number in (2 * step, 2 * step + 1):
+                left.send("lifted", {"version": 1, "number": number, **told})
+            right.hears("lifted", {"version": 1, "number": 2 * step + 1, **told})
+            self.assertEqual(wanted.exists(), is_other, f"step {step}")
+
+    def test_a_follower_fetches_catalogue_store_captions_and_tapestries_with_the_secret_alone(self):
         share = start_share(self.left)
         self.addCleanup(share.wait)
         self.addCleanup(share.kill)
@@ -217,9 +228,10 @@ class TwoBoxes(unittest.TestCase):
         (self.left.state / "catalogue" / "1.json").write_text("{}")
         (self.right.state / "catalogue" / "old.json").write_text("{}")
         (self.left.state / "hints.json").write_text("{}")
-        for box, files in ((self.left, ("words/new.png", "status.json")), (self.right, ("words/old.png", "status.json", "wall/own"))):
+        for box, files in ((self.left, ("words/new.png", "status.json", "tapestry/7/index.json", "tapestry/7/f2/0-0.png")),
+                           (self.right, ("words/old.png", "status.json", "wall/own", "tapestry/7/index.json", "tapestry/7/f1/0-0.png", "tapestry/6/index.json"))):
             for file in files:
-                (box.state / file).parent.mkdir(exist_ok=True)
+                (box.state / file).parent.mkdir(parents=True, exist_ok=True)
                 (box.state / file).write_text(box.name)
         os.utime(self.left.state / "store" / "a.mp4", (1000000000, 1000000000))
         until("a share", lambda: self.right.fetch().returncode == 0)
@@ -228,7 +240,8 @@ class TwoBoxes(unittest.TestCase):
         self.assertEqual([p.name for p in (self.right.state / "catalogue").glob("*.json")], ["1.json"])
         own = {str(file.relative_to(self.right.state)): file.read_text() for file in self.right.state.rglob("*")
                if file.is_file() and file.parent.name not in ("store", "catalogue")}
-        self.assertEqual(own, {"hints.json": "{}", "words/new.png": "left", "status.json": "right", "wall/own": "right"})
+        self.assertEqual(own, {"hints.json": "{}", "words/new.png": "left", "status.json": "right", "wall/own": "right",
+                               "tapestry/7/index.json": "left", "tapestry/7/f2/0-0.png": "left"})
         self.assertNotEqual(self.stranger.fetch().returncode, 0)
         self.assertEqual(list((self.stranger.state / "store").iterdir()), [])
         # Nothing can be written there, with the secret either.
