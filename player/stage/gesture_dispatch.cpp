@@ -9,7 +9,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double parted_enough = 1.25;  // factor of a pinch that opens a tapestry
+constexpr auto wish_time = std::chrono::seconds(2);  // then a wish for a tapestry is forgotten
+constexpr double parted_enough = 1.25;               // factor of a pinch that opens a tapestry
 
 }  // namespace
 
@@ -42,6 +43,7 @@ void GestureDispatch::dispatch(std::chrono::nanoseconds now) {
         for (const Handler handler : handlers)
             if ((this->*handler)(gesture)) break;
     }
+    open_wanted(now);
 }
 
 bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
@@ -50,7 +52,8 @@ bool GestureDispatch::give_to_tapestry(const Gesture& gesture) {
     return true;
 }
 
-/// Two fingers that part on a film, or two taps on it, open its tapestry if there is one.
+/// Two fingers that part on a film, or two taps on it, open its tapestry if there is one. The first tap has
+/// changed the wall already, so the tapestry may have to wait a moment.
 bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     if (gesture.kind == Gesture::Kind::pinch_end) parted_.erase(gesture.touch);
     const bool is_pinch = gesture.kind == Gesture::Kind::pinch && gesture.subject != no_subject;
@@ -60,7 +63,19 @@ bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     const std::optional<SeenShot> shot = shows_.wall().shot_at(gesture.at);
     if (!shot) return false;
     const RecordList::Record film = files_.all().find(shot->key.path);
-    return film && shows_.open_tapestry(film, static_cast<std::size_t>(shot->key.shot));
+    if (!film) return false;
+    const auto number = static_cast<std::size_t>(shot->key.shot);
+    const Opening opening = shows_.open_tapestry(film, number);
+    if (opening == Opening::later) wish_ = Wish{.film = film, .shot = number, .since = {}};
+    return opening != Opening::never;
+}
+
+/// Opens the tapestry that a visitor waits for, as soon as that may be.
+void GestureDispatch::open_wanted(std::chrono::nanoseconds now) {
+    if (!wish_) return;
+    if (!wish_->since) wish_->since = now;
+    const bool is_over = now - *wish_->since > wish_time || shows_.tapestry() != nullptr;
+    if (is_over || shows_.open_tapestry(wish_->film, wish_->shot) != Opening::later) wish_.reset();
 }
 
 bool GestureDispatch::give_to_wall(const Gesture& gesture) {

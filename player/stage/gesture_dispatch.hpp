@@ -5,8 +5,10 @@
 #include "player/stage/stage_files.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace vitrine::player {
 
@@ -30,11 +32,20 @@ class GestureDispatch {
     bool give_to_tapestry(const Gesture& gesture);
     bool open_tapestry(const Gesture& gesture);
     bool give_to_wall(const Gesture& gesture);
+    void open_wanted(std::chrono::nanoseconds now);
+
+    /// A film whose tapestry a visitor wants.
+    struct Wish {
+        RecordList::Record film;
+        std::size_t shot = 0;
+        std::optional<std::chrono::nanoseconds> since;  // none: it is new
+    };
 
     ShowSwitch& shows_;        // outlives this
     const StageFiles& files_;  // outlive this
     Gestures gestures_;
     std::map<std::uint64_t, double> parted_;  // touch -> factor of its pinch so far
+    std::optional<Wish> wish_;                // opens as soon as the last change is long enough ago
 };
 
 }  // namespace vitrine::player

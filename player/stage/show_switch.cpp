@@ -161,11 +161,11 @@ bool ShowSwitch::may_switch() const {
     return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
 }
 
-bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
+Opening ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
-    if (!may_switch()) return false;
+    if (!may_switch()) return Opening::later;
     const bool has_index = has_tapestry(directory, *film);
-    if (!has_index && (settings_.tapestry.max_bytes == 0 || !may_be_woven(*film))) return false;
+    if (!has_index && (settings_.tapestry.max_bytes == 0 || !may_be_woven(*film))) return Opening::never;
     const TapestryPlaybackOptions options{.patience = settings_.input.idle,
                                           .film = film,
                                           .first_seen =
@@ -173,7 +173,8 @@ bool ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot)
                                           .awaits_index = !has_index,
                                           .wishes_in = settings_.state.directory,
                                           .edits_keyframes = settings_.input.edit_keyframes};
-    return can_show(*film, [&] { show_tapestry(directory, options); });
+    const bool is_shown = can_show(*film, [&] { show_tapestry(directory, options); });
+    return is_shown ? Opening::opened : Opening::never;
 }
 
 void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryPlaybackOptions options) {

@@ -19,6 +19,13 @@
 
 namespace vitrine::player {
 
+/// What becomes of a wish for a tapestry.
+enum class Opening {
+    opened,
+    later,  // a change of the wall or another switch was too short a time ago
+    never,  // there is none and none will be woven
+};
+
 /// The wall of a stage, and a film's tapestry that replaces it for a while. Fades from one to the other. The
 /// wall's time stands still while the tapestry is shown; a wall of several boxes goes on behind it.
 class ShowSwitch {
@@ -59,8 +66,7 @@ class ShowSwitch {
     /// Shows a film's tapestry in place of the wall. If there is none of the present content of the film, the
     /// film plays above an empty strip until the analyzer has woven a first view.
     /// @param shot  the shot of the film at which the view starts
-    /// @return false: there is none and none will be woven, or the last switch was too short a time ago
-    bool open_tapestry(const RecordList::Record& film, std::size_t shot);
+    Opening open_tapestry(const RecordList::Record& film, std::size_t shot);
 
     /// Shows the tapestry that the leader of a wall of several boxes shows, or the wall if it shows none.
     /// Call before each step().

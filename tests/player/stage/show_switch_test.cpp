@@ -46,7 +46,7 @@ TEST_CASE("a tapestry is opened on a wall that leads other boxes, too") {
         settings.wall.role = role;
         ShowSwitch shows(settings, 0, false);
         shows.set_time(10s);
-        CHECK(shows.open_tapestry(films.find("f"), 0));
+        CHECK(shows.open_tapestry(films.find("f"), 0) == Opening::opened);
         CHECK(shows.tapestry() != nullptr);
     }
 }

@@ -73,7 +73,8 @@ class BlackAndWhiteFilms {
     void open_tapestry() {
         const std::vector<SlotShot> standing = shows_->wall().standing();
         if (standing.empty() || shows_->tapestry() != nullptr) return;
-        if (shows_->open_tapestry(files_.all().find(standing.front().key.path), 0)) ++opened_;
+        const RecordList::Record photo = files_.all().find(standing.front().key.path);
+        if (shows_->open_tapestry(photo, 0) == Opening::opened) ++opened_;
     }
 
     void close_tapestry() {

@@ -369,6 +369,17 @@ TEST_CASE("a tapestry gives way to the wall when its film changes") {
     CHECK(is_near(theatre.picture(), 160, 60, {120, 120, 120}));
 }
 
+TEST_CASE("the second of two taps opens a tapestry while the wall still answers the first one") {
+    Theatre theatre;
+    theatre.play(2s);
+    for (int k = 0; k < 2; ++k) {
+        theatre.tap({160, 90});
+        theatre.play(100ms);  // in which the wall answers
+    }
+    theatre.play(1500ms);
+    CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
+}
+
 TEST_CASE("a tapestry that nobody touches gives way to the wall") {
     Theatre theatre;
     theatre.play(2s);
