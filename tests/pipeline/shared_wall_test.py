@@ -80,7 +80,7 @@ class Wall(unittest.TestCase):
         cls.broker = Broker(cls.left)
         cls.media = cls.folder / "media"
         draw_media(cls.media)
-        subprocess.run([ANALYZER, "watch", "--once", "--without-tapestries", "--config", cls.left.settings, "--media.root", cls.media,
+        subprocess.run([ANALYZER, "watch", "--once", "--config", cls.left.settings, "--media.root", cls.media,
                         "--analyzer.saliency", "plain", "--status.folder", ""], check=True, timeout=PATIENCE, capture_output=True)
 
     def setUp(self):
@@ -130,8 +130,8 @@ class Wall(unittest.TestCase):
         self.addCleanup(self.end, player)
         return player
 
-    def start_leader(self, name, *options):
-        return self.start_player(self.left, name, "--media.root", self.media, "--layout.slots", 6, "--show.dwell_seconds", 3600, *options)
+    def start_leader(self, name, *options, slots=6):
+        return self.start_player(self.left, name, "--media.root", self.media, "--layout.slots", slots, "--show.dwell_seconds", 3600, *options)
 
     def boxes(self, box):
         """What a box says of all boxes, by their names."""
@@ -158,11 +158,11 @@ class Wall(unittest.TestCase):
         threading.Thread(target=note, daemon=True).start()
         return heard
 
-    def film_two_boxes(self, names, seconds, *options):
-        """Films a leader and, so long, a follower whose visitor drags. @return  the pictures of both, and the messages"""
+    def film_two_boxes(self, names, seconds, *options, touches=f"{DRAG_AT} drag 80 45 240 135 2", **kinds):
+        """Films a leader and, so long, a follower whose visitor touches it. @return  the pictures of both, and the messages"""
         script = self.folder / "script"
-        script.write_text(f"{DRAG_AT} drag 80 45 240 135 2\n")
-        leader = self.start_leader(names[0], "--duration", f"{seconds + 2}s", *options)
+        script.write_text(touches + "\n")
+        leader = self.start_leader(names[0], "--duration", f"{seconds + 2}s", *options, **kinds)
         heard = self.listen()
         follower = self.start_player(self.right, names[1], "--media.root", self.folder / "none", "--rehearse", script, "--duration", f"{seconds}s")
         self.wait_until_in_step()
@@ -199,6 +199,22 @@ class Wall(unittest.TestCase):
         self.assertTrue(back, "nothing came back of a touch")
         print(f"{len(touches)} messages of touches; the leader answers after {1000 * statistics.median(back):.0f} ms in the median, "
               f"95 %: {1000 * sorted(back)[len(back) * 95 // 100]:.0f} ms, {RATE} pictures a second")
+
+    def test_a_visitor_of_a_follower_opens_a_tapestry_on_all_boxes(self):
+        at = DRAG_AT
+        touches = "\n".join((f"{at} tap 160 90", f"{at + 0.25} tap 160 90", f"{at + 4} tap 60 125", f"{at + 7} drag 200 150 90 150 1.5"))
+        left, right, _ = self.film_two_boxes(("strip", "strips"), at + 24, "--show.order", "name", touches=touches, slots=1)
+        with self.subTest("the same picture at the same moment"):
+            windows = {f"{at + later} s": (shift(left, right, (at + later) * RATE, RATE), bound)
+                       for later, bound in ((-4, SAME), (2, SAME), (5, SAME), (7, NEAR), (10, SAME), (20, SAME))}
+            print(f"pictures apart, and how far from equal: {windows}")
+            for when, ((apart, off), bound) in windows.items():
+                self.assertLess(off, bound, when)
+                self.assertLessEqual(abs(apart - windows[f"{at - 4} s"][0][0]), 3 if bound == NEAR else 1, when)
+        with self.subTest("a tapestry was seen, moved, and went"):
+            moments = [right[round((at + later) * RATE)] for later in (-1, 2.5, 9.5, 20)]
+            for one, other in zip(moments, moments[1:]):
+                self.assertGreater(difference(one, other), 3 * SAME)
 
     def test_a_follower_goes_on_without_broker_and_leader_and_is_in_step_once_they_are_back(self):
         leader = self.start_leader("first")

@@ -10,7 +10,7 @@ using std::chrono::nanoseconds;
 
 constexpr std::int64_t longest_film = 10'000'000'000'000'000;  // ns: 115 days
 constexpr double max_canvas = 16384;                           // px
-constexpr double max_level = 64;
+constexpr int max_levels = 64;
 
 nanoseconds film_time_in(const ActJson& json, const char* key) {
     return nanoseconds(whole_in(json, key, 0, longest_film));
@@ -35,6 +35,7 @@ SeenSpan span_in(const ActJson& json) {
 ActJson tapestry_to_json(const TapestryMoment& seen) {
     ActJson json{{"path", seen.path},
                  {"folder", seen.folder},
+                 {"levels", seen.levels},
                  {"canvas", to_act_json(seen.canvas)},
                  {"opened_ns", seen.opened.count()},
                  {"centre_ns", seen.view.centre.count()},
@@ -52,9 +53,10 @@ TapestryMoment tapestry_from_json(const ActJson& json) {
     TapestryMoment seen{
         .path = json.at("path").get<std::string>(),
         .folder = json.at("folder").get<std::string>(),
+        .levels = static_cast<int>(whole_in(json, "levels", 0, max_levels)),
         .canvas = vec2_in(json.at("canvas")),
         .opened = time_in(json, "opened_ns"),
-        .view = {.centre = film_time_in(json, "centre_ns"), .level = number_in(json.at("level"), max_level)},
+        .view = {.centre = film_time_in(json, "centre_ns"), .level = number_in(json.at("level"), max_levels)},
         .width = number_in(json.at("width"), max_ribbon_length),
         .touched = {.time = film_time_in(json, "touched_ns"), .is_lower = json.at("is_lower").get<bool>()}};
     if (json.contains("above")) seen.above = span_in(json.at("above"));

@@ -22,6 +22,7 @@ struct SeenSpan {
 struct TapestryMoment {
     std::string path;    // of the film
     std::string folder;  // of its tiles, which is another one each time it is woven; empty: not woven yet
+    int levels = 0;      // their number, which grows while it is woven
     Vec2 canvas;         // px
     std::chrono::nanoseconds opened{0};  // the show's time
     TapestryView view;

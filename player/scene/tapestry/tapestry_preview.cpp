@@ -13,10 +13,17 @@ using std::chrono::nanoseconds;
 constexpr auto span_above = 60s;    // longest part above the strip; then the next part follows
 constexpr auto film_rest = 400ms;   // a shorter rest of the film is not played
 constexpr auto preparing = 1500ms;  // the next span is requested so long before a span's end
+constexpr auto sent_back = 100ms;   // a source is not sent back further than this, nor
+constexpr auto sent_on = 1s;        // further on than this: another one is asked for
 constexpr nanoseconds at_next_frame{-1};
 
 bool has_begun(const std::optional<PlayingSpan>& playing) {
     return playing && playing->began && playing->began->count() >= 0;
+}
+
+/// True if what plays can be drawn at another time of its own from now on.
+bool can_follow(nanoseconds local, nanoseconds wanted) {
+    return wanted >= local - sent_back && wanted <= local + sent_on;
 }
 
 /// True: the film is over with this span.
@@ -120,13 +127,17 @@ void TapestryPreview::follow(const TapestryMoment& seen, nanoseconds now, double
     const nanoseconds moment = span.begin + std::max(now - seen.above->began, nanoseconds(0));
     const nanoseconds bounded = std::min(moment, span.end - 1ns);
     const bool looks = scrubbed_.moment().has_value();
-    const bool plays = !looks && above_ && (above_->span.contains(moment) || above_->span.contains(bounded));
-    if (plays && has_begun(above_)) {
+    if (!looks && above_ && (above_->span.contains(moment) || above_->span.contains(bounded))) {
+        if (!has_begun(above_)) return;
         const bool goes_on = next_above_ && next_above_->continues;
-        const nanoseconds local = moment - above_->span.begin;
-        above_->began = now - (goes_on ? local : std::min(local, above_->span.length() - 1ns));
+        const nanoseconds local = goes_on
+                                      ? moment - above_->span.begin
+                                      : std::min(moment - above_->span.begin, above_->span.length() - 1ns);
+        if (can_follow(now - *above_->began, local)) {
+            above_->began = now - local;
+            return;
+        }
     }
-    if (plays) return;
     const bool can_play = spans_.can_play(bounded);
     if (looks || !can_play) scrubbed_.look_at_kept(bounded);
     const bool comes = next_above_ && next_above_->span.contains(bounded);

@@ -30,6 +30,7 @@ std::optional<SeenSpan> seen_span(const std::optional<PlayingSpan>& playing) {
 TapestryMoment seen_moment(const DrawnTapestry& drawn, double width) {
     return {.path = drawn.film.path,
             .folder = drawn.tapestry.folder,
+            .levels = static_cast<int>(drawn.tapestry.levels.size()),
             .canvas = drawn.boxes.canvas,
             .view = drawn.view,
             .width = width,

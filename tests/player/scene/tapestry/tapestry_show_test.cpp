@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -767,6 +768,23 @@ TEST_CASE("a box that comes later plays the film from where it is") {
     };
     CHECK(begins(boxes.leads) > 10s);
     CHECK(begins(boxes.follows) > begins(boxes.leads) + 3s);
+}
+
+TEST_CASE("a moment that was before is played by another source: no source goes back") {
+    TwoBoxes boxes;
+    boxes.leads.tap({500, upper_row});
+    boxes.run(4s);
+    std::map<SourceId, std::chrono::nanoseconds> last;
+    boxes.leads.tap({480, upper_row});
+    for (int k = 0; k < 60; ++k) {
+        boxes.run(frame_time);
+        for (const DrawItem& item : boxes.followed.frame.items) {
+            const auto found = last.find(item.source);
+            if (found != last.end() && item.local > 0ns) CHECK(item.local >= found->second);
+            last[item.source] = item.local;
+        }
+    }
+    CHECK(boxes.look_alike());
 }
 
 TEST_CASE("a box without the film itself asks for nothing that the store has not got") {
