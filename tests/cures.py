@@ -514,6 +514,8 @@ CURES = [
          "    keep_in_view(passed, place);\n", "    (void)&TapestryMotion::keep_in_view;\n", "scene_test.tapestry_show_test"),
     Cure("a film's end that leads nowhere", "player/scene/tapestry/tapestry_preview.cpp",
          "    return now >= end ? std::optional(end) : std::nullopt;", "    return (void)now, (void)end, std::nullopt;", "scene_test.tapestry_show_test"),
+    Cure("a film's end that shows a picture from before", "player/scene/tapestry/tapestry_preview.cpp",
+         "constexpr auto before_end = 2ms;", "constexpr auto before_end = 1ns;", "stage_test.tapestry_playback_test"),
     Cure("a preview that does not follow the finger", "player/scene/tapestry/strip_finger.cpp",
          "        strip.preview.look_at(strip.place.time_at(", "        if (false) strip.preview.look_at(strip.place.time_at(", "scene_test.tapestry_show_test"),
     Cure("a preview that waits for a decoder", "player/scene/tapestry/tapestry_picture.cpp",

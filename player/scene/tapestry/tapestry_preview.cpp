@@ -15,6 +15,8 @@ constexpr auto film_rest = 400ms;   // a shorter rest of the film is not played
 constexpr auto preparing = 1500ms;  // the next span is requested so long before a span's end
 constexpr auto sent_back = 100ms;   // a source is not sent back further than this, nor
 constexpr auto sent_on = 1s;        // further on than this: another one is asked for
+constexpr auto before_end = 2ms;    // a film stands so long before its end: pictures are drawn up to a
+                                    // millisecond early, and then its part begins anew
 constexpr nanoseconds at_next_frame{-1};
 
 bool has_begun(const std::optional<PlayingSpan>& playing) {
@@ -125,14 +127,14 @@ void TapestryPreview::follow(const TapestryMoment& seen, nanoseconds now, double
     if (!seen.above) return stop_preview();
     const FilmSpan& span = seen.above->span;
     const nanoseconds moment = span.begin + std::max(now - seen.above->began, nanoseconds(0));
-    const nanoseconds bounded = std::min(moment, span.end - 1ns);
+    const nanoseconds bounded = std::min(moment, span.end - before_end);
     const bool looks = scrubbed_.moment().has_value();
     if (!looks && above_ && (above_->span.contains(moment) || above_->span.contains(bounded))) {
         if (!has_begun(above_)) return;
         const bool goes_on = next_above_ && next_above_->continues;
-        const nanoseconds local = goes_on
-                                      ? moment - above_->span.begin
-                                      : std::min(moment - above_->span.begin, above_->span.length() - 1ns);
+        const nanoseconds local =
+            goes_on ? moment - above_->span.begin
+                    : std::min(moment - above_->span.begin, above_->span.length() - before_end);
         if (can_follow(now - *above_->began, local)) {
             above_->began = now - local;
             return;
@@ -152,7 +154,7 @@ void TapestryPreview::start_ready(nanoseconds now) {
 nanoseconds TapestryPreview::time_above(nanoseconds now) const {
     const nanoseconds local = now - *above_->began;
     const bool stands = (next_above_ && next_above_->continues) || is_last(*above_, spans_.film());
-    return stands ? std::min(local, above_->span.length() - 1ns) : local;
+    return stands ? std::min(local, above_->span.length() - before_end) : local;
 }
 
 std::optional<nanoseconds> TapestryPreview::awaited() const {

@@ -9,6 +9,7 @@
 #include "player/display/offscreen_screen.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/stage/stage.hpp"
+#include "tests/player/playback/numbered_film.hpp"
 #include "tests/player/scene/tapestry/drawn_tapestry.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -18,7 +19,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <thread>
 #include <utility>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -451,6 +454,40 @@ TEST_CASE("a tapestry plays at once, and from the store as soon as the film's re
     CHECK_FALSE(tapestry.is_over());
     tapestry.set_catalogue(std::vector<MediaRecord>{});
     CHECK(tapestry.is_over());
+}
+
+TEST_CASE("at the film's end the last picture stands") {
+    Theatre theatre;
+    constexpr auto length = 4s;
+    write_film(theatre.directory.path / "film.mp4",
+               {.pictures = 120,
+                .rate = 30,
+                .chain = "x264enc bframes=0 key-int-max=30 ! video/x-h264,profile=high ! mp4mux"});
+    Tapestry film = drawn_tapestry(1);
+    film.duration = length;
+    write_tiles(theatre.tapestry(), film);
+    TapestryPlayback tapestry(theatre.tapestry(), {320, 180},
+                              {.first_source = 1, .patience = 60s, .awaits_tiles = true});
+    std::vector<int> seen;
+    for (std::chrono::nanoseconds now{0}; now < length + 2s; now += 40ms) {
+        const WallStep step = tapestry.step(now, theatre.renderer);
+        for (const ShotRequest& request : step.requests)
+            theatre.sources.request(request);
+        if (!step.requests.empty()) {
+            theatre.sources.wait_until_ready(10s);
+            for (const ShotRequest& request : step.requests)
+                tapestry.source_ready(request.source);
+        }
+        theatre.sources.wait_for(step.frame, 10s);
+        theatre.sources.advance(step.frame);
+        for (const DrawItem& item : step.frame.items)
+            if (const std::optional<Sample> sample = theatre.sources.sample(item.source))
+                seen.push_back(number(*sample));
+        std::this_thread::sleep_for(now > length ? 5ms : 0ms);  // its part begins anew behind the scenes
+    }
+    REQUIRE(seen.size() > 100);
+    CHECK(std::ranges::is_sorted(seen));
+    CHECK(seen.back() == 119);
 }
 
 TEST_CASE("a directory without a tapestry is named") {

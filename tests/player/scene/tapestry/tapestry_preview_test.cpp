@@ -149,7 +149,7 @@ TEST_CASE("the next span is asked for shortly before the end of one, and follows
     // The span is over, and the next one is late: its last picture stays.
     preview.play_on(62s, width);
     CHECK(preview.above()->source == first);
-    CHECK(preview.time_above(62s) == 60s - 1ns);
+    CHECK(preview.time_above(62s) == 60s - 2ms);
 
     preview.source_ready(next.source);
     CHECK(preview.above()->source == first);
@@ -180,7 +180,7 @@ TEST_CASE("behind the film's end nothing is asked for: its last picture stands, 
     CHECK_FALSE(preview.ended(39900ms));
     preview.play_on(45s, width);
     CHECK(preview.take_changes().requests.empty());
-    CHECK(preview.time_above(45s) == 40s - 1ns);
+    CHECK(preview.time_above(45s) == 40s - 2ms);
     CHECK(preview.ended(45s) == 40s);
 }
 
