@@ -3,8 +3,10 @@
 #include "player/scene/acts/box_note.hpp"
 #include "player/scene/acts/lifted_json.hpp"
 #include "player/scene/acts/touch_json.hpp"
+#include "player/scene/tapestry/tapestry_show.hpp"
 #include "tests/player/scene/acts/shared_house.hpp"
 #include "tests/player/scene/changing_wall.hpp"
+#include "tests/player/scene/tapestry/drawn_tapestry.hpp"
 
 #include <doctest/doctest.h>
 
@@ -83,6 +85,37 @@ bool is_same(const Frame& one, const Frame& other) {
 int count(int usual) {
     const char* const wanted = std::getenv("VITRINE_ACTS");
     return wanted != nullptr ? std::atoi(wanted) : usual;
+}
+
+/// A text of which up to three numbers or bytes are others.
+std::string changed(std::string text, std::mt19937_64& random) {
+    static const std::vector<std::string> words{"-1",
+                                                "0",
+                                                "1e308",
+                                                "1e-300",
+                                                "null",
+                                                "[]",
+                                                "{}",
+                                                "true",
+                                                "\"\"",
+                                                "1e9",
+                                                "-1e6",
+                                                "9223372036854775807",
+                                                "1e-9",
+                                                "0.5",
+                                                "2305843009213693951",
+                                                "10000000000000000"};
+    const auto below = [&](std::size_t most) { return static_cast<std::size_t>(random() % most); };
+    for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+        const std::size_t begin = text.find_first_of("0123456789-", below(text.size()));
+        if (begin == std::string::npos) continue;
+        const std::size_t end = text.find_first_not_of("0123456789.e-+", begin);
+        if (below(4) == 0)
+            text[below(text.size())] = static_cast<char>(below(256));
+        else
+            text.replace(begin, end - begin, words[below(words.size())]);
+    }
+    return text;
 }
 
 }  // namespace
@@ -190,25 +223,12 @@ TEST_CASE("an act of another version, and what is none, gives a sentence") {
 
 TEST_CASE("changed acts are refused, or can be drawn at any time") {
     std::mt19937_64 random(20);
-    const auto below = [&](std::size_t most) { return static_cast<std::size_t>(random() % most); };
     const std::vector<std::string> texts{to_json(act(7)), to_json(act(8, {.feather = 20})),
                                          to_json(panning_act(9)), to_json(folder_act(10))};
-    const std::vector<std::string> words{"-1", "0",    "1e308", "1e-300", "null", "[]",
-                                         "{}", "true", "\"\"",  "1e9",    "-1e6", "9223372036854775807"};
     int drawn = 0;
     for (int k = 0; k < count(400); ++k) {
-        std::string text = texts[below(texts.size())];
-        for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
-            const std::size_t begin = text.find_first_of("0123456789-", below(text.size()));
-            if (begin == std::string::npos) continue;
-            const std::size_t end = text.find_first_not_of("0123456789.e-+", begin);
-            if (below(4) == 0)
-                text[below(text.size())] = static_cast<char>(below(256));
-            else
-                text.replace(begin, end - begin, words[below(words.size())]);
-        }
         try {
-            const WallAct read = act_from_json(text);
+            const WallAct read = act_from_json(changed(texts[random() % texts.size()], random));
             for (const auto now : {4s, 5s, 9s})
                 (void)act_frame(read, now + 300ms);
             ++drawn;
@@ -305,6 +325,42 @@ TEST_CASE("a tapestry travels as it was seen") {
         bad.replace(bad.find(right), right.size(), wrong);
         CHECK_THROWS_AS(lifted_from_json(bad), std::runtime_error);
     }
+}
+
+TEST_CASE("changed tapestries are refused, or can be drawn at any time") {
+    std::mt19937_64 random(21);
+    const ToldHands told{.run = 12,
+                         .tapestry = TapestryMoment{.path = "film.mp4",
+                                                    .folder = "tiles",
+                                                    .levels = 4,
+                                                    .canvas = {640, 360},
+                                                    .opened = 2s,
+                                                    .view = {.centre = 30s, .level = 1.5},
+                                                    .width = 700,
+                                                    .above = SeenSpan{{10s, 40s}, 3s},
+                                                    .in_place = SeenSpan{{12s, 16s}, 4s},
+                                                    .touched = {.time = 12s},
+                                                    .looked_for = 20s}};
+    const std::string text = lifted_to_json(told);
+    const Shot shot{.begin = 0s, .end = 60s, .stored = StoredShot{.file = "clip"}};
+    TapestryShow strip(drawn_tapestry(), drawn_film({shot}), {640, 360}, {.patience = {}});
+    std::chrono::nanoseconds now = 5s;
+    int drawn = 0;
+    for (int k = 0; k < count(400); ++k) {
+        try {
+            const auto read = lifted_from_json(changed(text, random)).tapestry;
+            if (!read) continue;
+            strip.set_canvas(read->canvas);
+            const TapestryMoment seen = moved(*read, -now / 2);
+            for (int frame = 0; frame < 3; ++frame)
+                for (const ShotRequest& request : strip.step(now += 40ms, &seen).requests)
+                    strip.source_ready(request.source);
+            ++drawn;
+        } catch (const std::runtime_error&) {
+            continue;
+        }
+    }
+    CHECK(drawn > 0);
 }
 
 TEST_CASE("touches travel as they were made") {
