@@ -59,7 +59,10 @@ class FilmSpans {
     const PreviewedFilm& film() const { return film_; }
 
     /// Call when the film's record has come or has changed: the store may have more of its shots.
-    void set_film(PreviewedFilm film) { film_ = std::move(film); }
+    void set_film(PreviewedFilm film) {
+        film_ = std::move(film);
+        failed_.clear();
+    }
 
     /// The moment nearest to a time from which the film can be played.
     std::chrono::nanoseconds possible_begin(std::chrono::nanoseconds from) const;

@@ -807,4 +807,7 @@ TEST_CASE("a box without the film itself asks for nothing that the store has not
         boxes.run(500ms);
     }
     CHECK(boxes.follows.playing.empty());
+    boxes.follows.set_shots({TwoBoxes::stored_shot(10s, 40s), TwoBoxes::stored_shot(40s, 60s)});
+    boxes.run(100ms);
+    CHECK_FALSE(boxes.follows.playing.empty());  // its record is another one: the store may have it now
 }
