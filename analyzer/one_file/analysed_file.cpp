@@ -68,8 +68,10 @@ AnalysisSettings analysis_settings(const Settings::Analyzer& from) {
     settings.face_model = find_model(from.face_model, usual.face_model);
     if (from.saliency == SaliencyMethod::plain) return settings;
     settings.is_student = from.saliency == SaliencyMethod::student;
-    settings.saliency_model = settings.is_student ? find_model(from.student_model, usual.student_model)
-                                                  : find_model(from.saliency_model, usual.saliency_model);
+    const std::string student = find_model(from.student_model, usual.student_model);
+    settings.saliency_model =
+        settings.is_student ? student : find_model(from.saliency_model, usual.saliency_model);
+    if (!settings.is_student && !settings.saliency_model.empty()) settings.spare_model = student;
     settings.text_model = find_model(from.text_model, usual.text_model);
     return settings;
 }

@@ -251,8 +251,8 @@ bool may_store_film(const AnalysedFile& file, const AnalysisOutputs& outputs) {
 ReaderNeeds needs_of(const AnalysedFile& file, const AnalysisOutputs& outputs) {
     const StorePlace place = file.store_place();
     const AnalysisSettings settings = settings_for(file, outputs);
-    ReaderNeeds needs{
-        .models = {settings.face_model, settings.face_cascade, settings.saliency_model, settings.text_model}};
+    ReaderNeeds needs{.models = {settings.face_model, settings.face_cascade, settings.saliency_model,
+                                 settings.spare_model, settings.text_model}};
     if (outputs.stored || outputs.growth) needs.folders.push_back(place.store / place.id);
     if (outputs.thumbnail) needs.folders.push_back(file.thumbnail().parent_path());
     needs.holds_film = may_store_film(file, outputs);

@@ -20,6 +20,7 @@ namespace {
 constexpr LookPace network_pace{.pixels = 9e6, .seconds = 3, .at_once = 2, .max = 6};
 constexpr LookPace student_pace{.pixels = 4.5e6, .seconds = 2, .at_once = 4, .max = 8};
 constexpr double min_rate = 0.1;
+constexpr int max_spare = 2;  // looks of the spare network at a shot
 // A subject that moves or grows differs most at both ends of a shot, so the first and the last look are near
 // them.
 constexpr double margin = 0.1;       // from an end to the look nearest to it, in distances of two looks
@@ -60,58 +61,63 @@ bool is_blind(const Sample& sample) {
            subject_outline(sample.subject).certainty < blind_certainty;
 }
 
+/// Looks at one sample. Where nothing is seen there, the nearest at which much moves counts in its place.
+void look_at(Sample& sample, SaliencyNetwork& network, const Shot& shot, std::vector<Sample>& samples) {
+    sample.subject = subject_in(network, sample);
+    Sample* other = is_blind(sample) ? busy_sample_near(sample, shot, samples) : nullptr;
+    if (other == nullptr) return;
+    other->subject = subject_in(network, *other);
+    (is_blind(*other) ? other : &sample)->subject.release();
+}
+
+/// The looks that a shot of this length is worth.
+int wanted_looks(const Shot& shot, const LookPace& pace) {
+    return std::min(1 + static_cast<int>(seconds(shot.duration()) / pace.seconds), pace.max);
+}
+
 }  // namespace
 
 SubjectLooks::SubjectLooks(const AnalysisSettings& settings, const MediaRecord& film)
     : settings_(settings),
       pace_(settings.is_student ? student_pace : network_pace),
       rate_(std::max(min_rate, static_cast<double>(film.width) * film.height / pace_.pixels)),
-      is_off_(film.kind == MediaKind::photo || settings.saliency_model.empty()) {}
+      first_{.is_off = film.kind == MediaKind::photo || settings.saliency_model.empty()},
+      spare_{.is_off = film.kind == MediaKind::photo || settings.spare_model.empty()} {}
 
 void SubjectLooks::look(const Shot& shot, std::vector<Sample>& samples) {
-    if (is_off_ || samples.empty()) return;
-    const int count = std::min(affordable(shot), static_cast<int>(samples.size()));
-    if (count <= 0 || !open()) return;
+    if (samples.empty()) return;
+    const int count = first_.is_off ? 0 : affordable(shot);
+    if (count > 0) look(first_, count, shot, samples);
+    const auto is_seen = [](const Sample& sample) { return !sample.subject.empty(); };
+    if (!spare_.is_off && std::ranges::none_of(samples, is_seen))
+        look(spare_, std::min(wanted_looks(shot, pace_), max_spare), shot, samples);
+}
+
+void SubjectLooks::look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples) {
+    count = std::min(count, static_cast<int>(samples.size()));
     try {
+        if (!looker.network)
+            looker.network = &looker == &spare_ ? spare_network(settings_) : quick_network(settings_);
+        if (!looker.network) throw std::runtime_error("the model takes no smaller pictures");
         for (int i = 0; i < count; ++i) {
             const double place =
                 (i + margin) / (count - 1 + 2 * margin) * static_cast<double>(samples.size());
-            look_at(samples[static_cast<std::size_t>(place)], shot, samples);
+            Sample& sample = samples[static_cast<std::size_t>(place)];
+            if (!sample.subject.empty()) continue;  // it was near one that shows nothing
+            look_at(sample, *looker.network, shot, samples);
+            if (&looker == &first_) ++taken_;
         }
     } catch (const std::runtime_error& error) {
         log::warning("films keep their plain regions: {}", error.what());
-        is_off_ = true;
+        looker.is_off = true;
         for (Sample& sample : samples)
             sample.subject.release();
     }
 }
 
-void SubjectLooks::look_at(Sample& sample, const Shot& shot, std::vector<Sample>& samples) {
-    if (!sample.subject.empty()) return;  // it was near one that shows nothing
-    sample.subject = subject_in(*network_, sample);
-    ++taken_;
-    Sample* other = is_blind(sample) ? busy_sample_near(sample, shot, samples) : nullptr;
-    if (other == nullptr) return;
-    other->subject = subject_in(*network_, *other);
-    (is_blind(*other) ? other : &sample)->subject.release();
-}
-
 int SubjectLooks::affordable(const Shot& shot) const {
     const double earned = pace_.at_once + rate_ * seconds(shot.end);
-    const int wanted = 1 + static_cast<int>(seconds(shot.duration()) / pace_.seconds);
-    return std::min({wanted, pace_.max, static_cast<int>(earned) - taken_});
-}
-
-bool SubjectLooks::open() {
-    if (network_) return true;
-    try {
-        network_ = quick_network(settings_);
-        if (!network_) throw std::runtime_error("the model takes no smaller pictures");
-    } catch (const std::runtime_error& error) {
-        log::warning("films keep their plain regions: {}", error.what());
-        is_off_ = true;
-    }
-    return !is_off_;
+    return std::min(wanted_looks(shot, pace_), static_cast<int>(earned) - taken_);
 }
 
 }  // namespace vitrine::analyzer

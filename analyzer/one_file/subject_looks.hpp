@@ -19,8 +19,9 @@ struct LookPace {
 };
 
 /// Lets the network look at some samples of each shot of a film, at a small size. The looks are few beside
-/// what decoding costs: a film earns them by its pixels, and a shot for which none is left keeps its plain
-/// region. Logs a model that cannot be used, once, and does without it.
+/// what decoding costs: a film earns them by its pixels. At a shot for which none is left the spare network
+/// looks, if there is one; else the shot keeps its plain region. Logs a model that cannot be used, once, and
+/// does without it.
 class SubjectLooks {
   public:
     /// @param film  its size; no look is taken where it is a photo
@@ -31,17 +32,21 @@ class SubjectLooks {
     void look(const Shot& shot, std::vector<Sample>& samples);
 
   private:
-    /// Looks at one sample. Where nothing is seen there, the nearest at which much moves counts in its place.
-    void look_at(Sample& sample, const Shot& shot, std::vector<Sample>& samples);
+    /// A network that looks, opened when it looks first.
+    struct Looker {
+        bool is_off = false;
+        std::unique_ptr<SaliencyNetwork> network = {};  // null: not opened yet
+    };
+
+    void look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples);
     int affordable(const Shot& shot) const;
-    bool open();
 
     const AnalysisSettings& settings_;  // outlives the looks
     LookPace pace_;
     double rate_ = 0;  // looks a second of film
-    int taken_ = 0;
-    bool is_off_ = false;
-    std::unique_ptr<SaliencyNetwork> network_;  // null: not opened yet
+    int taken_ = 0;    // of the first network
+    Looker first_;
+    Looker spare_;
 };
 
 }  // namespace vitrine::analyzer

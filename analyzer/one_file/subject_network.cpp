@@ -25,6 +25,11 @@ std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings)
                                : open_network(model, coarse_side);
 }
 
+std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings) {
+    const std::string& model = settings.spare_model;
+    return model.empty() ? nullptr : std::make_unique<SaliencyNetwork>(model, coarse_side);
+}
+
 SubjectNetwork::SubjectNetwork(const std::string& file)
     : SubjectNetwork(std::make_unique<SaliencyNetwork>(file)) {
     if (auto coarse = open_network(file, coarse_side)) looks_.push_back(std::move(coarse));

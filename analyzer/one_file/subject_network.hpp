@@ -23,6 +23,11 @@ std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side)
 /// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings);
 
+/// The student, where the settings name it as the spare one.
+/// @return null: they do not
+/// @throws std::runtime_error if it cannot be read
+std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings);
+
 /// The networks as photos need them.
 class SubjectNetwork {
   public:

@@ -24,6 +24,7 @@ struct AnalysisSettings {
     RegionSettings region;
     std::string saliency_model;   // an ONNX file that finds subjects (subject_outline.hpp); "": not used
     bool is_student = false;      // that network is small: it looks at photos at once, and often at films
+    std::string spare_model;      // the student's, for shots that a large network does not look at; "": none
     bool looks_at_photos = true;  // asks a large network about photos; films are asked about now and then
     std::string text_model;       // an ONNX file that finds lines of text (line_detector.hpp); "": not used
     int text_interval = 10;       // samples of a film from one search for lines to the next

@@ -183,7 +183,9 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"analyzer.student_model", text<&S::analyzer, &S::Analyzer::student_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "The ONNX file of the small network. It takes one picture of 160 x 160 and its first output is one map. "
-     "The default comes with the analyzer. Empty, or if the file is missing: the plain method."},
+     "With `analyzer.saliency = \"network\"` it looks at those shots of films for which the large network "
+     "would take too long. The default comes with the analyzer. Empty, or if the file is missing: the plain "
+     "method, also for those shots."},
     {"analyzer.text_model", text<&S::analyzer, &S::Analyzer::text_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
      "An ONNX file that finds lines of text, so that none is cut. It takes a picture and gives a map of "

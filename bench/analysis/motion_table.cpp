@@ -93,6 +93,7 @@ struct TakeScore {
 AnalysisSettings with_network(const TableInput& input) {
     return {.saliency_model = input.is_student ? input.student_model : input.saliency_model,
             .is_student = input.is_student,
+            .spare_model = input.is_student ? std::string() : input.student_model,
             .face_model = input.face_model};
 }
 

@@ -160,10 +160,13 @@ TEST_CASE("the word of the setting chooses the network that looks") {
     settings.saliency_model = "/large.onnx";
     settings.student_model = "/small.onnx";
     CHECK(analysis_settings(settings).saliency_model == "/large.onnx");
+    CHECK(analysis_settings(settings).spare_model == "/small.onnx");
     CHECK_FALSE(analysis_settings(settings).is_student);
     settings.saliency = SaliencyMethod::student;
     CHECK(analysis_settings(settings).saliency_model == "/small.onnx");
+    CHECK(analysis_settings(settings).spare_model.empty());
     CHECK(analysis_settings(settings).is_student);
     settings.saliency = SaliencyMethod::plain;
     CHECK(analysis_settings(settings).saliency_model.empty());
+    CHECK(analysis_settings(settings).spare_model.empty());
 }

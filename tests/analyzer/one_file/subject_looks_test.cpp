@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+
 namespace vitrine::analyzer {
 namespace {
 
@@ -57,6 +59,32 @@ TEST_CASE("where nothing is to be seen, the network looks at what passes before 
     REQUIRE(seen.size() >= 2);
     CHECK(seen.front() == 11);
     CHECK(seen.back() == 16);
+}
+
+TEST_CASE("at shots for which no look is left the spare network looks") {
+    AnalysisSettings settings;
+    settings.saliency_model = VITRINE_MODELS "/u2netp.onnx";
+    const auto looked = [&] {
+        SubjectLooks looks(settings, {.kind = MediaKind::film, .width = 320, .height = 180});
+        int count = 0;
+        for (int shot = 0; shot < 5; ++shot) {
+            std::vector<Sample> samples = ball_on_floor(0, sample_count);
+            looks.look({.begin = milliseconds(200 * sample_count * shot),
+                        .end = milliseconds(200 * sample_count * (shot + 1))},
+                       samples);
+            const bool is_seen =
+                std::ranges::any_of(samples, [](const Sample& sample) { return !sample.subject.empty(); });
+            count += is_seen ? 1 : 0;
+        }
+        return count;
+    };
+    CHECK(looked() < 5);
+    settings.spare_model = VITRINE_MODELS "/student.onnx";
+    CHECK(looked() == 5);
+    settings.saliency_model = "/nowhere.onnx";
+    CHECK(looked() == 5);
+    settings.spare_model = "/nowhere.onnx";
+    CHECK(looked() == 0);
 }
 
 }  // namespace vitrine::analyzer
