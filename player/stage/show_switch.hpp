@@ -19,7 +19,7 @@
 
 namespace vitrine::player {
 
-/// What becomes of a wish for a tapestry.
+/// The answer to a wish for a tapestry.
 enum class Opening {
     opened,
     later,  // a change of the wall or another switch was too short a time ago

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double min_scale = 1e-4;
 constexpr double max_scale = 1e3;
+constexpr double max_canvas_side = 16384;  // px
 
 /// The numbers of an array of this length.
 const ActJson& row_in(const ActJson& json, std::size_t length) {
@@ -75,6 +76,13 @@ ActJson to_act_json(const Polygon& polygon) {
 Vec2 vec2_in(const ActJson& json) {
     const ActJson& row = row_in(json, 2);
     return {number_in(row[0]), number_in(row[1])};
+}
+
+Vec2 canvas_in(const ActJson& json) {
+    const Vec2 canvas = vec2_in(json);
+    if (canvas.x < 1 || canvas.y < 1 || canvas.x > max_canvas_side || canvas.y > max_canvas_side)
+        throw ActFault("the canvas of an act has no size, or is too large");
+    return canvas;
 }
 
 Box box_in(const ActJson& json) {

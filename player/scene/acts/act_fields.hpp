@@ -46,6 +46,10 @@ ActJson to_act_json(const Placement& placement);
 ActJson to_act_json(const Polygon& polygon);
 
 Vec2 vec2_in(const ActJson& json);
+
+/// The size of a canvas that can be drawn, px.
+Vec2 canvas_in(const ActJson& json);
+
 Box box_in(const ActJson& json);
 
 /// A placement with a scale that can be drawn.

@@ -18,7 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int version = 1;
-constexpr double max_side = 16384;        // canvas px
 constexpr double max_cell_length = 1000;  // px, of a gutter, a radius or a feather
 constexpr double max_pan_speed = 1e5;     // px a second
 constexpr std::size_t max_parts = 64;
@@ -332,14 +331,12 @@ WallAct act_in(const ActJson& json, int folders) {
                          .generation = static_cast<std::uint64_t>(
                              whole_in(json, "generation", 0, std::numeric_limits<std::int64_t>::max()))},
                 .epoch = time_in(json, "epoch_ns"),
-                .canvas = vec2_in(json.at("canvas")),
+                .canvas = canvas_in(json.at("canvas")),
                 .parts = parts_in(json.at("parts")),
                 .cells = style_in(json.at("cells")),
                 .fade = time_in(json, "fade_ns"),
                 .shown = {},
                 .change = {}};
-    if (act.canvas.x < 1 || act.canvas.y < 1 || act.canvas.x > max_side || act.canvas.y > max_side)
-        throw ActFault("the canvas of an act has no size, or is too large");
     if (act.fade < 0ns || act.fade > max_change_time)
         throw ActFault("an act has a wall that fades in too long");
     std::vector<WallShot> shots;

@@ -10,9 +10,9 @@
 
 namespace vitrine::player {
 
-/// What hands do above a wall of several boxes, on a box that follows: they hold shots, play the film of a
-/// photo, or have opened a tapestry. Without news shots go back after a second, and the wall comes back after
-/// ten.
+/// Draws, on a box that follows, the shots that hands hold above the leader's wall and the film of a photo,
+/// and knows the tapestry that they have opened. Without news the shots go back after a second, and the wall
+/// comes back after ten.
 class FollowedLifted {
   public:
     /// Takes what the leader has drawn last.

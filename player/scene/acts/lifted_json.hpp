@@ -10,7 +10,7 @@
 
 namespace vitrine::player {
 
-/// What hands do above the wall, as the leader tells it.
+/// The leader tells by this what hands do above its wall.
 struct ToldHands {
     std::int64_t run = 0;  // of the leader; its sources have numbers of their own in each run
     LiftedMoment lifted = {};

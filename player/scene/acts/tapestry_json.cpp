@@ -9,7 +9,6 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr std::int64_t longest_film = 10'000'000'000'000'000;  // ns: 115 days
-constexpr double max_canvas = 16384;                           // px
 constexpr int max_levels = 64;
 
 nanoseconds film_time_in(const ActJson& json, const char* key) {
@@ -54,7 +53,7 @@ TapestryMoment tapestry_from_json(const ActJson& json) {
         .path = json.at("path").get<std::string>(),
         .folder = json.at("folder").get<std::string>(),
         .levels = static_cast<int>(whole_in(json, "levels", 0, max_levels)),
-        .canvas = vec2_in(json.at("canvas")),
+        .canvas = canvas_in(json.at("canvas")),
         .opened = time_in(json, "opened_ns"),
         .view = {.centre = film_time_in(json, "centre_ns"), .level = number_in(json.at("level"), max_levels)},
         .width = number_in(json.at("width"), max_ribbon_length),
@@ -62,8 +61,6 @@ TapestryMoment tapestry_from_json(const ActJson& json) {
     if (json.contains("above")) seen.above = span_in(json.at("above"));
     if (json.contains("in_place")) seen.in_place = span_in(json.at("in_place"));
     if (json.contains("looked_for_ns")) seen.looked_for = film_time_in(json, "looked_for_ns");
-    if (seen.canvas.x < 1 || seen.canvas.y < 1 || seen.canvas.x > max_canvas || seen.canvas.y > max_canvas)
-        throw ActFault("the leader tells of a tapestry on a canvas that cannot be drawn");
     if (seen.view.level < 0 || seen.width < 0)
         throw ActFault("the leader tells of a view of a tapestry that is none");
     return seen;

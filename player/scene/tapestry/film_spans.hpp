@@ -44,6 +44,11 @@ struct PlayingSpan {
     bool continues = false;                         // it starts when the span before it has ended
 };
 
+/// True: it is there and has a time at which it started.
+inline bool has_begun(const std::optional<PlayingSpan>& playing) {
+    return playing && playing->began && playing->began->count() >= 0;
+}
+
 /// Asks for parts of a film. Each is a source of its own. Any moment can be asked for: within a stored shot
 /// it is played from the store, elsewhere (titles, fades, a shot that is not stored) from the film.
 class FilmSpans {

@@ -13,15 +13,11 @@ using std::chrono::nanoseconds;
 constexpr auto span_above = 60s;    // longest part above the strip; then the next part follows
 constexpr auto film_rest = 400ms;   // a shorter rest of the film is not played
 constexpr auto preparing = 1500ms;  // the next span is requested so long before a span's end
-constexpr auto sent_back = 100ms;   // a source is not sent back further than this, nor
-constexpr auto sent_on = 1s;        // further on than this: another one is asked for
+constexpr auto sent_back = 100ms;   // another source is asked for rather than one sent back further
+constexpr auto sent_on = 1s;        // another source is asked for rather than one sent on further
 constexpr auto before_end = 2ms;    // a film stands so long before its end: pictures are drawn up to a
                                     // millisecond early, and then its part begins anew
 constexpr nanoseconds at_next_frame{-1};
-
-bool has_begun(const std::optional<PlayingSpan>& playing) {
-    return playing && playing->began && playing->began->count() >= 0;
-}
 
 /// True if what plays can be drawn at another time of its own from now on.
 bool can_follow(nanoseconds local, nanoseconds wanted) {

@@ -21,7 +21,7 @@ KeyframeEdit* edit_on(std::optional<KeyframeEdit>& edit, const Tapestry& tapestr
 }
 
 std::optional<SeenSpan> seen_span(const std::optional<PlayingSpan>& playing) {
-    if (!playing || !playing->began || playing->began->count() < 0) return std::nullopt;
+    if (!has_begun(playing)) return std::nullopt;
     return SeenSpan{playing->span, *playing->began};
 }
 
