@@ -81,23 +81,25 @@ SubjectLooks::SubjectLooks(const AnalysisSettings& settings, const MediaRecord& 
     : settings_(settings),
       pace_(settings.is_student ? student_pace : network_pace),
       rate_(std::max(min_rate, static_cast<double>(film.width) * film.height / pace_.pixels)),
-      first_{.is_off = film.kind == MediaKind::photo || settings.saliency_model.empty()},
-      spare_{.is_off = film.kind == MediaKind::photo || settings.spare_model.empty()} {}
+      first_{.open = quick_network,
+             .is_off = film.kind == MediaKind::photo || settings.saliency_model.empty()},
+      spare_{.open = spare_network, .is_off = film.kind == MediaKind::photo || settings.spare_model.empty()} {
+}
 
 void SubjectLooks::look(const Shot& shot, std::vector<Sample>& samples) {
     if (samples.empty()) return;
     const int count = first_.is_off ? 0 : affordable(shot);
-    if (count > 0) look(first_, count, shot, samples);
+    if (count > 0) taken_ += look(first_, count, shot, samples);
     const auto is_seen = [](const Sample& sample) { return !sample.subject.empty(); };
     if (!spare_.is_off && std::ranges::none_of(samples, is_seen))
         look(spare_, std::min(wanted_looks(shot, pace_), max_spare), shot, samples);
 }
 
-void SubjectLooks::look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples) {
+int SubjectLooks::look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples) {
     count = std::min(count, static_cast<int>(samples.size()));
+    int taken = 0;
     try {
-        if (!looker.network)
-            looker.network = &looker == &spare_ ? spare_network(settings_) : quick_network(settings_);
+        if (!looker.network) looker.network = looker.open(settings_);
         if (!looker.network) throw std::runtime_error("the model takes no smaller pictures");
         for (int i = 0; i < count; ++i) {
             const double place =
@@ -105,7 +107,7 @@ void SubjectLooks::look(Looker& looker, int count, const Shot& shot, std::vector
             Sample& sample = samples[static_cast<std::size_t>(place)];
             if (!sample.subject.empty()) continue;  // it was near one that shows nothing
             look_at(sample, *looker.network, shot, samples);
-            if (&looker == &first_) ++taken_;
+            ++taken;
         }
     } catch (const std::runtime_error& error) {
         log::warning("films keep their plain regions: {}", error.what());
@@ -113,6 +115,7 @@ void SubjectLooks::look(Looker& looker, int count, const Shot& shot, std::vector
         for (Sample& sample : samples)
             sample.subject.release();
     }
+    return taken;
 }
 
 int SubjectLooks::affordable(const Shot& shot) const {

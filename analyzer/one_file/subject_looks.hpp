@@ -34,11 +34,13 @@ class SubjectLooks {
   private:
     /// A network that looks, opened when it looks first.
     struct Looker {
+        std::unique_ptr<SaliencyNetwork> (*open)(const AnalysisSettings& settings) = nullptr;
         bool is_off = false;
         std::unique_ptr<SaliencyNetwork> network = {};  // null: not opened yet
     };
 
-    void look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples);
+    /// @return the number of samples at which it has looked
+    int look(Looker& looker, int count, const Shot& shot, std::vector<Sample>& samples);
     int affordable(const Shot& shot) const;
 
     const AnalysisSettings& settings_;  // outlives the looks

@@ -26,8 +26,7 @@ std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings)
 }
 
 std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings) {
-    const std::string& model = settings.spare_model;
-    return model.empty() ? nullptr : std::make_unique<SaliencyNetwork>(model, coarse_side);
+    return std::make_unique<SaliencyNetwork>(settings.spare_model, coarse_side);
 }
 
 SubjectNetwork::SubjectNetwork(const std::string& file)

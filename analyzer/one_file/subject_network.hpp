@@ -23,8 +23,7 @@ std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side)
 /// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings);
 
-/// The student, where the settings name it as the spare one.
-/// @return null: they do not
+/// The spare network of the settings, which name one: the student.
 /// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings);
 
