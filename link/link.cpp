@@ -85,10 +85,7 @@ void Link::hear(const WallMessage& message) {
             heard_.insert_or_assign(topic, read);
         }
         players_.send_all(line_of(read));
-        const bool is_lifted = read.topic.kind == WallTopic::Kind::lifted;
-        const std::string tapestry = is_lifted ? told_tapestry(read.payload) : tapestry_;
-        const bool is_other = std::exchange(tapestry_, tapestry) != tapestry && !tapestry.empty();
-        if (read.topic.kind == WallTopic::Kind::prepare || is_other) want_files();
+        if (read.topic.kind == WallTopic::Kind::prepare || tells_other_tapestry(read)) want_files();
     } catch (const BrokenLine& broken) {
         refuse(broken.what());
     }
@@ -105,6 +102,13 @@ void Link::refuse(const std::string& fault) {
 void Link::sum_up() {
     if (refused_ > 1) log::warning("{} more messages were refused", refused_ - 1);
     refused_ = 0;
+}
+
+/// True if hands have opened a tapestry that the last message has not told of, or more of it is woven.
+bool Link::tells_other_tapestry(const WallMessage& message) {
+    if (message.topic.kind != WallTopic::Kind::lifted) return false;
+    const std::string last = std::exchange(tapestry_, told_tapestry(message.payload));
+    return !tapestry_.empty() && tapestry_ != last;
 }
 
 /// Wakes vitrine-wall-fetch.path, which fetches the files that are needed next.

@@ -31,6 +31,7 @@ class Link {
     void refuse(const std::string& fault);
     void tell_state();
     void sum_up();
+    bool tells_other_tapestry(const WallMessage& message);
     void want_files() const;
 
     WallPlace place_;

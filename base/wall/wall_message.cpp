@@ -71,6 +71,7 @@ std::optional<int> payload_version(std::string_view payload) {
 }
 
 std::string told_tapestry(std::string_view payload) {
+    if (payload.find("\"tapestry\"") == std::string_view::npos) return {};  // most messages: not parsed again
     const Json json = checked_object(payload);
     const auto tapestry = json.find("tapestry");
     if (tapestry == json.end() || !tapestry->is_object()) return {};
